@@ -1,0 +1,16 @@
+# Every foreign library the project uses, all from Debian 12 (packages.txt).
+find_package(PkgConfig REQUIRED)
+find_package(Eigen3 REQUIRED NO_MODULE)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(Boost 1.74 REQUIRED)
+find_package(TBB REQUIRED)
+find_package(MPI REQUIRED COMPONENTS CXX)
+
+# Bullet's own CMake package names a library that Debian does not ship; pkg-config does not.
+pkg_check_modules(bullet REQUIRED IMPORTED_TARGET bullet-float64)
+pkg_check_modules(hdf5 REQUIRED IMPORTED_TARGET hdf5-serial)
+pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)

@@ -1,0 +1,39 @@
+#pragma once
+// The vector and matrix types of floes. World axes: x surge (tow direction), y up (water surface at y = 0), z sway.
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace floes {
+
+using Vec2 = Eigen::Vector2d;
+using Vec3 = Eigen::Vector3d;
+using Mat3 = Eigen::Matrix3d;
+using Quat = Eigen::Quaterniond;
+
+/// A rigid pose: position in metres, orientation body -> world.
+struct Pose {
+    Vec3 position = Vec3::Zero();
+    Quat orientation = Quat::Identity();
+};
+
+/// Where a floe lies on the water: centre (x, z) in metres; yaw in radians about +y (right-handed: +z turns to +x).
+struct PlanarPose {
+    double x = 0;
+    double z = 0;
+    double yaw = 0;
+};
+
+/// A force (N) and a moment about the centre of mass (N m), both in world axes.
+struct Wrench {
+    Vec3 force = Vec3::Zero();
+    Vec3 moment = Vec3::Zero();
+
+    Wrench& operator+=(const Wrench& other) {
+        force += other.force;
+        moment += other.moment;
+        return *this;
+    }
+};
+
+}  // namespace floes
