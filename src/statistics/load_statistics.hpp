@@ -1,0 +1,24 @@
+#pragma once
+// One row of Table 3 from the load in the analysis window.
+
+#include <span>
+#include <vector>
+
+namespace floes {
+
+struct LoadStatistics {
+    double mean = 0;                       ///< N
+    double sd = 0;                         ///< population standard deviation over the window, N
+    double maximum = 0;                    ///< N
+    std::vector<double> segment_maximum;   ///< maximum of each equal part of the window, N
+    double mean_maximum = 0;               ///< mean of the segment maxima, N
+    double sd_maximum = 0;                 ///< population SD of the segment maxima, N
+    double trend = 0;                      ///< slope of the load over the window, N/s
+    double trend_p = 1;                    ///< two-sided p of slope = 0, from batch means (the load is autocorrelated)
+    bool steady = true;                    ///< trend_p >= 0.05
+};
+
+/// `window`: load at every step of the analysis window, N, at least 2 samples a segment and all finite.
+LoadStatistics load_statistics(std::span<const double> window, double time_step, int segments);
+
+}  // namespace floes
