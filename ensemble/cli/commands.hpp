@@ -1,0 +1,14 @@
+#pragma once
+// The verbs of the command. Each adds its subcommand to the program and, when chosen, sets the exit status:
+// 0 every member done, 1 a member was set aside or the run failed, 2 bad input or usage, 85 stopped and resumable.
+
+#include <CLI/CLI.hpp>
+
+namespace floes {
+
+void add_run(CLI::App& program, int& exit_status);
+void add_status(CLI::App& program, int& exit_status);
+void add_summarize(CLI::App& program, int& exit_status);
+void add_config(CLI::App& program, int& exit_status);
+
+}  // namespace floes
