@@ -1,0 +1,56 @@
+#pragma once
+// Counter-based random numbers: a draw is a pure function of who asks and how often it asked before, so any rank, any
+// thread and any order gives the same numbers. Generator: Philox4x32-10, J. K. Salmon et al., "Parallel random numbers:
+// as easy as 1, 2, 3", SC11 (2011), from the Random123 library.
+//
+// A Philox block has a counter of 128 bits; arrangement, stream, geometry and draw want 192. So one block, keyed by the
+// campaign's seed, turns (arrangement, stream, geometry) into the 64-bit key of the stream, and under that key the
+// counter is (draw, arrangement, stream): two streams of one geometry differ for certain, those of two geometries
+// unless two 64-bit keys happen to be equal.
+
+#include <array>
+#include <cstdint>
+
+#include "core/stream_id.hpp"
+
+namespace floes {
+
+using PhiloxCounter = std::array<std::uint32_t, 4>;
+using PhiloxKey = std::array<std::uint32_t, 2>;
+
+/// One block of Philox4x32-10: the four random words of a counter under a key.
+PhiloxCounter philox(const PhiloxCounter& counter, const PhiloxKey& key);
+
+/// The random numbers of one purpose in one arrangement of one field geometry.
+class RandomStream {
+  public:
+    /// seed: of the campaign; arrangement: its number; geometry: geometry_key() of the scenario.
+    RandomStream(std::uint64_t seed, std::uint32_t arrangement, StreamId stream, std::uint64_t geometry);
+
+    /// Uniform in [0, 1), a multiple of 2^-53. One draw.
+    double uniform() { return static_cast<double>(next() >> 11) * 0x1p-53; }
+
+    /// Uniform between low and high. One draw.
+    double uniform(double low, double high) { return low + (high - low) * uniform(); }
+
+    /// Uniform in 0 … n - 1 without bias, n >= 1. One draw, seldom more (D. Lemire, ACM TOMACS 29(1), 2019).
+    std::uint32_t below(std::uint32_t n);
+
+    /// Number of 64-bit words handed out so far.
+    std::uint64_t draws() const { return draws_; }
+
+  private:
+    std::uint64_t next() {
+        if (draws_ % words_.size() == 0) refill();
+        return words_[draws_++ % words_.size()];
+    }
+    void refill();
+
+    PhiloxKey key_;
+    std::uint32_t arrangement_;
+    std::uint32_t stream_;
+    std::uint64_t draws_ = 0;
+    std::array<std::uint64_t, 8> words_{};  // four blocks at a time: independent, so the processor overlaps them
+};
+
+}  // namespace floes

@@ -1,0 +1,13 @@
+#pragma once
+// Every use of random numbers has a name here. A number once given stays: changing it changes the arrangements.
+
+#include <cstdint>
+
+namespace floes {
+
+enum class StreamId : std::uint32_t {
+    monte_carlo = 1,     ///< trial moves of the hard-rectangle Monte Carlo
+    lattice_jitter = 2,  ///< shifts and turns of the jittered lattice
+};
+
+}  // namespace floes
