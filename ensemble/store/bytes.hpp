@@ -1,0 +1,58 @@
+#pragma once
+// Values to bytes and back: little endian, doubles bit by bit, every length checked before it is believed.
+// Journal records and messages between ranks are made of these.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace floes {
+
+using Bytes = std::vector<std::byte>;
+
+/// Appends values to a growing row of bytes.
+class ByteWriter {
+  public:
+    void u8(std::uint8_t value);
+    void u32(std::uint32_t value);
+    void u64(std::uint64_t value);
+    void i32(std::int32_t value);
+    void f64(double value);                        ///< all 64 bits, NaN payload included
+    void text(std::string_view value);             ///< length (u64), then the bytes
+    void doubles(std::span<const double> values);  ///< count (u64), then the values
+
+    std::span<const std::byte> bytes() const { return bytes_; }
+    Bytes take() { return std::move(bytes_); }
+
+  private:
+    Bytes bytes_;
+};
+
+/// Takes values off the front of a row of bytes. Throws RunError when it ends too early; a false length never
+/// allocates more than the bytes that are there.
+class ByteReader {
+  public:
+    explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}
+
+    std::uint8_t u8();
+    std::uint32_t u32();
+    std::uint64_t u64();
+    std::int32_t i32();
+    double f64();
+    std::string text();
+    std::vector<double> doubles();
+    /// A count of things that take at least `bytes_each` bytes; throws when so many cannot follow.
+    std::size_t count(std::size_t bytes_each);
+
+    std::size_t left() const { return rest_.size(); }
+
+  private:
+    std::span<const std::byte> take(std::size_t size);
+
+    std::span<const std::byte> rest_;
+};
+
+}  // namespace floes

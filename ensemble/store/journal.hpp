@@ -1,0 +1,83 @@
+#pragma once
+// The truth about a campaign under way: an append-only file beside the campaign file. A header (magic, schema version,
+// resolved configuration) and records {length, type, payload, CRC32C}, each written by one write(). A record that
+// sync() has returned for survives kill -9 of the program and loss of the machine. A torn tail is recognised and cut.
+// docs/campaign_file.md has the layout.
+//
+//     Journal journal = open_journal(journal_path("a.h5"), campaign, Existing::resume);
+//     journal.begin_session(describe_session(ranks, threads, {}));
+//     journal.append(record);  …  journal.sync();
+//     journal.end_session("complete");
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "campaign/campaign.hpp"
+#include "store/file_descriptor.hpp"
+#include "store/member_record.hpp"
+#include "store/session.hpp"
+
+namespace floes {
+
+/// What to do about a journal that is already there.
+enum class Existing { refuse, replace, resume };
+
+/// All that a journal holds.
+struct JournalContents {
+    std::string campaign_text;          ///< resolved configuration, TOML
+    std::vector<MemberRecord> members;  ///< in order of arrival
+    std::vector<Session> sessions;      ///< in order of time
+    std::uint64_t good_bytes = 0;       ///< up to the end of the last whole record
+    std::uint64_t torn_bytes = 0;       ///< after that: a torn or damaged tail, or a record just being written
+};
+
+/// A journal open for writing, locked against a second writer as long as the object lives.
+class Journal {
+  public:
+    /// Adds a record. It is in the hands of the operating system on return, on the disk after the next sync().
+    void append(const MemberRecord& record);
+    /// Everything appended so far is on the disk on return. Throws RunError when the disk refuses.
+    void sync();
+    /// Records the start of a session, and syncs.
+    void begin_session(const Session& session);
+    /// Records that the session begun last has ended now, and syncs.
+    void end_session(const std::string& outcome);
+
+    const std::vector<MemberRecord>& records() const { return contents_.members; }
+    const std::vector<Session>& sessions() const { return contents_.sessions; }
+    const std::string& campaign_text() const { return contents_.campaign_text; }
+    /// Bytes of torn tail that were cut off when the journal was opened.
+    std::uint64_t cut_bytes() const { return contents_.torn_bytes; }
+
+  private:
+    friend Journal open_journal(const std::filesystem::path&, const std::string&, Existing);
+    Journal(std::filesystem::path path, FileDescriptor file, JournalContents contents);
+    void write_record(std::uint32_t type, std::span<const std::byte> payload);
+
+    std::filesystem::path path_;
+    FileDescriptor file_;
+    JournalContents contents_;
+};
+
+/// `a.h5` -> `a.journal`, in the same folder.
+std::filesystem::path journal_path(const std::filesystem::path& campaign_file);
+
+/// Opens for writing. refuse: throws InputError when a journal is there; replace: begins anew; resume: keeps every
+/// whole record, cuts a torn tail, and begins anew when there is nothing yet. Throws InputError when another process
+/// writes this journal, when it is of a newer schema or no journal at all, when its header is damaged; RunError when
+/// the file system refuses.
+Journal open_journal(const std::filesystem::path& path, const std::string& campaign_text, Existing existing);
+
+/// As above for a campaign; resuming another campaign is refused (InputError) with the differing keys named.
+Journal open_journal(const std::filesystem::path& path, const Campaign& campaign, Existing existing);
+
+/// Reads without locking or changing anything, also while a run is going on. Throws as open_journal() does.
+JournalContents read_journal(const std::filesystem::path& path);
+
+/// True when a process has the journal open for writing (where the file system knows locks).
+bool is_being_written(const std::filesystem::path& path);
+
+}  // namespace floes

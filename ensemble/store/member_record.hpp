@@ -1,0 +1,40 @@
+#pragma once
+// A finished member as it is kept: what it is the result of, who computed it, and the result to the last bit.
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "campaign/campaign.hpp"
+#include "member/result.hpp"
+#include "store/bytes.hpp"
+
+namespace floes {
+
+/// Identity is (case_key, arrangement) rather than the member's number, so that a record stays valid when the
+/// campaign it stands in grows. Everything but identity and result is provenance.
+struct MemberRecord {
+    std::string case_key;  ///< case_fingerprint() of the member's case
+    int arrangement = 0;   ///< arrangement number, from 0
+    int attempt = 1;       ///< from 1
+    int rank = 0;          ///< that computed it
+    std::string host;
+    std::uint64_t peak_memory = 0;  ///< largest resident set of the computing process so far, bytes
+    MemberResult result;
+};
+
+/// The bytes of a record, the same on every machine.
+Bytes encode(const MemberRecord& record);
+
+/// The record that encode() was given, bit for bit. Throws RunError when the bytes are not exactly one record.
+MemberRecord decode_member_record(std::span<const std::byte> bytes);
+
+/// For each member of the campaign, in member order, the record that counts; nullptr where there is none.
+/// Among several records of one member a done one counts before a failed one, then the first before a later one.
+std::vector<const MemberRecord*> match_records(const Campaign& campaign, std::span<const MemberRecord> records);
+
+/// Attempts recorded so far of each member, in member order.
+std::vector<int> count_attempts(const Campaign& campaign, std::span<const MemberRecord> records);
+
+}  // namespace floes

@@ -1,0 +1,47 @@
+#pragma once
+// One start of the program on a campaign: where, with what, from when to when. Provenance only.
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "store/bytes.hpp"
+
+namespace floes {
+
+/// A piece of software and its version, e.g. {"Bullet", "3.24"}.
+struct Software {
+    std::string name;
+    std::string version;
+    friend bool operator==(const Software&, const Software&) = default;
+};
+
+struct Session {
+    std::string started;  ///< UTC, ISO 8601
+    std::string ended;    ///< UTC, ISO 8601; empty: at work or killed
+    std::string outcome;  ///< "complete", "stopped", …; empty: at work or killed
+    std::string host;     ///< of rank 0
+    std::string machine;  ///< system, release, processor of rank 0
+    std::string job;      ///< batch job id; empty outside a batch system
+    int ranks = 1;
+    int threads = 1;  ///< over all ranks
+    std::vector<Software> software;
+    friend bool operator==(const Session&, const Session&) = default;
+};
+
+/// This process, now. `others`: software that only the caller knows the version of (MPI).
+Session describe_session(int ranks, int threads, std::span<const Software> others);
+
+/// The present moment, UTC, ISO 8601 to the second.
+std::string utc_now();
+
+/// The version named `name`; empty when there is none.
+std::string version_of(const Session& session, std::string_view name);
+
+Bytes encode(const Session& session);
+
+/// Throws RunError when the bytes are not exactly one session.
+Session decode_session(std::span<const std::byte> bytes);
+
+}  // namespace floes
