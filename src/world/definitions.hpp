@@ -1,0 +1,72 @@
+#pragma once
+// What a World is made of: plain values that describe, from which World builds. SI units, world axes as in
+// core/vector.hpp.
+
+#include "core/id.hpp"
+#include "core/vector.hpp"
+
+namespace floes {
+
+using BodyId = Id<struct BodyTag>;    ///< in order of creation in a World
+using JointId = Id<struct JointTag>;  ///< in order of creation in a World; never used again after removal
+
+/// The constraint solver of a World.
+enum class ConstraintSolver {
+    stock  ///< Bullet's sequential impulses: projected Gauss-Seidel, joints before contacts in each sweep
+};
+
+/// Time stepping, solver and contacts.
+struct WorldDefinition {
+    double time_step = 0.02;    ///< Δt, s
+    int iterations = 50;        ///< Gauss-Seidel sweeps a step; sets the stiffness of joints whose cfm is nearly 0
+    double gravity = 9.81;      ///< m/s², along -y
+    double contact_erp = 0.2;   ///< Γ of contacts: share of a penetration that is corrected in one step, 0-1
+    bool split_impulse = true;  ///< correct penetrations deeper than split_impulse_depth outside the impulse
+    double split_impulse_depth = 0.04;  ///< m, >= 0
+    ConstraintSolver solver = ConstraintSolver::stock;
+};
+
+/// Coulomb friction is the product of the two bodies' material coefficients, so two coefficients of contact
+/// fix the two materials: ice = sqrt(f_ii), structure = f_is / sqrt(f_ii).
+struct MaterialFriction {
+    double ice = 0;
+    double structure = 0;
+};
+
+/// The material coefficients for given coefficients of contact (0 to 10).
+/// Throws InputError when ice_ice is 0 but ice_structure is not: no product gives that.
+MaterialFriction material_friction(double ice_ice, double ice_structure);
+
+/// Bodies of the same piece (>= 0) never collide with each other; bodies of no piece collide with all.
+inline constexpr int no_piece = -1;
+
+/// A box that moves freely.
+struct BoxDefinition {
+    Vec3 half_extents = Vec3::Zero();  ///< m, along the body's own axes, all > 0
+    double mass = 0;                   ///< kg, > 0, homogeneous
+    Pose pose;                         ///< of the centre
+    double friction = 0;               ///< material coefficient, see MaterialFriction
+    int piece = no_piece;
+};
+
+/// A box that never moves.
+struct FixedBoxDefinition {
+    Vec3 half_extents = Vec3::Zero();  ///< m
+    Pose pose;                         ///< of the centre
+    double friction = 0;               ///< material coefficient
+};
+
+/// A fixed joint between two moving bodies: relaxed in the configuration in which it is made.
+/// cfm and erp are Bullet's numbers and act on all six axes: row by row the joint is a spring K = Γ / (Δt² Σ A) with a
+/// damper D = (1 - Γ) / (Δt Σ A), A = J M⁻¹ Jᵀ the row's inverse effective mass (design decision 2), in series with
+/// what a finite number of sweeps leaves unsolved.
+struct JointDefinition {
+    BodyId a;
+    BodyId b;
+    Vec3 pivot = Vec3::Zero();      ///< m, in world axes: the middle of the common face
+    Quat frame = Quat::Identity();  ///< joint -> world: x the face normal from a to b, y up, z horizontal in the face
+    double cfm = 0;                 ///< Σ, 0 <= Σ < 1
+    double erp = 0.8;               ///< Γ, 0-1
+};
+
+}  // namespace floes

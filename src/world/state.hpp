@@ -1,0 +1,27 @@
+#pragma once
+// What a World tells: motion of a body, reaction of a joint.
+
+#include "core/vector.hpp"
+
+namespace floes {
+
+/// Motion of a body at the end of the last step, in world axes.
+struct BodyState {
+    Vec3 position = Vec3::Zero();      ///< of the centre of mass, m
+    Mat3 rotation = Mat3::Identity();  ///< body -> world
+    Vec3 velocity = Vec3::Zero();      ///< of the centre of mass, m/s
+    Vec3 spin = Vec3::Zero();          ///< angular velocity, rad/s
+};
+
+/// What a joint exerted on body a during the last step, at the pivot and in the joint's frame of that step's solve
+/// (x the face normal from a to b, y up, z = x × y). On b it exerted the opposite. N and N m.
+struct JointReaction {
+    double axial = 0;             ///< F_x: tension positive, compression negative
+    double shear_vertical = 0;    ///< F_y: positive when b lifts a
+    double shear_in_plane = 0;    ///< F_z
+    double torsion = 0;           ///< M_x
+    double in_plane_bending = 0;  ///< M_y
+    double bending = 0;           ///< M_z, about the horizontal axis in the face: positive when sagging (tension below)
+};
+
+}  // namespace floes

@@ -1,0 +1,70 @@
+#pragma once
+// The rigid-body world, the only door to Bullet. One step reads:
+//
+//   world.move_structure(position at the end of the step);
+//   world.apply(body, wrench);             // as often as needed, adds up
+//   world.step();
+//   world.state(body); world.reaction(joint); world.contact_force(body);
+//   world.remove_joint(joint); world.set_piece(body, piece);   // in force from the next step on
+//
+// A World gives the same bits whatever ran before it, in this thread or another: it sorts what it solves by the ids of
+// its bodies and by the order of its joints. Different Worlds may be used in different threads at the same time.
+
+#include <memory>
+#include <span>
+
+#include "core/frustum.hpp"
+#include "world/definitions.hpp"
+#include "world/state.hpp"
+
+namespace floes {
+
+class World {
+  public:
+    /// Throws InputError when a value is outside the range that its field states; so do the add_ functions.
+    explicit World(const WorldDefinition& definition);
+    ~World();
+    World(World&&) noexcept;
+    World& operator=(World&&) noexcept;
+
+    BodyId add_element(const BoxDefinition& box);
+    BodyId add_fixed_box(const FixedBoxDefinition& box);
+
+    /// The towed body: frusta about the vertical axis through its origin, together not necessarily convex. Driven by
+    /// move_structure, never pushed back. At most one in a World. friction: material coefficient.
+    BodyId add_structure(std::span<const Frustum> frusta, double friction, const Vec3& position);
+
+    /// Joints are solved in the order in which they are added.
+    JointId add_joint(const JointDefinition& joint);
+
+    /// Removes the joint; the order of the others stays. Its reaction reads zero from then on.
+    void remove_joint(JointId joint);
+
+    /// Bodies of the same piece >= 0 do not collide; no_piece for none. In force from the next step on.
+    void set_piece(BodyId body, int piece);
+
+    /// Where the structure is at the end of the coming step. Its velocity in that step is the difference over Δt.
+    void move_structure(const Vec3& position);
+
+    /// Adds a force at the centre of mass and a moment (world axes, N, N m) for the coming step only.
+    void apply(BodyId body, const Wrench& wrench);
+
+    /// Advances by one time step.
+    void step();
+
+    BodyState state(BodyId body) const;
+
+    /// Of the last step; zero before the first one and after removal.
+    JointReaction reaction(JointId joint) const;
+
+    /// Force of all contacts (normal and friction) on the body in the last step, world axes, N.
+    Vec3 contact_force(BodyId body) const;
+
+    int body_count() const;
+
+  private:
+    class Bullet;
+    std::unique_ptr<Bullet> bullet_;
+};
+
+}  // namespace floes
