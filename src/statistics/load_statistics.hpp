@@ -1,5 +1,10 @@
 #pragma once
-// One row of Table 3 from the load in the analysis window.
+// One row of Table 3 from the load in the analysis window, and whether that load was steady.
+//
+// Trend: slope of least squares over all samples. Its p comes from batch means, because successive loads are correlated
+// and sample by sample any slow wave looks like a trend: the window is cut into 15 equal batches (10 s of the paper's
+// 150 s; half as many as samples if those are fewer than 30), a line is fitted to their means, and slope / standard
+// error is compared with Student's t with (batches - 2) degrees of freedom. Fewer than 3 batches: p = 1.
 
 #include <span>
 #include <vector>
@@ -7,15 +12,15 @@
 namespace floes {
 
 struct LoadStatistics {
-    double mean = 0;                       ///< N
-    double sd = 0;                         ///< population standard deviation over the window, N
-    double maximum = 0;                    ///< N
-    std::vector<double> segment_maximum;   ///< maximum of each equal part of the window, N
-    double mean_maximum = 0;               ///< mean of the segment maxima, N
-    double sd_maximum = 0;                 ///< population SD of the segment maxima, N
-    double trend = 0;                      ///< slope of the load over the window, N/s
-    double trend_p = 1;                    ///< two-sided p of slope = 0, from batch means (the load is autocorrelated)
-    bool steady = true;                    ///< trend_p >= 0.05
+    double mean = 0;                      ///< N
+    double sd = 0;                        ///< population standard deviation over the window, N
+    double maximum = 0;                   ///< N
+    std::vector<double> segment_maximum;  ///< maximum of each equal part of the window, N
+    double mean_maximum = 0;              ///< mean of the segment maxima, N
+    double sd_maximum = 0;                ///< population SD of the segment maxima, N
+    double trend = 0;                     ///< slope of the load over the window, N/s
+    double trend_p = 1;                   ///< two-sided p of slope = 0, from batch means (the load is autocorrelated)
+    bool steady = true;                   ///< trend_p >= 0.05
 };
 
 /// `window`: load at every step of the analysis window, N, at least 2 samples a segment and all finite.
