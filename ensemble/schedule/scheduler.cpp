@@ -1,0 +1,176 @@
+#include "schedule/scheduler.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <tuple>
+
+#include <fmt/format.h>
+
+namespace floes {
+
+namespace {
+
+void require(bool holds, const char* what, int which) {
+    if (!holds) throw std::logic_error(fmt::format("scheduler: {} ({})", what, which));
+}
+
+}  // namespace
+
+Scheduler::Scheduler(std::vector<MemberTask> tasks) {
+    std::sort(tasks.begin(), tasks.end(), [](const MemberTask& a, const MemberTask& b) {
+        return std::tuple(a.batch, -a.cost, a.number) < std::tuple(b.batch, -b.cost, b.number);
+    });
+    tasks_.reserve(tasks.size());
+    for (const MemberTask& task : tasks) {
+        require(std::isfinite(task.cost) && task.cost > 0, "the cost of a member must be positive and finite",
+                task.number);
+        const bool is_new = index_of_.emplace(task.number, tasks_.size()).second;
+        require(is_new, "a member comes twice", task.number);
+        pending_.insert(pending_.end(), tasks_.size());
+        tasks_.push_back({task, task.attempts_made, std::nullopt, false});
+    }
+}
+
+std::vector<Command> Scheduler::handle(const Event& event) {
+    std::vector<Command> commands;
+    if (const auto* joined = std::get_if<WorkerJoined>(&event)) take(*joined);
+    if (const auto* answer = std::get_if<MemberFinished>(&event)) take(*answer, commands);
+    if (const auto* lost = std::get_if<WorkerLost>(&event)) take(*lost);
+    if (std::holds_alternative<StopRequested>(event)) stopping_ = true;
+    hand_out(commands);
+    dismiss_when_over(commands);
+    return commands;
+}
+
+void Scheduler::take(const WorkerJoined& event) {
+    require(event.cores > 0 && event.prefetch >= 0, "a worker must have at least one core", event.worker);
+    const bool is_new = workers_.emplace(event.worker, Worker{event.cores, event.prefetch, {}, false}).second;
+    require(is_new, "a worker joins twice", event.worker);
+    cores_ += event.cores;
+    offer(event.worker);
+}
+
+void Scheduler::take(const MemberFinished& event, std::vector<Command>& commands) {
+    const auto found = index_of_.find(event.number);
+    if (found == index_of_.end() || tasks_[found->second].worker != event.worker ||
+        tasks_[found->second].attempts != event.attempt) {
+        ++late_answers_;
+        return;
+    }
+    Entry& entry = tasks_[found->second];
+    withdraw(event.worker);
+    workers_.at(event.worker).held.erase(found->second);
+    offer(event.worker);
+    entry.worker.reset();
+    entry.done = true;
+    --assigned_;
+    ++done_;
+    commands.push_back(Record{event.number, event.attempt});
+}
+
+void Scheduler::take(const WorkerLost& event) {
+    const auto found = workers_.find(event.worker);
+    if (found == workers_.end()) return;  // given up before its farewell came
+    withdraw(event.worker);
+    for (const Index index : found->second.held) {
+        tasks_[index].worker.reset();
+        pending_.insert(index);
+        --assigned_;
+    }
+    cores_ -= found->second.cores;
+    workers_.erase(found);
+}
+
+void Scheduler::hand_out(std::vector<Command>& commands) {
+    if (stopping_) return;
+    while (!pending_.empty() && !room_.empty()) {
+        const auto [load, number] = *room_.begin();
+        const bool ahead_of_cores = load >= 0;
+        if (ahead_of_cores && pending() < 2 * cores_) return;
+        withdraw(number);
+        const Index index = *pending_.begin();
+        pending_.erase(pending_.begin());
+        Entry& entry = tasks_[index];
+        entry.worker = number;
+        ++entry.attempts;
+        ++assigned_;
+        workers_.at(number).held.insert(index);
+        offer(number);
+        commands.push_back(Assign{number, entry.task.number, entry.attempts});
+    }
+}
+
+void Scheduler::dismiss_when_over(std::vector<Command>& commands) {
+    if (!stopping_ && done_ < total()) return;
+    for (auto& [number, worker] : workers_) {
+        if (worker.dismissed) continue;
+        worker.dismissed = true;
+        commands.push_back(Dismiss{number});
+    }
+}
+
+void Scheduler::offer(int worker) {
+    const Worker& w = workers_.at(worker);
+    if (w.load() < w.prefetch) room_.emplace(w.load(), worker);
+}
+
+void Scheduler::withdraw(int worker) {
+    room_.erase({workers_.at(worker).load(), worker});
+}
+
+bool Scheduler::finished() const {
+    return workers_.empty() && (stopping_ || done_ == total());
+}
+
+int Scheduler::running() const {
+    int count = 0;
+    for (const auto& [number, worker] : workers_) count += std::min(static_cast<int>(worker.held.size()), worker.cores);
+    return count;
+}
+
+double Scheduler::done_cost() const {
+    double sum = 0;
+    for (const Entry& entry : tasks_) sum += entry.done ? entry.task.cost : 0.0;
+    return sum;
+}
+
+double Scheduler::remaining_cost() const {
+    double sum = 0;
+    for (const Entry& entry : tasks_) sum += entry.done ? 0.0 : entry.task.cost;
+    return sum;
+}
+
+void Scheduler::check_invariants() const {
+    int done = 0;
+    int assigned = 0;
+    int cores = 0;
+    for (Index i = 0; i < tasks_.size(); ++i) {
+        const Entry& entry = tasks_[i];
+        const int number = entry.task.number;
+        const int states = (pending_.contains(i) ? 1 : 0) + (entry.worker ? 1 : 0) + (entry.done ? 1 : 0);
+        require(states == 1, "a member must be exactly one of pending, assigned and done", number);
+        require(!entry.worker || (workers_.contains(*entry.worker) && workers_.at(*entry.worker).held.contains(i)),
+                "an assigned member must be held by its worker", number);
+        require(pending_.contains(i) || entry.attempts > entry.task.attempts_made,
+                "a member that left the queue must have been attempted", number);
+        done += entry.done ? 1 : 0;
+        assigned += entry.worker ? 1 : 0;
+    }
+    int held = 0;
+    for (const auto& [number, worker] : workers_) {
+        const bool has_room = worker.load() < worker.prefetch;
+        require(worker.load() <= worker.prefetch, "a worker holds more than it may", number);
+        require(room_.contains({worker.load(), number}) == has_room, "the list of workers with room is wrong", number);
+        require(stopping_ || pending_.empty() || worker.load() >= 0, "a core is idle though a member is pending",
+                number);
+        held += static_cast<int>(worker.held.size());
+        cores += worker.cores;
+    }
+    require(room_.size() <= workers_.size(), "the list of workers with room is too long",
+            static_cast<int>(room_.size()));
+    require(done == done_ && assigned == assigned_ && held == assigned_, "the counts are wrong", done_);
+    require(cores == cores_, "the number of cores is wrong", cores_);
+}
+
+}  // namespace floes
