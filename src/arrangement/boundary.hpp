@@ -1,0 +1,60 @@
+#pragma once
+// What happens at the edge of the area that the sampler fills. Both kinds answer the same questions:
+//   low_x, low_z, length, breadth   the area, m
+//   periodic                        do opposite edges meet?
+//   admits(shape, x, z, turn)       may a rectangle lie there, as far as the edge is concerned?
+//   into(x, z)                      brings a point that left by less than one box back in
+//   nearest(dx, dz)                 the shortest difference between two points of the area that this one stands for
+
+#include "arrangement/rectangle.hpp"
+
+namespace floes {
+
+/// Four walls that no rectangle may cross.
+struct Walls {
+    double low_x = 0;
+    double low_z = 0;
+    double length = 0;   ///< along x, m
+    double breadth = 0;  ///< along z, m
+    static constexpr bool periodic = false;
+
+    bool admits(const Rectangle& shape, double x, double z, Turn turn) const {
+        const Extent half = extent(shape, turn);
+        return x - half.x >= low_x && x + half.x <= low_x + length && z - half.z >= low_z &&
+               z + half.z <= low_z + breadth;
+    }
+    void into(double&, double&) const {}
+    void nearest(double&, double&) const {}
+
+    /// The walls moved inward by margin (m).
+    Walls shrunk(double margin) const {
+        return {low_x + margin, low_z + margin, length - 2 * margin, breadth - 2 * margin};
+    }
+};
+
+/// A box that repeats itself for ever: ice far from any wall.
+struct PeriodicBox {
+    double low_x = 0;
+    double low_z = 0;
+    double length = 0;
+    double breadth = 0;
+    static constexpr bool periodic = true;
+
+    bool admits(const Rectangle&, double, double, Turn) const { return true; }
+    void into(double& x, double& z) const {
+        fold(x, low_x, length);
+        fold(z, low_z, breadth);
+    }
+    void nearest(double& dx, double& dz) const {
+        fold(dx, -0.5 * length, length);
+        fold(dz, -0.5 * breadth, breadth);
+    }
+
+  private:
+    static void fold(double& value, double low, double period) {
+        if (value < low) value += period;
+        if (value >= low + period) value -= period;
+    }
+};
+
+}  // namespace floes

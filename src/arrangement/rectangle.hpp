@@ -1,0 +1,46 @@
+#pragma once
+// Rectangles on the water and whether two of them overlap: the separating-axis test. Two convex polygons are apart
+// exactly if they are apart in projection on the normal of one of their sides, here on four directions.
+
+#include <cmath>
+
+#include "arrangement/turn.hpp"
+
+namespace floes {
+
+/// Half the sides of a rectangle, m: length along its own x, breadth along its own z.
+struct Rectangle {
+    double half_length = 0;
+    double half_breadth = 0;
+
+    /// The same with every side moved outward by margin (m).
+    Rectangle grown(double margin) const { return {half_length + margin, half_breadth + margin}; }
+    double half_diagonal() const { return std::sqrt(half_length * half_length + half_breadth * half_breadth); }
+};
+
+/// Half the extent of a turned rectangle along world x and z, m.
+struct Extent {
+    double x = 0;
+    double z = 0;
+};
+
+inline Extent extent(const Rectangle& shape, Turn turn) {
+    const double c = std::abs(turn.cos);
+    const double s = std::abs(turn.sin);
+    return {shape.half_length * c + shape.half_breadth * s, shape.half_length * s + shape.half_breadth * c};
+}
+
+/// Do two equal rectangles overlap? The second lies at (dx, dz) from the first (m). Those that touch do not overlap. A
+/// rectangle turned by yaw about +y has its own x axis along (cos yaw, -sin yaw) of the world's (x, z).
+inline bool overlap(const Rectangle& shape, Turn first, Turn second, double dx, double dz) {
+    const double cos_between = std::abs(first.cos * second.cos + first.sin * second.sin);
+    const double sin_between = std::abs(first.cos * second.sin - first.sin * second.cos);
+    const double reach_x = shape.half_length + shape.half_length * cos_between + shape.half_breadth * sin_between;
+    const double reach_z = shape.half_breadth + shape.half_length * sin_between + shape.half_breadth * cos_between;
+    const auto apart = [&](Turn turn) {
+        return std::abs(turn.cos * dx - turn.sin * dz) >= reach_x || std::abs(turn.sin * dx + turn.cos * dz) >= reach_z;
+    };
+    return !apart(first) && !apart(second);
+}
+
+}  // namespace floes

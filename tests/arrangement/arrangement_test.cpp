@@ -1,0 +1,201 @@
+#include "arrangement/arrangement.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "arrangement/check.hpp"
+#include "arrangement/starts.hpp"
+#include "core/error.hpp"
+
+namespace floes {
+namespace {
+
+using testing::HasSubstr;
+
+Scenario quick() {
+    Scenario scenario;
+    scenario.arrangement.sweeps = 200;
+    return scenario;
+}
+
+std::string refusal(const Scenario& scenario) {
+    try {
+        make_arrangement(scenario, 1, 0);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "nothing refused";
+}
+
+bool same(const Arrangement& a, const Arrangement& b) {
+    for (std::size_t i = 0; i < a.poses.size(); ++i) {
+        if (a.poses[i].x != b.poses[i].x || a.poses[i].z != b.poses[i].z || a.poses[i].yaw != b.poses[i].yaw)
+            return false;
+    }
+    return a.psi4 == b.psi4;
+}
+
+TEST(Arrangement, FillsThePapersChannel) {
+    const Scenario scenario = quick();
+    const Arrangement arrangement = make_arrangement(scenario, 1, 0);
+    EXPECT_EQ(arrangement.poses.size(), 189u);
+    EXPECT_NEAR(scenario.field_end(), 24.9, 1e-12);
+    EXPECT_EQ(find_fault(scenario, arrangement.poses), std::nullopt);
+    EXPECT_EQ(arrangement.psi4, fourfold_order(arrangement.poses));
+}
+
+TEST(Arrangement, IsAFunctionOfSeedNumberAndGeometry) {
+    const Scenario scenario = quick();
+    const Arrangement arrangement = make_arrangement(scenario, 1, 0);
+    EXPECT_TRUE(same(arrangement, make_arrangement(scenario, 1, 0)));
+    EXPECT_FALSE(same(arrangement, make_arrangement(scenario, 2, 0)));
+    EXPECT_FALSE(same(arrangement, make_arrangement(scenario, 1, 1)));
+    Scenario another_case = scenario;
+    another_case.joint.cfm = 0.03;
+    another_case.ice.elastic_modulus = 30e6;
+    another_case.structure.speed = 0.1;
+    EXPECT_TRUE(same(arrangement, make_arrangement(another_case, 1, 0)));
+}
+
+TEST(Arrangement, KeyFollowsEveryGeometryFieldAndNoOther) {
+    const Scenario base;
+    const std::uint64_t key = geometry_key(base);
+    const auto key_after = [&](auto change) {
+        Scenario scenario = base;
+        change(scenario);
+        return geometry_key(scenario);
+    };
+    EXPECT_NE(key, key_after([](Scenario& s) { s.floe.length = 0.8; }));
+    EXPECT_NE(key, key_after([](Scenario& s) { s.floe.breadth = 0.8; }));
+    EXPECT_NE(key, key_after([](Scenario& s) { s.field.floes = 190; }));
+    EXPECT_NE(key, key_after([](Scenario& s) { s.field.concentration = std::nextafter(0.75, 1); }));
+    EXPECT_NE(key, key_after([](Scenario& s) { s.field.begin = 5; }));
+    EXPECT_NE(key, key_after([](Scenario& s) { s.field.half_width = 2; }));
+    EXPECT_NE(key, key_after([](Scenario& s) { s.arrangement.method = ArrangementMethod::lattice; }));
+    EXPECT_NE(key, key_after([](Scenario& s) { s.arrangement.start = ArrangementStart::stripes; }));
+    EXPECT_NE(key, key_after([](Scenario& s) { s.arrangement.clearance = 0; }));
+    EXPECT_NE(key, key_after([](Scenario& s) { ++s.arrangement.sweeps; }));
+    EXPECT_NE(key, key_after([](Scenario& s) { s.arrangement.jitter = 0.1; }));
+    EXPECT_NE(key, key_after([](Scenario& s) { s.arrangement.jitter_angle = 0.1; }));
+    EXPECT_NE(key, key_after([](Scenario& s) { s.arrangement.poses = {{7, 0, 0}}; }));
+    EXPECT_EQ(key, key_after([](Scenario& s) { s.floe.element = 0.1; }));
+    EXPECT_EQ(key, key_after([](Scenario& s) { s.field.far_end = FarEnd::open; }));
+    EXPECT_EQ(key, key_after([](Scenario& s) { s.ice.thickness = 0.04; }));
+    EXPECT_EQ(key, key_after([](Scenario& s) { s.analysis.window = 100; }));
+}
+
+TEST(Arrangement, OblongFloesFitToo) {
+    Scenario scenario = quick();
+    scenario.floe.length = 1.2;
+    scenario.floe.breadth = 0.4;
+    scenario.field.floes = 60;
+    scenario.field.concentration = 0.6;
+    for (const ArrangementStart start : {ArrangementStart::lattice, ArrangementStart::stripes}) {
+        scenario.arrangement.start = start;
+        EXPECT_EQ(find_fault(scenario, make_arrangement(scenario, 1, 0).poses), std::nullopt);
+    }
+}
+
+TEST(Arrangement, OneFloeIsAField) {
+    Scenario scenario = quick();
+    scenario.field.floes = 1;
+    scenario.field.concentration = 0.1;
+    for (const ArrangementStart start : {ArrangementStart::lattice, ArrangementStart::stripes}) {
+        scenario.arrangement.start = start;
+        EXPECT_NEAR(make_arrangement(scenario, 1, 0).psi4, 1, 1e-15);
+    }
+}
+
+TEST(Arrangement, FloesThatNoLatticeHoldsAreRefused) {
+    Scenario scenario = quick();
+    scenario.field.concentration = 0.97;
+    EXPECT_THAT(refusal(scenario), HasSubstr("do not fit on a lattice"));
+}
+
+TEST(Starts, AreValidAndDifferMuch) {
+    const Scenario scenario;
+    const double clearance = scenario.arrangement.clearance;
+    const auto lattice = lattice_start(field_walls(scenario), floe_shape(scenario), clearance, 189);
+    const auto stripes = stripes_start(field_walls(scenario), floe_shape(scenario), clearance, 189);
+    EXPECT_EQ(find_fault(scenario, lattice), std::nullopt);
+    EXPECT_EQ(find_fault(scenario, stripes), std::nullopt);
+    EXPECT_NEAR(fourfold_order(lattice), 1, 1e-15);
+    EXPECT_LT(fourfold_order(stripes), 0.6);
+    double sway = 0;
+    for (const PlanarPose& pose : stripes) sway += pose.z / 189;
+    EXPECT_LT(sway, -0.2);  // pushed to one side
+}
+
+TEST(JitteredLattice, StaysWithinItsJitter) {
+    Scenario scenario;
+    scenario.arrangement.method = ArrangementMethod::lattice;
+    const Arrangement still = make_arrangement(scenario, 1, 0);
+    EXPECT_NEAR(still.psi4, 1, 1e-15);
+    scenario.arrangement.jitter = 0.04;
+    scenario.arrangement.jitter_angle = 0.1;
+    const Arrangement moved = make_arrangement(scenario, 1, 0);
+    double furthest = 0, widest = 0;
+    for (std::size_t i = 0; i < 189; ++i) {
+        const double dx = moved.poses[i].x - still.poses[i].x;
+        const double dz = moved.poses[i].z - still.poses[i].z;
+        furthest = std::max({furthest, std::abs(dx), std::abs(dz)});
+        widest = std::max(widest, std::abs(moved.poses[i].yaw));
+    }
+    EXPECT_LE(furthest, 0.04);
+    EXPECT_GT(furthest, 0.03);
+    EXPECT_LE(widest, 0.1);
+    EXPECT_GT(widest, 0.08);
+    EXPECT_FALSE(same(moved, make_arrangement(scenario, 1, 1)));
+    EXPECT_TRUE(same(moved, make_arrangement(scenario, 1, 0)));
+}
+
+TEST(JitteredLattice, WithoutRoomIsRefused) {
+    Scenario scenario;
+    scenario.floe.length = scenario.floe.breadth = 1;
+    scenario.field = {.floes = 9, .concentration = 0.9999, .begin = 0, .half_width = 1.5};
+    scenario.arrangement.method = ArrangementMethod::lattice;
+    scenario.arrangement.clearance = 0;
+    scenario.arrangement.jitter = 0.5;
+    EXPECT_THAT(refusal(scenario), HasSubstr("has no room for floe 0 of 9"));
+}
+
+TEST(GivenPoses, AreTakenAsTheyAre) {
+    Scenario scenario = quick();
+    const Arrangement sampled = make_arrangement(scenario, 1, 0);
+    scenario.arrangement.method = ArrangementMethod::file;
+    scenario.arrangement.poses = sampled.poses;
+    EXPECT_TRUE(same(sampled, make_arrangement(scenario, 5, 9)));
+}
+
+TEST(GivenPoses, AreRefusedWithTheReason) {
+    Scenario scenario = quick();
+    const Arrangement sampled = make_arrangement(scenario, 1, 0);
+    scenario.arrangement.method = ArrangementMethod::file;
+    const auto refusal_after = [&](auto change) {
+        scenario.arrangement.poses = sampled.poses;
+        change(scenario.arrangement.poses);
+        return refusal(scenario);
+    };
+    EXPECT_THAT(refusal_after([](auto& poses) { poses.pop_back(); }), HasSubstr("188 floes where the field has 189"));
+    EXPECT_THAT(refusal_after([](auto& poses) { poses[3] = poses[7]; }), HasSubstr("floes 3 and 7"));
+    EXPECT_THAT(refusal_after([](auto& poses) { poses[5].z = 2.3; }), HasSubstr("floe 5 at"));
+    EXPECT_THAT(refusal_after([](auto& poses) { poses[5].x = 6.2; }), HasSubstr("is not inside the field"));
+    EXPECT_THAT(refusal_after([](auto& poses) { poses[4].yaw = std::nan(""); }), HasSubstr("floe 4 has the yaw nan"));
+    EXPECT_THAT(refusal_after([](auto& poses) { poses[4].x = std::nan(""); }), HasSubstr("is not inside the field"));
+}
+
+TEST(FourfoldOrder, OfKnownYaws) {
+    const double quarter = std::acos(0.0);
+    const std::vector<PlanarPose> aligned{
+        {0, 0, 0.3}, {0, 0, 0.3 + quarter}, {0, 0, 0.3 - quarter}, {0, 0, 0.3 - 2 * quarter}};
+    EXPECT_NEAR(fourfold_order(aligned), 1, 1e-15);
+    const std::vector<PlanarPose> diagonal{{0, 0, 0}, {0, 0, 0.5 * quarter}};
+    EXPECT_NEAR(fourfold_order(diagonal), 0, 1e-15);
+    const std::vector<PlanarPose> pair{{0, 0, -0.1}, {0, 0, 0.1}};
+    EXPECT_NEAR(fourfold_order(pair), std::cos(0.4), 1e-15);
+}
+
+}  // namespace
+}  // namespace floes
