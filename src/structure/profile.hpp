@@ -4,18 +4,10 @@
 
 #include <vector>
 
+#include "core/frustum.hpp"
 #include "scenario/scenario.hpp"
 
 namespace floes {
-
-/// One convex piece of the body: between two heights, with the radius at each. Heights in m above the waterline.
-struct Frustum {
-    double bottom_height = 0;
-    double bottom_radius = 0;
-    double top_height = 0;
-    double top_radius = 0;
-    friend bool operator==(const Frustum&, const Frustum&) = default;
-};
 
 class Profile {
   public:
