@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
-
 namespace floes {
 
 int Floe::elements_long() const {
@@ -25,14 +23,17 @@ double Scenario::field_end() const {
 
 double Scenario::waterline_radius() const {
     const auto& profile = structure.profile;
+    double radius = 0;
     for (std::size_t i = 1; i < profile.size(); ++i) {
         const ProfilePoint& below = profile[i - 1];
         const ProfilePoint& above = profile[i];
         if (below.height > 0 || above.height < 0) continue;
-        if (above.height == below.height) return std::max(above.radius, below.radius);
-        return below.radius + (above.radius - below.radius) * (0.0 - below.height) / (above.height - below.height);
+        const double rise = above.height - below.height;
+        const double here = rise > 0 ? below.radius - (above.radius - below.radius) * below.height / rise
+                                     : std::max(below.radius, above.radius);
+        radius = std::max(radius, here);  // a flat ring at the waterline: the larger radius
     }
-    throw InputError("structure.profile_m does not span the waterline (height 0)");
+    return radius;
 }
 
 int Scenario::step_count() const {

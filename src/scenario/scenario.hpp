@@ -9,8 +9,8 @@
 
 namespace floes {
 
-enum class SolverKind { stock };                   ///< constraint solver of the world
-enum class ThresholdForm { force, as_printed };    ///< of Eqs. (1)-(2): L_e T_e σ, or L_e T_e² σ as the paper prints them
+enum class SolverKind { stock };                 ///< constraint solver of the world
+enum class ThresholdForm { force, as_printed };  ///< of Eqs. (1)-(2): L_e T_e σ, or L_e T_e² σ as the paper prints them
 enum class ArrangementMethod { monte_carlo, lattice, file };
 enum class ArrangementStart { lattice, stripes };  ///< where the Monte Carlo chain begins; forgotten by its end
 enum class FarEnd { ice_sheet, open };             ///< what stands behind the ice field
@@ -18,50 +18,50 @@ enum class WaterFlow { potential, still };         ///< water velocity that drag
 
 /// Time stepping and the constraint solver.
 struct General {
-    double time_step = 0.02;                 ///< Δt, s (Table 1)
-    int iterations = 50;                     ///< projected Gauss-Seidel sweeps a step (design decision 1)
+    double time_step = 0.02;  ///< Δt, s (Table 1)
+    int iterations = 50;      ///< projected Gauss-Seidel sweeps a step (design decision 1)
     SolverKind solver = SolverKind::stock;
-    double gravity = 9.81;                   ///< m/s²
-    double runaway_speed = 10.0;             ///< m/s; an element faster than this ends the member as failed
+    double gravity = 9.81;        ///< m/s²
+    double runaway_speed = 10.0;  ///< m/s; an element faster than this ends the member as failed
 };
 
 /// The ice as a material (Table 1).
 struct Ice {
-    double thickness = 0.033;                ///< T_i = T_e, m
-    double density = 930.0;                  ///< ρ_i, kg/m³
-    double bending_strength = 36.4e3;        ///< σ_b, Pa
-    double compressive_strength = 145.6e3;   ///< σ_c, Pa
-    double shear_strength = 72.8e3;          ///< σ_s, Pa
-    double tensile_strength = 0;             ///< Pa; 0: no criterion (the paper has none)
-    double torsion_strength = 0;             ///< Pa; 0: no criterion
-    double in_plane_bending_strength = 0;    ///< Pa; 0: no criterion
-    double elastic_modulus = 60e6;           ///< E that the case stands for, Pa; a label, the joints follow cfm
+    double thickness = 0.033;               ///< T_i = T_e, m
+    double density = 930.0;                 ///< ρ_i, kg/m³
+    double bending_strength = 36.4e3;       ///< σ_b, Pa
+    double compressive_strength = 145.6e3;  ///< σ_c, Pa
+    double shear_strength = 72.8e3;         ///< σ_s, Pa
+    double tensile_strength = 0;            ///< Pa; 0: no criterion (the paper has none)
+    double torsion_strength = 0;            ///< Pa; 0: no criterion
+    double in_plane_bending_strength = 0;   ///< Pa; 0: no criterion
+    double elastic_modulus = 60e6;          ///< E that the case stands for, Pa; a label, the joints follow cfm
 };
 
 /// One floe: length x breadth of square elements (Table 1).
 struct Floe {
-    double length = 0.6;                     ///< L_i along the floe's own x, m
-    double breadth = 0.6;                    ///< B_i along the floe's own z, m
-    double element = 0.2;                    ///< L_e, m; divides length and breadth
+    double length = 0.6;   ///< L_i along the floe's own x, m
+    double breadth = 0.6;  ///< B_i along the floe's own z, m
+    double element = 0.2;  ///< L_e, m; divides length and breadth
 
-    int elements_long() const;               ///< along x, at least 1
-    int elements_broad() const;              ///< along z, at least 1
+    int elements_long() const;   ///< along x, at least 1
+    int elements_broad() const;  ///< along z, at least 1
 };
 
 /// The fixed joints between elements.
 struct Joint {
-    double cfm = 0.016;                      ///< Σ, Bullet's relative number (design decision 2); below 1
-    double erp = 0.8;                        ///< Γ (Table 1)
+    double cfm = 0.016;  ///< Σ, Bullet's relative number (design decision 2); below 1
+    double erp = 0.8;    ///< Γ (Table 1)
     ThresholdForm threshold_form = ThresholdForm::force;
 };
 
 /// The channel and the ice field in it.
 struct Field {
-    int floes = 189;                         ///< number of floes
-    double concentration = 0.75;             ///< IC, covered fraction of the field (Table 1)
-    double begin = 6.0;                      ///< x of the field's near edge, m
-    double half_width = 2.4;                 ///< the field lies in |z| <= half_width, m (between the wall ice sheets)
-    double sheet_width = 1.0;                ///< breadth of the fixed ice sheets along the walls and at the far end, m
+    int floes = 189;              ///< number of floes
+    double concentration = 0.75;  ///< IC, covered fraction of the field (Table 1)
+    double begin = 6.0;           ///< x of the field's near edge, m
+    double half_width = 2.4;      ///< the field lies in |z| <= half_width, m (between the wall ice sheets)
+    double sheet_width = 1.0;     ///< breadth of the fixed ice sheets along the walls and at the far end, m
     FarEnd far_end = FarEnd::ice_sheet;
 };
 
@@ -69,11 +69,12 @@ struct Field {
 struct ArrangementRule {
     ArrangementMethod method = ArrangementMethod::monte_carlo;
     ArrangementStart start = ArrangementStart::lattice;
-    double clearance = 0.002;                ///< least gap kept between floes, and to walls, m
-    int sweeps = 4000;                       ///< Monte Carlo sweeps with the frozen step size
-    double jitter = 0;                       ///< lattice: largest random shift, m
-    double jitter_angle = 0;                 ///< lattice: largest random turn, rad
-    std::vector<PlanarPose> poses;           ///< method file: one pose a floe
+    double clearance = 0.002;       ///< least gap kept between floes, and to walls, m
+    int sweeps = 4000;              ///< Monte Carlo sweeps with the frozen step size
+    double jitter = 0;              ///< lattice: largest random shift, m
+    double jitter_angle = 0;        ///< lattice: largest random turn, rad
+    std::string file;               ///< method file: CSV that the poses come from; empty once they are in `poses`
+    std::vector<PlanarPose> poses;  ///< method file: one pose a floe
 };
 
 /// A point of a body of revolution: height above the waterline (m, negative below) and radius there (m).
@@ -87,34 +88,34 @@ struct ProfilePoint {
 /// straight 45° cone through them, which needs nothing beyond Table 2.
 struct Structure {
     std::vector<ProfilePoint> profile{{-0.443, 0.171}, {0.122, 0.736}};  ///< heights rising
-    double start = 2.0;                      ///< x of the axis at t = 0, m
-    double speed = 0.07;                     ///< V, m/s (Table 1)
+    double start = 2.0;                                                  ///< x of the axis at t = 0, m
+    double speed = 0.07;                                                 ///< V, m/s (Table 1)
 };
 
 /// Contacts: ice on ice, ice on structure.
 struct Contact {
-    double erp = 0.2;                        ///< Γ of contacts, Bullet's default (design decision 5)
-    double ice_ice_friction = 0.3;           ///< f_ii (Table 1)
-    double ice_structure_friction = 0.2;     ///< f_is (Table 1)
-    bool split_impulse = true;               ///< correct deep penetration outside the impulse
-    double split_impulse_depth = 0.04;       ///< m; penetration beyond which it does
+    double erp = 0.2;                     ///< Γ of contacts, Bullet's default (design decision 5)
+    double ice_ice_friction = 0.3;        ///< f_ii (Table 1)
+    double ice_structure_friction = 0.2;  ///< f_is (Table 1)
+    bool split_impulse = true;            ///< correct deep penetration outside the impulse
+    double split_impulse_depth = 0.04;    ///< m; penetration beyond which it does
 };
 
 /// Hydrostatics and hydrodynamics of an element (facts: literature ranges in scenario/keys.cpp).
 struct Water {
-    double density = 1000.0;                 ///< ρ_w, kg/m³ (Table 1)
+    double density = 1000.0;  ///< ρ_w, kg/m³ (Table 1)
     WaterFlow flow = WaterFlow::potential;
-    double form_drag = 1.0;                  ///< C_d on the wetted edge faces that meet the flow
-    double skin_drag = 0.009;                ///< C_s on the bottom face
-    double heave_drag = 1.0;                 ///< C_h, quadratic, on vertical motion
-    double heave_damping = 0.15;             ///< linear, as a fraction of critical damping of an element's heave
+    double form_drag = 1.0;       ///< C_d on the wetted edge faces that meet the flow
+    double skin_drag = 0.009;     ///< C_s on the bottom face
+    double heave_drag = 1.0;      ///< C_h, quadratic, on vertical motion
+    double heave_damping = 0.15;  ///< linear, as a fraction of critical damping of an element's heave
 };
 
 /// The window in which the load is measured. It ends the run.
 struct Analysis {
-    double steady_start = 80.0;              ///< s after the tow begins
-    double window = 150.0;                   ///< s
-    int segments = 3;                        ///< equal parts of the window, one maximum each
+    double steady_start = 80.0;  ///< s after the tow begins
+    double window = 150.0;       ///< s
+    int segments = 3;            ///< equal parts of the window, one maximum each
 };
 
 struct Scenario {
@@ -129,11 +130,11 @@ struct Scenario {
     Water water;
     Analysis analysis;
 
-    double field_length() const;       ///< m: floes * length * breadth / (concentration * 2 half_width)
-    double field_end() const;          ///< x of the field's far edge, m
-    double waterline_radius() const;   ///< of the structure, m; the profile spans height 0
-    int step_count() const;            ///< steps of a run: (steady_start + window) / time_step, rounded
-    int first_window_step() const;     ///< index of the first step inside the window
+    double field_length() const;      ///< m: floes * length * breadth / (concentration * 2 half_width)
+    double field_end() const;         ///< x of the field's far edge, m
+    double waterline_radius() const;  ///< of the structure, m; 0 where its profile does not span height 0
+    int step_count() const;           ///< steps of a run: (steady_start + window) / time_step, rounded
+    int first_window_step() const;    ///< index of the first step inside the window
 };
 
 }  // namespace floes
