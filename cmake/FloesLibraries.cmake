@@ -14,3 +14,7 @@ find_package(MPI REQUIRED COMPONENTS CXX)
 pkg_check_modules(bullet REQUIRED IMPORTED_TARGET bullet-float64)
 pkg_check_modules(hdf5 REQUIRED IMPORTED_TARGET hdf5-serial)
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
+
+# Dimension scales live in HDF5's high-level library, which its pkg-config file leaves out.
+find_library(FLOES_HDF5_HL NAMES hdf5_serial_hl hdf5_hl HINTS ${hdf5_LIBRARY_DIRS} REQUIRED)
+target_link_libraries(PkgConfig::hdf5 INTERFACE ${FLOES_HDF5_HL})

@@ -57,6 +57,7 @@ struct MemberRow {
     double trend = 0;       ///< N/s
     double trend_p = 0;
     bool steady = false;
+    PeakReactions peaks;  ///< over all joints and the whole run, N and N m
 };
 
 /// What summaries need of a campaign file.

@@ -34,7 +34,7 @@ MemberRecord decode_member_record(std::span<const std::byte> bytes);
 /// Among several records of one member a done one counts before a failed one, then the first before a later one.
 std::vector<const MemberRecord*> match_records(const Campaign& campaign, std::span<const MemberRecord> records);
 
-/// Attempts recorded so far of each member, in member order.
-std::vector<int> count_attempts(const Campaign& campaign, std::span<const MemberRecord> records);
+/// The largest attempt number recorded of each member, in member order; 0 where there is none.
+std::vector<int> last_attempts(const Campaign& campaign, std::span<const MemberRecord> records);
 
 }  // namespace floes

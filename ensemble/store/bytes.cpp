@@ -1,0 +1,104 @@
+#include "store/bytes.hpp"
+
+#include <bit>
+#include <cstring>
+
+#include "core/error.hpp"
+
+namespace floes {
+namespace {
+
+template <class Integer>
+Integer little_endian(Integer value) {
+    if constexpr (std::endian::native == std::endian::little) return value;
+    Integer swapped = 0;
+    for (std::size_t k = 0; k < sizeof(Integer); ++k) swapped = (swapped << 8) | ((value >> (8 * k)) & 0xff);
+    return swapped;
+}
+
+template <class Integer>
+void append(Bytes& bytes, Integer value) {
+    const Integer ordered = little_endian(value);
+    const auto* first = reinterpret_cast<const std::byte*>(&ordered);
+    bytes.insert(bytes.end(), first, first + sizeof(Integer));
+}
+
+template <class Integer>
+Integer extract(std::span<const std::byte> bytes) {
+    Integer value = 0;
+    std::memcpy(&value, bytes.data(), sizeof(Integer));
+    return little_endian(value);
+}
+
+}  // namespace
+
+void ByteWriter::u8(std::uint8_t value) {
+    bytes_.push_back(std::byte{value});
+}
+void ByteWriter::u32(std::uint32_t value) {
+    append(bytes_, value);
+}
+void ByteWriter::u64(std::uint64_t value) {
+    append(bytes_, value);
+}
+void ByteWriter::i32(std::int32_t value) {
+    u32(static_cast<std::uint32_t>(value));
+}
+void ByteWriter::f64(double value) {
+    u64(std::bit_cast<std::uint64_t>(value));
+}
+
+void ByteWriter::text(std::string_view value) {
+    u64(value.size());
+    const auto* first = reinterpret_cast<const std::byte*>(value.data());
+    bytes_.insert(bytes_.end(), first, first + value.size());
+}
+
+void ByteWriter::doubles(std::span<const double> values) {
+    u64(values.size());
+    for (const double value : values) f64(value);
+}
+
+std::span<const std::byte> ByteReader::take(std::size_t size) {
+    if (size > rest_.size())
+        throw RunError("a stored record ends before its contents do; it was damaged or written by another version");
+    const auto taken = rest_.first(size);
+    rest_ = rest_.subspan(size);
+    return taken;
+}
+
+std::uint8_t ByteReader::u8() {
+    return std::to_integer<std::uint8_t>(take(1)[0]);
+}
+std::uint32_t ByteReader::u32() {
+    return extract<std::uint32_t>(take(4));
+}
+std::uint64_t ByteReader::u64() {
+    return extract<std::uint64_t>(take(8));
+}
+std::int32_t ByteReader::i32() {
+    return static_cast<std::int32_t>(u32());
+}
+double ByteReader::f64() {
+    return std::bit_cast<double>(u64());
+}
+
+std::size_t ByteReader::count(std::size_t bytes_each) {
+    const std::uint64_t number = u64();
+    if (number > rest_.size() / bytes_each)
+        throw RunError("a stored record counts more things than it has room for; it was damaged");
+    return static_cast<std::size_t>(number);
+}
+
+std::string ByteReader::text() {
+    const auto taken = take(count(1));
+    return {reinterpret_cast<const char*>(taken.data()), taken.size()};
+}
+
+std::vector<double> ByteReader::doubles() {
+    std::vector<double> values(count(sizeof(double)));
+    for (double& value : values) value = f64();
+    return values;
+}
+
+}  // namespace floes

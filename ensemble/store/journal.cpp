@@ -1,0 +1,140 @@
+#include "store/journal.hpp"
+
+#include <fcntl.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/error.hpp"
+#include "store/journal_format.hpp"
+
+namespace floes {
+namespace {
+
+using journal_format::RecordType;
+
+struct flock whole_file(short type) {
+    struct flock lock {};
+    lock.l_type = type;
+    lock.l_whence = SEEK_SET;
+    return lock;
+}
+
+// Locks of the open file rather than of the process: they also hold between two journals of one process.
+// A file system without locks lets both in; docs/campaign_file.md says so.
+void lock_for_writing(const FileDescriptor& file, const std::filesystem::path& path) {
+    auto lock = whole_file(F_WRLCK);
+    if (::fcntl(file.get(), F_OFD_SETLK, &lock) == 0 || (errno != EAGAIN && errno != EACCES)) return;
+    throw InputError(
+        fmt::format("{} is being written by another run. Wait for it, stop it, or choose another output "
+                    "file with -o.",
+                    path.string()));
+}
+
+std::string load_nothing(const std::string& path) {
+    throw InputError(
+        fmt::format("the configuration in a journal refers to the file {}, which it should contain", path));
+}
+
+}  // namespace
+
+std::filesystem::path journal_path(const std::filesystem::path& campaign_file) {
+    return std::filesystem::path(campaign_file).replace_extension(".journal");
+}
+
+Journal::Journal(std::filesystem::path path, FileDescriptor file, JournalContents contents)
+    : path_(std::move(path)), file_(std::move(file)), contents_(std::move(contents)) {}
+
+Journal open_journal(const std::filesystem::path& path, const std::string& campaign_text, Existing existing) {
+    FileDescriptor file = open_file(path, O_RDWR | O_CREAT | O_APPEND);
+    lock_for_writing(file, path);
+    if (existing != Existing::replace) {
+        journal_format::Reading reading = journal_format::read(file, path);
+        if (reading.begun) {
+            if (existing == Existing::refuse)
+                throw InputError(
+                    fmt::format("{} is there already. Continue it with --resume, begin anew with "
+                                "--overwrite, or choose another output file with -o.",
+                                path.string()));
+            truncate_file(file, path, reading.contents.good_bytes);
+            return {path, std::move(file), std::move(reading.contents)};
+        }
+    }
+    const Bytes header = journal_format::header(campaign_text);
+    truncate_file(file, path, 0);
+    write_all(file, path, header);
+    sync_data(file, path);
+    sync_folder_of(path);
+    JournalContents contents;
+    contents.campaign_text = campaign_text;
+    contents.good_bytes = header.size();
+    return {path, std::move(file), std::move(contents)};
+}
+
+Journal open_journal(const std::filesystem::path& path, const Campaign& campaign, Existing existing) {
+    const std::string here = write_campaign(campaign);
+    Journal journal = open_journal(path, here, existing);
+    if (journal.campaign_text() == here) return journal;
+    const Campaign there = read_campaign({journal.campaign_text(), path.string(), {}}, load_nothing);
+    if (fingerprint(there) == fingerprint(campaign)) return journal;
+    throw InputError(
+        fmt::format("{} belongs to another campaign: {}. Give the configuration it was begun with, choose "
+                    "another output file with -o, or begin anew with --overwrite.",
+                    path.string(), fmt::join(differences(there, campaign), "; ")));
+}
+
+void Journal::write_record(std::uint32_t type, std::span<const std::byte> payload) {
+    const Bytes bytes = journal_format::record(static_cast<RecordType>(type), payload);
+    try {
+        write_all(file_, path_, bytes);
+    } catch (const RunError&) {
+        // Half a record would hide every later one from the reader.
+        truncate_file(file_, path_, contents_.good_bytes);
+        throw;
+    }
+    contents_.good_bytes += bytes.size();
+}
+
+void Journal::append(const MemberRecord& record) {
+    write_record(static_cast<std::uint32_t>(RecordType::member), encode(record));
+    contents_.members.push_back(record);
+}
+
+void Journal::sync() {
+    sync_data(file_, path_);
+}
+
+void Journal::begin_session(const Session& session) {
+    write_record(static_cast<std::uint32_t>(RecordType::session_begin), encode(session));
+    contents_.sessions.push_back(session);
+    sync();
+}
+
+void Journal::end_session(const std::string& outcome) {
+    Session& session = contents_.sessions.at(contents_.sessions.size() - 1);
+    session.ended = utc_now();
+    session.outcome = outcome;
+    ByteWriter payload;
+    payload.text(session.ended);
+    payload.text(session.outcome);
+    write_record(static_cast<std::uint32_t>(RecordType::session_end), payload.bytes());
+    sync();
+}
+
+JournalContents read_journal(const std::filesystem::path& path) {
+    const FileDescriptor file = open_file(path, O_RDONLY);
+    journal_format::Reading reading = journal_format::read(file, path);
+    if (!reading.begun) throw InputError(fmt::format("{} holds nothing yet.", path.string()));
+    return std::move(reading.contents);
+}
+
+bool is_being_written(const std::filesystem::path& path) {
+    const FileDescriptor file = open_file(path, O_RDONLY);
+    auto lock = whole_file(F_WRLCK);
+    return ::fcntl(file.get(), F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+}
+
+}  // namespace floes

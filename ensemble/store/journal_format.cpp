@@ -1,0 +1,139 @@
+#include "store/journal_format.hpp"
+
+#include <fmt/format.h>
+#include <boost/crc.hpp>
+
+#include "core/error.hpp"
+
+namespace floes::journal_format {
+namespace {
+
+using Crc32c = boost::crc_optimal<32, 0x1EDC6F41, 0xFFFFFFFF, 0xFFFFFFFF, true, true>;
+
+void append(Bytes& bytes, std::span<const std::byte> more) {
+    bytes.insert(bytes.end(), more.begin(), more.end());
+}
+
+void append_crc(Bytes& bytes, std::span<const std::byte> of) {
+    ByteWriter crc;
+    crc.u32(crc32c(of));
+    append(bytes, crc.bytes());
+}
+
+bool crc_is_right(std::span<const std::byte> with_crc) {
+    const auto covered = with_crc.first(with_crc.size() - crc_bytes);
+    return ByteReader(with_crc.last(crc_bytes)).u32() == crc32c(covered);
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& path, std::string_view why) {
+    throw InputError(fmt::format("{} {}. Move it away, or begin anew with --overwrite.", path.string(), why));
+}
+
+bool magic_fits(std::span<const std::byte> bytes) {
+    const auto first = bytes.first(std::min(bytes.size(), magic.size()));
+    return magic.starts_with(std::string_view(reinterpret_cast<const char*>(first.data()), first.size()));
+}
+
+// The text length of a header whose fixed part is whole.
+std::uint64_t check_fixed_header(std::span<const std::byte> bytes, const std::filesystem::path& path) {
+    ByteReader in(bytes.subspan(magic.size()));
+    const std::uint32_t found = in.u32();
+    const std::uint64_t length = in.u64();
+    const bool whole = crc_is_right(bytes);
+    if (whole && found > schema)
+        throw InputError(
+            fmt::format("{} is a journal of schema {}, and this program knows schemas up to {}. Use the "
+                        "version of floes that wrote it, or a newer one.",
+                        path.string(), found, schema));
+    if (!whole || found == 0) refuse(path, "is a journal whose header is damaged");
+    return length;
+}
+
+void take_record(JournalContents& contents, std::uint32_t type, std::span<const std::byte> payload) {
+    switch (static_cast<RecordType>(type)) {
+        case RecordType::member:
+            contents.members.push_back(decode_member_record(payload));
+            break;
+        case RecordType::session_begin:
+            contents.sessions.push_back(decode_session(payload));
+            break;
+        case RecordType::session_end: {
+            ByteReader in(payload);
+            if (contents.sessions.empty()) break;
+            contents.sessions.back().ended = in.text();
+            contents.sessions.back().outcome = in.text();
+            break;
+        }
+    }
+}
+
+}  // namespace
+
+std::uint32_t crc32c(std::span<const std::byte> bytes) {
+    Crc32c crc;
+    crc.process_bytes(bytes.data(), bytes.size());
+    return crc.checksum();
+}
+
+Bytes header(std::string_view text) {
+    Bytes bytes;
+    append(bytes, std::as_bytes(std::span(magic)));
+    ByteWriter fixed;
+    fixed.u32(schema);
+    fixed.u64(text.size());
+    append(bytes, fixed.bytes());
+    append_crc(bytes, Bytes(bytes));
+    append(bytes, std::as_bytes(std::span(text)));
+    append_crc(bytes, std::as_bytes(std::span(text)));
+    return bytes;
+}
+
+Bytes record(RecordType type, std::span<const std::byte> payload) {
+    ByteWriter head;
+    head.u64(payload.size());
+    head.u32(static_cast<std::uint32_t>(type));
+    Bytes bytes = head.take();
+    bytes.reserve(bytes.size() + payload.size() + crc_bytes);
+    append(bytes, payload);
+    append_crc(bytes, std::span<const std::byte>(bytes));
+    return bytes;
+}
+
+Reading read(const FileDescriptor& file, const std::filesystem::path& path) {
+    Reading reading;
+    // The size is taken once: what a live writer adds meanwhile is for the next reader.
+    const std::uint64_t size = file_size(file, path);
+    Bytes fixed(std::min(size, fixed_header_bytes));
+    read_at(file, path, 0, fixed);
+    if (!magic_fits(fixed)) refuse(path, "is not a journal of floes");
+    if (fixed.size() < fixed_header_bytes) return reading;
+
+    const std::uint64_t length = check_fixed_header(fixed, path);
+    const std::uint64_t room = size - fixed_header_bytes;
+    if (room < crc_bytes || length > room - crc_bytes) return reading;
+    Bytes text(length + crc_bytes);
+    read_at(file, path, fixed_header_bytes, text);
+    if (!crc_is_right(text)) refuse(path, "is a journal whose configuration is damaged");
+    reading.begun = true;
+    JournalContents& contents = reading.contents;
+    contents.campaign_text.assign(reinterpret_cast<const char*>(text.data()), length);
+    contents.good_bytes = fixed_header_bytes + length + crc_bytes;
+
+    for (Bytes bytes; size - contents.good_bytes >= record_head_bytes + crc_bytes;) {
+        bytes.resize(record_head_bytes);
+        if (!read_at(file, path, contents.good_bytes, bytes)) break;
+        ByteReader head(bytes);
+        const std::uint64_t payload = head.u64();
+        const std::uint32_t type = head.u32();
+        // Only a length that fits the file is believed, so a damaged one cannot ask for memory.
+        if (payload > size - contents.good_bytes - record_head_bytes - crc_bytes) break;
+        bytes.resize(record_head_bytes + payload + crc_bytes);
+        if (!read_at(file, path, contents.good_bytes, bytes) || !crc_is_right(bytes)) break;
+        take_record(contents, type, std::span(bytes).subspan(record_head_bytes, payload));
+        contents.good_bytes += bytes.size();
+    }
+    contents.torn_bytes = size - contents.good_bytes;
+    return reading;
+}
+
+}  // namespace floes::journal_format
