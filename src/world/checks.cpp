@@ -1,0 +1,69 @@
+#include "world/checks.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace floes {
+
+namespace {
+
+void require(bool allowed, const char* what, double value, const char* range) {
+    if (!allowed)
+        throw InputError(fmt::format("The world cannot be built: {} is {}; it must be {}.", what, value, range));
+}
+
+void check_box(const Vec3& half_extents, double friction) {
+    require((half_extents.array() > 0).all(), "the smallest half extent of a box", half_extents.minCoeff(),
+            "above 0 m");
+    require(friction >= 0, "a material's friction", friction, "at least 0");
+}
+
+}  // namespace
+
+void check(const WorldDefinition& d) {
+    require(d.time_step > 0, "the time step", d.time_step, "above 0 s");
+    require(d.iterations >= 1, "the number of iterations", d.iterations, "at least 1");
+    require(std::isfinite(d.gravity), "gravity", d.gravity, "a finite number");
+    require(d.contact_erp >= 0 && d.contact_erp <= 1, "the contact ERP", d.contact_erp, "between 0 and 1");
+    require(d.split_impulse_depth >= 0, "the split impulse depth", d.split_impulse_depth, "at least 0 m");
+}
+
+void check(const BoxDefinition& box) {
+    check_box(box.half_extents, box.friction);
+    require(box.mass > 0, "the mass of an element", box.mass, "above 0 kg");
+}
+
+void check(const FixedBoxDefinition& box) {
+    check_box(box.half_extents, box.friction);
+}
+
+void check(const JointDefinition& joint, std::size_t bodies) {
+    const auto last = static_cast<double>(bodies) - 1;
+    for (const BodyId body : {joint.a, joint.b}) {
+        require(body.index() < bodies, "the index of a joined body", static_cast<double>(body.index()),
+                fmt::format("at most {}", last).c_str());
+    }
+    require(joint.a != joint.b, "the second body of a joint", static_cast<double>(joint.b.index()),
+            "another than the first");
+    // The sweeps are an over-relaxation by 1 + Σ, which does not converge from 1 on.
+    require(joint.cfm >= 0 && joint.cfm < 1, "the joint CFM", joint.cfm, "at least 0 and below 1");
+    require(joint.erp >= 0 && joint.erp <= 1, "the joint ERP", joint.erp, "between 0 and 1");
+}
+
+void check_structure(std::span<const Frustum> frusta, double friction, bool present) {
+    require(!present, "the number of structures", 2, "at most 1");
+    require(!frusta.empty(), "the number of frusta of the structure", 0, "at least 1");
+    require(friction >= 0, "a material's friction", friction, "at least 0");
+    for (const Frustum& frustum : frusta) {
+        require(frustum.top_height > frustum.bottom_height, "the height of a frustum",
+                frustum.top_height - frustum.bottom_height, "above 0 m");
+        require(frustum.bottom_radius >= 0 && frustum.top_radius >= 0, "the smaller radius of a frustum",
+                std::fmin(frustum.bottom_radius, frustum.top_radius), "at least 0 m");
+        require(frustum.bottom_radius + frustum.top_radius > 0, "the larger radius of a frustum", 0, "above 0 m");
+    }
+}
+
+}  // namespace floes

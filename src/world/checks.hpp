@@ -1,0 +1,18 @@
+#pragma once
+// What a World refuses: each function throws InputError with the value and its range. Only for files inside this room.
+
+#include <cstddef>
+#include <span>
+
+#include "core/frustum.hpp"
+#include "world/definitions.hpp"
+
+namespace floes {
+
+void check(const WorldDefinition& definition);
+void check(const BoxDefinition& box);
+void check(const FixedBoxDefinition& box);
+void check(const JointDefinition& joint, std::size_t bodies);
+void check_structure(std::span<const Frustum> frusta, double friction, bool present);
+
+}  // namespace floes

@@ -1,0 +1,22 @@
+#include "world/contact_load.hpp"
+
+#include "world/conversion.hpp"
+
+namespace floes {
+
+Vec3 contact_load(std::span<btPersistentManifold* const> manifolds, const btCollisionObject* body, double time_step) {
+    btVector3 impulse(0, 0, 0);
+    for (const btPersistentManifold* manifold : manifolds) {
+        // Bullet's normal points from body 1 to body 0; impulses act on body 0.
+        const double side = manifold->getBody0() == body ? 1.0 : manifold->getBody1() == body ? -1.0 : 0.0;
+        if (side == 0.0) continue;
+        for (int i = 0; i < manifold->getNumContacts(); ++i) {
+            const btManifoldPoint& point = manifold->getContactPoint(i);
+            impulse += side * (point.m_normalWorldOnB * point.m_appliedImpulse +
+                               point.m_lateralFrictionDir1 * point.m_appliedImpulseLateral1);
+        }
+    }
+    return from_bullet(impulse) / time_step;
+}
+
+}  // namespace floes

@@ -1,0 +1,31 @@
+#pragma once
+// Between the vectors of floes and those of Bullet. Only for files inside this room.
+
+#include <LinearMath/btTransform.h>
+
+#include "core/vector.hpp"
+
+namespace floes {
+
+inline btVector3 to_bullet(const Vec3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
+inline btTransform to_bullet(const Pose& pose) {
+    const Quat q = pose.orientation.normalized();
+    return btTransform(btQuaternion(q.x(), q.y(), q.z(), q.w()), to_bullet(pose.position));
+}
+
+inline Vec3 from_bullet(const btVector3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
+inline Mat3 from_bullet(const btMatrix3x3& m) {
+    Mat3 result;
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) result(row, column) = m[row][column];
+    }
+    return result;
+}
+
+}  // namespace floes

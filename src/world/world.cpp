@@ -1,0 +1,183 @@
+#include "world/world.hpp"
+
+#include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
+#include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
+#include <BulletCollision/CollisionShapes/btBoxShape.h>
+#include <BulletCollision/CollisionShapes/btCompoundShape.h>
+#include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "world/checks.hpp"
+#include "world/contact_load.hpp"
+#include "world/conversion.hpp"
+#include "world/fixed_joint.hpp"
+#include "world/frustum_shape.hpp"
+#include "world/ordered_dynamics_world.hpp"
+#include "world/piece_dispatcher.hpp"
+
+namespace floes {
+
+namespace {
+
+/// Joints take their ERP and CFM from their own definition; of these only m_erp2 concerns contacts (m_erp is that of
+/// joints without one). A penetration is corrected by m_erp2 in the velocity impulse, so that the contact force
+/// contains the correction, unless split impulse is on and the penetration is deeper than the threshold.
+void set_up(btContactSolverInfo& info, const WorldDefinition& definition) {
+    info.m_numIterations = definition.iterations;
+    info.m_erp2 = definition.contact_erp;
+    info.m_splitImpulse = definition.split_impulse ? 1 : 0;
+    info.m_splitImpulsePenetrationThreshold = -definition.split_impulse_depth;
+    info.m_solverMode = SOLVER_USE_WARMSTARTING | SOLVER_SIMD;  // without the first, contact forces are not kept
+}
+
+}  // namespace
+
+// Members are destroyed last first: the world before what it refers to.
+class World::Bullet {
+  public:
+    explicit Bullet(const WorldDefinition& given) : definition(given) {
+        set_up(world.getSolverInfo(), definition);
+        world.setGravity({0, -definition.gravity, 0});
+        world.setForceUpdateAllAabbs(false);  // fixed boxes do not move
+    }
+
+    btRigidBody& body(BodyId id) { return bodies[id.index()]; }
+    const btRigidBody& body(BodyId id) const { return bodies[id.index()]; }
+
+    btBoxShape* box_shape(const Vec3& half_extents) {
+        for (auto& box : boxes) {
+            if (box.half_extents == half_extents) return &box.shape;
+        }
+        return &boxes.emplace_back(half_extents).shape;
+    }
+
+    /// All bodies enter here. Bullet's counter of bodies, a debugging aid that nothing reads, is the only datum that
+    /// Worlds in different threads share.
+    BodyId add_body(btCollisionShape* shape, double mass, const Pose& pose, double friction, int piece, int flags) {
+        const BodyId id(bodies.size());
+        btVector3 inertia(0, 0, 0);
+        if (mass > 0) shape->calculateLocalInertia(mass, inertia);
+        btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, shape, inertia);
+        info.m_startWorldTransform = to_bullet(pose);
+        info.m_friction = friction;
+        btRigidBody& added = bodies.emplace_back(info);
+        added.setCollisionFlags(added.getCollisionFlags() | flags);
+        added.setActivationState(DISABLE_DEACTIVATION);  // floes as slow as the tow would fall asleep
+        added.setUserIndex(static_cast<int>(id.index()));
+        added.setUserIndex2(piece);
+        world.addRigidBody(&added);
+        return id;
+    }
+
+    struct Box {
+        explicit Box(const Vec3& given) : half_extents(given), shape(to_bullet(given)) {}
+        Vec3 half_extents;
+        btBoxShape shape;
+    };
+
+    WorldDefinition definition;
+    btDefaultCollisionConfiguration configuration;
+    PieceDispatcher dispatcher{&configuration};
+    btDbvtBroadphase broadphase;
+    btSequentialImpulseConstraintSolver solver;
+    std::deque<Box> boxes;
+    std::deque<FrustumShape> frusta;
+    std::optional<btCompoundShape> structure_shape;
+    std::deque<btRigidBody> bodies;
+    std::optional<BodyId> structure;
+    std::vector<std::unique_ptr<FixedJoint>> joints;  // null once removed
+    OrderedDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
+};
+
+World::World(const WorldDefinition& definition) {
+    check(definition);
+    bullet_ = std::make_unique<Bullet>(definition);
+}
+
+World::~World() = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+
+BodyId World::add_element(const BoxDefinition& box) {
+    check(box);
+    return bullet_->add_body(bullet_->box_shape(box.half_extents), box.mass, box.pose, box.friction, box.piece, 0);
+}
+
+BodyId World::add_fixed_box(const FixedBoxDefinition& box) {
+    check(box);
+    return bullet_->add_body(bullet_->box_shape(box.half_extents), 0, box.pose, box.friction, no_piece, 0);
+}
+
+BodyId World::add_structure(std::span<const Frustum> frusta, double friction, const Vec3& position) {
+    check_structure(frusta, friction, bullet_->structure.has_value());
+    bullet_->structure_shape.emplace();
+    for (const Frustum& frustum : frusta) {
+        bullet_->structure_shape->addChildShape(btTransform::getIdentity(), &bullet_->frusta.emplace_back(frustum));
+    }
+    const Pose pose{position, Quat::Identity()};
+    bullet_->structure = bullet_->add_body(&*bullet_->structure_shape, 0, pose, friction, no_piece,
+                                           btCollisionObject::CF_KINEMATIC_OBJECT);
+    return *bullet_->structure;
+}
+
+JointId World::add_joint(const JointDefinition& joint) {
+    check(joint, bullet_->bodies.size());
+    const JointId id(bullet_->joints.size());
+    bullet_->joints.push_back(std::make_unique<FixedJoint>(joint, bullet_->body(joint.a), bullet_->body(joint.b)));
+    bullet_->world.addConstraint(bullet_->joints.back()->constraint());
+    return id;
+}
+
+void World::remove_joint(JointId joint) {
+    std::unique_ptr<FixedJoint>& removed = bullet_->joints[joint.index()];
+    if (!removed) return;
+    bullet_->world.remove_in_order(removed->constraint());
+    removed.reset();
+}
+
+void World::set_piece(BodyId body, int piece) {
+    bullet_->body(body).setUserIndex2(piece);
+}
+
+void World::move_structure(const Vec3& position) {
+    // Not setCenterOfMassTransform: that would also move what Bullet takes the velocity from.
+    bullet_->body(bullet_->structure.value()).setWorldTransform(to_bullet(Pose{position, Quat::Identity()}));
+}
+
+void World::apply(BodyId body, const Wrench& wrench) {
+    btRigidBody& target = bullet_->body(body);
+    target.applyCentralForce(to_bullet(wrench.force));
+    target.applyTorque(to_bullet(wrench.moment));
+}
+
+void World::step() {
+    bullet_->world.stepSimulation(bullet_->definition.time_step, 0);  // 0: this step as it is, no sub-steps
+}
+
+BodyState World::state(BodyId body) const {
+    const btRigidBody& source = bullet_->body(body);
+    const btTransform& transform = source.getWorldTransform();
+    return {.position = from_bullet(transform.getOrigin()),
+            .rotation = from_bullet(transform.getBasis()),
+            .velocity = from_bullet(source.getLinearVelocity()),
+            .spin = from_bullet(source.getAngularVelocity())};
+}
+
+JointReaction World::reaction(JointId joint) const {
+    const std::unique_ptr<FixedJoint>& live = bullet_->joints[joint.index()];
+    return live ? live->reaction() : JointReaction{};
+}
+
+Vec3 World::contact_force(BodyId body) const {
+    return contact_load(bullet_->world.solved_manifolds(), &bullet_->body(body), bullet_->definition.time_step);
+}
+
+int World::body_count() const {
+    return static_cast<int>(bullet_->bodies.size());
+}
+
+}  // namespace floes
