@@ -1,0 +1,53 @@
+#pragma once
+// Configuration text as a flat list of "dotted path = value", each with the place it came from. The only door to
+// toml++.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace floes {
+
+/// A value as the text gives it. `Strange` is what no key takes: dates, tables, empty tables; `kind` names it.
+struct Value {
+    struct Strange {
+        std::string kind;
+        friend bool operator==(const Strange&, const Strange&) = default;
+    };
+    std::variant<bool, std::int64_t, double, std::string, std::vector<Value>, Strange> data;
+    friend bool operator==(const Value&, const Value&) = default;
+};
+
+/// The value as TOML would write it, on one line; long lists are cut short with "...".
+std::string to_text(const Value& value);
+
+struct Entry {
+    std::string path;  ///< "ice.thickness_m"; within a block, relative to the block
+    Value value;
+    std::string where;  ///< "table3.toml:12", the beginning of a message about this entry
+};
+
+/// One table of an array of tables: [[case]].
+struct Block {
+    std::string path;
+    std::string where;
+    std::vector<Entry> entries;
+};
+
+/// Entries and blocks in the order of the text.
+struct Document {
+    std::vector<Entry> entries;
+    std::vector<Block> blocks;
+};
+
+/// Reads TOML; `file` names it in messages. Throws InputError with file, line and column where the text is not TOML,
+/// and with file, line and key where a key is given twice.
+Document parse_document(std::string_view text, const std::string& file);
+
+/// Reads "key=value" of a command line option. A value that is not TOML is taken as a word, so that
+/// field.far_end=open needs no quotes. `option` ("--set") begins the message. Throws InputError without "=".
+Entry parse_override(const std::string& override_text, const std::string& option);
+
+}  // namespace floes

@@ -1,0 +1,27 @@
+#include "keys/edit_distance.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace floes {
+
+std::size_t edit_distance(std::string_view one, std::string_view other) {
+    std::vector<std::size_t> before_last(other.size() + 1);
+    std::vector<std::size_t> last(other.size() + 1);
+    std::iota(last.begin(), last.end(), std::size_t{0});
+    for (std::size_t i = 1; i <= one.size(); ++i) {
+        std::vector<std::size_t> row(other.size() + 1, i);
+        for (std::size_t j = 1; j <= other.size(); ++j) {
+            const std::size_t substituted = last[j - 1] + (one[i - 1] == other[j - 1] ? 0 : 1);
+            row[j] = std::min({substituted, last[j] + 1, row[j - 1] + 1});
+            const bool swapped = i > 1 && j > 1 && one[i - 1] == other[j - 2] && one[i - 2] == other[j - 1];
+            if (swapped) row[j] = std::min(row[j], before_last[j - 2] + 1);
+        }
+        before_last = std::move(last);
+        last = std::move(row);
+    }
+    return last.back();
+}
+
+}  // namespace floes

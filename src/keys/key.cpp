@@ -1,0 +1,156 @@
+#include "keys/key.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "keys/edit_distance.hpp"
+#include "keys/literal.hpp"
+
+namespace floes {
+namespace {
+
+std::string rows_text(const RowsField& rows, bool si) {
+    std::vector<std::string> lines;
+    for (const std::vector<double>& row : rows.get()) {
+        std::vector<std::string> numbers;
+        for (std::size_t i = 0; i < row.size(); ++i)
+            numbers.push_back(number_literal(row[i], si ? 1.0 : rows.columns[i].unit));
+        lines.push_back(fmt::format("[{}]", fmt::join(numbers, ", ")));
+    }
+    return fmt::format("[{}]", fmt::join(lines, ", "));
+}
+
+struct Literal {
+    bool si;
+    std::string operator()(const NumberField& number) const {
+        return si ? number_literal(*number.value) : number_literal(*number.value, number.unit);
+    }
+    std::string operator()(const IntegerField& integer) const { return fmt::format("{}", integer.get()); }
+    std::string operator()(const SwitchField& field) const { return *field.value ? "true" : "false"; }
+    std::string operator()(const WordField& word) const { return text_literal(word.words[word.get()]); }
+    std::string operator()(const TextField& text) const { return text_literal(*text.value); }
+    std::string operator()(const RowsField& rows) const { return rows_text(rows, si); }
+};
+
+struct Allowed {
+    std::string operator()(const NumberField& number) const { return to_text(number.range); }
+    std::string operator()(const IntegerField& integer) const {
+        if (integer.high == std::numeric_limits<std::int64_t>::max()) {
+            return fmt::format("a whole number from {}", integer.low);
+        }
+        return fmt::format("a whole number from {} to {}", integer.low, integer.high);
+    }
+    std::string operator()(const SwitchField&) const { return "true or false"; }
+    std::string operator()(const WordField& word) const {
+        std::vector<std::string> words;
+        for (const std::string& text : word.words) words.push_back(text_literal(text));
+        return fmt::format("{}", fmt::join(words, " or "));
+    }
+    std::string operator()(const TextField&) const { return "text in quotes"; }
+    std::string operator()(const RowsField& rows) const {
+        std::vector<std::string> names;
+        std::vector<std::string> ranges;
+        for (const Column& column : rows.columns) {
+            names.push_back(column.name);
+            const std::string range = to_text(column.range);
+            if (range != "any number") ranges.push_back(fmt::format("{} {}", column.name, range));
+        }
+        const std::string shape = fmt::format("a list of [{}]", fmt::join(names, ", "));
+        return ranges.empty() ? shape : fmt::format("{}, {}", shape, fmt::join(ranges, ", "));
+    }
+};
+
+}  // namespace
+
+Range Range::at_most(double bound) const {
+    Range range = *this;
+    range.high = bound;
+    return range;
+}
+
+Range Range::below(double bound) const {
+    Range range = at_most(bound);
+    range.high_included = false;
+    return range;
+}
+
+Range Range::because(std::string why) const {
+    Range range = *this;
+    range.reason = std::move(why);
+    return range;
+}
+
+bool Range::contains(double value) const {
+    const bool high_enough = low_included ? value >= low : value > low;
+    const bool low_enough = high_included ? value <= high : value < high;
+    return high_enough && low_enough && std::abs(value) <= std::numeric_limits<double>::max();
+}
+
+Range above(double bound) {
+    Range range = at_least(bound);
+    range.low_included = false;
+    return range;
+}
+
+Range at_least(double bound) {
+    Range range;
+    range.low = bound;
+    return range;
+}
+
+std::string to_text(const Range& range) {
+    std::vector<std::string> parts;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (range.low > -infinity)
+        parts.push_back(fmt::format("{} {}", range.low_included ? "at least" : "above", range.low));
+    if (range.high < infinity)
+        parts.push_back(fmt::format("{} {}", range.high_included ? "at most" : "below", range.high));
+    return parts.empty() ? "any number" : fmt::format("{}", fmt::join(parts, " and "));
+}
+
+Key number_key(std::string path, double& field, double unit, Range range, std::string source, std::string doc) {
+    return {std::move(path), NumberField{&field, unit, std::move(range)}, std::move(source), std::move(doc)};
+}
+
+Key integer_key(std::string path, int& field, int low, int high, std::string source, std::string doc) {
+    IntegerField binding{[&field] { return std::int64_t{field}; },
+                         [&field](std::int64_t value) { field = static_cast<int>(value); }, low, high};
+    return {std::move(path), std::move(binding), std::move(source), std::move(doc)};
+}
+
+Key switch_key(std::string path, bool& field, std::string source, std::string doc) {
+    return {std::move(path), SwitchField{&field}, std::move(source), std::move(doc)};
+}
+
+Key text_key(std::string path, std::string& field, std::string source, std::string doc) {
+    return {std::move(path), TextField{&field}, std::move(source), std::move(doc)};
+}
+
+std::string allowed(const Key& key) {
+    return std::visit(Allowed{}, key.field);
+}
+
+std::string literal(const Key& key) {
+    return std::visit(Literal{false}, key.field);
+}
+
+std::string exact_text(const Key& key) {
+    return std::visit(Literal{true}, key.field);
+}
+
+const Key* find_key(std::span<const Key> keys, const std::string& path) {
+    const auto found = std::ranges::find(keys, path, &Key::path);
+    return found == keys.end() ? nullptr : &*found;
+}
+
+std::string nearest_path(std::span<const Key> keys, const std::string& path) {
+    const std::string name = path.substr(path.rfind('.') + 1);  // the whole path without a dot
+    const auto distance = [&](const Key& key) {
+        return std::min(edit_distance(key.path, path), edit_distance(key.name(), name) + 1);
+    };
+    return std::ranges::min_element(keys, {}, distance)->path;
+}
+
+}  // namespace floes

@@ -1,0 +1,113 @@
+#pragma once
+// A key of the configuration: a dotted path bound to one field, with its unit, range, meaning and source. One list of
+// keys drives all there is to do with configuration text: reading, overriding, writing, comparing, the reference. A
+// list of keys points into the value it describes and must not outlive it.
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/units.hpp"
+#include "keys/document.hpp"
+
+namespace floes {
+
+/// What a number may be, in the unit of the key. NaN and infinities are never allowed.
+struct Range {
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+    bool low_included = true;
+    bool high_included = true;
+    std::string reason;  ///< why, where it is not plain; said in the message
+
+    Range at_most(double bound) const;
+    Range below(double bound) const;
+    Range because(std::string why) const;
+    bool contains(double value) const;
+};
+Range above(double bound);
+Range at_least(double bound);
+
+/// "above 0 and below 1"; "any number" without bounds.
+std::string to_text(const Range& range);
+
+struct NumberField {
+    double* value;  ///< SI
+    double unit;    ///< SI value = number in the text * unit
+    Range range;
+};
+struct IntegerField {
+    std::function<std::int64_t()> get;
+    std::function<void(std::int64_t)> set;
+    std::int64_t low;
+    std::int64_t high;
+};
+struct SwitchField {
+    bool* value;
+};
+struct WordField {
+    std::vector<std::string> words;  ///< in the order of the enumeration
+    std::function<std::size_t()> get;
+    std::function<void(std::size_t)> set;
+};
+struct TextField {
+    std::string* value;
+};
+struct Column {
+    std::string name;  ///< with its unit: "height_m"
+    double unit;
+    Range range;
+};
+struct RowsField {
+    std::vector<Column> columns;
+    std::function<std::vector<std::vector<double>>()> get;  ///< SI
+    std::function<void(const std::vector<std::vector<double>>&)> set;
+};
+
+struct Key {
+    std::string path;  ///< "ice.thickness_m": table, dot, name with unit
+    std::variant<NumberField, IntegerField, SwitchField, WordField, TextField, RowsField> field;
+    std::string source;  ///< where the default comes from
+    std::string doc;     ///< meaning, and what changing it does
+
+    std::string table() const { return path.substr(0, path.find('.')); }
+    std::string name() const { return path.substr(path.find('.') + 1); }
+};
+
+using Keys = std::vector<Key>;
+
+/// Makers of keys, one a kind of field.
+Key number_key(std::string path, double& field, double unit, Range range, std::string source, std::string doc);
+Key integer_key(std::string path, int& field, int low, int high, std::string source, std::string doc);
+Key switch_key(std::string path, bool& field, std::string source, std::string doc);
+Key text_key(std::string path, std::string& field, std::string source, std::string doc);
+
+/// The enumeration must count from 0 in the order of `words`.
+template <class Enum>
+Key word_key(std::string path, Enum& field, std::vector<std::string> words, std::string source, std::string doc) {
+    WordField binding{std::move(words), [&field] { return static_cast<std::size_t>(field); },
+                      [&field](std::size_t word) { field = static_cast<Enum>(word); }};
+    return {std::move(path), std::move(binding), std::move(source), std::move(doc)};
+}
+
+/// What the key takes, as said in messages and in the reference: "above 0 and at most 10".
+std::string allowed(const Key& key);
+
+/// The field's value as TOML text in the key's unit; reading it gives the same field, bit for bit.
+std::string literal(const Key& key);
+
+/// The field's value in SI, each number in the shortest form that reads back to it: equal exactly when the fields are.
+std::string exact_text(const Key& key);
+
+/// The key of that path, or none.
+const Key* find_key(std::span<const Key> keys, const std::string& path);
+
+/// The path nearest to a mistyped one: fewest edits, a right name in a wrong table counting as one edit.
+/// `keys` is not empty.
+std::string nearest_path(std::span<const Key> keys, const std::string& path);
+
+}  // namespace floes

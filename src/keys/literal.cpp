@@ -1,0 +1,53 @@
+#include "keys/literal.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+
+namespace floes {
+namespace {
+
+/// TOML tells integers from numbers by the point; a key that takes a number shows one.
+std::string with_point(std::string text) {
+    if (text.find_first_of(".en") == std::string::npos) text += ".0";
+    return text;
+}
+
+}  // namespace
+
+std::string number_literal(double number) {
+    return with_point(fmt::format("{}", number));
+}
+
+std::string number_literal(double si_value, double unit) {
+    const double number = si_value / unit;
+    if (!std::isfinite(number)) return number_literal(number);
+    constexpr int digits_of_a_double = 17;
+    for (int digits = 1; digits <= digits_of_a_double; ++digits) {
+        const double rounded = std::strtod(fmt::format("{:.{}g}", number, digits).c_str(), nullptr);
+        if (rounded * unit == si_value) return number_literal(rounded);
+    }
+    for (const double neighbour : {std::nextafter(number, -INFINITY), std::nextafter(number, INFINITY)}) {
+        if (neighbour * unit == si_value) return number_literal(neighbour);
+    }
+    return number_literal(number);
+}
+
+std::string text_literal(std::string_view text) {
+    std::string literal = "\"";
+    for (const char character : text) {
+        const auto code = static_cast<unsigned char>(character);
+        if (character == '"' || character == '\\') {
+            literal += '\\';
+            literal += character;
+        } else if (code < 0x20 || code == 0x7f) {
+            literal += fmt::format("\\u{:04x}", code);
+        } else {
+            literal += character;
+        }
+    }
+    return literal + "\"";
+}
+
+}  // namespace floes

@@ -1,0 +1,125 @@
+#include "keys/read.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "core/error.hpp"
+#include "keys/edit_distance.hpp"
+#include "keys/literal.hpp"
+
+namespace floes {
+namespace {
+
+/// Whole numbers are numbers too: thickness_m = 1.
+std::optional<double> as_number(const Value& value) {
+    if (const auto* number = std::get_if<double>(&value.data)) return *number;
+    if (const auto* integer = std::get_if<std::int64_t>(&value.data)) return static_cast<double>(*integer);
+    return std::nullopt;
+}
+
+struct Assigner {
+    const Key& key;
+    const Entry& entry;
+
+    InputError wrong(const std::string& what, const std::string& reason = "") const {
+        return InputError(fmt::format("{}: {} = {} {}; allowed: {}{}", entry.where, key.path, to_text(entry.value),
+                                      what, allowed(key), reason.empty() ? "" : fmt::format(" ({})", reason)));
+    }
+
+    void operator()(const NumberField& field) const {
+        const std::optional<double> number = as_number(entry.value);
+        if (!number) throw wrong("is not a number", field.range.reason);
+        const double si_value = *number * field.unit;
+        // The second test: a range is about the number, but the product may still underflow to a forbidden 0.
+        const bool vanished = si_value == 0 && *number != 0;
+        if (!field.range.contains(*number) || vanished) throw wrong("is out of range", field.range.reason);
+        *field.value = si_value;
+    }
+
+    void operator()(const IntegerField& field) const {
+        const auto* integer = std::get_if<std::int64_t>(&entry.value.data);
+        if (integer == nullptr) throw wrong("is not a whole number");
+        if (*integer < field.low || *integer > field.high) throw wrong("is out of range");
+        field.set(*integer);
+    }
+
+    void operator()(const SwitchField& field) const {
+        const auto* boolean = std::get_if<bool>(&entry.value.data);
+        if (boolean == nullptr) throw wrong("is neither true nor false");
+        *field.value = *boolean;
+    }
+
+    void operator()(const WordField& field) const {
+        const auto* text = std::get_if<std::string>(&entry.value.data);
+        if (text == nullptr) throw wrong("is not a word in quotes");
+        const auto found = std::ranges::find(field.words, *text);
+        if (found == field.words.end()) {
+            const auto near = std::ranges::min_element(
+                field.words, {}, [&](const std::string& word) { return edit_distance(word, *text); });
+            throw InputError(
+                fmt::format("{}; did you mean {}?", wrong("is not a word of this key").what(), text_literal(*near)));
+        }
+        field.set(static_cast<std::size_t>(found - field.words.begin()));
+    }
+
+    void operator()(const TextField& field) const {
+        const auto* text = std::get_if<std::string>(&entry.value.data);
+        if (text == nullptr) throw wrong("is not text in quotes");
+        *field.value = *text;
+    }
+
+    void operator()(const RowsField& field) const {
+        const auto* list = std::get_if<std::vector<Value>>(&entry.value.data);
+        if (list == nullptr) throw wrong("is not a list");
+        std::vector<std::vector<double>> rows;
+        for (const Value& item : *list) rows.push_back(row(field, item, rows.size()));
+        field.set(rows);
+    }
+
+    std::vector<double> row(const RowsField& field, const Value& item, std::size_t index) const {
+        const auto fail = [&](const std::string& what) {
+            return InputError(fmt::format("{}: {}[{}] = {} {}; allowed: {}", entry.where, key.path, index,
+                                          to_text(item), what, allowed(key)));
+        };
+        const auto* values = std::get_if<std::vector<Value>>(&item.data);
+        if (values == nullptr || values->size() != field.columns.size()) {
+            throw fail(fmt::format("is not a row of {} numbers", field.columns.size()));
+        }
+        std::vector<double> numbers;
+        for (std::size_t i = 0; i < values->size(); ++i) {
+            const std::optional<double> number = as_number((*values)[i]);
+            if (!number) throw fail(fmt::format("has a {} that is not a number", field.columns[i].name));
+            if (!field.columns[i].range.contains(*number))
+                throw fail(fmt::format("has a {} out of range", field.columns[i].name));
+            numbers.push_back(*number * field.columns[i].unit);
+        }
+        return numbers;
+    }
+};
+
+}  // namespace
+
+void assign(const Key& key, const Entry& entry) {
+    std::visit(Assigner{key, entry}, key.field);
+}
+
+std::string apply(std::span<const Key> keys, const Entry& entry) {
+    if (const Key* key = find_key(keys, entry.path)) {
+        assign(*key, entry);
+        return key->path;
+    }
+    const bool empty_table = entry.value == Value{Value::Strange{"an empty table"}};
+    const bool known_table =
+        std::ranges::any_of(keys, [&](const Key& key) { return key.path.starts_with(entry.path + "."); });
+    if (empty_table && known_table) return "";
+    if (known_table) {
+        throw InputError(fmt::format("{}: {} = {} is a table of keys, not a key; write {} with its keys below",
+                                     entry.where, entry.path, to_text(entry.value), "[" + entry.path + "]"));
+    }
+    throw InputError(fmt::format("{}: {} = {} is not a key; did you mean {}?", entry.where, entry.path,
+                                 to_text(entry.value), nearest_path(keys, entry.path)));
+}
+
+}  // namespace floes

@@ -1,0 +1,18 @@
+#pragma once
+// From entries of a document to the fields that keys bind.
+
+#include <span>
+#include <string>
+
+#include "keys/key.hpp"
+
+namespace floes {
+
+/// Sets the key's field. Throws InputError, one sentence: where, key, value, what is wrong with it, what is allowed.
+void assign(const Key& key, const Entry& entry);
+
+/// Finds the entry's key and sets its field; gives the path of the key it set, or "" for a known table without keys
+/// ([ice] and nothing below it). Throws InputError as assign(), and for an unknown key with the nearest known one.
+std::string apply(std::span<const Key> keys, const Entry& entry);
+
+}  // namespace floes

@@ -1,0 +1,107 @@
+#include "keys/write.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace floes {
+namespace {
+
+constexpr std::size_t text_width = 110;
+
+/// `text` in lines of at most text_width characters, each beginning with "# ".
+std::string comment(const std::string& text) {
+    std::string lines;
+    std::string line = "#";
+    std::size_t begin = 0;
+    while (begin < text.size()) {
+        const std::size_t end = std::min(text.find(' ', begin), text.size());
+        const std::string word = text.substr(begin, end - begin);
+        if (line.size() > 1 && line.size() + 1 + word.size() > text_width) {
+            lines += line + "\n";
+            line = "#";
+        }
+        line += " " + word;
+        begin = end + 1;
+    }
+    return lines + line + "\n";
+}
+
+/// Long lists (profiles, poses) continue on lines of their own.
+std::string broken_literal(const Key& key) {
+    std::string text = literal(key);
+    if (!std::holds_alternative<RowsField>(key.field) || text.size() < text_width) return text;
+    std::string broken = "[\n    [";
+    for (std::size_t begin = 2; begin < text.size() - 1;) {
+        const std::size_t end = text.find("], [", begin);
+        if (end == std::string::npos) return broken + text.substr(begin, text.size() - 1 - begin) + ",\n]";
+        broken += text.substr(begin, end - begin) + "],\n    [";
+        begin = end + 4;
+    }
+    return broken;
+}
+
+/// "|" would end a cell of a Markdown table.
+std::string cell(std::string text) {
+    for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2)) text.insert(at, "\\");
+    return text;
+}
+
+}  // namespace
+
+std::string write_tables(std::span<const Key> keys, const TableTitles& titles, Comments comments) {
+    std::string text;
+    std::string table;
+    for (const Key& key : keys) {
+        if (key.table() != table) {
+            table = key.table();
+            if (!text.empty()) text += "\n";
+            const auto title = titles.find(table);
+            if (comments == Comments::all && title != titles.end()) text += comment(title->second);
+            text += fmt::format("[{}]\n", table);
+        }
+        if (comments == Comments::all) {
+            text +=
+                "\n" + comment(key.doc) + comment(fmt::format("Allowed: {}. Default: {}.", allowed(key), key.source));
+        }
+        text += fmt::format("{} = {}\n", key.name(), broken_literal(key));
+    }
+    return text;
+}
+
+std::string reference_markdown(std::span<const Key> keys, const TableTitles& titles) {
+    std::string text;
+    std::string table;
+    for (const Key& key : keys) {
+        if (key.table() != table) {
+            table = key.table();
+            text += fmt::format("{}## [{}]\n\n", text.empty() ? "" : "\n", table);
+            const auto title = titles.find(table);
+            if (title != titles.end()) text += title->second + "\n\n";
+            text += "| key | default | allowed | meaning | source of the default |\n|---|---|---|---|---|\n";
+        }
+        text += fmt::format("| `{}` | `{}` | {} | {} | {} |\n", key.path, literal(key), cell(allowed(key)),
+                            cell(key.doc), cell(key.source));
+    }
+    return text;
+}
+
+std::string canonical_text(std::span<const Key> keys) {
+    std::vector<std::string> lines;
+    for (const Key& key : keys) lines.push_back(fmt::format("{} = {}\n", key.path, exact_text(key)));
+    std::ranges::sort(lines);
+    std::string text;
+    for (const std::string& line : lines) text += line;
+    return text;
+}
+
+std::vector<std::string> key_differences(std::span<const Key> there, std::span<const Key> here) {
+    std::vector<std::string> lines;
+    for (std::size_t i = 0; i < there.size(); ++i) {
+        if (exact_text(there[i]) == exact_text(here[i])) continue;
+        lines.push_back(fmt::format("{}: {} there, {} here", there[i].path, literal(there[i]), literal(here[i])));
+    }
+    return lines;
+}
+
+}  // namespace floes
