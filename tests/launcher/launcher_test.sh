@@ -1,0 +1,226 @@
+#!/usr/bin/env bash
+# The launcher, on a machine of stubs: what it installs, when it builds, what it starts. Needs no root, network or MPI.
+#   launcher_test.sh PROJECT_FOLDER
+set -uo pipefail
+
+project=$1
+unset OMPI_COMM_WORLD_RANK PMIX_RANK
+stage=$(mktemp -d)
+trap 'rm -rf -- "$stage"' EXIT
+home="$stage/a folder with spaces"
+bin=$stage/bin
+export STAGE=$stage
+failures=0
+
+check() {  # check WHAT EXPECTED FOUND
+    [[ $2 == "$3" ]] && return
+    printf 'FAILED %s\n  expected: %s\n  found:    %s\n' "$1" "$2" "$3"
+    failures=$((failures + 1))
+}
+check_has() {  # check_has WHAT PART TEXT
+    [[ $3 == *"$2"* ]] && return
+    printf 'FAILED %s\n  expected in it: %s\n  found:          %s\n' "$1" "$2" "$3"
+    failures=$((failures + 1))
+}
+stub() { cat >"$bin/$1" && chmod +x "$bin/$1"; }
+
+# A fresh machine: cmake makes a program that prints its arguments; every call is noted in $STAGE/calls.
+machine() {
+    rm -rf -- "$home" "$bin" "$stage/calls"
+    mkdir -p "$home" "$bin"
+    cp "$project/floes" "$home/floes"
+    printf '# why\nalpha   # because\n\nbeta\n' >"$home/packages.txt"
+    printf 'gamma\n' >"$home/packages-test.txt"
+    printf 'alpha\nbeta\ngamma\n' >"$stage/installed"
+    echo 1000 >"$stage/uid"
+    : >"$stage/calls"
+    stub id <<'STUB'
+#!/bin/sh
+cat "$STAGE/uid"
+STUB
+    stub dpkg-query <<'STUB'
+#!/bin/bash
+shift 3
+for package; do grep -qx "$package" "$STAGE/installed" && echo "installed $package" || status=1; done
+exit ${status-0}
+STUB
+    stub apt-get <<'STUB'
+#!/bin/sh
+echo "apt-get $*" >>"$STAGE/calls"
+echo "apt-get chatters"
+STUB
+    stub cmake <<'STUB'
+#!/bin/bash
+echo "cmake $*" >>"$STAGE/calls"
+if [[ $1 == --preset ]]; then
+    mkdir -p "build/$2"
+    touch "build/$2/build.ninja"
+    echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >"build/$2/CMakeCache.txt"
+    echo configured
+else
+    [[ -e $STAGE/in_build ]] && echo overlap >>"$STAGE/calls"
+    touch "$STAGE/in_build"
+    [[ -e $STAGE/slow_build ]] && sleep 0.5
+    rm "$STAGE/in_build"
+    if [[ -e $STAGE/broken_build ]]; then echo "no such header"; exit 1; fi
+    printf '#!/bin/bash\nprintf "program"; printf " <%%s>" "$@"; echo; exit ${PROGRAM_STATUS-0}\n' >"$2/floes"
+    chmod +x "$2/floes"
+fi
+STUB
+    stub ctest <<'STUB'
+#!/bin/sh
+echo "ctest in $PWD: $*"
+STUB
+    stub mpirun <<'STUB'
+#!/bin/bash
+trap 'echo "mpirun was asked to stop"; exit 85' USR1
+printf 'mpirun'; printf ' <%s>' "$@"; echo
+echo "root $OMPI_ALLOW_RUN_AS_ROOT$OMPI_ALLOW_RUN_AS_ROOT_CONFIRM, copies $OMPI_MCA_btl_vader_single_copy_mechanism"
+if [[ -e $STAGE/long_run ]]; then touch "$STAGE/running"; for _ in {1..200}; do sleep 0.05; done; fi
+exit ${PROGRAM_STATUS-0}
+STUB
+}
+# launch ARGUMENT…: sets out, err, status.
+launch() {
+    out=$(cd "$stage" && PATH=$bin:$PATH "$home/floes" "$@" 2>"$stage/err")
+    status=$?
+    err=$(<"$stage/err")
+}
+calls() { cat "$stage/calls"; }
+
+# -- builds once, hands the arguments over unchanged, and the program's status back
+machine
+PROGRAM_STATUS=85 launch run "a b.toml" '' --set 'x=*'
+check "arguments" "program <run> <a b.toml> <> <--set> <x=*>" "$out"
+check "status of the program" 85 "$status"
+check "first build" "cmake --preset release
+cmake --build $home/build/release" "$(calls)"
+: >"$stage/calls"
+launch status c.h5
+check "second call only asks whether anything changed" "cmake --build $home/build/release" "$(calls)"
+check "silent when there is nothing to do" "" "$err"
+
+# -- through a symbolic link, from elsewhere
+ln -s "$home/floes" "$bin/linked"
+out=$(cd / && PATH=$bin:$PATH linked config --defaults 2>/dev/null)
+check "symbolic link" "program <config> <--defaults>" "$out"
+
+# -- a project that moved is configured afresh
+: >"$stage/calls"
+mv "$home" "$home moved" && mkdir "$home" && mv "$home moved" "$home/inside"
+out=$(PATH=$bin:$PATH "$home/inside/floes" config 2>/dev/null)
+check "moved project" "cmake --preset release
+cmake --build $home/inside/build/release" "$(calls)"
+
+# -- packages are missing, no root
+machine
+echo alpha >"$stage/installed"
+launch run c.toml
+check "no root: status" 2 "$status"
+check_has "no root: the missing package is named" "missing: beta" "$err"
+check_has "no root: the command is named" "sudo apt-get update && sudo apt-get install -y --no-install-recommends beta" "$err"
+check "no root: nothing was tried" "" "$(calls)"
+launch test
+check_has "tests need their packages too" "missing: beta gamma" "$err"
+
+# -- packages are missing, root
+machine
+echo beta >"$stage/installed"
+echo 0 >"$stage/uid"
+launch run c.toml
+check_has "root installs" "apt-get -q update
+apt-get -q install -y --no-install-recommends alpha
+cmake --preset release" "$(calls)"
+check "standard output is the program's alone" "program <run> <c.toml>" "$out"
+machine
+rm "$bin/apt-get"
+stub apt-get <<'STUB'
+#!/bin/sh
+exit 100
+STUB
+echo 0 >"$stage/uid"
+: >"$stage/installed"
+launch run c.toml
+check "apt-get failed" 2 "$status"
+check_has "apt-get failed, in words" "could not install" "$err"
+
+# -- the build fails
+machine
+touch "$stage/broken_build"
+launch run c.toml
+rm "$stage/broken_build"
+check "broken build: status" 1 "$status"
+check_has "broken build: the compiler's words" "no such header" "$err"
+check "broken build: nothing on standard output" "" "$out"
+
+# -- two launchers at once
+machine
+touch "$stage/slow_build"
+for _ in 1 2 3; do (PATH=$bin:$PATH "$home/floes" status x >"$stage/out.$_" 2>&1) & done
+wait
+rm "$stage/slow_build"
+check "one build at a time" "" "$(calls | grep overlap)"
+check "one configuration" 1 "$(calls | grep -c -- --preset)"
+
+# -- ranks
+machine
+expected="mpirun <-n> <3> <--oversubscribe> <--bind-to> <none> <$home/build/release/floes> <run> <c d.toml> <-o> <x.h5>
+root 11, copies none"
+launch run --ranks 3 "c d.toml" -o x.h5
+check "--ranks 3 first" "$expected" "$out"
+launch run "c d.toml" -o x.h5 --ranks=3
+check "--ranks=3 last" "$expected" "$out"
+PROGRAM_STATUS=85 launch run --ranks 3 c.toml
+check "status through mpirun" 85 "$status"
+for wrong in 0 -1 two 1.5 ''; do
+    launch run --ranks "$wrong" c.toml
+    check "--ranks '$wrong' is refused" 2 "$status"
+    check_has "--ranks '$wrong' is refused in words" "--ranks" "$err"
+done
+launch run c.toml --ranks
+check "--ranks without a number" 2 "$status"
+launch summarize --ranks 2
+check "--ranks belongs to run" "program <summarize> <--ranks> <2>" "$out"
+
+# -- Ctrl-C and SIGTERM reach the ranks as a request to stop, and their answer comes back
+for signal in INT TERM; do
+    touch "$stage/long_run"
+    rm -f "$stage/running"
+    # What a script starts in the background ignores SIGINT unless told otherwise.
+    PATH=$bin:$PATH env --default-signal=INT "$home/floes" run --ranks 2 c.toml >"$stage/out" 2>&1 &
+    for _ in {1..100}; do [[ -e $stage/running ]] && break; sleep 0.05; done
+    kill -"$signal" $!
+    wait $!
+    check "status after SIG$signal" 85 $?
+    check_has "SIG$signal" "mpirun was asked to stop" "$(cat "$stage/out")"
+    rm "$stage/long_run"
+done
+
+# -- under mpirun it only executes
+for variable in OMPI_COMM_WORLD_RANK PMIX_RANK; do
+    machine
+    : >"$stage/installed"
+    export "$variable=0"
+    launch run c.toml
+    check "$variable, not built: status" 2 "$status"
+    check_has "$variable, not built: what to do" "outside mpirun" "$err"
+    mkdir -p "$home/build/release"
+    printf '#!/bin/sh\necho "executed $*"\n' >"$home/build/release/floes"
+    chmod +x "$home/build/release/floes"
+    launch run c.toml
+    check "$variable: executes" "executed run c.toml" "$out"
+    check "$variable: nothing else" "" "$(calls)$err"
+    unset "$variable"
+done
+
+# -- tests
+machine
+launch test
+check "test" "ctest in $home: --preset ci -j2 -LE slow" "$out"
+check "test builds the ci preset" "cmake --preset ci
+cmake --build $home/build/ci" "$(calls)"
+launch test --slow -R wire
+check "test --slow" "ctest in $home: --preset ci -j2 -R wire" "$out"
+
+((failures == 0)) && echo "launcher: all checks passed"
+exit $((failures > 0))
