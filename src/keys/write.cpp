@@ -62,7 +62,7 @@ std::string write_tables(std::span<const Key> keys, const TableTitles& titles, C
         }
         if (comments == Comments::all) {
             text +=
-                "\n" + comment(key.doc) + comment(fmt::format("Allowed: {}. Default: {}.", allowed(key), key.source));
+                "\n" + comment(key.doc) + comment(fmt::format("Allowed: {}. Source: {}.", allowed(key), key.source));
         }
         text += fmt::format("{} = {}\n", key.name(), broken_literal(key));
     }

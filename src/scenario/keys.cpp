@@ -1,0 +1,62 @@
+#include "scenario/keys.hpp"
+
+#include <fmt/format.h>
+
+#include "scenario/tables.hpp"
+
+namespace floes {
+
+Keys describe(Scenario& scenario) {
+    Keys keys;
+    add_general(keys, scenario.general);
+    add_ice(keys, scenario.ice);
+    add_floe(keys, scenario.floe);
+    add_joint(keys, scenario.joint);
+    add_field(keys, scenario.field);
+    add_arrangement(keys, scenario.arrangement);
+    add_structure(keys, scenario.structure);
+    add_contact(keys, scenario.contact);
+    add_water(keys, scenario.water);
+    add_analysis(keys, scenario.analysis);
+    return keys;
+}
+
+TableTitles scenario_titles() {
+    return {
+        {"general", "Time stepping and the constraint solver."},
+        {"ice", "The ice as a material."},
+        {"floe", "One floe: a sheet of square elements joined at the middle of their edges."},
+        {"joint",
+         "The joints between elements. Eqs. (4)-(5) as the paper prints them do not give the stiffness that Bullet "
+         "gives these numbers: there K = erp / (time_step² cfm A) for each row of a joint, A being the inverse of "
+         "the row's effective mass, so the stiffness follows mass and time step."},
+        {"field",
+         "The channel and the ice field in it. Its length follows from floes, their size and the concentration."},
+        {"arrangement", "How the floes come to lie where they lie at the beginning."},
+        {"structure", "The towed body of revolution. Wall, far end and contact erp together decide the load."},
+        {"contact",
+         "Contacts of ice on ice and of ice on the structure. The coefficient of restitution is 0 (Table 1) and "
+         "not a key."},
+        {"water", "Buoyancy and drag. They act on each element."},
+        {"analysis", "The window in which the load is measured; the run ends with it."},
+    };
+}
+
+std::string canonical_text(const Scenario& scenario) {
+    Scenario copy = scenario;
+    return canonical_text(describe(copy));
+}
+
+std::vector<std::string> differences(const Scenario& there, const Scenario& here) {
+    Scenario one = there;
+    Scenario other = here;
+    return key_differences(describe(one), describe(other));
+}
+
+std::string given(const Scenario& scenario, const std::string& path) {
+    Scenario copy = scenario;
+    const Keys keys = describe(copy);
+    return fmt::format("{} = {}", path, literal(*find_key(keys, path)));
+}
+
+}  // namespace floes

@@ -1,0 +1,29 @@
+#pragma once
+// The keys of a scenario: every field with its path, unit, range, meaning and source.
+
+#include <string>
+#include <vector>
+
+#include "keys/key.hpp"
+#include "keys/write.hpp"
+#include "scenario/scenario.hpp"
+
+namespace floes {
+
+/// The keys, bound to the fields of `scenario`, table by table in the order of a configuration file.
+/// They point into `scenario` and must not outlive it.
+Keys describe(Scenario& scenario);
+
+/// A sentence about each table.
+TableTitles scenario_titles();
+
+/// "path = value" in SI for all keys: equal exactly when the scenarios are.
+std::string canonical_text(const Scenario& scenario);
+
+/// "general.iterations: 50 there, 20 here" for each key that differs.
+std::vector<std::string> differences(const Scenario& there, const Scenario& here);
+
+/// "floe.element_m = 0.25": the key with its value, as a message shows it. `path` is a key of a scenario.
+std::string given(const Scenario& scenario, const std::string& path);
+
+}  // namespace floes

@@ -1,0 +1,20 @@
+#pragma once
+// The keys of each table of a scenario; describe() strings them together.
+
+#include "keys/key.hpp"
+#include "scenario/scenario.hpp"
+
+namespace floes {
+
+void add_general(Keys& keys, General& general);
+void add_ice(Keys& keys, Ice& ice);
+void add_floe(Keys& keys, Floe& floe);
+void add_joint(Keys& keys, Joint& joint);
+void add_field(Keys& keys, Field& field);
+void add_arrangement(Keys& keys, ArrangementRule& arrangement);
+void add_structure(Keys& keys, Structure& structure);
+void add_contact(Keys& keys, Contact& contact);
+void add_water(Keys& keys, Water& water);
+void add_analysis(Keys& keys, Analysis& analysis);
+
+}  // namespace floes

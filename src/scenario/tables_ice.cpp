@@ -1,0 +1,96 @@
+// Keys of the tables [general], [ice], [floe], [joint], [contact]: Table 1 and the solver.
+
+#include "scenario/tables.hpp"
+
+namespace floes {
+
+void add_general(Keys& keys, General& general) {
+    keys.push_back(
+        number_key("general.time_step_s", general.time_step, unit::one, above(0).at_most(1), "Table 1",
+                   "Time step. Joints get stiffer as its inverse square (see [joint]), so another step is other ice."));
+    keys.push_back(integer_key(
+        "general.iterations", general.iterations, 1, 100000, "inferred from Fig. 2; Bullet's own default is 10",
+        "Projected Gauss-Seidel sweeps a step. More make ice of small cfm stiffer: at cfm 1e-10 a sheet shows 37, "
+        "207 and 421 MPa at 10, 50 and 100. Run time is proportional to it."));
+    keys.push_back(word_key("general.solver", general.solver, {"stock"}, "the paper",
+                            "Constraint solver: stock is Bullet's own."));
+    keys.push_back(
+        number_key("general.gravity_m_s2", general.gravity, unit::one, above(0).at_most(100), "standard", "Gravity."));
+    keys.push_back(
+        number_key("general.runaway_speed_m_s", general.runaway_speed, unit::one, above(0).at_most(1000), "judgement",
+                   "An element faster than this ends the member as failed: its numbers mean nothing any more."));
+}
+
+void add_ice(Keys& keys, Ice& ice) {
+    const Range strength = above(0).at_most(1e6);
+    const Range criterion = at_least(0).at_most(1e6);
+    keys.push_back(number_key("ice.thickness_m", ice.thickness, unit::one, above(0).at_most(10), "Table 1",
+                              "Thickness of floes and elements. Thresholds and mass grow with it."));
+    keys.push_back(
+        number_key("ice.density_kg_m3", ice.density, unit::one, above(0).at_most(5000), "Table 1",
+                   "Density of ice; it floats with density / water density of its thickness below the surface."));
+    keys.push_back(number_key("ice.bending_strength_kPa", ice.bending_strength, unit::kilopascal, strength, "Table 1",
+                              "Bending strength, Eq. (3). Lower it and more floes break."));
+    keys.push_back(number_key("ice.compressive_strength_kPa", ice.compressive_strength, unit::kilopascal, strength,
+                              "Table 1",
+                              "Compressive strength, Eq. (1); four times the bending strength in the paper."));
+    keys.push_back(number_key("ice.shear_strength_kPa", ice.shear_strength, unit::kilopascal, strength, "Table 1",
+                              "Shear strength, Eq. (2); twice the bending strength in the paper."));
+    keys.push_back(number_key("ice.tensile_strength_kPa", ice.tensile_strength, unit::kilopascal, criterion,
+                              "the paper has none",
+                              "Tensile strength; 0 is no criterion, reactions are recorded all the same."));
+    keys.push_back(number_key("ice.torsion_strength_kPa", ice.torsion_strength, unit::kilopascal, criterion,
+                              "the paper has none", "Strength in torsion about the joint's axis; 0 is no criterion."));
+    keys.push_back(number_key("ice.in_plane_bending_strength_kPa", ice.in_plane_bending_strength, unit::kilopascal,
+                              criterion, "the paper has none",
+                              "Strength in bending about the vertical; 0 is no criterion."));
+    keys.push_back(
+        number_key("ice.elastic_modulus_MPa", ice.elastic_modulus, unit::megapascal, above(0).at_most(1e6), "Table 1",
+                   "E that the case stands for: a label in results. The joints follow joint.cfm, not this."));
+}
+
+void add_floe(Keys& keys, Floe& floe) {
+    const Range size = above(0).at_most(1000);
+    keys.push_back(
+        number_key("floe.length_m", floe.length, unit::one, size, "Table 1", "Length of a floe along its own x."));
+    keys.push_back(
+        number_key("floe.breadth_m", floe.breadth, unit::one, size, "Table 1", "Breadth of a floe along its own z."));
+    keys.push_back(number_key(
+        "floe.element_m", floe.element, unit::one, size, "Table 1",
+        "Side of the square elements; divides length and breadth. With joint.cfm it sets the elastic modulus, "
+        "and floes break along its grid only."));
+}
+
+void add_joint(Keys& keys, Joint& joint) {
+    keys.push_back(number_key(
+        "joint.cfm", joint.cfm, unit::one, above(0).below(1).because("at 1 and above the solver diverges"), "Table 1",
+        "Constraint force mixing Σ of all six axes, Bullet's relative number. Larger is softer ice."));
+    keys.push_back(
+        number_key("joint.erp", joint.erp, unit::one, above(0).at_most(1), "Table 1",
+                   "Error reduction parameter Γ: the share of a joint's error taken back each step. Stiffness is "
+                   "proportional to it."));
+    keys.push_back(word_key(
+        "joint.threshold_form", joint.threshold_form, {"force", "as_printed"}, "design decision",
+        "Thresholds of compression and shear: force is L_e T_e σ, a force; as_printed is L_e T_e² σ, Eqs. (1)-(2) "
+        "as the paper prints them, whose unit is that of a moment and whose value is T_e times smaller."));
+}
+
+void add_contact(Keys& keys, Contact& contact) {
+    const Range friction = at_least(0).at_most(10);
+    keys.push_back(
+        number_key("contact.erp", contact.erp, unit::one, at_least(0).at_most(1), "Bullet's default",
+                   "Error reduction parameter Γ of contacts: the share of a penetration pushed out each step. The load "
+                   "depends on it."));
+    keys.push_back(number_key("contact.ice_ice_friction", contact.ice_ice_friction, unit::one, friction, "Table 1",
+                              "Coefficient of friction between floes, and between floes and the fixed ice sheets."));
+    keys.push_back(number_key("contact.ice_structure_friction", contact.ice_structure_friction, unit::one, friction,
+                              "Table 1", "Coefficient of friction between ice and the structure."));
+    keys.push_back(
+        switch_key("contact.split_impulse", contact.split_impulse, "Bullet's default",
+                   "Push out penetrations deeper than split_impulse_depth_m without adding to the velocity."));
+    keys.push_back(number_key("contact.split_impulse_depth_m", contact.split_impulse_depth, unit::one,
+                              at_least(0).at_most(10), "Bullet's default",
+                              "Depth from which split_impulse acts; at the default hardly any contact is that deep."));
+}
+
+}  // namespace floes

@@ -1,0 +1,131 @@
+// Keys of the tables [field], [arrangement], [structure], [water], [analysis]: the tank and what is measured in it.
+
+#include "scenario/tables.hpp"
+
+namespace floes {
+namespace {
+
+constexpr double farthest = 1e5;  // m; beyond it a double still holds a micrometre, and no tank is that long
+
+RowsField pose_rows(std::vector<PlanarPose>& poses) {
+    const Range place = at_least(-farthest).at_most(farthest);
+    return {
+        {{"x_m", unit::one, place}, {"z_m", unit::one, place}, {"yaw_deg", unit::degree, at_least(-360).at_most(360)}},
+        [&poses] {
+            std::vector<std::vector<double>> rows;
+            for (const PlanarPose& pose : poses) rows.push_back({pose.x, pose.z, pose.yaw});
+            return rows;
+        },
+        [&poses](const std::vector<std::vector<double>>& rows) {
+            poses.clear();
+            for (const std::vector<double>& row : rows) poses.push_back({row[0], row[1], row[2]});
+        }};
+}
+
+RowsField profile_rows(std::vector<ProfilePoint>& profile) {
+    return {
+        {{"height_m", unit::one, at_least(-1000).at_most(1000)}, {"radius_m", unit::one, at_least(0).at_most(1000)}},
+        [&profile] {
+            std::vector<std::vector<double>> rows;
+            for (const ProfilePoint& point : profile) rows.push_back({point.height, point.radius});
+            return rows;
+        },
+        [&profile](const std::vector<std::vector<double>>& rows) {
+            profile.clear();
+            for (const std::vector<double>& row : rows) profile.push_back({row[0], row[1]});
+        }};
+}
+
+}  // namespace
+
+void add_field(Keys& keys, Field& field) {
+    const Range place = at_least(-farthest).at_most(farthest);
+    keys.push_back(integer_key("field.floes", field.floes, 1, 1000000, "Table 3",
+                               "Number of floes; failure ratios count them all."));
+    keys.push_back(
+        number_key("field.concentration_percent", field.concentration, unit::percent, above(0).at_most(100), "Table 1",
+                   "Covered share of the field. With the number and size of floes it sets the field's length."));
+    keys.push_back(number_key("field.begin_m", field.begin, unit::one, place, "the paper, Simulation Design",
+                              "Where the field begins, along x."));
+    keys.push_back(number_key("field.half_width_m", field.half_width, unit::one, above(0).at_most(1e4),
+                              "the paper, Simulation Design",
+                              "The field lies at |z| up to this, between the fixed ice sheets along the walls."));
+    keys.push_back(number_key(
+        "field.sheet_width_m", field.sheet_width, unit::one, above(0).at_most(1e4), "judgement",
+        "Breadth of the fixed ice sheets. A floe pushed over a sheet and past its outer edge ends the member as "
+        "failed."));
+    keys.push_back(word_key(
+        "field.far_end", field.far_end, {"ice_sheet", "open"}, "design decision; the paper names the walls only",
+        "What stands behind the field: a fixed ice sheet that confines it, or open water. Open, loads are about "
+        "half and hardly a floe breaks."));
+}
+
+void add_arrangement(Keys& keys, ArrangementRule& arrangement) {
+    keys.push_back(word_key(
+        "arrangement.method", arrangement.method, {"monte_carlo", "lattice", "file"}, "design decision",
+        "monte_carlo: hard squares shuffled until the start is forgotten; lattice: rows, with jitter; file: given "
+        "poses, the same for each arrangement."));
+    keys.push_back(
+        word_key("arrangement.start", arrangement.start, {"lattice", "stripes"}, "design decision",
+                 "Where the Monte Carlo chain begins. The end does not remember it; the key is there to show that."));
+    keys.push_back(number_key("arrangement.clearance_m", arrangement.clearance, unit::one, at_least(0).at_most(10),
+                              "judgement", "Least gap between floes, and between floes and walls, at the beginning."));
+    keys.push_back(integer_key("arrangement.sweeps", arrangement.sweeps, 0, 10000000,
+                               "judgement; see arrangement.md",
+                               "Monte Carlo sweeps (one trial move a floe) after the step size is frozen."));
+    keys.push_back(number_key("arrangement.jitter_m", arrangement.jitter, unit::one, at_least(0).at_most(100), "none",
+                              "Method lattice: largest random shift of a floe."));
+    keys.push_back(number_key("arrangement.jitter_deg", arrangement.jitter_angle, unit::degree,
+                              at_least(0).at_most(180), "none", "Method lattice: largest random turn of a floe."));
+    keys.push_back(
+        text_key("arrangement.file", arrangement.file, "none",
+                 "Method file: a CSV file with the header x_m,z_m,yaw_deg and a line a floe, such as a tank photograph "
+                 "gives. The path is relative to the configuration file. Its lines are stored as arrangement.poses."));
+    keys.push_back({"arrangement.poses", pose_rows(arrangement.poses), "none",
+                    "Method file: the poses themselves, one a floe; yaw turns +z towards +x."});
+}
+
+void add_structure(Keys& keys, Structure& structure) {
+    keys.push_back(
+        {"structure.profile_m", profile_rows(structure.profile), "Table 2, straight wall (45°) between its two radii",
+         "Radius over height above the waterline, from the keel up, heights never falling. The wall decides the load: "
+         "steeper below the waterline means higher loads and more broken floes."});
+    keys.push_back(number_key("structure.start_m", structure.start, unit::one, at_least(-farthest).at_most(farthest),
+                              "the paper, Simulation Design",
+                              "Where the structure's axis is at the beginning, along x."));
+    keys.push_back(number_key("structure.speed_m_s", structure.speed, unit::one, above(0).at_most(100), "Table 1",
+                              "Speed of the tow, along +x, from the first step on."));
+}
+
+void add_water(Keys& keys, Water& water) {
+    const Range coefficient = at_least(0).at_most(100);
+    keys.push_back(number_key("water.density_kg_m3", water.density, unit::one, above(0).at_most(5000), "Table 1",
+                              "Density of water."));
+    keys.push_back(word_key(
+        "water.flow", water.flow, {"potential", "still"}, "design; the paper: a simple flow around the structure",
+        "Water velocity that drag is relative to: potential flow round the moving waterline circle, or water at "
+        "rest."));
+    keys.push_back(number_key(
+        "water.form_drag", water.form_drag, unit::one, coefficient, "Su, Aarsæther and Kristiansen 2019; others 0.5",
+        "Form drag coefficient on the wetted edge faces of a floe. It carries floes round the structure."));
+    keys.push_back(number_key("water.skin_drag", water.skin_drag, unit::one, coefficient,
+                              "laminar plate, 1.328 / sqrt(Re) at Re 2.3e4; others 0.002 to 0.01",
+                              "Skin drag coefficient on the bottom face."));
+    keys.push_back(number_key("water.heave_drag", water.heave_drag, unit::one, coefficient, "bluff plate, DNV-RP-C205",
+                              "Quadratic drag coefficient on vertical motion."));
+    keys.push_back(number_key("water.heave_damping", water.heave_damping, unit::one, at_least(0).at_most(1),
+                              "judgement; usual 0.1 to 0.2",
+                              "Linear damping of vertical motion, as a share of an element's critical damping."));
+}
+
+void add_analysis(Keys& keys, Analysis& analysis) {
+    keys.push_back(number_key("analysis.steady_start_s", analysis.steady_start, unit::one,
+                              at_least(0).at_most(farthest), "judgement; the waterline meets the ice at 48 s",
+                              "When the window begins: late enough for the load to have become steady."));
+    keys.push_back(number_key("analysis.window_s", analysis.window, unit::one, above(0).at_most(farthest),
+                              "the paper, Results", "Length of the window. A longer one needs a longer field."));
+    keys.push_back(integer_key("analysis.segments", analysis.segments, 1, 10000, "the paper, Results",
+                               "Equal parts of the window; mean_maximum is the mean of the maximum of each."));
+}
+
+}  // namespace floes
