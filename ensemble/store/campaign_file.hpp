@@ -34,6 +34,7 @@ struct CaseRow {
     FarEnd far_end = FarEnd::ice_sheet;
     double contact_erp = 0;             ///< Γ of contacts
     std::vector<ProfilePoint> profile;  ///< of the structure, heights rising, m
+    Analysis analysis;                  ///< when the load was measured
 };
 
 /// A member as the file has it. Numbers are NaN, and counts 0, unless the member is done.
