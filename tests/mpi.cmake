@@ -1,0 +1,23 @@
+# Tests that run under mpirun. Included by tests/CMakeLists.txt.
+
+# floes_mpi_test(NAME RANKS n… COMMAND program arguments…)
+#   CTest tests NAME.1_rank, NAME.2_ranks, … : the command on that many ranks, whatever the machine and the user.
+function(floes_mpi_test name)
+  cmake_parse_arguments(TEST "" "TIMEOUT" "RANKS;COMMAND" ${ARGN})
+  if(NOT TEST_TIMEOUT)
+    set(TEST_TIMEOUT 120)
+  endif()
+  foreach(ranks ${TEST_RANKS})
+    set(full_name ${name}.${ranks}_ranks)
+    add_test(NAME ${full_name}
+             COMMAND ${MPIEXEC_EXECUTABLE} --allow-run-as-root --oversubscribe --bind-to none -n ${ranks} ${TEST_COMMAND})
+    set_tests_properties(${full_name} PROPERTIES LABELS "default;mpi" TIMEOUT ${TEST_TIMEOUT} PROCESSORS 2
+                         ENVIRONMENT "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1")
+  endforeach()
+endfunction()
+
+add_executable(test_wire_mpi wire/mpi/mpi_link_test.cpp)
+target_include_directories(test_wire_mpi PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+target_link_libraries(test_wire_mpi PRIVATE floes_wire GTest::gtest)
+floes_compile_options(test_wire_mpi)
+floes_mpi_test(wire.mpi RANKS 1 2 3 COMMAND test_wire_mpi)

@@ -1,0 +1,69 @@
+// MpiLink on however many ranks mpirun started. MPI starts once in a process, so all tests share one link.
+
+#include "wire/mpi_link.hpp"
+
+#include <sys/resource.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "core/error.hpp"
+#include "wire/link_contract.hpp"
+
+namespace floes {
+namespace {
+
+Link* link = nullptr;
+
+double cpu_seconds() {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+TEST(MpiLink, KnowsItsPlace) {
+    EXPECT_EQ(std::to_string(link->size()), std::getenv("OMPI_COMM_WORLD_SIZE"));
+    EXPECT_EQ(std::to_string(link->rank()), std::getenv("OMPI_COMM_WORLD_RANK"));
+    EXPECT_EQ(link->topology().node_ranks, link->size());
+}
+
+TEST(MpiLink, DividesTheCoresOfTheNode) {
+    // Unbound ranks of one node: together they have every core, or one each when there are more ranks than cores.
+    for (int to = 0; to < link->size(); ++to) {
+        link->send(to, Tag::hello, std::vector<std::byte>(static_cast<std::size_t>(link->topology().cores)));
+    }
+    int sum = 0;
+    for (int n = 0; n < link->size(); ++n) sum += static_cast<int>(contract::wait_for_message(*link)->bytes.size());
+    EXPECT_EQ(sum, std::max(link->size(), link->topology().bound_cores));
+}
+
+TEST(MpiLink, DeliversWhatIsSent) {
+    contract::everybody_writes_to_everybody(*link);
+}
+
+TEST(MpiLink, RefusesARankThatIsNotThere) {
+    EXPECT_THROW(link->send(link->size(), Tag::assign, {}), RunError);
+}
+
+TEST(MpiLink, WaitingCostsAlmostNothing) {
+    const double before = cpu_seconds();
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+    while (std::chrono::steady_clock::now() < end) {
+        EXPECT_FALSE(link->poll());
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    EXPECT_LT(cpu_seconds() - before, 0.2);
+}
+
+}  // namespace
+}  // namespace floes
+
+int main(int argc, char** argv) {
+    testing::InitGoogleTest(&argc, argv);
+    floes::MpiLink link;
+    floes::link = &link;
+    return RUN_ALL_TESTS();
+}
