@@ -16,10 +16,10 @@ struct Case {
 };
 
 struct Campaign {
-    std::string name;               ///< the config file's stem
-    std::uint64_t seed = 1;         ///< of all randomness
-    int arrangements = 1;           ///< per case
-    std::vector<Case> cases;        ///< at least one, names unique
+    std::string name;         ///< the config file's stem
+    std::uint64_t seed = 1;   ///< of all randomness
+    int arrangements = 1;     ///< per case
+    std::vector<Case> cases;  ///< at least one, names unique
 };
 
 /// Which simulation a member is: arrangement-major, so that more arrangements only add members at the end.
@@ -36,19 +36,25 @@ MemberKey member_key(const Campaign& campaign, int number);
 /// Steps x elements of the member: what its run time is expected to be proportional to.
 double expected_cost(const Campaign& campaign, int number);
 
-/// Reads a campaign from TOML text. `file` names it in messages. Overrides are "key=value" pairs (--set), applied last.
-/// Throws InputError with file, line, key, value, what is allowed, and the nearest known key.
-/// `poses_text` of "file" arrangements is loaded by the caller through `load_file` (path relative to the config) since
-/// nothing below the command line opens files.
+/// Where a campaign is read from.
 struct CampaignSource {
-    std::string text;
-    std::string file;
-    std::vector<std::string> overrides;
+    std::string text;                    ///< TOML
+    std::string file;                    ///< names the text in messages; its stem is the campaign's name
+    std::vector<std::string> overrides;  ///< "key=value" pairs (--set), applied last; of two for one key the later one
 };
 
-Campaign read_campaign(const CampaignSource& source, std::string (*load_file)(const std::string& path));
+/// Gives the text of the file at `path`; throws InputError when it cannot be read.
+using LoadFile = std::string (*)(const std::string& path);
 
-/// The complete resolved configuration as TOML: reading it gives the same campaign (file poses inline).
+/// Reads and checks a campaign. Throws InputError, one sentence: file, line, key, value, what is allowed, and the
+/// nearest known key; for contradictions the keys involved. Overrides "case.NAME.key=value" are for one case; an
+/// override of a key that cases set themselves is refused. `load_file` reads the pose files that arrangement.file names
+/// (its path is relative to `file`), since nothing below the command line opens files; it may be null where there are
+/// none.
+Campaign read_campaign(const CampaignSource& source, LoadFile load_file);
+
+/// The complete resolved configuration as TOML: reading it gives an equal campaign (file poses inline). Keys in which
+/// the cases differ stand in each case, all others in the tables.
 std::string write_campaign(const Campaign& campaign);
 
 /// 32 hex digits: equal exactly when every member of the two campaigns is the same and they have the same members.

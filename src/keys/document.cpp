@@ -19,7 +19,7 @@ Value to_value(const toml::node& node) {
     if (const auto* text = node.as_string()) return {text->get()};
     if (const auto* array = node.as_array()) {
         std::vector<Value> values;
-        for (const toml::node& item : *array) values.push_back(to_value(item));
+        for (const toml::node& item : *array) values.emplace_back(to_value(item));
         return {std::move(values)};
     }
     if (node.is_table()) return {Value::Strange{"a table"}};

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 
 namespace floes {
 namespace {
@@ -25,7 +25,9 @@ std::string number_literal(double si_value, double unit) {
     if (!std::isfinite(number)) return number_literal(number);
     constexpr int digits_of_a_double = 17;
     for (int digits = 1; digits <= digits_of_a_double; ++digits) {
-        const double rounded = std::strtod(fmt::format("{:.{}g}", number, digits).c_str(), nullptr);
+        const std::string text = fmt::format("{:.{}g}", number, digits);
+        double rounded = 0;
+        std::from_chars(text.data(), text.data() + text.size(), rounded);
         if (rounded * unit == si_value) return number_literal(rounded);
     }
     for (const double neighbour : {std::nextafter(number, -INFINITY), std::nextafter(number, INFINITY)}) {

@@ -105,7 +105,7 @@ void assign(const Key& key, const Entry& entry) {
     std::visit(Assigner{key, entry}, key.field);
 }
 
-std::string apply(std::span<const Key> keys, const Entry& entry) {
+std::string assign_known(std::span<const Key> keys, const Entry& entry) {
     if (const Key* key = find_key(keys, entry.path)) {
         assign(*key, entry);
         return key->path;

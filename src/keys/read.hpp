@@ -13,6 +13,6 @@ void assign(const Key& key, const Entry& entry);
 
 /// Finds the entry's key and sets its field; gives the path of the key it set, or "" for a known table without keys
 /// ([ice] and nothing below it). Throws InputError as assign(), and for an unknown key with the nearest known one.
-std::string apply(std::span<const Key> keys, const Entry& entry);
+std::string assign_known(std::span<const Key> keys, const Entry& entry);
 
 }  // namespace floes

@@ -72,7 +72,7 @@ void add_joint(Keys& keys, Joint& joint) {
     keys.push_back(word_key(
         "joint.threshold_form", joint.threshold_form, {"force", "as_printed"}, "design decision",
         "Thresholds of compression and shear: force is L_e T_e σ, a force; as_printed is L_e T_e² σ, Eqs. (1)-(2) "
-        "as the paper prints them, whose unit is that of a moment and whose value is T_e times smaller."));
+        "as the paper prints them, whose unit is that of a moment and whose number is that times T_e."));
 }
 
 void add_contact(Keys& keys, Contact& contact) {

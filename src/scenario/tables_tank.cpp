@@ -70,8 +70,7 @@ void add_arrangement(Keys& keys, ArrangementRule& arrangement) {
                  "Where the Monte Carlo chain begins. The end does not remember it; the key is there to show that."));
     keys.push_back(number_key("arrangement.clearance_m", arrangement.clearance, unit::one, at_least(0).at_most(10),
                               "judgement", "Least gap between floes, and between floes and walls, at the beginning."));
-    keys.push_back(integer_key("arrangement.sweeps", arrangement.sweeps, 0, 10000000,
-                               "judgement; see arrangement.md",
+    keys.push_back(integer_key("arrangement.sweeps", arrangement.sweeps, 0, 10000000, "judgement; see arrangement.md",
                                "Monte Carlo sweeps (one trial move a floe) after the step size is frozen."));
     keys.push_back(number_key("arrangement.jitter_m", arrangement.jitter, unit::one, at_least(0).at_most(100), "none",
                               "Method lattice: largest random shift of a floe."));

@@ -1,0 +1,96 @@
+#include "campaign/campaign.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "campaign/campaign_keys.hpp"
+#include "core/hash.hpp"
+#include "scenario/keys.hpp"
+
+namespace floes {
+namespace {
+
+/// What the members depend on outside their scenarios.
+CampaignHead head_of(const Campaign& campaign) {
+    return {"", campaign.seed, campaign.arrangements};
+}
+
+std::vector<std::string> case_names(const Campaign& campaign) {
+    std::vector<std::string> names;
+    for (const Case& one : campaign.cases) names.push_back(one.name);
+    return names;
+}
+
+/// The lines of each case; a line that all cases share is given once, without naming them.
+std::vector<std::string> case_differences(const Campaign& there, const Campaign& here) {
+    std::vector<std::vector<std::string>> of_case;
+    for (std::size_t i = 0; i < there.cases.size(); ++i) {
+        of_case.push_back(differences(there.cases[i].scenario, here.cases[i].scenario));
+    }
+    const auto shared = [&](const std::string& line) {
+        for (const std::vector<std::string>& lines : of_case) {
+            if (std::ranges::find(lines, line) == lines.end()) return false;
+        }
+        return true;
+    };
+    std::vector<std::string> all;
+    for (std::size_t i = 0; i < of_case.size(); ++i) {
+        for (const std::string& line : of_case[i]) {
+            if (!shared(line)) {
+                all.push_back(fmt::format("case {}: {}", there.cases[i].name, line));
+            } else if (i == 0) {
+                all.push_back(line);
+            }
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
+int member_count(const Campaign& campaign) {
+    return campaign.arrangements * static_cast<int>(campaign.cases.size());
+}
+
+MemberKey member_key(const Campaign& campaign, int number) {
+    const int cases = static_cast<int>(campaign.cases.size());
+    return {number % cases, number / cases};
+}
+
+double expected_cost(const Campaign& campaign, int number) {
+    const MemberKey key = member_key(campaign, number);
+    const Scenario& scenario = campaign.cases[static_cast<std::size_t>(key.case_index)].scenario;
+    const double elements = 1.0 * scenario.floe.elements_long() * scenario.floe.elements_broad() * scenario.field.floes;
+    return elements * scenario.step_count();
+}
+
+std::string fingerprint(const Campaign& campaign) {
+    CampaignHead head = head_of(campaign);
+    std::string text = canonical_text(describe(head));
+    for (const Case& one : campaign.cases) text += fmt::format("case {}\n{}", one.name, canonical_text(one.scenario));
+    return digest_hex(text);
+}
+
+std::string case_fingerprint(const Campaign& campaign, int case_index) {
+    const Scenario& scenario = campaign.cases[static_cast<std::size_t>(case_index)].scenario;
+    return digest_hex(fmt::format("seed {}\n{}", campaign.seed, canonical_text(scenario)));
+}
+
+std::vector<std::string> differences(const Campaign& there, const Campaign& here) {
+    CampaignHead head_there = head_of(there);
+    CampaignHead head_here = head_of(here);
+    std::vector<std::string> lines = key_differences(describe(head_there), describe(head_here));
+    const std::vector<std::string> names_there = case_names(there);
+    const std::vector<std::string> names_here = case_names(here);
+    if (names_there != names_here) {
+        lines.push_back(
+            fmt::format("cases: {} there, {} here", fmt::join(names_there, ", "), fmt::join(names_here, ", ")));
+        return lines;
+    }
+    for (std::string& line : case_differences(there, here)) lines.push_back(std::move(line));
+    return lines;
+}
+
+}  // namespace floes

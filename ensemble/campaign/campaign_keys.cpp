@@ -1,0 +1,100 @@
+#include "campaign/campaign_keys.hpp"
+
+#include <limits>
+
+#include "scenario/keys.hpp"
+
+namespace floes {
+namespace {
+
+/// Keys of a campaign's tables, [campaign] first.
+Keys describe_all(CampaignHead& head, Scenario& scenario) {
+    Keys keys = describe(head);
+    for (Key& key : describe(scenario)) keys.push_back(std::move(key));
+    return keys;
+}
+
+constexpr const char* about_files =
+    "# A configuration of floes. Every key has its unit in its name and may be left out: then it has the value below.\n"
+    "# A campaign runs each case with each arrangement. floes config --check FILE checks a file without running "
+    "it.\n\n";
+
+constexpr const char* about_cases =
+    "\n# Cases: what to compare, over the same arrangements. Each has a name and any keys of the tables above; cfm "
+    "and\n"
+    "# elastic_modulus_MPa are short for joint.cfm and ice.elastic_modulus_MPa. Without any there is one case, named "
+    "from\n"
+    "# its elastic modulus.\n"
+    "#\n"
+    "# [[case]]\n"
+    "# name = \"E30\"\n"
+    "# elastic_modulus_MPa = 30.0\n"
+    "# cfm = 0.03\n"
+    "# field.far_end = \"open\"\n";
+
+}  // namespace
+
+Keys describe(CampaignHead& head) {
+    Keys keys;
+    keys.push_back(text_key("campaign.name", head.name, "the file's name",
+                            "Name of the campaign; empty: the configuration file's name."));
+    keys.push_back({"campaign.seed",
+                    IntegerField{[&head] { return static_cast<std::int64_t>(head.seed); },
+                                 [&head](std::int64_t value) { head.seed = static_cast<std::uint64_t>(value); }, 0,
+                                 std::numeric_limits<std::int64_t>::max()},
+                    "any number will do", "Seed of all randomness. Another seed is another set of arrangements."});
+    keys.push_back(integer_key(
+        "campaign.arrangements", head.arrangements, 1, 1000000, "a quick look",
+        "Random arrangements, each run with every case. More of them only add members: those done stay valid."));
+    return keys;
+}
+
+Keys describe(Case& one) {
+    Keys keys;
+    keys.push_back(text_key("name", one.name, "", "Name of the case."));
+    for (Key& key : describe(one.scenario)) {
+        for (const char* shorthand : {"cfm", "elastic_modulus_MPa"}) {
+            if (full_path(shorthand) != key.path) continue;
+            keys.push_back(key);
+            keys.back().path = shorthand;
+        }
+        keys.push_back(std::move(key));
+    }
+    return keys;
+}
+
+std::string full_path(const std::string& path) {
+    if (path == "cfm") return "joint.cfm";
+    if (path == "elastic_modulus_MPa") return "ice.elastic_modulus_MPa";
+    return path;
+}
+
+TableTitles titles() {
+    TableTitles all = scenario_titles();
+    all["campaign"] = "Which simulations: each case with each arrangement.";
+    return all;
+}
+
+std::string default_configuration() {
+    CampaignHead head;
+    Scenario scenario;
+    return about_files + write_tables(describe_all(head, scenario), titles(), Comments::all) + about_cases;
+}
+
+std::string reference_markdown() {
+    CampaignHead head;
+    Scenario scenario;
+    return reference_markdown(describe_all(head, scenario), titles());
+}
+
+std::vector<KeyDescription> reference() {
+    CampaignHead head;
+    Scenario scenario;
+    std::vector<KeyDescription> lines;
+    for (const Key& key : describe_all(head, scenario)) {
+        lines.push_back({key.path, literal(key), allowed(key), key.doc, key.source});
+    }
+    return lines;
+}
+
+}  // namespace floes

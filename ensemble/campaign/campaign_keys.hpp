@@ -1,0 +1,50 @@
+#pragma once
+// The keys of [campaign] and of a [[case]], and all there is to print about keys.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "campaign/campaign.hpp"
+#include "keys/key.hpp"
+#include "keys/write.hpp"
+
+namespace floes {
+
+/// What [campaign] sets.
+struct CampaignHead {
+    std::string name;
+    std::uint64_t seed = 1;
+    int arrangements = 1;
+};
+
+/// The keys of [campaign], bound to `head`.
+Keys describe(CampaignHead& head);
+
+/// The keys that a [[case]] takes: name, the shorthands cfm and elastic_modulus_MPa, and every key of a scenario.
+Keys describe(Case& one);
+
+/// The key that a shorthand of a [[case]] stands for; any other path is its own.
+std::string full_path(const std::string& path);
+
+/// A sentence about each table of a configuration.
+TableTitles titles();
+
+/// A complete commented configuration that runs: the defaults.
+std::string default_configuration();
+
+/// All keys as Markdown, a table for each table of the configuration. docs/configuration.md contains it.
+std::string reference_markdown();
+
+/// One key, as said in the reference.
+struct KeyDescription {
+    std::string key;
+    std::string default_value;
+    std::string allowed;
+    std::string meaning;
+    std::string source;
+};
+
+std::vector<KeyDescription> reference();
+
+}  // namespace floes

@@ -1,0 +1,70 @@
+#include "campaign/pose_file.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <sstream>
+
+#include "core/error.hpp"
+#include "keys/literal.hpp"
+
+namespace floes {
+namespace {
+
+constexpr const char* header = "x_m,z_m,yaw_deg";
+constexpr std::size_t columns = 3;
+
+/// The line without blanks, tabs and the carriage return of other systems.
+std::string squeezed(const std::string& line) {
+    std::string text;
+    for (const char character : line) {
+        if (character != ' ' && character != '\t' && character != '\r') text += character;
+    }
+    return text;
+}
+
+/// The numbers between commas; empty when there is anything else.
+std::vector<Value> numbers_of(const std::string& line) {
+    std::vector<Value> numbers;
+    std::istringstream cells(line + ",");
+    for (std::string cell; std::getline(cells, cell, ',');) {
+        double number = 0;
+        const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
+        if (error != std::errc() || end != cell.data() + cell.size()) return {};
+        numbers.emplace_back(number);
+    }
+    return numbers;
+}
+
+}  // namespace
+
+Value read_poses(const std::string& text, const std::string& file) {
+    std::vector<Value> poses;
+    std::istringstream lines(text);
+    bool header_seen = false;
+    int number = 0;
+    for (std::string raw; std::getline(lines, raw);) {
+        ++number;
+        const std::string line = squeezed(raw);
+        if (line.empty()) continue;
+        if (!header_seen) {
+            if (line != header) {
+                throw InputError(fmt::format("{}:{}: {} is not the header of a pose file; write {}", file, number,
+                                             text_literal(line), header));
+            }
+            header_seen = true;
+            continue;
+        }
+        std::vector<Value> numbers = numbers_of(line);
+        if (numbers.size() != columns) {
+            throw InputError(fmt::format("{}:{}: {} is not a pose; write three numbers, {}", file, number,
+                                         text_literal(line), header));
+        }
+        poses.emplace_back(std::move(numbers));
+    }
+    if (poses.empty())
+        throw InputError(fmt::format("{}: there are no poses; write {} and a line for each floe", file, header));
+    return {std::move(poses)};
+}
+
+}  // namespace floes

@@ -1,0 +1,48 @@
+// write_campaign(): the resolved configuration.
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "campaign/campaign.hpp"
+#include "campaign/campaign_keys.hpp"
+#include "keys/literal.hpp"
+#include "scenario/keys.hpp"
+
+namespace floes {
+namespace {
+
+/// Paths of the keys in which the cases differ.
+std::set<std::string> varying_paths(std::vector<Case>& cases) {
+    std::set<std::string> paths;
+    const Keys first = describe(cases.front().scenario);
+    for (Case& one : cases) {
+        const Keys keys = describe(one.scenario);
+        for (std::size_t i = 0; i < keys.size(); ++i) {
+            if (exact_text(keys[i]) != exact_text(first[i])) paths.insert(keys[i].path);
+        }
+    }
+    return paths;
+}
+
+}  // namespace
+
+std::string write_campaign(const Campaign& campaign) {
+    CampaignHead head{campaign.name, campaign.seed, campaign.arrangements};
+    std::vector<Case> cases = campaign.cases;
+    const std::set<std::string> varying = varying_paths(cases);
+    Keys tables = describe(head);
+    for (Key& key : describe(cases.front().scenario)) {
+        if (!varying.contains(key.path)) tables.push_back(std::move(key));
+    }
+    std::string text = write_tables(tables, titles(), Comments::none);
+    for (Case& one : cases) {
+        text += fmt::format("\n[[case]]\nname = {}\n", text_literal(one.name));
+        for (const Key& key : describe(one.scenario)) {
+            if (varying.contains(key.path)) text += fmt::format("{} = {}\n", key.path, literal(key));
+        }
+    }
+    return text;
+}
+
+}  // namespace floes

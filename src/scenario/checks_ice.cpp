@@ -1,0 +1,103 @@
+// Contradictions within the ice and within the time of a run.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scenario/checks.hpp"
+#include "scenario/keys.hpp"
+
+namespace floes {
+namespace {
+
+constexpr double rounding = 1e-9;  // relative: 0.6 / 0.2 is not 3 in binary
+constexpr double most_elements = 1e7;
+constexpr double most_steps = 1e8;
+
+bool is_whole(double ratio) {
+    return std::abs(ratio - std::round(ratio)) <= rounding * std::max(1.0, std::abs(ratio));
+}
+
+void check_side(const Scenario& scenario, double side, const std::string& key, Contradictions& found) {
+    const double ratio = side / scenario.floe.element;
+    if (is_whole(ratio) && ratio > 0.5) return;
+    const double pieces = std::max(1.0, std::round(ratio));
+    found.push_back({{"floe.element_m", key},
+                     fmt::format("{} does not divide {}; the nearest side that does is {:.6g}",
+                                 given(scenario, "floe.element_m"), given(scenario, key), side / pieces)});
+}
+
+void check_whole_steps(const Scenario& scenario, double time, const std::string& key, Contradictions& found) {
+    const double step = scenario.general.time_step;
+    if (is_whole(time / step)) return;
+    found.push_back(
+        {{key, "general.time_step_s"},
+         fmt::format("{} is not a whole number of steps of {}; the nearest that is: {:.6g}", given(scenario, key),
+                     given(scenario, "general.time_step_s"), std::max(1.0, std::round(time / step)) * step)});
+}
+
+}  // namespace
+
+void check_elements(const Scenario& scenario, Contradictions& found) {
+    check_side(scenario, scenario.floe.length, "floe.length_m", found);
+    if (scenario.floe.breadth != scenario.floe.length)
+        check_side(scenario, scenario.floe.breadth, "floe.breadth_m", found);
+    const double elements = std::round(scenario.floe.length / scenario.floe.element) *
+                            std::round(scenario.floe.breadth / scenario.floe.element) * scenario.field.floes;
+    if (elements > most_elements) {
+        found.push_back(
+            {{"floe.element_m", "field.floes"},
+             fmt::format("{} with {} makes {:.4g} elements, more than the {:.0e} a member may have; take larger "
+                         "elements or fewer floes",
+                         given(scenario, "floe.element_m"), given(scenario, "field.floes"), elements, most_elements)});
+    }
+}
+
+void check_floating(const Scenario& scenario, Contradictions& found) {
+    if (scenario.ice.density >= scenario.water.density) {
+        found.push_back({{"ice.density_kg_m3", "water.density_kg_m3"},
+                         fmt::format("{} is not below {}, so the ice sinks; lower the ice's density",
+                                     given(scenario, "ice.density_kg_m3"), given(scenario, "water.density_kg_m3"))});
+        return;
+    }
+    // An element heaves as a spring of stiffness ρ_w g L_e² under a mass ρ_i T_e L_e²; explicit forces need ω Δt < 2.
+    const double heave =
+        std::sqrt(scenario.water.density * scenario.general.gravity / (scenario.ice.density * scenario.ice.thickness));
+    if (heave * scenario.general.time_step >= 2) {
+        found.push_back(
+            {{"general.time_step_s", "ice.thickness_m", "ice.density_kg_m3", "water.density_kg_m3",
+              "general.gravity_m_s2"},
+             fmt::format("{} is too long for {}: floating ice heaves at {:.4g} rad/s there and diverges; take a step "
+                         "below {:.4g}",
+                         given(scenario, "general.time_step_s"), given(scenario, "ice.thickness_m"), heave,
+                         2 / heave)});
+    }
+}
+
+void check_time(const Scenario& scenario, Contradictions& found) {
+    const Analysis& analysis = scenario.analysis;
+    const double steps = (analysis.steady_start + analysis.window) / scenario.general.time_step;
+    if (steps > most_steps) {
+        found.push_back(
+            {{"general.time_step_s", "analysis.steady_start_s", "analysis.window_s"},
+             fmt::format(
+                 "{} with {} and {} makes {:.4g} steps, more than the {:.0e} a run may have; take a longer step "
+                 "or a shorter run",
+                 given(scenario, "general.time_step_s"), given(scenario, "analysis.steady_start_s"),
+                 given(scenario, "analysis.window_s"), steps, most_steps)});
+        return;
+    }
+    check_whole_steps(scenario, analysis.steady_start, "analysis.steady_start_s", found);
+    check_whole_steps(scenario, analysis.window, "analysis.window_s", found);
+    if (!found.empty()) return;
+    const int window_steps = scenario.step_count() - scenario.first_window_step();
+    if (window_steps % analysis.segments != 0 || window_steps / analysis.segments < 2) {
+        found.push_back(
+            {{"analysis.segments", "analysis.window_s", "general.time_step_s"},
+             fmt::format("{} does not cut {} ({} steps) into equal parts of at least 2 steps; change one of them",
+                         given(scenario, "analysis.segments"), given(scenario, "analysis.window_s"), window_steps)});
+    }
+}
+
+}  // namespace floes

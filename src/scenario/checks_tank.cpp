@@ -1,0 +1,153 @@
+// Contradictions between structure, field, floes and the length of the tow.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scenario/checks.hpp"
+#include "scenario/keys.hpp"
+
+namespace floes {
+namespace {
+
+constexpr double rounding = 1e-9;  // m
+
+/// Farthest that a corner of the floe at `pose` lies outside the field, m; negative inside.
+double distance_outside(const Scenario& scenario, const PlanarPose& pose) {
+    const double half_length = 0.5 * scenario.floe.length;
+    const double half_breadth = 0.5 * scenario.floe.breadth;
+    const double c = std::abs(std::cos(pose.yaw));
+    const double s = std::abs(std::sin(pose.yaw));
+    const double reach_x = half_length * c + half_breadth * s;
+    const double reach_z = half_length * s + half_breadth * c;
+    return std::max({scenario.field.begin - (pose.x - reach_x), pose.x + reach_x - scenario.field_end(),
+                     std::abs(pose.z) + reach_z - scenario.field.half_width});
+}
+
+}  // namespace
+
+void check_profile(const Scenario& scenario, Contradictions& found) {
+    const std::vector<ProfilePoint>& profile = scenario.structure.profile;
+    const std::string key = "structure.profile_m";
+    const auto refuse = [&](const std::string& what) {
+        found.push_back({{key}, fmt::format("{} {}", given(scenario, key), what)});
+    };
+    const auto falls = [](const ProfilePoint& below, const ProfilePoint& above) { return above.height < below.height; };
+    if (profile.size() < 2) {
+        refuse("is not a body; give at least two [height_m, radius_m] points");
+    } else if (std::ranges::adjacent_find(profile, falls) != profile.end()) {
+        refuse("has a height that falls; give the points from the keel up");
+    } else if (!(profile.front().height < 0 && profile.back().height > 0)) {
+        refuse("does not span the waterline; give points below and above height 0");
+    } else if (scenario.waterline_radius() <= 0) {
+        refuse("has no radius at the waterline; make its radius at height 0 greater than 0");
+    }
+}
+
+void check_tow(const Scenario& scenario, Contradictions& found) {
+    const Structure& structure = scenario.structure;
+    const double radius = scenario.waterline_radius();
+    const double duration = scenario.analysis.steady_start + scenario.analysis.window;
+    const double end = structure.start + structure.speed * duration;
+    const std::string course =
+        fmt::format("{} and {}", given(scenario, "structure.start_m"), given(scenario, "structure.speed_m_s"));
+    if (structure.speed >= scenario.general.runaway_speed) {
+        found.push_back(
+            {{"structure.speed_m_s", "general.runaway_speed_m_s"},
+             fmt::format("{} is not below {}, so ice pushed by the structure would count as run away; raise the limit",
+                         given(scenario, "structure.speed_m_s"), given(scenario, "general.runaway_speed_m_s"))});
+    }
+    if (radius >= scenario.field.half_width) {
+        found.push_back(
+            {{"structure.profile_m", "field.half_width_m"},
+             fmt::format(
+                 "the structure's waterline radius of {:.4g} m does not fit between the ice sheets at {}; widen "
+                 "the field or make the structure slimmer",
+                 radius, given(scenario, "field.half_width_m"))});
+    }
+    if (structure.start + radius > scenario.field.begin + rounding) {
+        found.push_back(
+            {{"structure.start_m", "field.begin_m"},
+             fmt::format("{} puts the structure's waterline to x = {:.4g} m, inside the ice that begins at {}; start "
+                         "before {:.4g}",
+                         given(scenario, "structure.start_m"), structure.start + radius,
+                         given(scenario, "field.begin_m"), scenario.field.begin - radius)});
+    } else if (end + radius < scenario.field.begin) {
+        found.push_back(
+            {{"field.begin_m", "structure.start_m", "structure.speed_m_s", "analysis.window_s",
+              "analysis.steady_start_s"},
+             fmt::format(
+                 "the tow never reaches the ice: with {} the structure's waterline ends at x = {:.4g} m after {:.6g} "
+                 "s, before {}; start nearer, tow faster or longer",
+                 course, end + radius, duration, given(scenario, "field.begin_m"))});
+    }
+    if (end + radius > scenario.field_end() + rounding) {
+        const bool closed = scenario.field.far_end == FarEnd::ice_sheet;
+        found.push_back(
+            {{"analysis.window_s", "analysis.steady_start_s", "structure.speed_m_s", "structure.start_m",
+              "field.floes"},
+             fmt::format(
+                 "the tow runs {}: with {} the structure's waterline ends at x = {:.4g} m after {:.6g} s, past the "
+                 "field's end at {:.4g} m; tow for a shorter time or take more floes",
+                 closed ? "into the ice sheet at the far end" : "out of the ice", course, end + radius, duration,
+                 scenario.field_end())});
+    }
+}
+
+void check_lattice(const Scenario& scenario, Contradictions& found) {
+    if (scenario.arrangement.method == ArrangementMethod::file) return;
+    const double clearance = scenario.arrangement.clearance;
+    const auto fitting = [&](double room, double side) {
+        return std::max(0.0, std::floor((room - clearance) / (side + clearance) + rounding));
+    };
+    const double rows = fitting(2 * scenario.field.half_width, scenario.floe.breadth);
+    const double columns = fitting(scenario.field_length(), scenario.floe.length);
+    if (rows * columns >= scenario.field.floes) return;
+    found.push_back(
+        {{"field.concentration_percent", "arrangement.clearance_m", "field.half_width_m", "field.floes",
+          "floe.length_m", "floe.breadth_m"},
+         fmt::format(
+             "{} cannot hold {} with {}: the field of {:.4g} m x {:.4g} m has room for {} rows of {}; lower the "
+             "concentration or the clearance, or change the width so that whole rows fit",
+             given(scenario, "field.concentration_percent"), given(scenario, "field.floes"),
+             given(scenario, "arrangement.clearance_m"), scenario.field_length(), 2 * scenario.field.half_width, rows,
+             columns)});
+}
+
+void check_poses(const Scenario& scenario, Contradictions& found) {
+    const std::vector<PlanarPose>& poses = scenario.arrangement.poses;
+    if (scenario.arrangement.method != ArrangementMethod::file) {
+        if (poses.empty()) return;
+        found.push_back(
+            {{"arrangement.method", "arrangement.poses", "arrangement.file"},
+             fmt::format(
+                 "{} does not use the {} poses given; write arrangement.method = \"file\" or leave the poses out",
+                 given(scenario, "arrangement.method"), poses.size())});
+        return;
+    }
+    if (poses.empty()) {
+        found.push_back({{"arrangement.method", "arrangement.poses", "arrangement.file"},
+                         fmt::format("{} needs poses; give arrangement.file or arrangement.poses",
+                                     given(scenario, "arrangement.method"))});
+        return;
+    }
+    if (poses.size() != static_cast<std::size_t>(scenario.field.floes)) {
+        found.push_back({{"field.floes", "arrangement.poses", "arrangement.file"},
+                         fmt::format("{} is not the number of poses given, {}; make them agree",
+                                     given(scenario, "field.floes"), poses.size())});
+    }
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        const double outside = distance_outside(scenario, poses[i]);
+        if (outside <= rounding) continue;
+        found.push_back(
+            {{"arrangement.poses", "arrangement.file", "field.concentration_percent"},
+             fmt::format(
+                 "arrangement.poses[{}] puts a corner of a floe {:.4g} m outside the field, x from {:.6g} to {:.6g} m "
+                 "and |z| up to {:.6g} m; move it, or correct the field",
+                 i, outside, scenario.field.begin, scenario.field_end(), scenario.field.half_width)});
+        return;
+    }
+}
+
+}  // namespace floes

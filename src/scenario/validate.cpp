@@ -1,0 +1,26 @@
+#include "scenario/validate.hpp"
+
+#include "core/error.hpp"
+#include "scenario/checks.hpp"
+
+namespace floes {
+
+std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
+    Contradictions found;
+    check_elements(scenario, found);
+    check_floating(scenario, found);
+    check_time(scenario, found);
+    check_profile(scenario, found);
+    if (!found.empty()) return found;  // what follows would only repeat it in other words
+    check_tow(scenario, found);
+    check_lattice(scenario, found);
+    check_poses(scenario, found);
+    return found;
+}
+
+void validate(const Scenario& scenario) {
+    const std::vector<Contradiction> found = find_contradictions(scenario);
+    if (!found.empty()) throw InputError(found.front().sentence);
+}
+
+}  // namespace floes
