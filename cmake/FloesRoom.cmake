@@ -27,6 +27,23 @@ function(floes_compile_options target)
                          -Wnon-virtual-dtor -Woverloaded-virtual $<$<BOOL:${FLOES_WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()
 
+# Each kernels_*.cpp of the solver for its own instruction set; which one runs is decided at run time.
+function(floes_lane_kernels path)
+  set(kernels -fno-math-errno -Wno-psabi)
+  set(instructions_scalar)
+  set(instructions_sse2 -msse2)
+  set(instructions_avx2 -mavx2)
+  set(instructions_avx512 -mavx512f -mprefer-vector-width=512)
+  foreach(set scalar sse2 avx2 avx512)
+    set(source ${PROJECT_SOURCE_DIR}/${path}/kernels_${set}.cpp)
+    if(set STREQUAL "scalar" OR CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+      set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "${kernels};${instructions_${set}}")
+    else()
+      set_source_files_properties(${source} PROPERTIES HEADER_FILE_ONLY ON)
+    endif()
+  endforeach()
+endfunction()
+
 # floes_tests(NAME ROOMS rooms… [LIBRARIES libs…] [LABELS labels…] [SOURCES files…])
 #   One GoogleTest program test_NAME of tests/NAME/*.cpp, every TEST a CTest test.
 function(floes_tests name)

@@ -1,0 +1,44 @@
+#pragma once
+// Doubles that start on a vector boundary, zero at first.
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <new>
+
+namespace floes {
+
+template <class Value>
+class AlignedArray {
+  public:
+    explicit AlignedArray(std::size_t size = 0) : values_(allocate(size)), size_(size) {}
+
+    Value* data() { return values_.get(); }
+    const Value* data() const { return values_.get(); }
+    std::size_t size() const { return size_; }
+    Value& operator[](std::size_t i) { return values_[i]; }
+    const Value& operator[](std::size_t i) const { return values_[i]; }
+
+    /// Room for at least `size` values; their content is lost when the array has to grow.
+    void reserve(std::size_t size) {
+        if (size > size_) *this = AlignedArray(size + size / 2);
+    }
+
+  private:
+    static constexpr std::align_val_t boundary{64};  // a cache line, and the widest vector
+
+    struct Free {
+        void operator()(Value* p) const { ::operator delete[](p, boundary); }
+    };
+
+    static std::unique_ptr<Value[], Free> allocate(std::size_t size) {
+        auto* values = static_cast<Value*>(::operator new[](std::max<std::size_t>(size, 1) * sizeof(Value), boundary));
+        std::fill_n(values, size, Value{});
+        return std::unique_ptr<Value[], Free>(values);
+    }
+
+    std::unique_ptr<Value[], Free> values_;
+    std::size_t size_;
+};
+
+}  // namespace floes

@@ -1,0 +1,26 @@
+// All kernels of one lane width. A kernels_*.cpp defines FLOES_LANES and FLOES_KERNELS and includes this once; its own
+// compiler flags (CMakeLists.txt) choose the instruction set.
+
+#include "solver/lane_layout.hpp"
+
+#if FLOES_LANES > 1
+#include <immintrin.h>
+#endif
+
+namespace floes {
+namespace {
+// Each is written in terms of those before it.
+// clang-format off
+#include "solver/pack.inl"
+#include "solver/angles.inl"
+#include "solver/joint_kernels.inl"
+#include "solver/body_kernels.inl"
+#include "solver/contact_kernels.inl"
+// clang-format on
+}  // namespace
+
+extern const LaneKernels FLOES_KERNELS;
+const LaneKernels FLOES_KERNELS{FLOES_LANES, prepare_bodies, prepare_joints, sweep,          reactions,
+                                to_contacts, from_contacts,  solve_normals,  solve_frictions};
+
+}  // namespace floes

@@ -1,0 +1,112 @@
+#pragma once
+// The joints and contacts of many floes, solved side by side. The physics is that of Bullet 3.24's sequential-impulse
+// solver with fixed joints (btGeneric6DofSpring2Constraint locked in all six axes) and one friction direction; each
+// floe's rows are solved in the order in which its joints are given. A step reads:
+//
+//   system.set_state(body, state);                 // every body
+//   system.prepare(time_step);
+//   system.solve(contacts, rules, iterations);     // contacts in the order in which they are to be solved
+//   system.velocity(body); system.reaction(joint);
+//
+// A floe is a set of bodies connected by joints. Floes with the same pattern of joints go into the lanes of a block.
+// A removed joint stays in its lane and does nothing. Everything is the same, to the bit, at every lane width.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "solver/aligned_array.hpp"
+#include "solver/contact_rows.hpp"
+#include "solver/lane_layout.hpp"
+
+namespace floes {
+
+/// What does not change about a body. All zero: it never moves by itself.
+struct SolverBody {
+    double inverse_mass = 0;                  ///< 1/kg
+    std::array<double, 3> inverse_inertia{};  ///< principal, about its own axes, 1/(kg m²)
+};
+
+/// A joint's frame in a body: rotation joint -> body row by row, origin in m from the centre of mass.
+struct SolverFrame {
+    std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};
+    std::array<double, 3> origin{};
+};
+
+/// A fixed joint between two bodies that move.
+struct SolverJoint {
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+    SolverFrame in_a;
+    SolverFrame in_b;
+    double cfm = 0;  ///< Σ, relative to the row's inverse effective mass; below 1
+    double erp = 0;  ///< Γ
+};
+
+/// A body before the step. World axes, SI units.
+struct SolverState {
+    const double* position;          ///< 3, centre of mass
+    std::array<double, 9> rotation;  ///< body -> world, row by row
+    const double* velocity;          ///< 3
+    const double* spin;              ///< 3
+    const double* force;             ///< 3, weight included
+    const double* torque;            ///< 3
+};
+
+/// What a joint exerted on body a in the last solve: in the joint's frame in a, moment about the pivot; N and N m.
+struct SolverReaction {
+    std::array<double, 3> force{};
+    std::array<double, 3> moment{};
+};
+
+class LaneSystem {
+  public:
+    /// width: one of lane_widths(), an upper bound: no more lanes are used than there are equal floes.
+    LaneSystem(std::span<const SolverBody> bodies, std::span<const SolverJoint> joints, int width);
+
+    std::size_t body_count() const { return slot_of_body_.size(); }
+    std::size_t joint_count() const { return slot_of_joint_.size(); }
+    int width() const { return kernels_->width; }
+
+    void remove_joint(std::size_t joint);
+
+    void set_state(std::size_t body, const SolverState& state);
+    void prepare(double time_step);
+    void solve(std::span<SolverContact> contacts, const ContactRules& rules, int iterations);
+
+    /// After the step, before positions move.
+    std::array<double, 3> velocity(std::size_t body) const;
+    std::array<double, 3> spin(std::size_t body) const;
+
+    /// Velocity and spin that only move the body out of a penetration (split impulse); zero without one.
+    bool pushed() const { return contact_rows_.any_split(); }
+    std::array<double, 6> push(std::size_t body) const { return contact_rows_.push(slot_of_body_[body]); }
+
+    SolverReaction reaction(std::size_t joint) const;
+
+  private:
+    struct Floe;
+    std::vector<Floe> find_floes(std::span<const SolverBody>, std::span<const SolverJoint>) const;
+    void lay_out(std::span<const SolverBody>, std::span<const SolverJoint>,
+                 const std::vector<std::vector<Floe>>& kinds);
+    void fill(std::size_t slot, const SolverJoint& joint);
+    LaneArrays arrays();
+    void sort_blocks(std::span<const SolverContact> contacts);
+
+    const LaneKernels* kernels_;
+    std::vector<std::int32_t> pairs_;
+    std::vector<LaneBlock> blocks_;
+    std::vector<std::uint32_t> slot_of_body_;  ///< group * width + lane
+    std::vector<std::uint32_t> slot_of_joint_;
+    std::vector<std::uint32_t> block_of_body_;
+    std::vector<std::uint8_t> touched_;      ///< by block, in this step
+    std::vector<LaneBlock> touched_blocks_;  ///< with joints and contacts
+    std::vector<LaneBlock> free_blocks_;     ///< with joints, no contact
+    std::size_t body_groups_ = 0;
+    double time_step_ = 0;
+    AlignedArray<double> body_, sweep_, frame_, row_, reaction_, delta_;
+    ContactRows contact_rows_;
+};
+
+}  // namespace floes
