@@ -1,0 +1,130 @@
+// The structure: its load, its shape, its motion.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "core/error.hpp"
+#include "scene.hpp"
+
+namespace floes::test {
+namespace {
+
+constexpr double speed = 0.07;
+constexpr double time_step = 0.02;
+
+// An upright drum runs into an element that is held against it by 5 N: in the mean over steps the load on the drum is
+// the 5 N, for the element moves at the drum's steady speed.
+TEST(WorldStructure, CarriesTheAppliedForce) {
+    World world(weightless());
+    const BodyId structure =
+        world.add_structure(std::vector<Frustum>{{-0.5, 0.6, 0.5, 0.6}}, friction.structure, Vec3(2, 0, 0));
+    const BodyId body = world.add_element(element_at({2.75, 0, 0}));
+    Vec3 sum = Vec3::Zero();
+    const int count = 1000;
+    for (int step = 0; step < 2 * count; ++step) {
+        world.move_structure({2 + speed * time_step * (step + 1), 0, 0});
+        world.apply(body, {Vec3(-5, 0, 0), Vec3::Zero()});
+        world.step();
+        if (step >= count) sum += world.contact_force(structure);
+    }
+    EXPECT_NEAR(sum.x() / count, -5, 1e-3);
+    EXPECT_NEAR(sum.y() / count, 0, 1e-3);
+    EXPECT_NEAR(sum.z() / count, 0, 1e-3);
+    EXPECT_NEAR(world.state(body).velocity.x(), speed, 1e-3);
+}
+
+TEST(WorldStructure, MovesAsItIsTold) {
+    World world(weightless());
+    const BodyId structure =
+        world.add_structure(std::vector<Frustum>{{-0.5, 0.6, 0.5, 0.6}}, friction.structure, Vec3(2, 0, 0));
+    for (int step = 0; step < 10; ++step) {
+        world.move_structure({2 + speed * time_step * (step + 1), 0, 0});
+        world.step();
+        EXPECT_NEAR(world.state(structure).velocity.x(), speed, 1e-12);
+    }
+    EXPECT_DOUBLE_EQ(world.state(structure).position.x(), 2 + speed * time_step * 10);
+    world.step();
+    EXPECT_EQ(world.state(structure).velocity, Vec3(0, 0, 0)) << "not told, it stands";
+}
+
+/// An element driven level into the 45° cone from the direction `azimuth`, with its corner or its edge ahead.
+Vec3 force_on_cone(double azimuth, double turn, double structure_friction) {
+    World world(weightless());
+    const std::vector<Frustum> cone{{-0.443, 0.171, 0.122, 0.736}};
+    const BodyId structure = world.add_structure(cone, structure_friction, Vec3::Zero());
+    const Vec3 outward(std::cos(azimuth), 0, std::sin(azimuth));
+    const double reach = turn == 0 ? element_side / 2 : element_side / std::sqrt(2.0);
+    const BodyId body =
+        world.add_element(element_at(outward * (0.614 + reach + 0.02), turned(turn - azimuth, Vec3::UnitY())));
+    world.apply(body, {outward * (-element_mass * speed / time_step), Vec3::Zero()});
+    Vec3 force = Vec3::Zero();
+    for (int step = 0; step < 60 && force.norm() == 0; ++step) {
+        world.step();
+        force = world.contact_force(structure);
+    }
+    return force;
+}
+
+// Without friction the first contact pushes along the wall's normal, which has a closed form; the wall widens upwards,
+// so the element is pressed out and down and the structure in and up.
+TEST(WorldStructure, PushesAlongTheTrueNormalOfTheCone) {
+    for (const double turn : {0.0, std::numbers::pi / 4}) {
+        for (int i = 0; i < 24; ++i) {
+            const double azimuth = 0.1 + i * std::numbers::pi / 12;
+            const Vec3 force = force_on_cone(azimuth, turn, 0);
+            ASSERT_GT(force.norm(), 0);
+            const Vec3 expected = Vec3(-std::cos(azimuth), 1, -std::sin(azimuth)) / std::sqrt(2.0);
+            EXPECT_NEAR((force.normalized() - expected).norm(), 0, 2e-3) << "azimuth " << azimuth << ", turn " << turn;
+        }
+    }
+}
+
+// A level element that is driven on slides down the wall: friction is the full 0.2 of the normal force, up along it.
+TEST(WorldStructure, RubsWithItsCoefficient) {
+    const Vec3 force = force_on_cone(0, 0, friction.structure);
+    const Vec3 normal = Vec3(-1, 1, 0) / std::sqrt(2.0);
+    const Vec3 tangent = force - force.dot(normal) * normal;
+    EXPECT_NEAR(tangent.norm() / force.dot(normal), ice_structure_friction, 2e-3);
+}
+
+// An hourglass of radius 0.3 at the waist and 0.6 at its ends; its convex hull would be a drum of radius 0.6.
+class WaistTest : public testing::Test {
+  protected:
+    /// Load on the hourglass after ten steps with an element at rest at the height of the waist.
+    double load(double gap) {
+        World world(weightless());
+        const std::vector<Frustum> hourglass{{-0.4, 0.6, 0, 0.3}, {0, 0.3, 0.4, 0.6}};
+        const BodyId structure = world.add_structure(hourglass, friction.structure, Vec3::Zero());
+        world.add_element(element_at({0.3 + gap + element_side / 2, 0, 0}));
+        double largest = 0;
+        for (int step = 0; step < 10; ++step) {
+            world.step();
+            largest = std::max(largest, world.contact_force(structure).norm());
+        }
+        return largest;
+    }
+};
+
+TEST_F(WaistTest, IsNotFilledIn) {
+    // The wall leaves the axis at 45°·0.75: at the edge of the element it has come out by 12.4 mm.
+    EXPECT_EQ(load(0.02), 0);
+}
+
+TEST_F(WaistTest, IsSolid) {
+    EXPECT_GT(load(0.005), 0);
+}
+
+TEST(WorldStructure, RefusesWhatHasNoVolume) {
+    World world(weightless());
+    EXPECT_THROW(world.add_structure(std::vector<Frustum>{}, 0.3, Vec3::Zero()), InputError);
+    EXPECT_THROW(world.add_structure(std::vector<Frustum>{{0, 1, 0, 1}}, 0.3, Vec3::Zero()), InputError);
+    EXPECT_THROW(world.add_structure(std::vector<Frustum>{{0, -1, 1, 1}}, 0.3, Vec3::Zero()), InputError);
+    world.add_structure(std::vector<Frustum>{{0, 0, 1, 1}}, 0.3, Vec3::Zero());
+    EXPECT_THROW(world.add_structure(std::vector<Frustum>{{0, 0, 1, 1}}, 0.3, Vec3::Zero()), InputError);
+}
+
+}  // namespace
+}  // namespace floes::test
