@@ -66,7 +66,7 @@ struct Assigner {
 
     void operator()(const TextField& field) const {
         const auto* text = std::get_if<std::string>(&entry.value.data);
-        if (text == nullptr) throw wrong("is not text in quotes");
+        if (text == nullptr) throw wrong("is not text");
         *field.value = *text;
     }
 

@@ -56,8 +56,9 @@ void add_field(Keys& keys, Field& field) {
         "failed."));
     keys.push_back(word_key(
         "field.far_end", field.far_end, {"ice_sheet", "open"}, "design decision; the paper names the walls only",
-        "What stands behind the field: a fixed ice sheet that confines it, or open water. Open, loads are about "
-        "half and hardly a floe breaks."));
+        "What stands behind the field: a fixed ice sheet that confines it, or open water. Open, a steep wall meets "
+        "half the "
+        "load or less and breaks hardly a floe; for the straight 45° wall the difference is small."));
 }
 
 void add_arrangement(Keys& keys, ArrangementRule& arrangement) {

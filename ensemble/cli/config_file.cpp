@@ -1,0 +1,31 @@
+#include "cli/config_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "core/error.hpp"
+
+namespace floes {
+namespace {
+
+std::string read_text(const std::string& path) {
+    if (std::filesystem::is_directory(path)) {
+        throw InputError(fmt::format("{}: this is a folder; name a file in it", path));
+    }
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw InputError(fmt::format("{}: this file cannot be read ({})", path, std::strerror(errno)));
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+Campaign load_campaign(const std::string& path, const std::vector<std::string>& overrides) {
+    return read_campaign({read_text(path), path, overrides}, read_text);
+}
+
+}  // namespace floes
