@@ -1,0 +1,82 @@
+#pragma once
+// HDF5 identifiers that close themselves, and calls that cannot fail unnoticed. For the .cpp files of this room only:
+// no other room sees HDF5. Not for two threads at once.
+
+#include <hdf5.h>
+
+#include <string_view>
+#include <utility>
+
+namespace floes::hdf5 {
+
+/// Throws RunError quoting the call, what it was about, and HDF5's own reason.
+[[noreturn]] void fail(std::string_view call, std::string_view about);
+
+/// The value of an HDF5 call that answers negatively when it fails.
+template <class Value>
+Value check(Value value, std::string_view call, std::string_view about) {
+    if (value < 0) fail(call, about);
+    return value;
+}
+
+/// An identifier with the function that closes it.
+class Handle {
+  public:
+    using Close = herr_t (*)(hid_t);
+
+    Handle(hid_t id, Close close_id, std::string_view call, std::string_view about)
+        : id_(check(id, call, about)), close_(close_id) {}
+    Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+    Handle& operator=(Handle&&) = delete;
+    ~Handle() {
+        if (id_ >= 0) close_(id_);
+    }
+
+    hid_t id() const { return id_; }
+    /// Closes now and reports failure, which a destructor cannot: buffered data reach the file at closing.
+    void close(std::string_view call, std::string_view about);
+
+  private:
+    hid_t id_;
+    Close close_;
+};
+
+/// While it lives HDF5 prints no error stacks: failures are reported as exceptions.
+class QuietErrors {
+  public:
+    QuietErrors();
+    ~QuietErrors();
+    QuietErrors(const QuietErrors&) = delete;
+    QuietErrors& operator=(const QuietErrors&) = delete;
+
+  private:
+    H5E_auto2_t function_ = nullptr;
+    void* data_ = nullptr;
+};
+
+/// File access that leaves out HDF5's own locks: campaign files never change in place, and some cluster file systems
+/// refuse locks.
+Handle access_without_locks();
+
+/// Memory type of a double, int32, int8; text of any length in UTF-8.
+template <class Value>
+hid_t native_type();
+template <>
+inline hid_t native_type<double>() {
+    return H5T_NATIVE_DOUBLE;
+}
+template <>
+inline hid_t native_type<std::int32_t>() {
+    return H5T_NATIVE_INT32;
+}
+template <>
+inline hid_t native_type<std::int8_t>() {
+    return H5T_NATIVE_INT8;
+}
+template <>
+inline hid_t native_type<std::uint64_t>() {
+    return H5T_NATIVE_UINT64;
+}
+Handle text_type();
+
+}  // namespace floes::hdf5
