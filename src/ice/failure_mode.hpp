@@ -6,17 +6,24 @@
 
 namespace floes {
 
-enum class FailureMode : std::int8_t { bending = 0, shear = 1, compression = 2, tension = 3, torsion = 4, in_plane_bending = 5 };
+enum class FailureMode : std::int8_t {
+    bending = 0,
+    shear = 1,
+    compression = 2,
+    tension = 3,
+    torsion = 4,
+    in_plane_bending = 5
+};
 
 inline constexpr std::array<const char*, 6> failure_mode_names{"bending", "shear",   "compression",
                                                                "tension", "torsion", "in_plane_bending"};
 
 /// One failed joint.
 struct BreakEvent {
-    double time = 0;                               ///< end of the step in which it failed, s
-    std::int32_t floe = 0;                         ///< index of the floe in the arrangement
-    std::int32_t joint = 0;                        ///< index of the joint within its floe, in creation order
-    FailureMode mode = FailureMode::bending;       ///< the largest λ/ε
+    double time = 0;                          ///< end of the step in which it failed, s
+    std::int32_t floe = 0;                    ///< index of the floe in the arrangement
+    std::int32_t joint = 0;                   ///< index of the joint within its floe, in creation order
+    FailureMode mode = FailureMode::bending;  ///< the largest λ/ε
     friend bool operator==(const BreakEvent&, const BreakEvent&) = default;
 };
 

@@ -6,22 +6,12 @@
 
 #include "core/vector.hpp"
 #include "ice/failure_mode.hpp"
+#include "ice/peak_reactions.hpp"
 #include "statistics/load_statistics.hpp"
 
 namespace floes {
 
 enum class MemberStatus : std::int8_t { done = 0, failed = 1 };
-
-/// Largest value over the run of each part of the joint reactions, over all joints (N, N m); magnitudes.
-struct PeakReactions {
-    double compression = 0;
-    double tension = 0;
-    double shear = 0;
-    double bending = 0;
-    double torsion = 0;
-    double in_plane_bending = 0;
-    friend bool operator==(const PeakReactions&, const PeakReactions&) = default;
-};
 
 /// Contact force on the structure at the end of each step, N. Entry k belongs to time (k + 1) Δt.
 struct LoadHistory {

@@ -1,0 +1,54 @@
+#pragma once
+// A floe as a grid of square elements with a joint in the middle of every common edge.
+// Element (i, k), i along the floe's x and k along its z, has index i + k * elements_long within its floe.
+
+#include <cstdint>
+#include <vector>
+
+#include "core/vector.hpp"
+
+namespace floes {
+
+/// Edge faces of an element, along its own axes; bits of ElementState::exposed_edges.
+enum Edge : std::uint8_t { edge_plus_x = 1, edge_minus_x = 2, edge_plus_z = 4, edge_minus_z = 8 };
+
+/// Along which of the floe's axes a joint ties two elements.
+enum class JointAxis : std::uint8_t { x, z };
+
+/// A joint between two elements of a floe: b is a's neighbour in the direction +axis.
+struct GridJoint {
+    int a = 0;
+    int b = 0;
+    JointAxis axis = JointAxis::x;
+    friend bool operator==(const GridJoint&, const GridJoint&) = default;
+};
+
+struct FloeGrid {
+    int elements_long = 1;   ///< along the floe's x
+    int elements_broad = 1;  ///< along the floe's z
+    double element = 0;      ///< L_e, m
+
+    int elements() const { return elements_long * elements_broad; }
+
+    /// Centre of an element from the floe's centre, in the floe's axes, m.
+    Vec3 centre(int index) const;
+
+    /// Middle of the common edge face of a joint's elements, as above.
+    Vec3 pivot(const GridJoint& joint) const;
+
+    /// The edge faces (bits of Edge) of an element that lie on the outline of the floe.
+    std::uint8_t outline_edges(int index) const;
+};
+
+/// All joints of a floe in the one order in which they are created, numbered in the break log and swept by the solver.
+/// Joints whose Σ is nearly 0 are as stiff as 50 sweeps in this order make them (design decision 1), so the order is
+/// part of the model.
+std::vector<GridJoint> joint_order(const FloeGrid& grid);
+
+/// joint -> floe rotation: x from a to b, y up.
+Quat joint_frame(JointAxis axis);
+
+/// For each of `elements` elements the smallest index in its connected piece, given the joints that are left.
+std::vector<int> connected_pieces(int elements, const std::vector<GridJoint>& joints);
+
+}  // namespace floes

@@ -1,0 +1,72 @@
+#pragma once
+// All floes of a run: their elements and joints in a World, and how they break.
+//
+//   IceField ice(world, scenario, poses);
+//   ... world.step();  ice.break_joints(world, time);
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/vector.hpp"
+#include "ice/failure.hpp"
+#include "ice/failure_mode.hpp"
+#include "ice/floe_grid.hpp"
+#include "ice/peak_reactions.hpp"
+#include "scenario/scenario.hpp"
+#include "world/world.hpp"
+
+namespace floes {
+
+struct IceElement {
+    BodyId body;
+    int floe = 0;                    ///< index of its floe in the arrangement
+    int index = 0;                   ///< within its floe, see FloeGrid
+    int piece = 0;                   ///< index in IceField::elements() of the first element of its connected piece
+    std::uint8_t exposed_edges = 0;  ///< bits of Edge: edge faces free of live joints
+};
+
+class IceField {
+  public:
+    /// Puts one floe at each pose, flat at its floating height: middle at T/2 above its lower face, the draught being
+    /// T ρ_i/ρ_w. Elements floe by floe, joints floe by floe in joint_order(); every floe is one piece.
+    IceField(World& world, const Scenario& scenario, std::span<const PlanarPose> poses);
+
+    /// All elements, floe by floe, within a floe by index.
+    const std::vector<IceElement>& elements() const { return elements_; }
+
+    /// To be called after every step of the world, which must be the one given to the constructor. Every joint whose
+    /// reaction exceeds a threshold fails and is removed; pieces, exposed edges, the break log and the peaks follow.
+    /// `time`: end of the step, s. Returns the number of joints that failed.
+    int break_joints(World& world, double time);
+
+    const std::vector<BreakEvent>& breaks() const { return breaks_; }  ///< by time, then floe, then joint
+    const PeakReactions& peaks() const { return peaks_; }              ///< of all steps, failing joints included
+
+    int floes() const { return floes_; }
+    int broken_floes() const;      ///< floes with at least one failed joint
+    double failure_ratio() const;  ///< broken floes / floes, 0-1
+    int live_joints() const { return static_cast<int>(joints_.size()); }
+
+  private:
+    struct Joint {
+        JointId id;
+        int floe;
+        int number;      // in joint_order()
+        GridJoint grid;  // indices within the floe
+    };
+
+    void add_floe(World& world, const Scenario& scenario, const PlanarPose& pose, const std::vector<GridJoint>& order);
+    void expose_edges(const Joint& joint);
+    void split_pieces(World& world, int floe);
+
+    FloeGrid grid_;
+    Thresholds thresholds_;
+    int floes_;
+    std::vector<IceElement> elements_;
+    std::vector<Joint> joints_;  // live, in order of creation
+    std::vector<BreakEvent> breaks_;
+    PeakReactions peaks_;
+};
+
+}  // namespace floes
