@@ -20,18 +20,18 @@ std::string number_literal(double number) {
     return with_point(fmt::format("{}", number));
 }
 
-std::string number_literal(double si_value, double unit) {
-    const double number = si_value / unit;
+std::string number_literal(double in_si, double unit) {
+    const double number = in_si / unit;
     if (!std::isfinite(number)) return number_literal(number);
     constexpr int digits_of_a_double = 17;
     for (int digits = 1; digits <= digits_of_a_double; ++digits) {
         const std::string text = fmt::format("{:.{}g}", number, digits);
         double rounded = 0;
         std::from_chars(text.data(), text.data() + text.size(), rounded);
-        if (rounded * unit == si_value) return number_literal(rounded);
+        if (rounded * unit == in_si) return number_literal(rounded);
     }
     for (const double neighbour : {std::nextafter(number, -INFINITY), std::nextafter(number, INFINITY)}) {
-        if (neighbour * unit == si_value) return number_literal(neighbour);
+        if (neighbour * unit == in_si) return number_literal(neighbour);
     }
     return number_literal(number);
 }

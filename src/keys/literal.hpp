@@ -9,9 +9,9 @@ namespace floes {
 /// The shortest text that reads back to the same double, always with a point or an exponent: 75 -> "75.0".
 std::string number_literal(double number);
 
-/// `si_value / unit` in the fewest digits whose product with `unit` is `si_value` again, bit for bit. Where no double
+/// `in_si / unit` in the fewest digits whose product with `unit` is `in_si` again, bit for bit. Where no double
 /// has that product (values that never came from text), the nearest.
-std::string number_literal(double si_value, double unit);
+std::string number_literal(double in_si, double unit);
 
 /// A basic string in quotes, with what TOML wants escaped.
 std::string text_literal(std::string_view text);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "core/error.hpp"
@@ -31,11 +32,11 @@ struct Assigner {
     void operator()(const NumberField& field) const {
         const std::optional<double> number = as_number(entry.value);
         if (!number) throw wrong("is not a number", field.range.reason);
-        const double si_value = *number * field.unit;
-        // The second test: a range is about the number, but the product may still underflow to a forbidden 0.
-        const bool vanished = si_value == 0 && *number != 0;
-        if (!field.range.contains(*number) || vanished) throw wrong("is out of range", field.range.reason);
-        *field.value = si_value;
+        const double in_si = *number * field.unit;
+        // The range is about the number; the product may still underflow to a forbidden 0, or overflow.
+        const bool lost = (in_si == 0 && *number != 0) || std::isinf(in_si);
+        if (!field.range.contains(*number) || lost) throw wrong("is out of range", field.range.reason);
+        *field.value = in_si;
     }
 
     void operator()(const IntegerField& field) const {
@@ -114,6 +115,11 @@ std::string assign_known(std::span<const Key> keys, const Entry& entry) {
     const bool known_table =
         std::ranges::any_of(keys, [&](const Key& key) { return key.path.starts_with(entry.path + "."); });
     if (empty_table && known_table) return "";
+    if (empty_table) {
+        const auto distance = [&](const Key& key) { return edit_distance(key.table(), entry.path); };
+        throw InputError(fmt::format("{}: [{}] is not a table of keys; did you mean [{}]?", entry.where, entry.path,
+                                     std::ranges::min_element(keys, {}, distance)->table()));
+    }
     if (known_table) {
         throw InputError(fmt::format("{}: {} = {} is a table of keys, not a key; write {} with its keys below",
                                      entry.where, entry.path, to_text(entry.value), "[" + entry.path + "]"));
