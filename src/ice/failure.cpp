@@ -1,0 +1,62 @@
+#include "ice/failure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace floes {
+
+namespace {
+
+double compression(const JointReaction& r) {
+    return std::max(0.0, -r.axial);
+}
+
+double tension(const JointReaction& r) {
+    return std::max(0.0, r.axial);
+}
+
+double shear(const JointReaction& r) {
+    return std::sqrt(r.shear_vertical * r.shear_vertical + r.shear_in_plane * r.shear_in_plane);
+}
+
+}  // namespace
+
+Thresholds make_thresholds(const Scenario& scenario) {
+    const Ice& ice = scenario.ice;
+    const double side = scenario.floe.element;
+    const double thick = ice.thickness;
+    const double printed = scenario.joint.threshold_form == ThresholdForm::as_printed ? thick : 1.0;
+    const auto optional = [](double section, double strength) {
+        return strength > 0 ? section * strength : std::numeric_limits<double>::infinity();
+    };
+    return {.bending = side * thick * thick / 6 * ice.bending_strength,
+            .shear = side * thick * printed * ice.shear_strength,
+            .compression = side * thick * printed * ice.compressive_strength,
+            .tension = optional(side * thick, ice.tensile_strength),
+            .torsion = optional(side * thick * thick / 3, ice.torsion_strength),
+            .in_plane_bending = optional(thick * side * side / 6, ice.in_plane_bending_strength)};
+}
+
+std::optional<FailureMode> failure(const JointReaction& r, const Thresholds& thresholds) {
+    const std::array<double, 6> ratios{
+        // in the order of FailureMode
+        std::abs(r.bending) / thresholds.bending, shear(r) / thresholds.shear,
+        compression(r) / thresholds.compression,  tension(r) / thresholds.tension,
+        std::abs(r.torsion) / thresholds.torsion, std::abs(r.in_plane_bending) / thresholds.in_plane_bending};
+    const auto largest = std::max_element(ratios.begin(), ratios.end());
+    if (!(*largest > 1)) return std::nullopt;
+    return static_cast<FailureMode>(largest - ratios.begin());
+}
+
+PeakReactions raised(const PeakReactions& peaks, const JointReaction& r) {
+    return {.compression = std::max(peaks.compression, compression(r)),
+            .tension = std::max(peaks.tension, tension(r)),
+            .shear = std::max(peaks.shear, shear(r)),
+            .bending = std::max(peaks.bending, std::abs(r.bending)),
+            .torsion = std::max(peaks.torsion, std::abs(r.torsion)),
+            .in_plane_bending = std::max(peaks.in_plane_bending, std::abs(r.in_plane_bending))};
+}
+
+}  // namespace floes

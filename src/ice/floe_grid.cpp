@@ -1,0 +1,62 @@
+#include "ice/floe_grid.hpp"
+
+#include <numbers>
+
+namespace floes {
+
+Vec3 FloeGrid::centre(int index) const {
+    const int i = index % elements_long;
+    const int k = index / elements_long;
+    return {(i - 0.5 * (elements_long - 1)) * element, 0, (k - 0.5 * (elements_broad - 1)) * element};
+}
+
+Vec3 FloeGrid::pivot(const GridJoint& joint) const {
+    return 0.5 * (centre(joint.a) + centre(joint.b));
+}
+
+std::uint8_t FloeGrid::outline_edges(int index) const {
+    const int i = index % elements_long;
+    const int k = index / elements_long;
+    int edges = 0;
+    if (i == elements_long - 1) edges |= edge_plus_x;
+    if (i == 0) edges |= edge_minus_x;
+    if (k == elements_broad - 1) edges |= edge_plus_z;
+    if (k == 0) edges |= edge_minus_z;
+    return static_cast<std::uint8_t>(edges);
+}
+
+std::vector<GridJoint> joint_order(const FloeGrid& grid) {
+    std::vector<GridJoint> joints;
+    for (int k = 0; k < grid.elements_broad; ++k) {
+        for (int i = 0; i < grid.elements_long; ++i) {
+            const int index = i + k * grid.elements_long;
+            if (i + 1 < grid.elements_long) joints.push_back({index, index + 1, JointAxis::x});
+            if (k + 1 < grid.elements_broad) joints.push_back({index, index + grid.elements_long, JointAxis::z});
+        }
+    }
+    return joints;
+}
+
+Quat joint_frame(JointAxis axis) {
+    if (axis == JointAxis::x) return Quat::Identity();
+    return Quat(Eigen::AngleAxisd(-std::numbers::pi / 2, Vec3::UnitY()));
+}
+
+std::vector<int> connected_pieces(int elements, const std::vector<GridJoint>& joints) {
+    std::vector<int> smallest(static_cast<std::size_t>(elements));
+    for (int element = 0; element < elements; ++element) smallest[static_cast<std::size_t>(element)] = element;
+    // A floe has few elements: lower both ends of each joint until nothing changes.
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (const GridJoint& joint : joints) {
+            int& a = smallest[static_cast<std::size_t>(joint.a)];
+            int& b = smallest[static_cast<std::size_t>(joint.b)];
+            if (a == b) continue;
+            a = b = a < b ? a : b;
+            changed = true;
+        }
+    }
+    return smallest;
+}
+
+}  // namespace floes

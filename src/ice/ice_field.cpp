@@ -1,0 +1,109 @@
+#include "ice/ice_field.hpp"
+
+#include <algorithm>
+
+namespace floes {
+
+namespace {
+
+/// Height of the middle of floating ice above the water, m.
+double middle_height(const Scenario& scenario) {
+    const double draught = scenario.ice.thickness * scenario.ice.density / scenario.water.density;
+    return 0.5 * scenario.ice.thickness - draught;
+}
+
+}  // namespace
+
+IceField::IceField(World& world, const Scenario& scenario, std::span<const PlanarPose> poses)
+    : grid_{scenario.floe.elements_long(), scenario.floe.elements_broad(), scenario.floe.element},
+      thresholds_(make_thresholds(scenario)),
+      floes_(static_cast<int>(poses.size())) {
+    const std::vector<GridJoint> order = joint_order(grid_);
+    elements_.reserve(poses.size() * static_cast<std::size_t>(grid_.elements()));
+    joints_.reserve(poses.size() * order.size());
+    for (const PlanarPose& pose : poses) add_floe(world, scenario, pose, order);
+}
+
+void IceField::add_floe(World& world, const Scenario& scenario, const PlanarPose& pose,
+                        const std::vector<GridJoint>& order) {
+    const double side = scenario.floe.element;
+    const double thickness = scenario.ice.thickness;
+    const int floe = static_cast<int>(elements_.size()) / grid_.elements();
+    const int first = static_cast<int>(elements_.size());
+    const Quat yaw(Eigen::AngleAxisd(pose.yaw, Vec3::UnitY()));
+    const Vec3 middle(pose.x, middle_height(scenario), pose.z);
+    const double friction =
+        material_friction(scenario.contact.ice_ice_friction, scenario.contact.ice_structure_friction).ice;
+
+    for (int index = 0; index < grid_.elements(); ++index) {
+        const BodyId body = world.add_element({.half_extents = Vec3(side, thickness, side) / 2,
+                                               .mass = scenario.ice.density * side * side * thickness,
+                                               .pose = {middle + yaw * grid_.centre(index), yaw},
+                                               .friction = friction,
+                                               .piece = first});
+        elements_.push_back({body, floe, index, first, grid_.outline_edges(index)});
+    }
+    for (int number = 0; number < static_cast<int>(order.size()); ++number) {
+        const GridJoint& joint = order[static_cast<std::size_t>(number)];
+        const JointId id = world.add_joint({.a = elements_[static_cast<std::size_t>(first + joint.a)].body,
+                                            .b = elements_[static_cast<std::size_t>(first + joint.b)].body,
+                                            .pivot = middle + yaw * grid_.pivot(joint),
+                                            .frame = yaw * joint_frame(joint.axis),
+                                            .cfm = scenario.joint.cfm,
+                                            .erp = scenario.joint.erp});
+        joints_.push_back({id, floe, number, joint});
+    }
+}
+
+int IceField::break_joints(World& world, double time) {
+    const std::size_t before = breaks_.size();
+    std::erase_if(joints_, [&](const Joint& joint) {
+        const JointReaction reaction = world.reaction(joint.id);
+        peaks_ = raised(peaks_, reaction);
+        const std::optional<FailureMode> mode = failure(reaction, thresholds_);
+        if (!mode) return false;
+        world.remove_joint(joint.id);
+        expose_edges(joint);
+        breaks_.push_back({time, joint.floe, joint.number, *mode});
+        return true;
+    });
+    for (std::size_t i = before; i < breaks_.size(); ++i) {
+        if (i == before || breaks_[i].floe != breaks_[i - 1].floe) split_pieces(world, breaks_[i].floe);
+    }
+    return static_cast<int>(breaks_.size() - before);
+}
+
+void IceField::expose_edges(const Joint& joint) {
+    const int first = joint.floe * grid_.elements();
+    const bool along = joint.grid.axis == JointAxis::x;
+    elements_[static_cast<std::size_t>(first + joint.grid.a)].exposed_edges |= along ? edge_plus_x : edge_plus_z;
+    elements_[static_cast<std::size_t>(first + joint.grid.b)].exposed_edges |= along ? edge_minus_x : edge_minus_z;
+}
+
+void IceField::split_pieces(World& world, int floe) {
+    std::vector<GridJoint> left;
+    for (const Joint& joint : joints_) {
+        if (joint.floe == floe) left.push_back(joint.grid);
+    }
+    const std::vector<int> pieces = connected_pieces(grid_.elements(), left);
+    const int first = floe * grid_.elements();
+    for (int index = 0; index < grid_.elements(); ++index) {
+        IceElement& element = elements_[static_cast<std::size_t>(first + index)];
+        const int piece = first + pieces[static_cast<std::size_t>(index)];
+        if (piece == element.piece) continue;
+        element.piece = piece;
+        world.set_piece(element.body, piece);
+    }
+}
+
+int IceField::broken_floes() const {
+    std::vector<bool> broken(static_cast<std::size_t>(floes_), false);
+    for (const BreakEvent& event : breaks_) broken[static_cast<std::size_t>(event.floe)] = true;
+    return static_cast<int>(std::count(broken.begin(), broken.end(), true));
+}
+
+double IceField::failure_ratio() const {
+    return floes_ == 0 ? 0.0 : static_cast<double>(broken_floes()) / floes_;
+}
+
+}  // namespace floes
