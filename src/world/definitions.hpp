@@ -12,7 +12,8 @@ using JointId = Id<struct JointTag>;  ///< in order of creation in a World; neve
 
 /// The constraint solver of a World.
 enum class ConstraintSolver {
-    stock  ///< Bullet's sequential impulses: projected Gauss-Seidel, joints before contacts in each sweep
+    stock,  ///< Bullet's sequential impulses: projected Gauss-Seidel, joints before contacts in each sweep
+    lanes   ///< the same sweeps, many floes side by side (solver/lane_system.hpp)
 };
 
 /// Time stepping, solver and contacts.
@@ -24,6 +25,7 @@ struct WorldDefinition {
     bool split_impulse = true;  ///< correct penetrations deeper than split_impulse_depth outside the impulse
     double split_impulse_depth = 0.04;  ///< m, >= 0
     ConstraintSolver solver = ConstraintSolver::stock;
+    int lanes = 0;  ///< floes side by side at most: 0 for what the processor has, 1, 2, 4 or 8; never shows in a result
 };
 
 /// Coulomb friction is the product of the two bodies' material coefficients, so two coefficients of contact

@@ -16,6 +16,7 @@
 #include "world/conversion.hpp"
 #include "world/fixed_joint.hpp"
 #include "world/frustum_shape.hpp"
+#include "world/lane_solver.hpp"
 #include "world/ordered_dynamics_world.hpp"
 #include "world/piece_dispatcher.hpp"
 
@@ -43,6 +44,9 @@ class World::Bullet {
         set_up(world.getSolverInfo(), definition);
         world.setGravity({0, -definition.gravity, 0});
         world.setForceUpdateAllAabbs(false);  // fixed boxes do not move
+        if (definition.solver == ConstraintSolver::lanes) {
+            world.setConstraintSolver(&lanes.emplace(definition.lanes));
+        }
     }
 
     btRigidBody& body(BodyId id) { return bodies[id.index()]; }
@@ -83,14 +87,16 @@ class World::Bullet {
     btDefaultCollisionConfiguration configuration;
     PieceDispatcher dispatcher{&configuration};
     btDbvtBroadphase broadphase;
-    btSequentialImpulseConstraintSolver solver;
+    std::optional<LaneSolver> lanes;  // owns the joints when present
+    btSequentialImpulseConstraintSolver stock;
     std::deque<Box> boxes;
     std::deque<FrustumShape> frusta;
     std::optional<btCompoundShape> structure_shape;
     std::deque<btRigidBody> bodies;
     std::optional<BodyId> structure;
-    std::vector<std::unique_ptr<FixedJoint>> joints;  // null once removed
-    OrderedDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
+    std::size_t joint_count = 0;
+    std::vector<std::unique_ptr<FixedJoint>> joints;  // of the stock solver; null once removed
+    OrderedDynamicsWorld world{&dispatcher, &broadphase, &stock, &configuration};
 };
 
 World::World(const WorldDefinition& definition) {
@@ -126,13 +132,21 @@ BodyId World::add_structure(std::span<const Frustum> frusta, double friction, co
 
 JointId World::add_joint(const JointDefinition& joint) {
     check(joint, bullet_->bodies.size());
-    const JointId id(bullet_->joints.size());
+    const JointId id(bullet_->joint_count++);
+    if (bullet_->lanes) {
+        bullet_->lanes->add_joint(joint, bullet_->body(joint.a), bullet_->body(joint.b));
+        return id;
+    }
     bullet_->joints.push_back(std::make_unique<FixedJoint>(joint, bullet_->body(joint.a), bullet_->body(joint.b)));
     bullet_->world.addConstraint(bullet_->joints.back()->constraint());
     return id;
 }
 
 void World::remove_joint(JointId joint) {
+    if (bullet_->lanes) {
+        bullet_->lanes->remove_joint(joint.index());
+        return;
+    }
     std::unique_ptr<FixedJoint>& removed = bullet_->joints[joint.index()];
     if (!removed) return;
     bullet_->world.remove_in_order(removed->constraint());
@@ -168,6 +182,7 @@ BodyState World::state(BodyId body) const {
 }
 
 JointReaction World::reaction(JointId joint) const {
+    if (bullet_->lanes) return bullet_->lanes->reaction(joint.index());
     const std::unique_ptr<FixedJoint>& live = bullet_->joints[joint.index()];
     return live ? live->reaction() : JointReaction{};
 }

@@ -1,0 +1,158 @@
+#include "world/lane_solver.hpp"
+
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+#include <LinearMath/btTransformUtil.h>
+
+#include "solver/lane_width.hpp"
+#include "world/conversion.hpp"
+#include "world/piece_dispatcher.hpp"
+
+namespace floes {
+
+namespace {
+
+std::array<double, 3> array_of(const btVector3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
+std::array<double, 9> rows_of(const btMatrix3x3& m) {
+    return {m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2], m[2][0], m[2][1], m[2][2]};
+}
+
+btVector3 vector_of(const std::array<double, 3>& v) {
+    return {v[0], v[1], v[2]};
+}
+
+SolverFrame frame_in(const btRigidBody& body, const JointDefinition& joint) {
+    const btTransform frame = body.getWorldTransform().inverse() * to_bullet(Pose{joint.pivot, joint.frame});
+    return {rows_of(frame.getBasis()), array_of(frame.getOrigin())};
+}
+
+const btRigidBody& rigid(const btCollisionObject* object) {
+    return static_cast<const btRigidBody&>(*object);
+}
+
+btRigidBody& rigid(btCollisionObject* object) {
+    return static_cast<btRigidBody&>(*object);
+}
+
+bool solvable(const btPersistentManifold& manifold) {
+    return rigid(manifold.getBody0()).getInvMass() > 0 || rigid(manifold.getBody1()).getInvMass() > 0;
+}
+
+}  // namespace
+
+LaneSolver::LaneSolver(int lanes) : width_(lane_kernels(lanes > 0 ? lanes : lane_widths().back()).width) {}
+
+void LaneSolver::add_joint(const JointDefinition& definition, const btRigidBody& a, const btRigidBody& b) {
+    joints_.push_back({static_cast<std::uint32_t>(definition.a.index()),
+                       static_cast<std::uint32_t>(definition.b.index()), frame_in(a, definition),
+                       frame_in(b, definition), definition.cfm, definition.erp});
+    removed_.push_back(false);
+}
+
+void LaneSolver::remove_joint(std::size_t joint) {
+    removed_[joint] = true;
+    if (system_ && joint < system_->joint_count()) system_->remove_joint(joint);
+}
+
+JointReaction LaneSolver::reaction(std::size_t joint) const {
+    if (!system_ || joint >= system_->joint_count()) return {};
+    const auto [force, moment] = system_->reaction(joint);
+    return {.axial = force[0],
+            .shear_vertical = force[1],
+            .shear_in_plane = force[2],
+            .torsion = moment[0],
+            .in_plane_bending = moment[1],
+            .bending = moment[2]};
+}
+
+void LaneSolver::lay_out(std::span<btCollisionObject* const> bodies) {
+    std::vector<SolverBody> solver_bodies;
+    for (const btCollisionObject* object : bodies) {
+        const btRigidBody& body = rigid(object);
+        solver_bodies.push_back({body.getInvMass(), array_of(body.getInvInertiaDiagLocal())});
+    }
+    system_.emplace(solver_bodies, joints_, width_);
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+        if (removed_[i]) system_->remove_joint(i);
+    }
+}
+
+void LaneSolver::read_bodies(std::span<btCollisionObject* const> bodies) {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const btRigidBody& body = rigid(bodies[i]);
+        const btTransform& pose = body.getWorldTransform();
+        const btVector3 force = body.getTotalForce();
+        const btVector3 torque = body.getTotalTorque();
+        system_->set_state(i, {pose.getOrigin(), rows_of(pose.getBasis()), body.getLinearVelocity(),
+                               body.getAngularVelocity(), force, torque});
+    }
+}
+
+void LaneSolver::read_contacts(std::span<btPersistentManifold* const> manifolds, const btContactSolverInfo& info) {
+    contacts_.clear();
+    for (const btPersistentManifold* manifold : manifolds) {
+        if (!solvable(*manifold)) continue;
+        for (int i = 0; i < manifold->getNumContacts(); ++i) {
+            const btManifoldPoint& point = manifold->getContactPoint(i);
+            contacts_.push_back({.a = static_cast<std::uint32_t>(body_id_of(*manifold->getBody0())),
+                                 .b = static_cast<std::uint32_t>(body_id_of(*manifold->getBody1())),
+                                 .on_a = array_of(point.getPositionWorldOnA()),
+                                 .on_b = array_of(point.getPositionWorldOnB()),
+                                 .normal = array_of(point.m_normalWorldOnB),
+                                 .distance = point.getDistance(),
+                                 .friction = point.m_combinedFriction,
+                                 .impulse = point.m_appliedImpulse * info.m_warmstartingFactor});
+        }
+    }
+}
+
+void LaneSolver::write_contacts(std::span<btPersistentManifold* const> manifolds) const {
+    std::size_t at = 0;
+    for (btPersistentManifold* manifold : manifolds) {
+        if (!solvable(*manifold)) continue;
+        for (int i = 0; i < manifold->getNumContacts(); ++i, ++at) {
+            btManifoldPoint& point = manifold->getContactPoint(i);
+            point.m_appliedImpulse = contacts_[at].impulse;
+            point.m_appliedImpulseLateral1 = contacts_[at].friction_impulse;
+            point.m_lateralFrictionDir1 = vector_of(contacts_[at].slide);
+        }
+    }
+}
+
+void LaneSolver::write_bodies(std::span<btCollisionObject* const> bodies, const btContactSolverInfo& info) const {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        btRigidBody& body = rigid(bodies[i]);
+        if (body.isStaticOrKinematicObject()) continue;
+        body.setLinearVelocity(vector_of(system_->velocity(i)));
+        body.setAngularVelocity(vector_of(system_->spin(i)));
+        if (!system_->pushed()) continue;
+        const std::array<double, 6> push = system_->push(i);
+        if (push == std::array<double, 6>{}) continue;
+        btTransform pose;
+        btTransformUtil::integrateTransform(body.getWorldTransform(), {push[0], push[1], push[2]},
+                                            btVector3(push[3], push[4], push[5]) * info.m_splitImpulseTurnErp,
+                                            info.m_timeStep, pose);
+        body.setWorldTransform(pose);
+    }
+}
+
+btScalar LaneSolver::solveGroup(btCollisionObject** bodies, int body_count, btPersistentManifold** manifolds,
+                                int manifold_count, btTypedConstraint**, int, const btContactSolverInfo& info,
+                                btIDebugDraw*, btDispatcher*) {
+    const std::span<btCollisionObject* const> all(bodies, static_cast<std::size_t>(body_count));
+    const std::span<btPersistentManifold* const> touching(manifolds, static_cast<std::size_t>(manifold_count));
+    if (!system_ || system_->body_count() != all.size() || system_->joint_count() != joints_.size()) lay_out(all);
+    read_bodies(all);
+    system_->prepare(info.m_timeStep);
+    read_contacts(touching, info);
+    system_->solve(contacts_, {info.m_erp2, info.m_splitImpulse != 0, -info.m_splitImpulsePenetrationThreshold},
+                   info.m_numIterations);
+    write_contacts(touching);
+    write_bodies(all, info);
+    return 0;
+}
+
+}  // namespace floes

@@ -1,0 +1,48 @@
+#pragma once
+// Bullet's constraint solver replaced by ours (solver/lane_system.hpp): joints are not Bullet's at all, contacts come
+// as Bullet's manifolds and get their impulses back. Only for files inside this room.
+
+#include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "solver/lane_system.hpp"
+#include "world/definitions.hpp"
+#include "world/state.hpp"
+
+namespace floes {
+
+class LaneSolver final : public btSequentialImpulseConstraintSolver {
+  public:
+    /// lanes: floes side by side at most, one of lane_widths(); 0: as many as the processor has.
+    explicit LaneSolver(int lanes);
+
+    /// Joints are numbered from 0 in the order in which they are added, and solved in that order within a floe.
+    void add_joint(const JointDefinition& definition, const btRigidBody& a, const btRigidBody& b);
+    void remove_joint(std::size_t joint);
+
+    /// Of the last solve; zero before it and after removal.
+    JointReaction reaction(std::size_t joint) const;
+
+    /// bodies: all of the world, each at the place of its id. Bullet's own joints are not solved.
+    btScalar solveGroup(btCollisionObject** bodies, int body_count, btPersistentManifold** manifolds,
+                        int manifold_count, btTypedConstraint** joints, int joint_count,
+                        const btContactSolverInfo& info, btIDebugDraw* draw, btDispatcher* dispatcher) override;
+
+  private:
+    void lay_out(std::span<btCollisionObject* const> bodies);
+    void read_bodies(std::span<btCollisionObject* const> bodies);
+    void read_contacts(std::span<btPersistentManifold* const> manifolds, const btContactSolverInfo& info);
+    void write_contacts(std::span<btPersistentManifold* const> manifolds) const;
+    void write_bodies(std::span<btCollisionObject* const> bodies, const btContactSolverInfo& info) const;
+
+    int width_;
+    std::vector<SolverJoint> joints_;
+    std::vector<bool> removed_;
+    std::optional<LaneSystem> system_;  ///< of the bodies and joints there were when it was laid out
+    std::vector<SolverContact> contacts_;
+};
+
+}  // namespace floes

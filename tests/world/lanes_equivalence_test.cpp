@@ -1,0 +1,110 @@
+// A world that solves in lanes against one that leaves it to Bullet.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "solver/lane_width.hpp"
+#include "world/lanes_scene.hpp"
+
+namespace floes::test {
+namespace {
+
+WorldDefinition solved_by(ConstraintSolver solver, int lanes = 0) {
+    WorldDefinition definition = weightless();
+    definition.solver = solver;
+    definition.lanes = lanes;
+    return definition;
+}
+
+/// Largest difference over largest value.
+class Deviation {
+  public:
+    template <class Vector>
+    void add(const Vector& a, const Vector& b) {
+        size_ = std::max(size_, b.norm());
+        difference_ = std::max(difference_, (a - b).norm());
+    }
+    double relative() const { return difference_ / size_; }
+
+  private:
+    double size_ = 0;
+    double difference_ = 0;
+};
+
+Eigen::Vector<double, 6> vector_of(const JointReaction& r) {
+    return {r.axial, r.shear_vertical, r.shear_in_plane, r.torsion, r.in_plane_bending, r.bending};
+}
+
+void expect_close(const LanesScene& a, const LanesScene& b, double tolerance) {
+    Deviation position, rotation, velocity, spin, reaction, load;
+    for (std::size_t i = 0; i < a.elements.size(); ++i) {
+        const BodyState ours = a.world.state(a.elements[i]);
+        const BodyState theirs = b.world.state(b.elements[i]);
+        position.add(ours.position, theirs.position);
+        rotation.add(ours.rotation, theirs.rotation);
+        velocity.add(ours.velocity, theirs.velocity);
+        spin.add(ours.spin, theirs.spin);
+        load.add(a.world.contact_force(a.elements[i]), b.world.contact_force(b.elements[i]));
+    }
+    for (std::size_t i = 0; i < a.joints.size(); ++i) {
+        reaction.add(vector_of(a.world.reaction(a.joints[i])), vector_of(b.world.reaction(b.joints[i])));
+    }
+    load.add(a.world.contact_force(a.cone), b.world.contact_force(b.cone));
+    EXPECT_LT(position.relative(), tolerance);
+    EXPECT_LT(rotation.relative(), tolerance);
+    EXPECT_LT(velocity.relative(), tolerance);
+    EXPECT_LT(spin.relative(), tolerance);
+    EXPECT_LT(reaction.relative(), tolerance);
+    EXPECT_LT(load.relative(), tolerance);
+}
+
+TEST(LanesEquivalence, FirstStepsAreBulletsOwn) {
+    LanesScene lanes(solved_by(ConstraintSolver::lanes));
+    LanesScene stock(solved_by(ConstraintSolver::stock));
+    for (int i = 0; i < 3; ++i) {
+        lanes.step();
+        stock.step();
+    }
+    expect_close(lanes, stock, 1e-9);
+}
+
+TEST(LanesEquivalence, PackedIceMovesAsInBullet) {
+    LanesScene lanes(solved_by(ConstraintSolver::lanes));
+    LanesScene stock(solved_by(ConstraintSolver::stock));
+    for (int i = 0; i < 40; ++i) {
+        lanes.step();
+        stock.step();
+    }
+    EXPECT_GT(stock.world.contact_force(stock.cone).norm(), 0.1);
+    expect_close(lanes, stock, 1e-6);  // rounding grows from step to step
+}
+
+TEST(LanesEquivalence, BrokenFloesMoveAsInBullet) {
+    LanesScene lanes(solved_by(ConstraintSolver::lanes));
+    LanesScene stock(solved_by(ConstraintSolver::stock));
+    for (LanesScene* scene : {&lanes, &stock}) {
+        scene->step();
+        scene->break_joints(5);
+        for (int i = 0; i < 5; ++i) scene->step();
+    }
+    expect_close(lanes, stock, 1e-9);
+    EXPECT_EQ(vector_of(lanes.world.reaction(lanes.joints[5])).norm(), 0);
+}
+
+TEST(LanesEquivalence, EveryWidthGivesTheSameBits) {
+    std::vector<LanesScene> scenes;
+    for (const int width : lane_widths()) {
+        LanesScene& scene = scenes.emplace_back(solved_by(ConstraintSolver::lanes, width));
+        for (int i = 0; i < 40; ++i) {
+            if (i == 20) scene.break_joints(7);
+            scene.step();
+        }
+        for (std::size_t i = 0; i < scene.elements.size(); ++i) {
+            EXPECT_TRUE(same_bits(scene.world.state(scene.elements[i]), scenes[0].world.state(scene.elements[i])));
+        }
+    }
+}
+
+}  // namespace
+}  // namespace floes::test
