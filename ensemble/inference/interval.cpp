@@ -1,0 +1,53 @@
+#include "inference/interval.hpp"
+
+#include <fmt/format.h>
+
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
+
+#include "core/error.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+Interval mean_interval(std::span<const double> values, double confidence) {
+    if (!(confidence > 0 && confidence < 1)) {
+        throw InputError(fmt::format("A confidence of {} is none: it lies between 0 and 1, as 0.95 does.", confidence));
+    }
+    double sum = 0;
+    for (const double value : values) {
+        if (!std::isfinite(value)) {
+            throw InputError(fmt::format("A mean over {} members met the value {}; leave members without a result out.",
+                                         values.size(), value));
+        }
+        sum += value;
+    }
+    if (values.empty()) return {undefined, undefined, undefined, undefined, undefined};
+    const double count = static_cast<double>(values.size());
+    const double mean = sum / count;
+    if (values.size() == 1) return {mean, undefined, undefined, undefined, undefined};
+
+    double squares = 0;
+    for (const double value : values) squares += (value - mean) * (value - mean);
+    const double sd = std::sqrt(squares / (count - 1));
+    const boost::math::students_t distribution{count - 1};
+    const double t = boost::math::quantile(boost::math::complement(distribution, (1 - confidence) / 2));
+    const double of_mean = t * sd / std::sqrt(count);
+    const double of_run = t * sd * std::sqrt(1 + 1 / count);
+    return {mean, mean - of_mean, mean + of_mean, mean - of_run, mean + of_run};
+}
+
+Interval clipped(const Interval& interval, double least, double most) {
+    // NaN compares false both ways and so stays NaN.
+    const auto cut = [&](double value) { return value < least ? least : value > most ? most : value; };
+    return {cut(interval.estimate), cut(interval.low), cut(interval.high), cut(interval.prediction_low),
+            cut(interval.prediction_high)};
+}
+
+}  // namespace floes
