@@ -9,7 +9,7 @@
 
 namespace floes {
 
-enum class SolverKind { stock };                 ///< constraint solver of the world
+enum class SolverKind { stock, lanes };          ///< of the world: Bullet's own, or ours with many floes side by side
 enum class ThresholdForm { force, as_printed };  ///< of Eqs. (1)-(2): L_e T_e σ, or L_e T_e² σ as the paper prints them
 enum class ArrangementMethod { monte_carlo, lattice, file };
 enum class ArrangementStart { lattice, stripes };  ///< where the Monte Carlo chain begins; forgotten by its end
