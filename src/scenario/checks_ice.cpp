@@ -88,9 +88,10 @@ void check_time(const Scenario& scenario, Contradictions& found) {
                  given(scenario, "analysis.window_s"), steps, most_steps)});
         return;
     }
+    const std::size_t before = found.size();
     check_whole_steps(scenario, analysis.steady_start, "analysis.steady_start_s", found);
     check_whole_steps(scenario, analysis.window, "analysis.window_s", found);
-    if (!found.empty()) return;
+    if (found.size() > before) return;
     const int window_steps = scenario.step_count() - scenario.first_window_step();
     if (window_steps % analysis.segments != 0 || window_steps / analysis.segments < 2) {
         found.push_back(

@@ -70,7 +70,7 @@ struct ArrangementRule {
     ArrangementMethod method = ArrangementMethod::monte_carlo;
     ArrangementStart start = ArrangementStart::lattice;
     double clearance = 0.002;       ///< least gap kept between floes, and to walls, m
-    int sweeps = 4000;              ///< Monte Carlo sweeps with the frozen step size
+    int sweeps = 20000;             ///< Monte Carlo sweeps with the frozen step size
     double jitter = 0;              ///< lattice: largest random shift, m
     double jitter_angle = 0;        ///< lattice: largest random turn, rad
     std::string file;               ///< method file: CSV that the poses come from; empty once they are in `poses`

@@ -1,0 +1,74 @@
+#include "scenario/scenario.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/error.hpp"
+#include "keys/read.hpp"
+#include "scenario/keys.hpp"
+
+namespace floes {
+namespace {
+
+TEST(Scenario, DefaultsAreThePapersField) {
+    const Scenario scenario;
+    EXPECT_EQ(scenario.floe.elements_long(), 3);
+    EXPECT_EQ(scenario.floe.elements_broad(), 3);
+    EXPECT_NEAR(scenario.field_length(), 18.9, 1e-12);
+    EXPECT_NEAR(scenario.field_end(), 24.9, 1e-12);
+    EXPECT_EQ(scenario.step_count(), 11500);
+    EXPECT_EQ(scenario.first_window_step(), 4000);
+}
+
+// Table 2: maximum and waterline breadth, draught, depth. The straight wall through them stands at 45°.
+TEST(Scenario, DefaultProfileIsTheStructureOfTable2) {
+    const Scenario scenario;
+    const auto& profile = scenario.structure.profile;
+    EXPECT_NEAR(2 * profile.back().radius, 1.472, 1e-12);
+    EXPECT_NEAR(2 * scenario.waterline_radius(), 1.228, 1e-12);
+    EXPECT_NEAR(-profile.front().height, 0.443, 1e-12);
+    EXPECT_NEAR(profile.back().height - profile.front().height, 0.565, 1e-12);
+    EXPECT_NEAR(profile.back().height - profile.front().height, profile.back().radius - profile.front().radius, 1e-12);
+}
+
+TEST(Scenario, WaterlineRadiusOfARingIsTheLarger) {
+    Scenario scenario;
+    scenario.structure.profile = {{-1, 0.2}, {0, 0.3}, {0, 0.5}, {1, 0.6}};
+    EXPECT_EQ(scenario.waterline_radius(), 0.5);
+    scenario.structure.profile = {{-1, 0.2}, {-0.5, 0.3}};
+    EXPECT_EQ(scenario.waterline_radius(), 0);
+}
+
+TEST(ScenarioKeys, PathsAreUniqueAndNamed) {
+    Scenario scenario;
+    std::set<std::string> paths;
+    for (const Key& key : describe(scenario)) {
+        EXPECT_TRUE(paths.insert(key.path).second) << key.path;
+        EXPECT_TRUE(scenario_titles().contains(key.table())) << key.path;
+        EXPECT_FALSE(key.doc.empty()) << key.path;
+        EXPECT_FALSE(key.source.empty()) << key.path;
+        EXPECT_EQ(key.doc.back(), '.') << key.path;
+    }
+}
+
+// The defaults must be in their own ranges, and what is written must read back bit for bit.
+TEST(ScenarioKeys, DefaultsReadBackEqual) {
+    Scenario written;
+    const std::string text = write_tables(describe(written), scenario_titles(), Comments::all);
+    Scenario read_back;
+    Keys keys = describe(read_back);
+    read_back.general.iterations = 1;
+    read_back.structure.profile.clear();
+    for (const Entry& entry : parse_document(text, "f").entries) assign_known(keys, entry);
+    EXPECT_TRUE(differences(written, read_back).empty());
+    EXPECT_EQ(canonical_text(written), canonical_text(read_back));
+}
+
+TEST(ScenarioKeys, GivenShowsTheValueInTheUnitOfTheKey) {
+    EXPECT_EQ(given(Scenario{}, "ice.bending_strength_kPa"), "ice.bending_strength_kPa = 36.4");
+    EXPECT_EQ(given(Scenario{}, "field.concentration_percent"), "field.concentration_percent = 75.0");
+}
+
+}  // namespace
+}  // namespace floes

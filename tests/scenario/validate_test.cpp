@@ -1,0 +1,206 @@
+// Every contradiction with its exact sentence, and the borders that are none.
+
+#include "scenario/validate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "core/error.hpp"
+
+namespace floes {
+namespace {
+
+using Change = std::function<void(Scenario&)>;
+
+std::string sentence(const Change& change) {
+    Scenario scenario;
+    change(scenario);
+    try {
+        validate(scenario);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "consistent";
+}
+
+void use_file(Scenario& s) {
+    s.arrangement.method = ArrangementMethod::file;
+    s.field.floes = 2;
+    s.field.concentration = 0.01;  // 15 m
+    s.structure.speed = 0.05;
+    s.arrangement.poses = {{6.3, 0, 0}, {20.7, 2.1, 0}};
+}
+
+TEST(Validate, DefaultsAreConsistent) {
+    EXPECT_EQ(sentence([](Scenario&) {}), "consistent");
+}
+
+TEST(Validate, EveryContradictionIsOneSentence) {
+    const std::pair<Change, const char*> cases[] = {
+        {[](Scenario& s) { s.floe.element = 0.25; },
+         "floe.element_m = 0.25 does not divide floe.length_m = 0.6; the nearest side that does is 0.3"},
+        {[](Scenario& s) { s.floe.breadth = 0.5; },
+         "floe.element_m = 0.2 does not divide floe.breadth_m = 0.5; the nearest side that does is 0.166667"},
+        {[](Scenario& s) { s.floe.element = 1.2; },
+         "floe.element_m = 1.2 does not divide floe.length_m = 0.6; the nearest side that does is 0.6"},
+        {[](Scenario& s) { s.floe.element = 0.001; },
+         "floe.element_m = 0.001 with field.floes = 189 makes 6.804e+07 elements, more than the 1e+07 a member may "
+         "have; take "
+         "larger elements or fewer floes"},
+        {[](Scenario& s) { s.ice.density = 1000; },
+         "ice.density_kg_m3 = 1000.0 is not below water.density_kg_m3 = 1000.0, so the ice sinks; lower the ice's "
+         "density"},
+        {[](Scenario& s) { s.ice.thickness = 0.001; },
+         "general.time_step_s = 0.02 is too long for ice.thickness_m = 0.001: floating ice heaves at 102.7 rad/s there "
+         "and "
+         "diverges; take a step below 0.01947"},
+        {[](Scenario& s) { s.general.time_step = 1e-6; },
+         "general.time_step_s = 1e-06 with analysis.steady_start_s = 80.0 and analysis.window_s = 150.0 makes 2.3e+08 "
+         "steps, "
+         "more than the 1e+08 a run may have; take a longer step or a shorter run"},
+        {[](Scenario& s) { s.analysis.steady_start = 80.01; },
+         "analysis.steady_start_s = 80.01 is not a whole number of steps of general.time_step_s = 0.02; the nearest "
+         "that is: "
+         "80.02"},
+        {[](Scenario& s) { s.analysis.window = 0.005; },
+         "analysis.window_s = 0.005 is not a whole number of steps of general.time_step_s = 0.02; the nearest that is: "
+         "0.02"},
+        {[](Scenario& s) { s.analysis.segments = 7; },
+         "analysis.segments = 7 does not cut analysis.window_s = 150.0 (7500 steps) into equal parts of at least 2 "
+         "steps; "
+         "change one of them"},
+        {[](Scenario& s) { s.analysis.segments = 7500; },
+         "analysis.segments = 7500 does not cut analysis.window_s = 150.0 (7500 steps) into equal parts of at least 2 "
+         "steps; "
+         "change one of them"},
+        {[](Scenario& s) {
+             s.structure.profile = {{0, 1}};
+         },
+         "structure.profile_m = [[0.0, 1.0]] is not a body; give at least two [height_m, radius_m] points"},
+        {[](Scenario& s) {
+             s.structure.profile = {{-1, 1}, {1, 1}, {0.5, 1}};
+         },
+         "structure.profile_m = [[-1.0, 1.0], [1.0, 1.0], [0.5, 1.0]] has a height that falls; give the points from "
+         "the keel "
+         "up"},
+        {[](Scenario& s) {
+             s.structure.profile = {{0, 1}, {1, 1}};
+         },
+         "structure.profile_m = [[0.0, 1.0], [1.0, 1.0]] does not span the waterline; give points below and above "
+         "height 0"},
+        {[](Scenario& s) {
+             s.structure.profile = {{-1, 1}, {0, 0}, {1, 0}};
+         },
+         "structure.profile_m = [[-1.0, 1.0], [0.0, 0.0], [1.0, 0.0]] has no radius at the waterline; make its radius "
+         "at height "
+         "0 greater than 0"},
+        {[](Scenario& s) { s.general.runaway_speed = 0.07; },
+         "structure.speed_m_s = 0.07 is not below general.runaway_speed_m_s = 0.07, so ice pushed by the structure "
+         "would count "
+         "as run away; raise the limit"},
+        {[](Scenario& s) { s.field.half_width = 0.6; },
+         "the structure's waterline radius of 0.614 m does not fit between the ice sheets at field.half_width_m = 0.6; "
+         "widen "
+         "the field or make the structure slimmer"},
+        {[](Scenario& s) { s.structure.start = 5.5; },
+         "structure.start_m = 5.5 puts the structure's waterline to x = 6.114 m, inside the ice that begins at "
+         "field.begin_m = "
+         "6.0; start before 5.386"},
+        {[](Scenario& s) { s.structure.speed = 0.01; },
+         "the tow never reaches the ice: with structure.start_m = 2.0 and structure.speed_m_s = 0.01 the structure's "
+         "waterline "
+         "ends at x = 4.914 m after 230 s, before field.begin_m = 6.0; start nearer, tow faster or longer"},
+        {[](Scenario& s) { s.analysis.window = 300; },
+         "the tow runs into the ice sheet at the far end: with structure.start_m = 2.0 and structure.speed_m_s = 0.07 "
+         "the "
+         "structure's waterline ends at x = 29.21 m after 380 s, past the field's end at 24.9 m; tow for a shorter "
+         "time or take "
+         "more floes"},
+        {[](Scenario& s) {
+             s.analysis.window = 300;
+             s.field.far_end = FarEnd::open;
+         },
+         "the tow runs out of the ice: with structure.start_m = 2.0 and structure.speed_m_s = 0.07 the structure's "
+         "waterline "
+         "ends at x = 29.21 m after 380 s, past the field's end at 24.9 m; tow for a shorter time or take more floes"},
+        {[](Scenario& s) {
+             s.field.concentration = 0.95;
+             s.analysis.window = 120;
+         },
+         "field.concentration_percent = 95.0 cannot hold field.floes = 189 with arrangement.clearance_m = 0.002: the "
+         "field of "
+         "14.92 m x 4.8 m has room for 7 rows of 24; lower the concentration or the clearance, or change the width so "
+         "that "
+         "whole rows fit"},
+        {[](Scenario& s) { s.arrangement.clearance = 0.2; },
+         "field.concentration_percent = 75.0 cannot hold field.floes = 189 with arrangement.clearance_m = 0.2: the "
+         "field of "
+         "18.9 m x 4.8 m has room for 5 rows of 23; lower the concentration or the clearance, or change the width so "
+         "that whole "
+         "rows fit"},
+        {[](Scenario& s) { s.arrangement.clearance = 9; },
+         "field.concentration_percent = 75.0 cannot hold field.floes = 189 with arrangement.clearance_m = 9.0: the "
+         "field of "
+         "18.9 m x 4.8 m has room for 0 rows of 1; lower the concentration or the clearance, or change the width so "
+         "that whole "
+         "rows fit"},
+        {[](Scenario& s) {
+             s.arrangement.poses = {{7, 0, 0}};
+         },
+         "arrangement.method = \"monte_carlo\" does not use the 1 poses given; write arrangement.method = \"file\" or "
+         "leave the "
+         "poses out"},
+        {[](Scenario& s) { s.arrangement.method = ArrangementMethod::file; },
+         "arrangement.method = \"file\" needs poses; give arrangement.file or arrangement.poses"},
+        {[](Scenario& s) {
+             use_file(s);
+             s.arrangement.poses.pop_back();
+         },
+         "field.floes = 2 is not the number of poses given, 1; make them agree"},
+        {[](Scenario& s) {
+             use_file(s);
+             s.arrangement.poses[1].x = 20.8;
+         },
+         "arrangement.poses[1] puts a corner of a floe 0.1 m outside the field, x from 6 to 21 m and |z| up to 2.4 m; "
+         "move it, "
+         "or correct the field"},
+        {[](Scenario& s) {
+             use_file(s);
+             s.arrangement.poses[0].yaw = 0.25 * 3.141592653589793;
+         },
+         "arrangement.poses[0] puts a corner of a floe 0.1243 m outside the field, x from 6 to 21 m and |z| up to 2.4 "
+         "m; move "
+         "it, or correct the field"},
+    };
+    for (const auto& [change, expected] : cases) EXPECT_EQ(sentence(change), expected);
+}
+
+TEST(Validate, BordersAreConsistent) {
+    EXPECT_EQ(sentence(use_file), "consistent");
+    EXPECT_EQ(sentence([](Scenario& s) { s.analysis.segments = 3750; }), "consistent");  // parts of exactly 2 steps
+    EXPECT_EQ(sentence([](Scenario& s) { s.floe.element = 0.6; }), "consistent");        // one element a floe
+    EXPECT_EQ(sentence([](Scenario& s) { s.analysis.steady_start = 0; }), "consistent");
+    EXPECT_EQ(sentence([](Scenario& s) {
+                  s.structure.profile = {{-1, 0.2}, {0, 0.3}, {0, 0.5}, {1, 0.6}};
+              }),
+              "consistent");
+    EXPECT_EQ(sentence([](Scenario& s) {
+                  s.structure.start = 5.386;
+                  s.analysis.window = 120;
+              }),
+              "consistent");
+}
+
+TEST(Validate, FirstKeyNamedIsAKey) {
+    Scenario scenario;
+    scenario.floe.element = 0.25;
+    scenario.analysis.segments = 7;
+    const std::vector<Contradiction> found = find_contradictions(scenario);
+    ASSERT_EQ(found.size(), 2u);
+    EXPECT_EQ(found[0].keys, (std::vector<std::string>{"floe.element_m", "floe.length_m"}));
+    EXPECT_EQ(found[1].keys.front(), "analysis.segments");
+}
+
+}  // namespace
+}  // namespace floes
