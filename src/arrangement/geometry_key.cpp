@@ -1,9 +1,9 @@
 #include <fmt/format.h>
-#include <xxhash.h>
 
 #include <string>
 
 #include "arrangement/arrangement.hpp"
+#include "core/hash.hpp"
 
 namespace floes {
 
@@ -16,7 +16,7 @@ std::uint64_t geometry_key(const Scenario& scenario) {
                                    field.half_width, static_cast<int>(rule.method), static_cast<int>(rule.start),
                                    rule.clearance, rule.sweeps, rule.jitter, rule.jitter_angle);
     for (const PlanarPose& pose : rule.poses) text += fmt::format("pose {} {} {}\n", pose.x, pose.z, pose.yaw);
-    return XXH3_64bits(text.data(), text.size());
+    return digest64(text);
 }
 
 }  // namespace floes

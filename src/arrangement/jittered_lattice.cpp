@@ -1,0 +1,61 @@
+#include "arrangement/jittered_lattice.hpp"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "arrangement/starts.hpp"
+#include "core/error.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr int trials = 10'000;
+
+PlanarPose jittered(const PlanarPose& site, const Jitter& jitter, RandomStream& random) {
+    PlanarPose pose = site;
+    pose.x += random.uniform(-jitter.shift, jitter.shift);
+    pose.z += random.uniform(-jitter.shift, jitter.shift);
+    pose.yaw += random.uniform(-jitter.turn, jitter.turn);
+    return pose;
+}
+
+}  // namespace
+
+std::vector<PlanarPose> jittered_lattice(const Walls& walls, const Rectangle& shape, double clearance, int count,
+                                         const Jitter& jitter, RandomStream& random) {
+    std::vector<PlanarPose> poses = lattice_start(walls, shape, clearance, count);
+    if (jitter.shift == 0 && jitter.turn == 0) return poses;
+    const Walls room = walls.shrunk(clearance);
+    const Rectangle grown = shape.grown(0.5 * clearance);
+    std::vector<Turn> turns(poses.size());
+    const auto place = [&](std::size_t floe, const PlanarPose& pose) {
+        const Turn turn = turn_of(pose.yaw);
+        if (!room.admits(shape, pose.x, pose.z, turn)) return false;
+        for (std::size_t other = 0; other < poses.size(); ++other) {
+            if (other == floe) continue;
+            if (overlap(grown, turn, turns[other], poses[other].x - pose.x, poses[other].z - pose.z)) return false;
+        }
+        poses[floe] = pose;
+        turns[floe] = turn;
+        return true;
+    };
+    // A floe's turn comes while those after it still lie on their sites, so no floe is ever asked to lie on another.
+    for (std::size_t floe = 0; floe < poses.size(); ++floe) {
+        const PlanarPose site = poses[floe];
+        int trial = 0;
+        while (!place(floe, jittered(site, jitter, random))) {
+            if (++trial < trials) continue;
+            throw InputError(
+                fmt::format("the jittered lattice has no room for floe {} of {} ({} trials with shifts up to {} m and "
+                            "turns up to {:.4g}°); "
+                            "lower arrangement.jitter_m or arrangement.jitter_angle_deg, or use arrangement.method = "
+                            "\"monte_carlo\"",
+                            floe, count, trials, jitter.shift, jitter.turn * 180 / std::numbers::pi));
+        }
+    }
+    return poses;
+}
+
+}  // namespace floes

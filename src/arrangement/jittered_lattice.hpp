@@ -1,0 +1,25 @@
+#pragma once
+// A lattice whose floes are shifted and turned at random, each about its own site: a broken sheet that has not drifted.
+
+#include <vector>
+
+#include "arrangement/boundary.hpp"
+#include "arrangement/rectangle.hpp"
+#include "core/random.hpp"
+#include "core/vector.hpp"
+
+namespace floes {
+
+/// Largest shift along x and along z (m) and largest turn (rad) of a floe from its site.
+struct Jitter {
+    double shift = 0;
+    double turn = 0;
+};
+
+/// count floes at least clearance (m) apart and from the walls, each uniformly distributed over the positions within
+/// its jitter that the others leave free. Floes that fit on no lattice, and a floe that finds no such position in 10
+/// 000 trials, are an InputError.
+std::vector<PlanarPose> jittered_lattice(const Walls& walls, const Rectangle& shape, double clearance, int count,
+                                         const Jitter& jitter, RandomStream& random);
+
+}  // namespace floes
