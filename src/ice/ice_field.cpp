@@ -57,16 +57,20 @@ void IceField::add_floe(World& world, const Scenario& scenario, const PlanarPose
 
 int IceField::break_joints(World& world, double time) {
     const std::size_t before = breaks_.size();
-    std::erase_if(joints_, [&](const Joint& joint) {
+    auto kept = joints_.begin();
+    for (const Joint& joint : joints_) {
         const JointReaction reaction = world.reaction(joint.id);
         peaks_ = raised(peaks_, reaction);
         const std::optional<FailureMode> mode = failure(reaction, thresholds_);
-        if (!mode) return false;
+        if (!mode) {
+            *kept++ = joint;
+            continue;
+        }
         world.remove_joint(joint.id);
         expose_edges(joint);
         breaks_.push_back({time, joint.floe, joint.number, *mode});
-        return true;
-    });
+    }
+    joints_.erase(kept, joints_.end());
     for (std::size_t i = before; i < breaks_.size(); ++i) {
         if (i == before || breaks_[i].floe != breaks_[i - 1].floe) split_pieces(world, breaks_[i].floe);
     }

@@ -1,0 +1,104 @@
+// Floes as they are put on the water: where they float, that they stay at rest, that they do not touch themselves.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "ice_scene.hpp"
+
+namespace floes::test {
+namespace {
+
+constexpr double gravity = 9.81;
+
+/// Buoyancy of an element that is neither dry nor under water, for small tilts: ρ_w g L² times the draught, and the
+/// righting moment of its waterplane, ρ_w g L⁴ / 12 times the tilt.
+Wrench buoyancy(const Scenario& scenario, const BodyState& state) {
+    const double side = scenario.floe.element;
+    const double stiffness = scenario.water.density * gravity * side * side;
+    const double draught = scenario.ice.thickness / 2 - state.position.y();
+    const Vec3 tilt = Vec3::UnitY().cross(state.rotation.col(1));
+    return {Vec3(0, stiffness * draught, 0), -stiffness * side * side / 12 * tilt};
+}
+
+TEST(IceFloating, BeginsAtTheDraughtOfArchimedes) {
+    const Scenario scenario;
+    World world{WorldDefinition{}};
+    const IceField ice(world, scenario, std::vector<PlanarPose>{{5, 1, 0.3}});
+    for (const IceElement& element : ice.elements()) {
+        const double lower_face = world.state(element.body).position.y() - scenario.ice.thickness / 2;
+        EXPECT_NEAR(lower_face, -0.93 * 0.033, 1e-12);
+    }
+}
+
+TEST(IceFloating, LaysElementsWhereThePoseSays) {
+    Scenario scenario;
+    scenario.floe.length = 0.4;  // 2 x 3 elements
+    World world{WorldDefinition{}};
+    const double yaw = 0.4;
+    const IceField ice(world, scenario, std::vector<PlanarPose>{{0, 0, 0}, {5, 1, yaw}});
+    ASSERT_EQ(ice.elements().size(), 12u);
+    EXPECT_EQ(ice.live_joints(), 2 * 7);
+    const Vec3 along(std::cos(yaw), 0, -std::sin(yaw));  // +z turns to +x
+    const Vec3 across(std::sin(yaw), 0, std::cos(yaw));
+    const Vec3 corner = world.state(ice.elements()[6].body).position;
+    EXPECT_NEAR((corner - Vec3(5, corner.y(), 1) + 0.1 * along + 0.2 * across).norm(), 0, 1e-12);
+    const Vec3 next = world.state(ice.elements()[7].body).position;
+    EXPECT_NEAR((next - corner - 0.2 * along).norm(), 0, 1e-12);
+    EXPECT_NEAR((world.state(ice.elements()[7].body).rotation.col(0) - along).norm(), 0, 1e-12);
+    const Vec3 beside = world.state(ice.elements()[8].body).position;
+    EXPECT_NEAR((beside - corner - 0.2 * across).norm(), 0, 1e-12);
+}
+
+TEST(IceFloating, StaysAtRestForAMinute) {
+    const Scenario scenario;
+    World world{WorldDefinition{}};
+    IceField ice(world, scenario, std::vector<PlanarPose>{{5, 1, 0.3}});
+    std::vector<Vec3> start;
+    for (const IceElement& element : ice.elements()) start.push_back(world.state(element.body).position);
+    for (int step = 0; step < 3000; ++step) {
+        for (const IceElement& element : ice.elements()) {
+            world.apply(element.body, buoyancy(scenario, world.state(element.body)));
+        }
+        world.step();
+        ice.break_joints(world, (step + 1) * 0.02);
+    }
+    for (std::size_t i = 0; i < start.size(); ++i) {
+        const BodyState state = world.state(ice.elements()[i].body);
+        EXPECT_LT((state.position - start[i]).norm(), 1e-9);
+        EXPECT_LT(state.velocity.norm(), 1e-9);
+        EXPECT_LT(state.spin.norm(), 1e-9);
+    }
+    EXPECT_EQ(ice.broken_floes(), 0);
+    EXPECT_LT(ice.peaks().bending, 1e-6);
+}
+
+// Bent, sheared and squeezed at once, neighbours and diagonal neighbours overlap; they are one piece and do not touch.
+TEST(IceFloating, DoesNotTouchItself) {
+    Scenario scenario;
+    scenario.joint.cfm = 0.1;  // soft
+    scenario.ice.bending_strength = scenario.ice.compressive_strength = scenario.ice.shear_strength = 1e9;
+    World world = weightless_world();
+    IceField ice(world, scenario, std::vector<PlanarPose>{{0, 0, 0}});
+    double closest = 1;
+    for (int step = 0; step < 200; ++step) {
+        for (const IceElement& element : ice.elements()) {
+            const Vec3 place = FloeGrid{3, 3, 0.2}.centre(element.index);
+            world.apply(element.body, {-300 * place, Vec3(place.z(), 0, -place.x())});
+        }
+        world.step();
+        ice.break_joints(world, 0);
+        for (const IceElement& element : ice.elements()) {
+            EXPECT_EQ(world.contact_force(element.body), Vec3(0, 0, 0));
+        }
+        const Vec3 diagonal =
+            world.state(ice.elements()[4].body).position - world.state(ice.elements()[0].body).position;
+        closest = std::min(closest, std::max(std::abs(diagonal.x()), std::abs(diagonal.z())));
+    }
+    EXPECT_LT(closest, 0.2 - 1e-3) << "the load must make diagonal neighbours overlap";
+}
+
+}  // namespace
+}  // namespace floes::test
