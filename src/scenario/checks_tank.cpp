@@ -122,8 +122,8 @@ void check_poses(const Scenario& scenario, Contradictions& found) {
         found.push_back(
             {{"arrangement.method", "arrangement.poses", "arrangement.file"},
              fmt::format(
-                 "{} does not use the {} poses given; write arrangement.method = \"file\" or leave the poses out",
-                 given(scenario, "arrangement.method"), poses.size())});
+                 "{} does not use arrangement.poses; write arrangement.method = \"file\" or leave the poses out",
+                 given(scenario, "arrangement.method"))});
         return;
     }
     if (poses.empty()) {

@@ -148,7 +148,7 @@ TEST(Validate, EveryContradictionIsOneSentence) {
         {[](Scenario& s) {
              s.arrangement.poses = {{7, 0, 0}};
          },
-         "arrangement.method = \"monte_carlo\" does not use the 1 poses given; write arrangement.method = \"file\" or "
+         "arrangement.method = \"monte_carlo\" does not use arrangement.poses; write arrangement.method = \"file\" or "
          "leave the "
          "poses out"},
         {[](Scenario& s) { s.arrangement.method = ArrangementMethod::file; },

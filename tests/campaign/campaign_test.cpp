@@ -1,0 +1,209 @@
+// What a campaign is: members, fingerprints, differences, and that its text says all of it.
+
+#include "campaign/campaign.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "campaign/campaign_keys.hpp"
+#include "scenario/keys.hpp"
+
+namespace floes {
+namespace {
+
+Campaign sample() {
+    Campaign campaign{"sample", 7, 4, {{"E30", {}}, {"E60", {}}, {"E200", {}}}};
+    campaign.cases[0].scenario.joint.cfm = 0.03;
+    campaign.cases[0].scenario.ice.elastic_modulus = 30e6;
+    campaign.cases[2].scenario.joint.cfm = 1e-10;
+    campaign.cases[2].scenario.ice.elastic_modulus = 200e6;
+    return campaign;
+}
+
+/// A change of one field that stays within its kind.
+struct Perturb {
+    void operator()(const NumberField& field) const { *field.value = *field.value * 1.0000001 + 1e-12; }
+    void operator()(const IntegerField& field) const { field.set(field.get() + 1); }
+    void operator()(const SwitchField& field) const { *field.value = !*field.value; }
+    void operator()(const WordField& field) const { field.set((field.get() + 1) % field.words.size()); }
+    void operator()(const TextField& field) const { *field.value += "x"; }
+    void operator()(const RowsField& field) const {
+        auto rows = field.get();
+        rows.emplace_back(field.columns.size(), 0.5);
+        field.set(rows);
+    }
+};
+
+bool can_change(const Key& key) {
+    const auto* word = std::get_if<WordField>(&key.field);
+    return word == nullptr || word->words.size() > 1;
+}
+
+std::string text_of(const std::string& path) {
+    std::ifstream file(std::string(FLOES_SOURCE_DIR) + "/" + path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(Campaign, MembersAreArrangementMajor) {
+    const Campaign campaign = sample();
+    EXPECT_EQ(member_count(campaign), 12);
+    std::set<std::pair<int, int>> seen;
+    for (int number = 0; number < member_count(campaign); ++number) {
+        const MemberKey key = member_key(campaign, number);
+        EXPECT_EQ(number, key.arrangement * 3 + key.case_index);
+        seen.insert({key.case_index, key.arrangement});
+    }
+    EXPECT_EQ(seen.size(), 12u);
+}
+
+TEST(Campaign, MoreArrangementsKeepTheNumbersOfTheFirst) {
+    Campaign more = sample();
+    more.arrangements = 40;
+    for (int number = 0; number < member_count(sample()); ++number) {
+        EXPECT_EQ(member_key(more, number), member_key(sample(), number));
+    }
+}
+
+TEST(Campaign, CostIsStepsTimesElements) {
+    Campaign campaign = sample();
+    EXPECT_EQ(expected_cost(campaign, 0), 11500.0 * 189 * 9);
+    campaign.cases[1].scenario.floe.element = 0.1;
+    EXPECT_EQ(expected_cost(campaign, 1), 4 * expected_cost(campaign, 0));
+}
+
+TEST(Fingerprint, EveryKeyCounts) {
+    const Campaign campaign = sample();
+    Campaign changed = sample();
+    std::set<std::string> digests{fingerprint(campaign)};
+    std::set<std::string> case_digests{case_fingerprint(campaign, 1)};
+    int keys_changed = 0;
+    for (std::size_t i = 0; i < describe(changed.cases[1].scenario).size(); ++i) {
+        changed = sample();
+        const Key key = describe(changed.cases[1].scenario)[i];
+        if (!can_change(key)) continue;
+        std::visit(Perturb{}, key.field);
+        ++keys_changed;
+        EXPECT_TRUE(digests.insert(fingerprint(changed)).second) << key.path;
+        EXPECT_TRUE(case_digests.insert(case_fingerprint(changed, 1)).second) << key.path;
+        EXPECT_EQ(case_fingerprint(changed, 0), case_fingerprint(campaign, 0)) << key.path;
+        const std::vector<std::string> lines = differences(campaign, changed);
+        ASSERT_EQ(lines.size(), 1u) << key.path;
+        EXPECT_TRUE(lines[0].starts_with("case E60: " + key.path + ": ")) << lines[0];
+    }
+    EXPECT_GT(keys_changed, 50);
+}
+
+TEST(Fingerprint, SeedArrangementsAndCaseNamesCountForTheCampaign) {
+    const std::string before = fingerprint(sample());
+    Campaign changed = sample();
+    changed.seed = 8;
+    EXPECT_NE(fingerprint(changed), before);
+    EXPECT_NE(case_fingerprint(changed, 0), case_fingerprint(sample(), 0));
+    changed = sample();
+    changed.arrangements = 5;
+    EXPECT_NE(fingerprint(changed), before);
+    EXPECT_EQ(case_fingerprint(changed, 0), case_fingerprint(sample(), 0));
+    changed = sample();
+    changed.cases[0].name = "soft";
+    EXPECT_NE(fingerprint(changed), before);
+    EXPECT_EQ(case_fingerprint(changed, 0), case_fingerprint(sample(), 0));
+    changed = sample();
+    changed.name = "another";
+    EXPECT_EQ(fingerprint(changed), before);
+    EXPECT_TRUE(differences(changed, sample()).empty());
+    EXPECT_EQ(before.size(), 32u);
+}
+
+TEST(Differences, SharedLinesAreGivenOnce) {
+    Campaign here = sample();
+    for (Case& one : here.cases) one.scenario.general.iterations = 20;
+    here.seed = 8;
+    here.cases[2].scenario.joint.cfm = 0.001;
+    const std::vector<std::string> expected{"campaign.seed: 7 there, 8 here", "general.iterations: 50 there, 20 here",
+                                            "case E200: joint.cfm: 1e-10 there, 0.001 here"};
+    EXPECT_EQ(differences(sample(), here), expected);
+}
+
+TEST(Differences, OtherCasesAreNamed) {
+    Campaign here = sample();
+    here.cases.pop_back();
+    EXPECT_EQ(differences(sample(), here), std::vector<std::string>{"cases: E30, E60, E200 there, E30, E60 here"});
+}
+
+TEST(WriteCampaign, ReadsBackEqual) {
+    Campaign written = sample();
+    written.cases[1].scenario.structure.profile = {{-1.0 / 3, 0.1}, {0.0, 0.5}, {0.0, 0.6}, {0.2, 0.7}};
+    written.cases[2].scenario.field.far_end = FarEnd::open;
+    for (Case& one : written.cases) one.scenario.ice.thickness = 0.1 * 0.3;
+    const std::string text = write_campaign(written);
+    const Campaign read_back = read_campaign({text, "other.toml", {}}, nullptr);
+    EXPECT_EQ(read_back.name, "sample");
+    EXPECT_EQ(fingerprint(read_back), fingerprint(written));
+    EXPECT_TRUE(differences(written, read_back).empty());
+    EXPECT_EQ(write_campaign(read_back), text);
+}
+
+TEST(WriteCampaign, GivenPosesReadBackBitForBit) {
+    Scenario scenario;
+    scenario.arrangement.method = ArrangementMethod::file;
+    scenario.field.floes = 9;
+    scenario.field.concentration = 0.05;
+    for (int i = 0; i < 9; ++i) scenario.arrangement.poses.push_back({7.0 + 0.7 * i, 0.1 * i, 1.1 * i * unit::degree});
+    const Campaign written{"poses", 1, 1, {{"one", scenario}}};
+    const Campaign read_back = read_campaign({write_campaign(written), "f.toml", {}}, nullptr);
+    EXPECT_EQ(fingerprint(read_back), fingerprint(written));
+}
+
+TEST(WriteCampaign, CasesListOnlyWhatDiffers) {
+    const std::string text = write_campaign(sample());
+    const std::string cases = text.substr(text.find("[[case]]"));
+    EXPECT_EQ(cases,
+              "[[case]]\nname = \"E30\"\nice.elastic_modulus_MPa = 30.0\njoint.cfm = 0.03\n\n"
+              "[[case]]\nname = \"E60\"\nice.elastic_modulus_MPa = 60.0\njoint.cfm = 0.016\n\n"
+              "[[case]]\nname = \"E200\"\nice.elastic_modulus_MPa = 200.0\njoint.cfm = 1e-10\n");
+}
+
+TEST(Configurations, DefaultsAreAConfigurationThatSaysTheDefaults) {
+    const Campaign campaign = read_campaign({default_configuration(), "defaults.toml", {}}, nullptr);
+    const Campaign empty = read_campaign({"", "defaults.toml", {}}, nullptr);
+    EXPECT_EQ(fingerprint(campaign), fingerprint(empty));
+    EXPECT_EQ(campaign.name, "defaults");
+}
+
+TEST(Configurations, Table3IsThePapersCaseAndPairs) {
+    const Campaign table3 = read_campaign({text_of("configs/table3.toml"), "configs/table3.toml", {}}, nullptr);
+    EXPECT_EQ(table3.arrangements, 12);
+    ASSERT_EQ(table3.cases.size(), 3u);
+    const std::pair<double, double> pairs[] = {{30e6, 0.03}, {60e6, 0.016}, {200e6, 1e-10}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        Scenario expected;
+        expected.ice.elastic_modulus = pairs[i].first;
+        expected.joint.cfm = pairs[i].second;
+        EXPECT_TRUE(differences(table3.cases[i].scenario, expected).empty()) << table3.cases[i].name;
+    }
+    const Campaign hundred =
+        read_campaign({text_of("configs/ensemble_100.toml"), "configs/ensemble_100.toml", {}}, nullptr);
+    EXPECT_EQ(differences(table3, hundred), std::vector<std::string>{"campaign.arrangements: 12 there, 100 here"});
+}
+
+TEST(Configurations, PageHasTheReferenceThatTheProgramPrints) {
+    const std::string page = text_of("docs/configuration.md");
+    EXPECT_NE(page.find(reference_markdown()), std::string::npos)
+        << "docs/configuration.md does not contain what `floes config --reference` prints";
+}
+
+TEST(Configurations, ReferenceNamesEveryKeyOnce) {
+    std::set<std::string> keys;
+    for (const KeyDescription& line : reference()) {
+        EXPECT_TRUE(keys.insert(line.key).second) << line.key;
+        EXPECT_NE(reference_markdown().find("| `" + line.key + "` |"), std::string::npos) << line.key;
+    }
+    Scenario scenario;
+    EXPECT_EQ(keys.size(), describe(scenario).size() + 3);
+}
+
+}  // namespace
+}  // namespace floes

@@ -1,0 +1,241 @@
+// Reading campaigns: cases, overrides, pose files, and every message with its exact text.
+
+#include <gtest/gtest.h>
+
+#include "campaign/campaign.hpp"
+#include "campaign/campaign_keys.hpp"
+#include "core/error.hpp"
+#include "scenario/keys.hpp"
+
+namespace floes {
+namespace {
+
+const char* const three_cases = R"([campaign]
+seed = 7
+arrangements = 12
+
+[ice]
+thickness_m = 0.03
+
+[[case]]
+name = "E30"
+elastic_modulus_MPa = 30.0
+cfm = 0.03
+
+[[case]]
+name = "E60"
+
+[[case]]
+name = "E200"
+ice.elastic_modulus_MPa = 200.0
+joint.cfm = 1e-10
+)";
+
+std::string load_poses(const std::string& path) {
+    if (path == "configs/poses.csv") return "x_m, z_m, yaw_deg\r\n6.3, 0.0, 0.0\n\n20.7, 2.1, 90\n";
+    if (path == "configs/header.csv") return "x,z,yaw\n6.3,0,0\n";
+    if (path == "configs/word.csv") return "x_m,z_m,yaw_deg\n6.3,0,0\n6.3,zero,0\n";
+    if (path == "configs/four.csv") return "x_m,z_m,yaw_deg\n6.3,0,0,0\n";
+    if (path == "configs/far.csv") return "x_m,z_m,yaw_deg\n6.3,1e6,0\n";
+    if (path == "configs/empty.csv") return "x_m,z_m,yaw_deg\n\n";
+    throw InputError(path + ": this file cannot be read");
+}
+
+Campaign read(const std::string& text, const std::vector<std::string>& overrides = {}) {
+    return read_campaign({text, "configs/a.toml", overrides}, load_poses);
+}
+
+std::string message(const std::string& text, const std::vector<std::string>& overrides = {}) {
+    try {
+        read(text, overrides);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+/// Two floes in a channel of 15 m, poses to come from `file`.
+std::string with_file(const std::string& file) {
+    return "[arrangement]\nmethod = \"file\"\nfile = \"" + file +
+           "\"\n[field]\nfloes = 2\nconcentration_percent = 1\n[structure]\nspeed_m_s = 0.05\n";
+}
+
+TEST(ReadCampaign, CasesOverrideTheTables) {
+    const Campaign campaign = read(three_cases);
+    EXPECT_EQ(campaign.name, "a");
+    EXPECT_EQ(campaign.seed, 7u);
+    EXPECT_EQ(campaign.arrangements, 12);
+    ASSERT_EQ(campaign.cases.size(), 3u);
+    EXPECT_EQ(campaign.cases[0].name, "E30");
+    EXPECT_EQ(campaign.cases[0].scenario.joint.cfm, 0.03);
+    EXPECT_EQ(campaign.cases[0].scenario.ice.elastic_modulus, 30e6);
+    EXPECT_EQ(campaign.cases[1].scenario.joint.cfm, 0.016);
+    EXPECT_EQ(campaign.cases[2].scenario.joint.cfm, 1e-10);
+    EXPECT_EQ(campaign.cases[2].scenario.ice.elastic_modulus, 200e6);
+    for (const Case& one : campaign.cases) EXPECT_EQ(one.scenario.ice.thickness, 0.03);
+}
+
+TEST(ReadCampaign, EmptyTextIsTheDefaultCase) {
+    const Campaign campaign = read("");
+    ASSERT_EQ(campaign.cases.size(), 1u);
+    EXPECT_EQ(campaign.cases[0].name, "E60");
+    EXPECT_EQ(canonical_text(campaign.cases[0].scenario), canonical_text(Scenario{}));
+}
+
+TEST(ReadCampaign, SingleCaseIsNamedFromItsModulus) {
+    EXPECT_EQ(read("ice.elastic_modulus_MPa = 7.5\n").cases[0].name, "E7.5");
+    EXPECT_EQ(read("", {"ice.elastic_modulus_MPa=200"}).cases[0].name, "E200");
+}
+
+TEST(ReadCampaign, OrderOfTheTextDoesNotMatter) {
+    const Campaign one =
+        read("[ice]\nthickness_m = 0.03\ndensity_kg_m3 = 900\n[floe]\nelement_m = 0.3\n[campaign]\nseed = 3\n");
+    const Campaign other =
+        read("campaign.seed = 3\n[floe]\nelement_m = 0.3\n[ice]\ndensity_kg_m3 = 900\nthickness_m = 0.03\n");
+    EXPECT_EQ(fingerprint(one), fingerprint(other));
+}
+
+TEST(ReadCampaign, OverridesComeLast) {
+    const Campaign campaign = read(three_cases, {"campaign.seed=8", "ice.thickness_m=0.04", "ice.thickness_m=0.05",
+                                                 "field.far_end=open", "case.E30.cfm=0.05", "case.E200.joint.erp=0.7"});
+    EXPECT_EQ(campaign.seed, 8u);
+    for (const Case& one : campaign.cases) {
+        EXPECT_EQ(one.scenario.ice.thickness, 0.05);
+        EXPECT_EQ(one.scenario.field.far_end, FarEnd::open);
+    }
+    EXPECT_EQ(campaign.cases[0].scenario.joint.cfm, 0.05);
+    EXPECT_EQ(campaign.cases[1].scenario.joint.erp, 0.8);
+    EXPECT_EQ(campaign.cases[2].scenario.joint.erp, 0.7);
+}
+
+TEST(ReadCampaign, CaseOverrideFindsTheLongestName) {
+    const std::string text = "[[case]]\nname = \"E\"\n[[case]]\nname = \"E.b\"\n";
+    EXPECT_EQ(read(text, {"case.E.b.joint.erp=0.5"}).cases[1].scenario.joint.erp, 0.5);
+}
+
+TEST(ReadCampaign, PoseFileIsRelativeToTheConfiguration) {
+    const Campaign campaign = read(with_file("poses.csv"));
+    const ArrangementRule& rule = campaign.cases[0].scenario.arrangement;
+    ASSERT_EQ(rule.poses.size(), 2u);
+    EXPECT_EQ(rule.poses[1].x, 20.7);
+    EXPECT_EQ(rule.poses[1].z, 2.1);
+    EXPECT_NEAR(rule.poses[1].yaw, 1.5707963267948966, 1e-15);
+    EXPECT_EQ(rule.file, "");
+}
+
+TEST(ReadCampaign, EveryMessageIsOneSentence) {
+    const std::string cases = three_cases;
+    const std::pair<std::string, const char*> table[] = {
+        {"\n[ice]\nthicknes_m = 0.03\n",
+         "configs/a.toml:3: ice.thicknes_m = 0.03 is not a key; did you mean ice.thickness_m?"},
+        {"campaign.seed = -1\n",
+         "configs/a.toml:1: campaign.seed = -1 is out of range; allowed: a whole number from 0"},
+        {"campaign.arrangements = 0\n",
+         "configs/a.toml:1: campaign.arrangements = 0 is out of range; allowed: a whole number from 1 to 1000000"},
+        {"field.floes = 0\n",
+         "configs/a.toml:1: field.floes = 0 is out of range; allowed: a whole number from 1 to 1000000"},
+        {"joint.cfm = 1.0\n",
+         "configs/a.toml:1: joint.cfm = 1.0 is out of range; allowed: above 0 and below 1 (at 1 and above the solver "
+         "diverges)"},
+        {"joint.cfm = 0\n",
+         "configs/a.toml:1: joint.cfm = 0 is out of range; allowed: above 0 and below 1 (at 1 and above the solver "
+         "diverges)"},
+        {"ice.shear_strength_kPa = 0\n",
+         "configs/a.toml:1: ice.shear_strength_kPa = 0 is out of range; allowed: above 0 and at most 1000000"},
+        {"structure.profile_m = [[-1, -1], [1, 1]]\n",
+         "configs/a.toml:1: structure.profile_m[0] = [-1, -1] has a radius_m out of range; allowed: a list of "
+         "[height_m, "
+         "radius_m], height_m at least -1000 and at most 1000, radius_m at least 0 and at most 1000"},
+        {"[case]\nname = \"a\"\n",
+         "configs/a.toml:2: case.name = \"a\" is not in a case; begin each case with [[case]], in double brackets"},
+        {"[[cases]]\nname = \"a\"\n",
+         "configs/a.toml:1: [[cases]] is not a table of a configuration; did you mean [[case]]?"},
+        {"[[case]]\ncfm = 0.1\n", "configs/a.toml:1: this [[case]] has no name; begin it with name = \"E60\""},
+        {"[[case]]\nname = 60\n", "configs/a.toml:2: name = 60 is not text; allowed: text in quotes"},
+        {"[[case]]\nname = \"E 60\"\n",
+         "configs/a.toml:2: name = \"E 60\" cannot name a case; allowed: letters, digits and any of _ - + ."},
+        {"[[case]]\nname = \"\"\n",
+         "configs/a.toml:2: name = \"\" cannot name a case; allowed: letters, digits and any of _ - + ."},
+        {"[[case]]\nname = \"a\"\n[[case]]\nname = \"a\"\n",
+         "configs/a.toml:4: name = \"a\" names an earlier case too; give each case its own name"},
+        {"[[case]]\nname = \"a\"\ncfm = 0.1\njoint.cfm = 0.2\n",
+         "configs/a.toml:4: joint.cfm is given twice in this [[case]]; keep one"},
+        {"[[case]]\nname = \"a\"\ncampaign.seed = 2\n",
+         "configs/a.toml:3: campaign.seed = 2 is for all cases; write it in [campaign]"},
+        {"[[case]]\nname = \"a\"\njoint.cmf = 0.2\n",
+         "configs/a.toml:3: joint.cmf = 0.2 is not a key; did you mean joint.cfm?"},
+        {"[[case]]\nname = \"a\"\ncmf = 0.2\n", "configs/a.toml:3: cmf = 0.2 is not a key; did you mean cfm?"},
+        {"[floe]\nelement_m = 0.25\n",
+         "configs/a.toml:2: floe.element_m = 0.25 does not divide floe.length_m = 0.6; the nearest side that does is "
+         "0.3"},
+        {"[floe]\nlength_m = 0.5\n",
+         "configs/a.toml:2: floe.element_m = 0.2 does not divide floe.length_m = 0.5; the nearest side that does is "
+         "0.166667"},
+        {cases + "floe.element_m = 0.25\n",
+         "configs/a.toml:20: case E200: floe.element_m = 0.25 does not divide floe.length_m = 0.6; the nearest side "
+         "that does "
+         "is 0.3"},
+        {"[arrangement]\nfile = \"poses.csv\"\n",
+         "configs/a.toml:2: arrangement.file = \"poses.csv\" is not used by arrangement.method = \"monte_carlo\"; "
+         "write "
+         "arrangement.method = \"file\""},
+        {with_file("poses.csv") + "[[case]]\nname = \"a\"\narrangement.poses = [[7, 0, 0]]\n",
+         "configs/a.toml:3: arrangement.file = \"poses.csv\" and arrangement.poses are both given; keep one"},
+        {with_file("none.csv"), "configs/none.csv: this file cannot be read"},
+        {with_file("header.csv"),
+         "configs/header.csv:1: \"x,z,yaw\" is not the header of a pose file; write x_m,z_m,yaw_deg"},
+        {with_file("word.csv"),
+         "configs/word.csv:3: \"6.3,zero,0\" is not a pose; write three numbers, x_m,z_m,yaw_deg"},
+        {with_file("four.csv"),
+         "configs/four.csv:2: \"6.3,0,0,0\" is not a pose; write three numbers, x_m,z_m,yaw_deg"},
+        {with_file("empty.csv"),
+         "configs/empty.csv: there are no poses; write x_m,z_m,yaw_deg and a line for each floe"},
+        {with_file("far.csv"),
+         "configs/far.csv: arrangement.poses[0] = [6.3, 1000000.0, 0.0] has a z_m out of range; allowed: a list of "
+         "[x_m, z_m, "
+         "yaw_deg], x_m at least -100000 and at most 100000, z_m at least -100000 and at most 100000, yaw_deg at least "
+         "-360 and "
+         "at most 360"},
+        {with_file("poses.csv") + "[[case]]\nname = \"a\"\nfield.floes = 3\nfield.concentration_percent = 1.5\n",
+         "configs/a.toml:11: field.floes = 3 is not the number of poses given, 2; make them agree"},
+    };
+    for (const auto& [text, expected] : table) EXPECT_EQ(message(text), expected) << text;
+}
+
+TEST(ReadCampaign, EveryMessageAboutOverridesIsOneSentence) {
+    const std::pair<const char*, const char*> table[] = {
+        {"iterations", "--set iterations: this is not key=value; write --set general.iterations=50"},
+        {"ice.thicknes_m=0.03",
+         "--set ice.thicknes_m=0.03: ice.thicknes_m = 0.03 is not a key; did you mean ice.thickness_m?"},
+        {"joint.cfm=0.5",
+         "--set joint.cfm=0.5: the [[case]] at configs/a.toml:8 sets joint.cfm itself; override it there, --set "
+         "case.NAME.joint.cfm=0.5"},
+        {"case.E61.cfm=0.5",
+         "--set case.E61.cfm=0.5: case.E61.cfm names no case; the cases are E30, E60, E200, written case.E30.KEY"},
+        {"case.E60.cfm=2",
+         "--set case.E60.cfm=2: cfm = 2 is out of range; allowed: above 0 and below 1 (at 1 and above the solver "
+         "diverges)"},
+        {"case.E60.name=E61", "--set case.E60.name=E61: a case cannot be renamed here; rename it in configs/a.toml"},
+        {"case.E60.campaign.seed=1",
+         "--set case.E60.campaign.seed=1: campaign.seed = 1 is for all cases; write it in [campaign]"},
+        {"floe.element_m=0.25",
+         "--set floe.element_m=0.25: case E30: floe.element_m = 0.25 does not divide floe.length_m = 0.6; the nearest "
+         "side that "
+         "does is 0.3"},
+    };
+    for (const auto& [override_text, expected] : table) EXPECT_EQ(message(three_cases, {override_text}), expected);
+}
+
+// A stored configuration has its poses inline, so whoever reads it needs no files.
+TEST(ReadCampaign, WithoutLoaderAPoseFileIsRefused) {
+    try {
+        read_campaign({with_file("poses.csv"), "a.toml", {}}, nullptr);
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(),
+                     "a.toml:3: arrangement.file = \"poses.csv\" cannot be read here; give arrangement.poses");
+    }
+}
+
+}  // namespace
+}  // namespace floes
