@@ -1,0 +1,15 @@
+#pragma once
+// The world that a scenario asks for, still empty: a tow and a laboratory test begin from the same one.
+
+#include "scenario/scenario.hpp"
+#include "world/world.hpp"
+
+namespace floes {
+
+/// Time step, iterations, solver, gravity and contacts as the scenario says. Throws InputError for what World refuses.
+World scenario_world(const Scenario& scenario);
+
+/// The material coefficients that give the scenario's two coefficients of friction.
+MaterialFriction scenario_friction(const Scenario& scenario);
+
+}  // namespace floes

@@ -1,0 +1,164 @@
+#include "laboratory/cantilever.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "core/error.hpp"
+#include "ice/failure.hpp"
+#include "ice/scenario_world.hpp"
+#include "laboratory/settling.hpp"
+#include "theory/beam.hpp"
+#include "water/water_model.hpp"
+
+namespace floes {
+namespace {
+
+// Statics only: damping shortens the way to rest and is absent at it. As a share of momentum lost in one step.
+constexpr double settling_loss = 0.1;
+constexpr double largest_load = 6.0;  // in units of the predicted one
+
+Scenario beam_scenario(Scenario scenario, bool floating) {
+    if (!floating) scenario.general.gravity = 0;
+    scenario.water.flow = WaterFlow::still;
+    return scenario;
+}
+
+class Beam {
+  public:
+    Beam(const Scenario& scenario, const BeamTest& test)
+        : test_(test),
+          side_(scenario.floe.element),
+          mass_(scenario.ice.density * side_ * side_ * scenario.ice.thickness),
+          time_step_(scenario.general.time_step),
+          thresholds_(make_thresholds(scenario)),
+          world_(scenario_world(scenario)),
+          water_(scenario.water, scenario.general.gravity, {side_, scenario.ice.thickness}, mass_, 0, 0) {
+        const double height =
+            test.floating ? scenario.ice.thickness * (0.5 - scenario.ice.density / scenario.water.density) : 0;
+        const Vec3 half_extents(side_ / 2, scenario.ice.thickness / 2, side_ / 2);
+        // The clamp holds by its joint alone: the body stands aside, where nothing touches it.
+        BodyId last = world_.add_fixed_box({.half_extents = half_extents, .pose = {.position = {-10 * side_, 0, 0}}});
+        for (int i = 0; i < test.elements; ++i) {
+            elements_.push_back(world_.add_element({.half_extents = half_extents,
+                                                    .mass = mass_,
+                                                    .pose = {.position = {side_ * (i + 0.5), height, 0}},
+                                                    .piece = 0}));
+            // A joint to a body that cannot move has half the A = J M⁻¹ Jᵀ: twice Σ makes the clamp as stiff as the
+            // rest.
+            joints_.push_back(world_.add_joint({.a = last,
+                                                .b = elements_.back(),
+                                                .pivot = {side_ * i, height, 0},
+                                                .cfm = scenario.joint.cfm * (i == 0 ? 2 : 1),
+                                                .erp = scenario.joint.erp}));
+            last = elements_.back();
+        }
+    }
+
+    /// Brings the beam to rest under the load, N; false when it does not come to rest.
+    bool settle_under(double load) {
+        const double start = side_ * (test_.elements - 0.5);
+        return settle([&] { advance(load); },
+                      [&] { return (world_.state(elements_.back()).position - Vec3(start, 0, 0)).norm(); }, 0.0)
+            .has_value();
+    }
+
+    /// The joint, from the clamp, that fails at rest under what it carries: the one with the largest λ/ε of all.
+    std::optional<std::pair<int, FailureMode>> failing_joint() const {
+        for (std::size_t j = 0; j < joints_.size(); ++j) {
+            if (const auto mode = failure(world_.reaction(joints_[j]), thresholds_))
+                return {{static_cast<int>(j), *mode}};
+        }
+        return std::nullopt;
+    }
+
+  private:
+    void advance(double load) {
+        for (const BodyId element : elements_) {
+            const BodyState body = world_.state(element);
+            if (test_.floating)
+                world_.apply(element, water_.wrench({body.position, body.rotation, body.velocity, body.spin, 0}, 0));
+            const double moment_of_inertia = mass_ * side_ * side_ / 12;  // the smallest of a flat box, so none gains
+            world_.apply(element, {.force = -settling_loss * mass_ / time_step_ * body.velocity,
+                                   .moment = -settling_loss * moment_of_inertia / time_step_ * body.spin});
+        }
+        world_.apply(elements_.back(), load_wrench(load));
+        world_.step();
+    }
+
+    Wrench load_wrench(double load) const {
+        const double half = side_ / 2;
+        switch (test_.load) {
+            case BeamLoad::bending:  // at the tip; a floating beam is lifted, pressed down it would soon drown
+                return test_.floating ? Wrench{{0, load, 0}, {0, 0, load * half}}
+                                      : Wrench{{0, -load, 0}, {0, 0, -load * half}};
+            case BeamLoad::shear:  // through the clamp's face, so that no moment acts there
+                return {{0, -load, 0}, {0, 0, load * (side_ * test_.elements - half)}};
+            case BeamLoad::compression:
+                break;
+        }
+        return {{-load, 0, 0}, Vec3::Zero()};
+    }
+
+    BeamTest test_;
+    double side_;
+    double mass_;
+    double time_step_;
+    Thresholds thresholds_;
+    World world_;
+    WaterModel water_;
+    std::vector<BodyId> elements_;
+    std::vector<JointId> joints_;
+};
+
+/// Strength shown by a load, Pa, and its inverse: load = strength * scale.
+double load_per_strength(const Scenario& scenario, BeamLoad kind, double length) {
+    const double b = scenario.floe.element;
+    const double h = scenario.ice.thickness;
+    if (kind == BeamLoad::bending) return 1 / nominal_flexural_strength(1, length, b, h);
+    return scenario.joint.threshold_form == ThresholdForm::force ? b * h : b * h * h;
+}
+
+double strength_set(const Ice& ice, BeamLoad kind) {
+    switch (kind) {
+        case BeamLoad::bending:
+            return ice.bending_strength;
+        case BeamLoad::shear:
+            return ice.shear_strength;
+        case BeamLoad::compression:
+            break;
+    }
+    return ice.compressive_strength;
+}
+
+}  // namespace
+
+BeamStrength measure_beam_strength(const Scenario& scenario, const BeamTest& test) {
+    if (test.elements < 1)
+        throw InputError(fmt::format("A beam of {} elements cannot be tested; it needs at least 1.", test.elements));
+    if (!(test.increment > 0 && test.increment <= 0.1))
+        throw InputError(
+            fmt::format("The load increment is {} of the predicted load; allowed is above 0 to 0.1.", test.increment));
+    const double side = scenario.floe.element;
+    const double set = strength_set(scenario.ice, test.load);
+    const double predicted = set * load_per_strength(scenario, test.load, side * test.elements);
+    Beam beam(beam_scenario(scenario, test.floating), test);
+    for (int i = 1; i * test.increment <= largest_load; ++i) {
+        const double load = predicted * i * test.increment;
+        if (!beam.settle_under(load))
+            throw InputError(
+                fmt::format("The beam of {} elements did not settle under {:.4g} N; a larger Σ or more iterations may.",
+                            test.elements, load));
+        if (const auto failed = beam.failing_joint()) {
+            const auto [joint, mode] = *failed;
+            const double length = side * (test.elements - joint);
+            return {mode, joint, length, load, load / load_per_strength(scenario, test.load, length), set};
+        }
+    }
+    throw InputError(fmt::format("No joint failed up to {:.4g} N, {} times the load that the strength predicts.",
+                                 predicted * largest_load, largest_load));
+}
+
+}  // namespace floes

@@ -1,0 +1,153 @@
+#include "laboratory/plate_deflection.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/error.hpp"
+#include "ice/ice_field.hpp"
+#include "ice/scenario_world.hpp"
+#include "laboratory/settling.hpp"
+#include "theory/plate.hpp"
+#include "water/water_model.hpp"
+
+namespace floes {
+namespace {
+
+// Statics only: damping shortens the way to rest and is absent at it. 0.7 of critical settles fastest.
+constexpr double settling_damping = 0.7;
+
+int elements_across(const Scenario& scenario, double sheet) {
+    const double exact = sheet / scenario.floe.element;
+    const double whole = std::round(exact);
+    if (whole < 2 || std::abs(exact - whole) > 1e-6 * whole)
+        throw InputError(
+            fmt::format("A sheet of {} m is {:.6g} elements of {} m; it must be a whole number of them, at least 2. "
+                        "Try {:.6g} m or {:.6g} m.",
+                        sheet, exact, scenario.floe.element, std::max(2.0, std::floor(exact)) * scenario.floe.element,
+                        std::max(2.0, std::ceil(exact)) * scenario.floe.element));
+    return static_cast<int>(whole);
+}
+
+Scenario sheet_scenario(Scenario scenario, double sheet) {
+    scenario.floe.length = sheet;
+    scenario.floe.breadth = sheet;
+    scenario.water.flow = WaterFlow::still;
+    scenario.water.heave_damping = settling_damping;
+    return scenario;
+}
+
+/// The elements that carry the load, as indices within the sheet, and the corner of each that meets the centre.
+struct LoadedElement {
+    std::size_t index;
+    Vec3 centre_arm;  ///< from the element's centre to the centre of the sheet, element axes, m
+};
+
+std::vector<LoadedElement> loaded_elements(int across, double element) {
+    const auto index = [&](int i, int k) { return static_cast<std::size_t>(i + k * across); };
+    const int middle = across / 2;
+    if (across % 2 == 1) return {{index(middle, middle), Vec3::Zero()}};
+    const double half = element / 2;
+    return {{index(middle - 1, middle - 1), {half, 0, half}},
+            {index(middle, middle - 1), {-half, 0, half}},
+            {index(middle - 1, middle), {half, 0, -half}},
+            {index(middle, middle), {-half, 0, -half}}};
+}
+
+class Sheet {
+  public:
+    Sheet(const Scenario& scenario, int across)
+        : scenario_(scenario),
+          world_(scenario_world(scenario)),
+          ice_(world_, scenario, std::vector<PlanarPose>(1)),
+          water_(scenario.water, scenario.general.gravity, {scenario.floe.element, scenario.ice.thickness},
+                 scenario.ice.density * scenario.floe.element * scenario.floe.element * scenario.ice.thickness, 0, 0),
+          loaded_(loaded_elements(across, scenario.floe.element)) {}
+
+    /// How far the centre of the sheet lies below its first height when at rest under a total load, m.
+    double settled_depth(double load) {
+        const auto depth = settle([&] { advance(load); }, [&] { return checked_depth(load); }, 0.0);
+        if (!depth)
+            throw InputError(fmt::format(
+                "The sheet did not settle under {} N in {} steps; a larger Σ, a smaller load or fewer elements may.",
+                load, most_looks * steps_between_looks));
+        return *depth;
+    }
+
+  private:
+    void advance(double load) {
+        for (const IceElement& element : ice_.elements()) {
+            const BodyState body = world_.state(element.body);
+            world_.apply(element.body, water_.wrench({body.position, body.rotation, body.velocity, body.spin, 0}, 0));
+        }
+        const Wrench share{.force = {0, -load / static_cast<double>(loaded_.size()), 0}};
+        for (const LoadedElement& element : loaded_) world_.apply(ice_.elements()[element.index].body, share);
+        world_.step();
+        if (ice_.break_joints(world_, 0) > 0)
+            throw InputError(fmt::format("The load of {} N breaks the sheet; try a smaller one.", load));
+    }
+
+    /// Past its freeboard the sheet is no longer a plate on a foundation.
+    double checked_depth(double load) const {
+        const double depth = start_height_ - centre_height();
+        const double freeboard = scenario_.ice.thickness * (1 - scenario_.ice.density / scenario_.water.density);
+        if (depth > freeboard)
+            throw InputError(fmt::format(
+                "The load of {} N sinks the middle of the sheet below its freeboard of {:.3g} m; try a smaller one.",
+                load, freeboard));
+        return depth;
+    }
+
+    double centre_height() const {
+        double sum = 0;
+        for (const LoadedElement& element : loaded_) {
+            const BodyState body = world_.state(ice_.elements()[element.index].body);
+            sum += (body.position + body.rotation * element.centre_arm).y();
+        }
+        return sum / static_cast<double>(loaded_.size());
+    }
+
+    Scenario scenario_;
+    World world_;
+    IceField ice_;
+    WaterModel water_;
+    std::vector<LoadedElement> loaded_;
+    double start_height_ = centre_height();
+};
+
+double slope_through_origin(const PlateDeflection& result) {
+    double product = 0;
+    double square = 0;
+    for (std::size_t i = 0; i < result.load.size(); ++i) {
+        product += result.load[i] * result.deflection[i];
+        square += result.deflection[i] * result.deflection[i];
+    }
+    return product / square;
+}
+
+}  // namespace
+
+PlateDeflection measure_plate_deflection(const Scenario& scenario, const PlateTest& test) {
+    if (!(test.load > 0) || test.increments < 1)
+        throw InputError(fmt::format("A plate test needs a load above 0 N in at least 1 increment, not {} N in {}.",
+                                     test.load, test.increments));
+    const int across = elements_across(scenario, test.sheet);
+    Sheet sheet(sheet_scenario(scenario, test.sheet), across);
+    const double unloaded = sheet.settled_depth(0);
+    PlateDeflection result;
+    for (int i = 1; i <= test.increments; ++i) {
+        result.load.push_back(test.load * i / test.increments);
+        result.deflection.push_back(sheet.settled_depth(result.load.back()) - unloaded);
+    }
+    const FloatingPlate plate{.thickness = scenario.ice.thickness,
+                              .water_density = scenario.water.density,
+                              .gravity = scenario.general.gravity};
+    const double loaded_area = (across % 2 == 1 ? 1 : 4) * scenario.floe.element * scenario.floe.element;
+    result.slope = slope_through_origin(result);
+    result.elastic_modulus = modulus_from_patch_slope(plate, result.slope, std::sqrt(loaded_area / std::numbers::pi));
+    result.elastic_modulus_point = modulus_from_point_slope(plate, result.slope);
+    return result;
+}
+
+}  // namespace floes
