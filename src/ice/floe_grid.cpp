@@ -1,5 +1,7 @@
 #include "ice/floe_grid.hpp"
 
+#include <algorithm>
+#include <cstdlib>
 #include <numbers>
 
 namespace floes {
@@ -25,6 +27,19 @@ std::uint8_t FloeGrid::outline_edges(int index) const {
     return static_cast<std::uint8_t>(edges);
 }
 
+namespace {
+
+/// Which square ring round the floe's centre a joint lies on, in half elements: exact, so that ties are ties.
+int ring(const FloeGrid& grid, const GridJoint& joint) {
+    const int i = joint.a % grid.elements_long;
+    const int k = joint.a / grid.elements_long;
+    const int x = 2 * i - (grid.elements_long - 1) + (joint.axis == JointAxis::x ? 1 : 0);
+    const int z = 2 * k - (grid.elements_broad - 1) + (joint.axis == JointAxis::z ? 1 : 0);
+    return std::max(std::abs(x), std::abs(z));
+}
+
+}  // namespace
+
 std::vector<GridJoint> joint_order(const FloeGrid& grid) {
     std::vector<GridJoint> joints;
     for (int k = 0; k < grid.elements_broad; ++k) {
@@ -34,6 +49,7 @@ std::vector<GridJoint> joint_order(const FloeGrid& grid) {
             if (k + 1 < grid.elements_broad) joints.push_back({index, index + grid.elements_long, JointAxis::z});
         }
     }
+    std::ranges::stable_sort(joints, {}, [&](const GridJoint& joint) { return ring(grid, joint); });
     return joints;
 }
 
