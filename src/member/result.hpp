@@ -7,36 +7,30 @@
 #include "core/vector.hpp"
 #include "ice/failure_mode.hpp"
 #include "ice/peak_reactions.hpp"
+#include "simulation/load_history.hpp"
 #include "statistics/load_statistics.hpp"
 
 namespace floes {
 
 enum class MemberStatus : std::int8_t { done = 0, failed = 1 };
 
-/// Contact force on the structure at the end of each step, N. Entry k belongs to time (k + 1) Δt.
-struct LoadHistory {
-    std::vector<double> surge;  ///< positive against the tow (-x)
-    std::vector<double> sway;   ///< positive towards +z
-    std::vector<double> heave;  ///< positive up
-};
-
 /// The result of one member. Of a failed member only status, reason, arrangement and what was recorded before count.
 struct MemberResult {
     MemberStatus status = MemberStatus::done;
-    std::string reason;                     ///< of a failure, a sentence; empty when done
-    LoadStatistics load;                    ///< of the surge load in the window
-    double mean_sway = 0;                   ///< N, over the window
-    double mean_heave = 0;                  ///< N, over the window
-    double failure_ratio = 0;               ///< broken floes / floes at the end of the run, 0-1
-    int failures_bending = 0;               ///< failed joints by mode; the sum over all modes is breaks.size()
+    std::string reason;        ///< of a failure, a sentence; empty when done
+    LoadStatistics load;       ///< of the surge load in the window
+    double mean_sway = 0;      ///< N, over the window
+    double mean_heave = 0;     ///< N, over the window
+    double failure_ratio = 0;  ///< broken floes / floes at the end of the run, 0-1
+    int failures_bending = 0;  ///< failed joints by mode; the sum over all modes is breaks.size()
     int failures_shear = 0;
     int failures_compression = 0;
     PeakReactions peaks;
-    LoadHistory history;                    ///< from t = 0 to the end of the run
-    std::vector<BreakEvent> breaks;         ///< in order of time, then floe, then joint
-    std::vector<PlanarPose> arrangement;    ///< floe poses at t = 0
-    double psi4 = 0;                        ///< of the arrangement
-    double wall_time = 0;                   ///< s; provenance only
+    LoadHistory history;                  ///< from t = 0 to the end of the run
+    std::vector<BreakEvent> breaks;       ///< in order of time, then floe, then joint
+    std::vector<PlanarPose> arrangement;  ///< floe poses at t = 0
+    double psi4 = 0;                      ///< of the arrangement
+    double wall_time = 0;                 ///< s; provenance only
 };
 
 }  // namespace floes

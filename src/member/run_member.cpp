@@ -1,0 +1,94 @@
+#include "member/run_member.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <span>
+
+#include "arrangement/arrangement.hpp"
+#include "core/error.hpp"
+#include "simulation/simulation.hpp"
+
+namespace floes {
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double mean_of(std::span<const double> values) {
+    double sum = 0;
+    for (const double value : values) sum += value;
+    return sum / static_cast<double>(values.size());
+}
+
+int count_failures(std::span<const BreakEvent> breaks, FailureMode mode) {
+    return static_cast<int>(std::ranges::count(breaks, mode, &BreakEvent::mode));
+}
+
+/// What was recorded, whether or not the run reached its end.
+void take_record(MemberResult& result, const Simulation& simulation) {
+    result.history = simulation.loads();
+    result.breaks = simulation.ice().breaks();
+    result.failures_bending = count_failures(result.breaks, FailureMode::bending);
+    result.failures_shear = count_failures(result.breaks, FailureMode::shear);
+    result.failures_compression = count_failures(result.breaks, FailureMode::compression);
+    result.peaks = simulation.ice().peaks();
+}
+
+void take_statistics(MemberResult& result, const Scenario& scenario, const Simulation& simulation) {
+    const auto in_window = [&](const std::vector<double>& history) {
+        return std::span(history).subspan(static_cast<std::size_t>(scenario.first_window_step()));
+    };
+    result.load =
+        load_statistics(in_window(result.history.surge), scenario.general.time_step, scenario.analysis.segments);
+    result.mean_sway = mean_of(in_window(result.history.sway));
+    result.mean_heave = mean_of(in_window(result.history.heave));
+    result.failure_ratio = simulation.ice().failure_ratio();
+}
+
+void set_aside(MemberResult& result, const Scenario& scenario, const std::string& reason) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    result.status = MemberStatus::failed;
+    result.reason = reason;
+    result.load = {.mean = nan,
+                   .sd = nan,
+                   .maximum = nan,
+                   .segment_maximum = std::vector<double>(static_cast<std::size_t>(scenario.analysis.segments), nan),
+                   .mean_maximum = nan,
+                   .sd_maximum = nan,
+                   .trend = nan,
+                   .trend_p = nan,
+                   .steady = false};
+    result.mean_sway = nan;
+    result.mean_heave = nan;
+    result.failure_ratio = nan;
+}
+
+}  // namespace
+
+MemberResult run_member(const Scenario& scenario, std::uint64_t seed, std::uint32_t arrangement, std::stop_token stop) {
+    const auto start = std::chrono::steady_clock::now();
+    const Arrangement floes = make_arrangement(scenario, seed, arrangement);
+    MemberResult result;
+    result.arrangement = floes.poses;
+    result.psi4 = floes.psi4;
+    Simulation simulation(scenario, floes);
+    try {
+        if (!simulation.run(stop)) {
+            throw Interrupted(
+                fmt::format("Arrangement {} was stopped on request at t = {:.2f} s.", arrangement, simulation.time()));
+        }
+        take_record(result, simulation);
+        take_statistics(result, scenario, simulation);
+    } catch (const MemberFailure& failure) {
+        take_record(result, simulation);
+        set_aside(result, scenario, failure.what());
+    }
+    result.wall_time = seconds_since(start);
+    return result;
+}
+
+}  // namespace floes

@@ -1,0 +1,44 @@
+#include "simulation/channel.hpp"
+
+#include "structure/profile.hpp"
+
+namespace floes {
+namespace {
+
+constexpr double room_behind =
+    1.0;  // m of wall behind the structure at t = 0: floes pass round it and stay between walls
+
+IceSheet sheet(const Scenario& scenario, const Vec2& x_range, const Vec2& z_range) {
+    const Vec2 x_part{x_range.mean(), 0.5 * (x_range.y() - x_range.x())};
+    const Vec2 z_part{z_range.mean(), 0.5 * (z_range.y() - z_range.x())};
+    return {{x_part.x(), floating_height(scenario), z_part.x()},
+            {x_part.y(), 0.5 * scenario.ice.thickness, z_part.y()}};
+}
+
+}  // namespace
+
+Channel make_channel(const Scenario& scenario) {
+    const Field& field = scenario.field;
+    const Profile profile(scenario.structure.profile);
+    const bool closed = field.far_end == FarEnd::ice_sheet;
+    const double towed = scenario.structure.speed * (scenario.analysis.steady_start + scenario.analysis.window);
+    Channel channel;
+    channel.begin = scenario.structure.start - profile.maximum_radius() - room_behind;
+    channel.end = scenario.field_end() + field.sheet_width + (closed ? 0.0 : towed);
+    channel.inner_edge = field.half_width;
+    channel.outer_edge = field.half_width + field.sheet_width;
+    const Vec2 along{channel.begin, channel.end};
+    channel.sheets.push_back(sheet(scenario, along, {channel.inner_edge, channel.outer_edge}));
+    channel.sheets.push_back(sheet(scenario, along, {-channel.outer_edge, -channel.inner_edge}));
+    if (closed) {
+        const Vec2 across{-channel.inner_edge, channel.inner_edge};
+        channel.sheets.push_back(sheet(scenario, {scenario.field_end(), channel.end}, across));
+    }
+    return channel;
+}
+
+double floating_height(const Scenario& scenario) {
+    return scenario.ice.thickness * (0.5 - scenario.ice.density / scenario.water.density);
+}
+
+}  // namespace floes

@@ -1,0 +1,32 @@
+#pragma once
+// The fixed ice round the field (Fig. 3): sheets of the floes' own thickness along both walls and, if the far end is
+// closed, across it, floating where the floes float.
+
+#include <vector>
+
+#include "core/vector.hpp"
+#include "scenario/scenario.hpp"
+
+namespace floes {
+
+/// A fixed box with its sides along the world axes, m.
+struct IceSheet {
+    Vec3 centre = Vec3::Zero();
+    Vec3 half_extents = Vec3::Zero();
+};
+
+struct Channel {
+    double begin = 0;       ///< x where the wall sheets begin, m: behind the structure at t = 0
+    double end = 0;         ///< x where they end, m: past the far sheet, or past all that the tow can push ahead
+    double inner_edge = 0;  ///< |z| of the wall sheets' inner edges, m
+    double outer_edge = 0;  ///< |z| of their outer edges, m
+    std::vector<IceSheet> sheets;
+};
+
+/// The channel of a scenario.
+Channel make_channel(const Scenario& scenario);
+
+/// Height of the middle of ice that floats at rest: T (1/2 - ρ_i / ρ_w), m.
+double floating_height(const Scenario& scenario);
+
+}  // namespace floes

@@ -1,0 +1,16 @@
+#pragma once
+// The ice load of a run, step by step.
+
+#include <vector>
+
+namespace floes {
+
+/// Contact force on the structure in each step, N. Entry k belongs to the step that ends at (k + 1) Δt. The water's
+/// force on the structure is not in it, so there is no open-water resistance to subtract.
+struct LoadHistory {
+    std::vector<double> surge;  ///< positive against the tow (-x)
+    std::vector<double> sway;   ///< positive towards +z
+    std::vector<double> heave;  ///< positive up
+};
+
+}  // namespace floes

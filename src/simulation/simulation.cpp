@@ -1,0 +1,124 @@
+#include "simulation/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+
+#include "core/error.hpp"
+#include "ice/scenario_world.hpp"
+#include "structure/profile.hpp"
+
+namespace floes {
+namespace {
+
+BodyId add_structure(World& world, const Scenario& scenario) {
+    const std::vector<Frustum> frusta = Profile(scenario.structure.profile).frusta();
+    return world.add_structure(frusta, scenario_friction(scenario).structure, {scenario.structure.start, 0, 0});
+}
+
+void add_sheets(World& world, const Channel& channel, double friction) {
+    for (const IceSheet& sheet : channel.sheets) {
+        world.add_fixed_box(
+            {.half_extents = sheet.half_extents, .pose = {.position = sheet.centre}, .friction = friction});
+    }
+}
+
+WaterModel make_water(const Scenario& scenario) {
+    const double side = scenario.floe.element;
+    const double thickness = scenario.ice.thickness;
+    return {scenario.water,
+            scenario.general.gravity,
+            {side, thickness},
+            scenario.ice.density * side * side * thickness,
+            scenario.waterline_radius(),
+            scenario.structure.speed};
+}
+
+}  // namespace
+
+Simulation::Simulation(const Scenario& scenario, const Arrangement& arrangement)
+    : scenario_(scenario),
+      channel_(make_channel(scenario)),
+      wellbeing_(scenario, channel_),
+      tow_{scenario.structure.start, scenario.structure.speed},
+      water_(make_water(scenario)),
+      world_(scenario_world(scenario)),
+      structure_(add_structure(world_, scenario)),
+      ice_(world_, scenario, arrangement.poses) {
+    add_sheets(world_, channel_, scenario_friction(scenario).ice);
+    const auto steps = static_cast<std::size_t>(scenario.step_count());
+    loads_.surge.reserve(steps);
+    loads_.sway.reserve(steps);
+    loads_.heave.reserve(steps);
+    states_.resize(ice_.elements().size());
+    read_states();
+}
+
+bool Simulation::run(const std::stop_token& stop) {
+    while (steps_ < scenario_.step_count()) {
+        if (stop.stop_requested()) return false;
+        step();
+    }
+    return true;
+}
+
+void Simulation::step() {
+    move_structure();
+    apply_water();
+    world_.step();
+    read_states();
+    check_wellbeing();
+    read_ice_load();
+    break_joints();
+    record();
+}
+
+void Simulation::move_structure() {
+    world_.move_structure({tow_.x(step_end()), 0, 0});
+}
+
+void Simulation::apply_water() {
+    const std::vector<IceElement>& elements = ice_.elements();
+    const double structure_x = tow_.x(time());
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        const BodyState& state = states_[i];
+        const ElementState element{state.position, state.rotation, state.velocity, state.spin,
+                                   elements[i].exposed_edges};
+        world_.apply(elements[i].body, water_.wrench(element, structure_x));
+    }
+}
+
+void Simulation::read_states() {
+    for (std::size_t i = 0; i < states_.size(); ++i) states_[i] = world_.state(ice_.elements()[i].body);
+}
+
+void Simulation::check_wellbeing() const {
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+        const std::optional<std::string> trouble = wellbeing_.trouble(states_[i]);
+        if (!trouble) continue;
+        const IceElement& element = ice_.elements()[i];
+        throw MemberFailure(
+            fmt::format("Element {} of floe {} {} (t = {:.2f} s).", element.index, element.floe, *trouble, step_end()));
+    }
+}
+
+void Simulation::read_ice_load() {
+    ice_load_ = world_.contact_force(structure_);
+    if (!ice_load_.allFinite()) {
+        throw MemberFailure(fmt::format("The load on the structure is not a number (t = {:.2f} s).", step_end()));
+    }
+}
+
+void Simulation::break_joints() {
+    ice_.break_joints(world_, step_end());
+}
+
+void Simulation::record() {
+    loads_.surge.push_back(-ice_load_.x());
+    loads_.sway.push_back(ice_load_.z());
+    loads_.heave.push_back(ice_load_.y());
+    ++steps_;
+}
+
+}  // namespace floes

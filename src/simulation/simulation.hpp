@@ -1,0 +1,69 @@
+#pragma once
+// One tow through one arrangement: the step loop and the record of it.
+//
+//   Simulation simulation(scenario, arrangement);
+//   if (simulation.run(stop)) use(simulation.loads(), simulation.ice());   // throws MemberFailure when the run leaves
+//   all sense
+//
+// After construction nothing in the loop allocates on this side of the world: the histories are reserved.
+
+#include <stop_token>
+#include <vector>
+
+#include "arrangement/arrangement.hpp"
+#include "ice/ice_field.hpp"
+#include "scenario/scenario.hpp"
+#include "simulation/channel.hpp"
+#include "simulation/load_history.hpp"
+#include "simulation/wellbeing.hpp"
+#include "structure/tow.hpp"
+#include "water/water_model.hpp"
+#include "world/world.hpp"
+
+namespace floes {
+
+class Simulation {
+  public:
+    /// Floes float at rest where the arrangement says. Throws InputError for what the world refuses.
+    Simulation(const Scenario& scenario, const Arrangement& arrangement);
+
+    /// One time step. Throws MemberFailure, with the element, its floe and the time, when an element runs away, is gone
+    /// or is no longer a number; the histories then end with the step before.
+    void step();
+
+    /// Steps to the end of the analysis window. False if `stop` was requested before that.
+    bool run(const std::stop_token& stop);
+
+    double time() const { return steps_ * scenario_.general.time_step; }  ///< s, of the last completed step's end
+    int steps() const { return steps_; }
+    const LoadHistory& loads() const { return loads_; }
+    const IceField& ice() const { return ice_; }  ///< breaks, broken floes, peak reactions
+
+    /// Motion of every element at time(), in the order of ice().elements().
+    const std::vector<BodyState>& element_states() const { return states_; }
+
+  private:
+    double step_end() const { return (steps_ + 1) * scenario_.general.time_step; }
+    void move_structure();
+    void apply_water();
+    void read_states();
+    void check_wellbeing() const;
+    void read_ice_load();
+    void break_joints();
+    void record();
+
+    Scenario scenario_;
+    Channel channel_;
+    Wellbeing wellbeing_;
+    Tow tow_;
+    WaterModel water_;
+    World world_;
+    BodyId structure_;
+    IceField ice_;
+    std::vector<BodyState> states_;
+    Vec3 ice_load_ = Vec3::Zero();
+    LoadHistory loads_;
+    int steps_ = 0;
+};
+
+}  // namespace floes

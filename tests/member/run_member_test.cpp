@@ -1,0 +1,146 @@
+#include "member/run_member.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include "core/error.hpp"
+
+namespace floes {
+namespace {
+
+/// A small closed channel that the structure fills half: floes jam, bend and break within seconds.
+Scenario jam(double cfm = 0.016) {
+    Scenario scenario;
+    scenario.joint.cfm = cfm;
+    scenario.ice.bending_strength = 10e3;
+    scenario.field.floes = 12;
+    scenario.field.begin = 2.0;
+    scenario.field.half_width = 1.25;
+    scenario.arrangement.sweeps = 200;
+    scenario.structure.start = 1.38;
+    scenario.structure.speed = 0.1;
+    scenario.analysis.steady_start = 1.0;
+    scenario.analysis.window = 5.0;
+    scenario.analysis.segments = 5;
+    return scenario;
+}
+
+void expect_same_bits(const MemberResult& a, const MemberResult& b) {
+    EXPECT_EQ(a.status, b.status);
+    EXPECT_EQ(a.history.surge, b.history.surge);
+    EXPECT_EQ(a.history.sway, b.history.sway);
+    EXPECT_EQ(a.history.heave, b.history.heave);
+    EXPECT_EQ(a.breaks, b.breaks);
+    EXPECT_EQ(a.peaks, b.peaks);
+    EXPECT_EQ(a.load.mean, b.load.mean);
+    EXPECT_EQ(a.failure_ratio, b.failure_ratio);
+    EXPECT_EQ(a.psi4, b.psi4);
+}
+
+TEST(RunMember, FillsARowFromItsHistories) {
+    const Scenario scenario = jam();
+    const MemberResult result = run_member(scenario, 7, 0);
+    ASSERT_EQ(result.status, MemberStatus::done) << result.reason;
+    EXPECT_EQ(result.reason, "");
+    ASSERT_EQ(result.history.surge.size(), 300u);
+    EXPECT_EQ(result.arrangement.size(), 12u);
+    EXPECT_EQ(result.load.segment_maximum.size(), 5u);
+    double sum = 0;
+    for (int k = 50; k < 300; ++k) sum += result.history.surge[static_cast<std::size_t>(k)];
+    EXPECT_NEAR(result.load.mean, sum / 250, 1e-10);
+    EXPECT_EQ(result.load.maximum, *std::max_element(result.history.surge.begin() + 50, result.history.surge.end()));
+    EXPECT_GT(result.load.mean, 0);
+    EXPECT_GT(result.wall_time, 0);
+    EXPECT_GT(result.peaks.compression, 0);
+    EXPECT_GT(result.peaks.shear, 0);
+}
+
+TEST(RunMember, LogsTheBreaksThatItsCountsAndRatioCount) {
+    const MemberResult result = run_member(jam(), 7, 1);
+    ASSERT_EQ(result.status, MemberStatus::done) << result.reason;
+    ASSERT_FALSE(result.breaks.empty());
+    std::vector<std::int32_t> broken;
+    for (const BreakEvent& event : result.breaks) {
+        EXPECT_GT(event.time, 0);
+        EXPECT_LE(event.time, 6.0 + 1e-9);
+        broken.push_back(event.floe);
+    }
+    std::ranges::sort(broken);
+    broken.erase(std::unique(broken.begin(), broken.end()), broken.end());
+    EXPECT_DOUBLE_EQ(result.failure_ratio, static_cast<double>(broken.size()) / 12);
+    EXPECT_EQ(result.failures_bending + result.failures_shear + result.failures_compression,
+              static_cast<int>(result.breaks.size()));
+    EXPECT_GT(result.peaks.bending, 0.2 * 0.033 * 0.033 / 6 * 10e3);  // Eq. (3) was exceeded
+}
+
+TEST(RunMember, GivesTheSameBitsAgainAfterAnotherAndInThreads) {
+    const MemberResult first = run_member(jam(), 7, 1);
+    ASSERT_FALSE(first.breaks.empty());
+    const MemberResult another = run_member(jam(0.03), 7, 2);
+    EXPECT_NE(another.history.surge, first.history.surge);
+    expect_same_bits(run_member(jam(), 7, 1), first);
+
+    MemberResult left;
+    MemberResult right;
+    {
+        const std::jthread one([&] { left = run_member(jam(), 7, 1); });
+        const std::jthread two([&] { right = run_member(jam(), 7, 1); });
+    }
+    expect_same_bits(left, first);
+    expect_same_bits(right, first);
+}
+
+TEST(RunMember, CasesShareArrangements) {
+    Scenario softer = jam(0.03);
+    softer.analysis = {0.2, 0.2, 5};
+    Scenario stiffer = softer;
+    stiffer.joint.cfm = 1e-10;
+    const MemberResult a = run_member(softer, 7, 3);
+    const MemberResult b = run_member(stiffer, 7, 3);
+    ASSERT_EQ(a.arrangement.size(), b.arrangement.size());
+    for (std::size_t i = 0; i < a.arrangement.size(); ++i) {
+        EXPECT_EQ(a.arrangement[i].x, b.arrangement[i].x);
+        EXPECT_EQ(a.arrangement[i].z, b.arrangement[i].z);
+        EXPECT_EQ(a.arrangement[i].yaw, b.arrangement[i].yaw);
+    }
+}
+
+TEST(RunMember, ThatLeavesAllSenseIsSetAsideWithItsReason) {
+    Scenario scenario = jam();
+    scenario.general.runaway_speed = 0.11;
+    const MemberResult result = run_member(scenario, 7, 0);
+    ASSERT_EQ(result.status, MemberStatus::failed);
+    EXPECT_THAT(result.reason, testing::HasSubstr("has run away"));
+    EXPECT_TRUE(std::isnan(result.load.mean));
+    EXPECT_TRUE(std::isnan(result.load.sd));
+    EXPECT_TRUE(std::isnan(result.load.maximum));
+    EXPECT_TRUE(std::isnan(result.load.mean_maximum));
+    EXPECT_TRUE(std::isnan(result.load.trend));
+    EXPECT_TRUE(std::isnan(result.failure_ratio));
+    EXPECT_TRUE(std::isnan(result.mean_sway));
+    EXPECT_TRUE(std::isnan(result.mean_heave));
+    ASSERT_EQ(result.load.segment_maximum.size(), 5u);
+    for (const double maximum : result.load.segment_maximum) EXPECT_TRUE(std::isnan(maximum));
+    EXPECT_EQ(result.arrangement.size(), 12u);
+    EXPECT_LT(result.history.surge.size(), 300u);
+}
+
+TEST(RunMember, IsInterruptedRatherThanHalfDone) {
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_THROW(run_member(jam(), 7, 0, stop.get_token()), Interrupted);
+}
+
+TEST(RunMember, RefusesFloesThatOverlap) {
+    Scenario scenario = jam();
+    scenario.arrangement.method = ArrangementMethod::file;
+    scenario.arrangement.poses.assign(12, {3.0, 0.0, 0.0});
+    EXPECT_THROW(run_member(scenario, 7, 0), InputError);
+}
+
+}  // namespace
+}  // namespace floes
