@@ -55,15 +55,44 @@ void prepare_bodies(const LaneArrays& arrays, std::size_t groups, double time_st
     }
 }
 
+/// Rows become columns, in log2(lanes) exchanges: of neighbours, of neighbouring pairs, of neighbouring fours.
+template <int stride, int... lane>
+inline void exchange(Pack& a, Pack& b, Sequence<lane...>) {
+    const Pack first = __builtin_shufflevector(a, b, ((lane & stride) != 0 ? lane - stride + lanes : lane)...);
+    b = __builtin_shufflevector(a, b, ((lane & stride) != 0 ? lane + lanes : lane + stride)...);
+    a = first;
+}
+
+template <int stride>
+inline void transpose(Pack (&rows)[lanes]) {
+    if constexpr (stride < lanes) {
+#pragma GCC unroll 8
+        for (int i = 0; i < lanes; ++i) {
+            if ((i & stride) == 0) exchange<stride>(rows[i], rows[i + stride], EveryLane{});
+        }
+        transpose<2 * stride>(rows);
+    }
+}
+
+/// Place in `sweep` of the k-th of the 8 doubles that contacts see of a body; -1 for the two that are always 0.
+inline constexpr int sweep_place[8] = {sweep_field::velocity, sweep_field::velocity + 1, sweep_field::velocity + 2, -1,
+                                       sweep_field::spin,     sweep_field::spin + 1,     sweep_field::spin + 2,     -1};
+
 void to_contacts(const LaneArrays& arrays, const LaneBlock& block) {
     for (std::int32_t body = 0; body < block.bodies; ++body) {
         const double* from = body_group(arrays.sweep, sweep_field::count, block, body);
         double* to = body_group(arrays.delta, 8, block, body);
-        for (int lane = 0; lane < lanes; ++lane) {
-            for (int i = 0; i < 3; ++i) {
-                to[8 * lane + i] = from[(sweep_field::velocity + i) * lanes + lane];
-                to[8 * lane + 4 + i] = from[(sweep_field::spin + i) * lanes + lane];
+#pragma GCC unroll 8
+        for (int part = 0; part < 8; part += lanes) {
+            Pack rows[lanes];
+#pragma GCC unroll 8
+            for (int i = 0; i < lanes; ++i) {
+                const int place = sweep_place[part + i];
+                rows[i] = place < 0 ? load(from, 0) * 0.0 : load(from, place);
             }
+            transpose<1>(rows);
+#pragma GCC unroll 8
+            for (int lane = 0; lane < lanes; ++lane) *reinterpret_cast<Pack*>(to + 8 * lane + part) = rows[lane];
         }
     }
 }
@@ -72,10 +101,17 @@ void from_contacts(const LaneArrays& arrays, const LaneBlock& block) {
     for (std::int32_t body = 0; body < block.bodies; ++body) {
         const double* from = body_group(arrays.delta, 8, block, body);
         double* to = body_group(arrays.sweep, sweep_field::count, block, body);
-        for (int lane = 0; lane < lanes; ++lane) {
-            for (int i = 0; i < 3; ++i) {
-                to[(sweep_field::velocity + i) * lanes + lane] = from[8 * lane + i];
-                to[(sweep_field::spin + i) * lanes + lane] = from[8 * lane + 4 + i];
+#pragma GCC unroll 8
+        for (int part = 0; part < 8; part += lanes) {
+            Pack rows[lanes];
+#pragma GCC unroll 8
+            for (int lane = 0; lane < lanes; ++lane) {
+                rows[lane] = *reinterpret_cast<const Pack*>(from + 8 * lane + part);
+            }
+            transpose<1>(rows);
+#pragma GCC unroll 8
+            for (int i = 0; i < lanes; ++i) {
+                if (sweep_place[part + i] >= 0) store(to, sweep_place[part + i], rows[i]);
             }
         }
     }

@@ -35,16 +35,18 @@ inline void push(const ContactRow& row, double* a, double* b, double impulse) {
     store_quad(b + 4, load_quad(b + 4) - coordinates(load_quad(row.spin_b)) * impulse);
 }
 
+// The impulse applied is the difference of the accumulated ones, clamped or not: no branch, and it rounds to the same.
+
 void solve_normals(double* delta, ContactRow* rows, const ContactBodies* bodies, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         ContactRow& row = rows[i];
         double* a = delta + 8 * static_cast<std::size_t>(bodies[i].a);
         double* b = delta + 8 * static_cast<std::size_t>(bodies[i].b);
         const double old = row.torque_a[3];
-        const double change = row.axis[3] - along(row, a, b);
-        const double total = old + change;
-        row.torque_a[3] = total < 0.0 ? 0.0 : total;
-        push(row, a, b, total < 0.0 ? -old : change);
+        const double total = old + (row.axis[3] - along(row, a, b));
+        const double next = total > 0.0 ? total : 0.0;
+        row.torque_a[3] = next;
+        push(row, a, b, next - old);
     }
 }
 
@@ -60,10 +62,10 @@ void solve_frictions(double* delta, ContactRow* rows, const ContactRow* normals,
         double* b = delta + 8 * static_cast<std::size_t>(bodies[i].b);
         const double bound = row.torque_b[3] * normal;
         const double old = row.torque_a[3];
-        const double change = row.axis[3] - along(row, a, b);
-        const double total = old + change;
-        const double clamped = total < -bound ? -bound : total > bound ? bound : total;
-        row.torque_a[3] = clamped;
-        push(row, a, b, total < -bound || total > bound ? clamped - old : change);
+        const double total = old + (row.axis[3] - along(row, a, b));
+        const double capped = total < bound ? total : bound;
+        const double next = capped > -bound ? capped : -bound;
+        row.torque_a[3] = next;
+        push(row, a, b, next - old);
     }
 }

@@ -94,7 +94,7 @@ inline void prepare_joint(const double* frame, double* row, double* reaction, co
 
 /// Three rows one after the other: the second sees what the first did through the coupling, the third both. Returns the
 /// impulse along the axes.
-inline V3 solve_rows(double* row, int first, const V3& relative, Pack cfm) {
+[[gnu::always_inline]] inline V3 solve_rows(double* row, int first, const V3& relative, Pack cfm) {
     const V3 axis0 = load3(row, row_field::axis + 3 * first);
     const V3 axis1 = load3(row, row_field::axis + 3 * first + 3);
     const V3 axis2 = load3(row, row_field::axis + 3 * first + 6);
@@ -113,7 +113,7 @@ inline V3 solve_rows(double* row, int first, const V3& relative, Pack cfm) {
     return axis0 * change0 + axis1 * change1 + axis2 * change2;
 }
 
-inline void solve_joint(double* row, double* a, double* b) {
+[[gnu::always_inline]] inline void solve_joint(double* row, double* a, double* b) {
     const Pack cfm = load(row, row_field::cfm);
     V3 spin_a = load3(a, sweep_field::spin);
     V3 spin_b = load3(b, sweep_field::spin);
@@ -159,7 +159,7 @@ void prepare_joints(const LaneArrays& arrays, const LaneBlock& block, double tim
     }
 }
 
-inline void solve_joint_of(const LaneArrays& arrays, const LaneBlock& block, std::int32_t j) {
+[[gnu::always_inline]] inline void solve_joint_of(const LaneArrays& arrays, const LaneBlock& block, std::int32_t j) {
     solve_joint(joint_group(arrays.row, row_field::count, block, j),
                 body_group(arrays.sweep, sweep_field::count, block, block.pairs[2 * j]),
                 body_group(arrays.sweep, sweep_field::count, block, block.pairs[2 * j + 1]));

@@ -26,6 +26,18 @@ inline Pack square_root(Pack x) {
 
 inline constexpr int lanes = FLOES_LANES;
 
+template <int... lane>
+struct Sequence {};
+#if FLOES_LANES == 1
+using EveryLane = Sequence<0>;
+#elif FLOES_LANES == 2
+using EveryLane = Sequence<0, 1>;
+#elif FLOES_LANES == 4
+using EveryLane = Sequence<0, 1, 2, 3>;
+#else
+using EveryLane = Sequence<0, 1, 2, 3, 4, 5, 6, 7>;
+#endif
+
 inline Pack load(const double* group, int field) {
     return *reinterpret_cast<const Pack*>(group + field * lanes);
 }
