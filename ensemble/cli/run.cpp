@@ -1,0 +1,111 @@
+// floes run: a campaign from its configuration to its campaign file, on every core, alone or under mpirun.
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/config_file.hpp"
+#include "cli/terminal.hpp"
+#include "driver/run_campaign.hpp"
+#include "driver/signals.hpp"
+#include "driver/worker.hpp"
+#include "member/run_member.hpp"
+#include "report/formats.hpp"
+
+namespace floes {
+
+namespace {
+
+struct RunVerb {
+    std::string config;
+    std::string output;
+    bool resume = false;
+    bool overwrite = false;
+    int threads = 0;
+    std::vector<std::string> overrides;
+};
+
+/// The word as a shell reads it back.
+std::string quoted(const std::string& word) {
+    const bool plain = !word.empty() && word.find_first_not_of(
+                                            "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                            "0123456789_-+=.,/:@%") == std::string::npos;
+    if (plain) return word;
+    std::string text = "'";
+    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+}
+
+std::filesystem::path output_of(const RunVerb& verb) {
+    if (!verb.output.empty()) return verb.output;
+    return std::filesystem::path(verb.config).stem().string() + ".h5";
+}
+
+std::string resume_command(const RunVerb& verb, const std::string& program, int ranks) {
+    std::string command = ranks > 1 ? fmt::format("mpirun -n {} ", ranks) : "";
+    command +=
+        fmt::format("{} run {} -o {} --resume", quoted(program), quoted(verb.config), quoted(output_of(verb).string()));
+    if (verb.threads > 0) command += fmt::format(" --threads {}", verb.threads);
+    for (const std::string& setting : verb.overrides) command += " --set " + quoted(setting);
+    return command;
+}
+
+Existing existing_of(const RunVerb& verb) {
+    if (verb.resume) return Existing::resume;
+    return verb.overwrite ? Existing::replace : Existing::refuse;
+}
+
+MemberResult compute_member(const Campaign& campaign, int number, std::stop_token stop) {
+    const MemberKey key = member_key(campaign, number);
+    const Scenario& scenario = campaign.cases[static_cast<std::size_t>(key.case_index)].scenario;
+    return run_member(scenario, campaign.seed, static_cast<std::uint32_t>(key.arrangement), std::move(stop));
+}
+
+int lead(const RunVerb& verb, const std::string& program, Link& link) {
+    const Campaign campaign = load_campaign(verb.config, verb.overrides);
+    const RunOptions options{.places = {.campaign_file = output_of(verb), .existing = existing_of(verb)},
+                             .threads = verb.threads,
+                             .resume_command = resume_command(verb, program, link.size())};
+    int status = 0;
+    {
+        Progress progress(std::cerr, style_of_standard_error());
+        status = run_campaign(campaign, options, link, compute_member, progress);
+    }
+    if (status != exit_stopped) {
+        const Summary summary = summarise(read_campaign_file(options.places.campaign_file));
+        std::fputs(summary_table(summary, terminal_width()).c_str(), stdout);
+    }
+    return status;
+}
+
+int run(const RunVerb& verb, const std::string& program) {
+    const std::unique_ptr<Link> link = open_link();
+    if (link->rank() != 0) return serve_campaign(*link, verb.threads, compute_member);
+    return lead_ranks(*link, std::cerr, [&] { return lead(verb, program, *link); });
+}
+
+}  // namespace
+
+void add_run(CLI::App& program, int& exit_status) {
+    auto options = std::make_shared<RunVerb>();
+    CLI::App* verb = program.add_subcommand("run", "Run a campaign on every core, alone or under mpirun");
+    verb->add_option("config", options->config, "The configuration (CONFIG.toml)")->required();
+    verb->add_option("-o,--output", options->output, "The campaign file; CONFIG.h5 in this folder when not given");
+    CLI::Option* resume =
+        verb->add_flag("--resume", options->resume, "Go on with what is there, and begin when there is nothing yet");
+    verb->add_flag("--overwrite", options->overwrite, "Begin anew in the place of what is there")->excludes(resume);
+    verb->add_option("--threads", options->threads, "Members at a time on each rank; all its cores when not given")
+        ->check(CLI::Range(1, 4096));
+    verb->add_option("--set", options->overrides, "key=value: override a key of the file; may be repeated")
+        ->type_size(1)
+        ->allow_extra_args(false);
+    verb->callback([options, &program, &exit_status] { exit_status = run(*options, program.get_name()); });
+}
+
+}  // namespace floes

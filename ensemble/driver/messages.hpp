@@ -1,0 +1,40 @@
+#pragma once
+// What stands in the messages between master and workers. Tags without a function here carry nothing (dismiss,
+// farewell, stop_request) or plain text (campaign, trouble).
+
+#include <string>
+#include <string_view>
+
+#include "driver/crew.hpp"
+#include "store/bytes.hpp"
+#include "store/member_record.hpp"
+
+namespace floes {
+
+/// A worker introduces itself.
+struct Hello {
+    int cores = 1;  ///< members it computes at a time
+    std::string host;
+    std::string fingerprint;  ///< of the campaign as it understood it
+};
+
+/// A finished member.
+struct Answer {
+    int number = 0;
+    MemberRecord record;
+};
+
+Bytes encode(const Hello& hello);
+Bytes encode(const Assignment& assignment);
+Bytes encode(const Answer& answer);
+Bytes encode_status(int exit_status);
+Bytes encode_text(std::string_view text);
+
+// Each throws RunError when the bytes are not what they should be.
+Hello decode_hello(const Bytes& bytes);
+Assignment decode_assignment(const Bytes& bytes);
+Answer decode_answer(const Bytes& bytes);
+int decode_status(const Bytes& bytes);
+std::string decode_text(const Bytes& bytes);
+
+}  // namespace floes

@@ -1,0 +1,88 @@
+#include "driver/progress.hpp"
+
+#include <unistd.h>
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace floes {
+
+namespace {
+
+constexpr std::chrono::milliseconds live_interval{500};
+constexpr std::chrono::milliseconds plain_interval{60'000};
+constexpr const char* erase_line = "\r\033[K";
+
+std::string rate_text(double per_second) {
+    if (per_second >= 1) return fmt::format("{:.1f} members/s", per_second);
+    if (per_second * 60 >= 1) return fmt::format("{:.1f} members/min", per_second * 60);
+    return fmt::format("{:.1f} members/h", per_second * 3600);
+}
+
+}  // namespace
+
+double ProgressState::time_left() const {
+    if (finished_cost <= 0 || elapsed <= 0) return -1;
+    return remaining_cost / (finished_cost / elapsed);
+}
+
+std::string duration_text(double seconds) {
+    const auto s = std::llround(seconds);
+    if (s < 100) return fmt::format("{} s", s);
+    const auto minutes = std::llround(seconds / 60);
+    if (minutes < 100) return fmt::format("{} min", minutes);
+    const auto hours = std::llround(seconds / 3600);
+    if (hours < 48) return fmt::format("{} h {:02} min", minutes / 60, minutes % 60);
+    return fmt::format("{} d {} h", hours / 24, hours % 24);
+}
+
+std::string progress_text(const ProgressState& state) {
+    std::string text =
+        fmt::format("{} of {} done, {} failed, {} running", state.done, state.total, state.failed, state.running);
+    if (state.finished_now > 0 && state.elapsed > 0) {
+        text += ", " + rate_text(state.finished_now / state.elapsed);
+    }
+    if (state.remaining_cost > 0 && state.time_left() >= 0) text += ", " + duration_text(state.time_left()) + " left";
+    return text;
+}
+
+Progress::~Progress() {
+    if (line_is_open_) out_ << '\n' << std::flush;
+}
+
+void Progress::say(const std::string& text) {
+    out_ << fmt::format("{}floes: {}\n", line_is_open_ ? erase_line : "", text) << std::flush;
+    line_is_open_ = false;
+    if (style_ == Style::live) shown_ = false;  // the live line comes back at once
+}
+
+void Progress::show(const ProgressState& state, Time now) {
+    const int tenth = state.total > 0 ? 10 * (state.done + state.failed) / state.total : 10;
+    const bool due = !shown_ || now - last_time_ >= (style_ == Style::live ? live_interval : plain_interval) ||
+                     (style_ == Style::plain && tenth > last_tenth_);
+    if (!due) return;
+    shown_ = true;
+    last_time_ = now;
+    last_tenth_ = tenth;
+    write(state);
+}
+
+void Progress::show_last(const ProgressState& state) {
+    write(state);
+}
+
+void Progress::write(const ProgressState& state) {
+    if (style_ == Style::live) {
+        out_ << erase_line + ("floes: " + progress_text(state)) << std::flush;
+        line_is_open_ = true;
+    } else {
+        out_ << "floes: " + progress_text(state) + "\n" << std::flush;
+    }
+}
+
+Progress::Style style_of_standard_error() {
+    return ::isatty(STDERR_FILENO) == 1 ? Progress::Style::live : Progress::Style::plain;
+}
+
+}  // namespace floes

@@ -1,0 +1,65 @@
+#pragma once
+// What the user sees on standard error while a campaign runs: on a terminal one live line, elsewhere a plain line now
+// and then; and notes in between, which never tear the live line.
+
+#include <chrono>
+#include <ostream>
+#include <string>
+
+namespace floes {
+
+/// A campaign at one moment.
+struct ProgressState {
+    int total = 0;
+    int done = 0;  ///< with a result, without the failed
+    int failed = 0;
+    int running = 0;
+    int finished_now = 0;       ///< done or failed in this session
+    double elapsed = 0;         ///< s, of this session
+    double finished_cost = 0;   ///< expected cost of finished_now
+    double remaining_cost = 0;  ///< expected cost of all that is not finished, same unit
+
+    /// Remaining cost over the measured rate, s; negative while nothing has finished.
+    double time_left() const;
+};
+
+/// "40 s", "12 min", "3 h 05 min", "2 d 4 h".
+std::string duration_text(double seconds);
+
+/// "12 of 36 done, 1 failed, 2 running, 4.2 members/min, 5 min left"
+std::string progress_text(const ProgressState& state);
+
+class Progress {
+  public:
+    enum class Style { live, plain };
+    using Time = std::chrono::steady_clock::time_point;
+
+    Progress(std::ostream& out, Style style) : out_(out), style_(style) {}
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+    ~Progress();  // ends the live line
+
+    /// A line of its own.
+    void say(const std::string& text);
+
+    /// Shows the state if it is time for it: live, twice a second; plain, after 60 s or a tenth of the members.
+    void show(const ProgressState& state, Time now);
+
+    /// Shows the state in any case.
+    void show_last(const ProgressState& state);
+
+  private:
+    void write(const ProgressState& state);
+
+    std::ostream& out_;
+    Style style_;
+    bool line_is_open_ = false;
+    bool shown_ = false;
+    Time last_time_{};
+    int last_tenth_ = 0;
+};
+
+/// Live when standard error is a terminal.
+Progress::Style style_of_standard_error();
+
+}  // namespace floes

@@ -1,0 +1,106 @@
+#include "driver/recorder.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "store/campaign_file.hpp"
+
+namespace floes {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::chrono::milliseconds sync_interval{900};  // "within a second", with room for the disk
+constexpr int least_work_per_publishing = 20;            // publishing takes at most a twentieth of the time
+
+/// Opens the journal of the campaign file, having seen that nothing is overwritten or mixed up unasked.
+Journal open(const Campaign& campaign, const Recorder::Places& places) {
+    const fs::path journal = journal_path(places.campaign_file);
+    const std::string file = places.campaign_file.string();
+    const bool has_file = fs::exists(places.campaign_file);
+    const bool has_journal = fs::exists(journal);
+    if (places.existing == Existing::refuse && (has_file || has_journal)) {
+        throw InputError(
+            fmt::format("{} exists already: --resume goes on with it, --overwrite begins anew in its place, "
+                        "-o names another file.",
+                        has_file ? file : journal.string()));
+    }
+    if (places.existing == Existing::resume && has_file && !has_journal) {
+        throw InputError(
+            fmt::format("{} exists but its journal {} does not, so there is nothing to go on from: "
+                        "--overwrite begins anew in its place, -o names another file.",
+                        file, journal.string()));
+    }
+    Journal opened = open_journal(journal, campaign, places.existing);
+    if (places.existing == Existing::replace) fs::remove(places.campaign_file);
+    return opened;
+}
+
+}  // namespace
+
+Recorder::Recorder(const Campaign& campaign, Places places)
+    : campaign_(campaign),
+      places_(std::move(places)),
+      journal_(open(campaign_, places_)),
+      next_publish_(std::chrono::steady_clock::now() + places_.publish_every) {
+    const auto kept = match_records(campaign_, journal_.records());
+    const auto attempts = last_attempts(campaign_, journal_.records());
+    for (int number = 0; number < member_count(campaign_); ++number) {
+        const MemberRecord* record = kept[static_cast<std::size_t>(number)];
+        if (record == nullptr) {
+            tasks_.push_back({number, expected_cost(campaign_, number), 0, attempts[static_cast<std::size_t>(number)]});
+        } else {
+            ++reused_;
+            ++(record->result.status == MemberStatus::done ? done_ : failed_);
+        }
+    }
+}
+
+void Recorder::begin(const Session& session) {
+    journal_.begin_session(session);
+}
+
+void Recorder::keep(const MemberRecord& record) {
+    journal_.append(record);
+    ++(record.result.status == MemberStatus::done ? done_ : failed_);
+    synced_ = false;
+    published_ = false;
+}
+
+std::string Recorder::tend(Time now) {
+    if (now - last_sync_ >= sync_interval) sync();
+    if (published_ || now < next_publish_) return {};
+    std::string trouble;
+    try {
+        publish_now();
+    } catch (const RunError& error) {
+        trouble = error.what();
+    }
+    const auto after = std::chrono::steady_clock::now();
+    next_publish_ = after + std::max<std::chrono::steady_clock::duration>(places_.publish_every,
+                                                                          least_work_per_publishing * (after - now));
+    return trouble;
+}
+
+void Recorder::sync() {
+    if (!synced_) journal_.sync();
+    synced_ = true;
+    last_sync_ = std::chrono::steady_clock::now();
+}
+
+void Recorder::finish(const std::string& outcome) {
+    sync();
+    journal_.end_session(outcome);
+    publish_now();
+}
+
+void Recorder::publish_now() {
+    publish(places_.campaign_file, campaign_, journal_.records(), journal_.sessions());
+    published_ = true;
+}
+
+}  // namespace floes

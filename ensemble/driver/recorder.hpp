@@ -1,0 +1,67 @@
+#pragma once
+// Keeps the results of a campaign: into the journal at once, onto the disk within a second, into the campaign file now
+// and then and at the end.
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "schedule/events.hpp"
+#include "store/journal.hpp"
+
+namespace floes {
+
+class Recorder {
+  public:
+    using Time = std::chrono::steady_clock::time_point;
+
+    struct Places {
+        std::filesystem::path campaign_file;
+        Existing existing = Existing::refuse;
+        std::chrono::seconds publish_every{300};
+    };
+
+    /// Opens the journal. `campaign` must outlive the recorder. Throws InputError when there is something already and
+    /// `existing` does not say what to do about it, when the journal is another campaign's, or when somebody writes it.
+    Recorder(const Campaign& campaign, Places places);
+
+    /// What is still to be computed.
+    std::vector<MemberTask> tasks() const { return tasks_; }
+    int done() const { return done_; }      ///< members with a result, of this session and before
+    int failed() const { return failed_; }  ///< members set aside as failed, likewise
+    int reused() const { return reused_; }  ///< of both, those from before
+
+    /// Notes that a session begins now.
+    void begin(const Session& session);
+
+    /// Keeps a result. It may take a second until it is on the disk.
+    void keep(const MemberRecord& record);
+
+    /// To be called often: brings the journal to the disk and publishes when it is time. Returns a sentence when
+    /// publishing did not succeed; nothing is lost then, the journal has it.
+    std::string tend(Time now);
+
+    /// Brings the journal to the disk now.
+    void sync();
+
+    /// Ends the session and publishes. Throws RunError when that is impossible.
+    void finish(const std::string& outcome);
+
+  private:
+    void publish_now();
+
+    const Campaign& campaign_;
+    Places places_;
+    Journal journal_;
+    std::vector<MemberTask> tasks_;
+    int done_ = 0;
+    int failed_ = 0;
+    int reused_ = 0;
+    bool synced_ = true;
+    bool published_ = true;
+    Time last_sync_ = std::chrono::steady_clock::now();
+    Time next_publish_;
+};
+
+}  // namespace floes

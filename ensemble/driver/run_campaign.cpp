@@ -1,0 +1,86 @@
+#include "driver/run_campaign.hpp"
+
+#include <array>
+#include <exception>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "driver/master.hpp"
+#include "driver/worker.hpp"
+
+namespace floes {
+
+namespace {
+
+std::string count(int n, const char* singular) {
+    return fmt::format("{} {}{}", n, singular, n == 1 ? "" : "s");
+}
+
+std::string opening(const Campaign& campaign, const RunOptions& options, int ranks, int cores) {
+    return fmt::format("{}: {} = {} x {} on {} of {}; {}", campaign.name, count(member_count(campaign), "member"),
+                       count(static_cast<int>(campaign.cases.size()), "case"),
+                       count(campaign.arrangements, "arrangement"), count(cores, "core"), count(ranks, "rank"),
+                       options.places.campaign_file.string());
+}
+
+Session session_of(int ranks, int cores) {
+    return describe_session(ranks, cores, std::array{Software{"MPI", library_version()}});
+}
+
+/// The last words, and the exit status that goes with them.
+int conclude(const Campaign& campaign, const RunOptions& options, Recorder& recorder, Progress& progress,
+             const std::string& stopped_by) {
+    const std::string file = options.places.campaign_file.string();
+    const int total = member_count(campaign);
+    if (!stopped_by.empty()) {
+        recorder.sync();  // before anything that takes time: the batch system may not wait
+        progress.say(fmt::format("stopped by {} with {} of {} members done and on the disk; to go on: {}", stopped_by,
+                                 recorder.done() + recorder.failed(), total, options.resume_command));
+        recorder.finish("stopped");
+        return exit_stopped;
+    }
+    recorder.finish(recorder.failed() > 0 ? "complete, members failed" : "complete");
+    if (recorder.failed() > 0) {
+        progress.say(fmt::format("{} of {} members failed and stand as missing in {}; floes status {} has the reasons",
+                                 recorder.failed(), total, file, file));
+        return 1;
+    }
+    return 0;
+}
+
+}  // namespace
+
+int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link, const MemberFunction& compute,
+                 Progress& progress) {
+    const StopSignals signals;
+    Recorder recorder(campaign, options.places);
+    const Hello own{threads_of(link, options.threads), host_name(), fingerprint(campaign)};
+    const Muster mustered = muster(link, campaign, own);
+    progress.say(opening(campaign, options, link.size(), mustered.cores()));
+    if (const std::string remark = binding_remark(link.topology()); !remark.empty()) progress.say(remark);
+    if (recorder.reused() > 0) {
+        progress.say(fmt::format("resumed: {} reused, {} to compute", count(recorder.reused(), "member"),
+                                 member_count(campaign) - recorder.reused()));
+    }
+    recorder.begin(session_of(link.size(), mustered.cores()));
+    Master master(campaign, link, recorder, progress, signals, compute, mustered);
+    master.run();
+    return conclude(campaign, options, recorder, progress, master.stopped_by());
+}
+
+int lead_ranks(Link& link, std::ostream& errors, const std::function<int()>& body) {
+    int status = 1;
+    try {
+        status = body();
+    } catch (const InputError& error) {
+        errors << fmt::format("floes: {}\n", error.what());
+        status = 2;
+    } catch (const std::exception& error) {
+        errors << fmt::format("floes: {}\n", error.what());
+    }
+    for (int rank = 1; rank < link.size(); ++rank) link.send(rank, Tag::leave, encode_status(status));
+    return status;
+}
+
+}  // namespace floes

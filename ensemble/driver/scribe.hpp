@@ -1,0 +1,28 @@
+#pragma once
+// Writes down who computed what on this rank.
+
+#include <string>
+#include <vector>
+
+#include "driver/crew.hpp"
+#include "store/member_record.hpp"
+
+namespace floes {
+
+std::string host_name();
+
+class Scribe {
+  public:
+    /// `campaign` must outlive the scribe.
+    Scribe(const Campaign& campaign, int rank);
+
+    MemberRecord record(Assignment assignment, MemberResult result) const;
+
+  private:
+    const Campaign& campaign_;
+    int rank_;
+    std::string host_;
+    std::vector<std::string> case_keys_;
+};
+
+}  // namespace floes

@@ -1,0 +1,74 @@
+#include "driver/signals.hpp"
+
+#include <time.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdint>
+#include <string_view>
+
+namespace floes {
+
+namespace {
+
+// A handler can reach nothing but globals. These belong to the one StopSignals that lives.
+std::atomic<int> first_signal{0};
+std::atomic<std::int64_t> first_time{0};  // ms, monotonic
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free);
+
+// timeout(1), or a batch system together with mpirun, deliver one request twice within microseconds.
+constexpr std::int64_t same_request_ms = 250;
+
+std::int64_t now_ms() {
+    timespec now{};
+    ::clock_gettime(CLOCK_MONOTONIC, &now);
+    return std::int64_t{now.tv_sec} * 1000 + now.tv_nsec / 1'000'000;
+}
+
+void on_signal(int signal) {
+    int none = 0;
+    if (first_signal.compare_exchange_strong(none, signal)) {
+        first_time = now_ms();
+        return;
+    }
+    const std::int64_t first = first_time;
+    if (first == 0 || now_ms() - first < same_request_ms) return;
+    constexpr std::string_view parting = "\nfloes: left at once on the second signal; what was journaled is kept\n";
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, parting.data(), parting.size());
+    ::_exit(exit_stopped);
+}
+
+}  // namespace
+
+StopSignals::StopSignals() {
+    first_signal = 0;
+    first_time = 0;
+    struct sigaction action {};
+    action.sa_handler = on_signal;
+    ::sigemptyset(&action.sa_mask);
+    action.sa_flags = SA_RESTART;
+    for (std::size_t i = 0; i < caught.size(); ++i) ::sigaction(caught[i], &action, &former_[i]);
+}
+
+StopSignals::~StopSignals() {
+    for (std::size_t i = 0; i < caught.size(); ++i) ::sigaction(caught[i], &former_[i], nullptr);
+}
+
+int StopSignals::received() const {
+    return first_signal;
+}
+
+const char* signal_name(int signal) {
+    switch (signal) {
+        case SIGINT:
+            return "SIGINT";
+        case SIGTERM:
+            return "SIGTERM";
+        case SIGUSR1:
+            return "SIGUSR1";
+        default:
+            return "a signal";
+    }
+}
+
+}  // namespace floes

@@ -1,0 +1,135 @@
+#include "driver/worker.hpp"
+
+#include <exception>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "driver/messages.hpp"
+#include "driver/pause.hpp"
+#include "driver/scribe.hpp"
+#include "driver/signals.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr int master = 0;
+
+std::string no_file(const std::string& path) {
+    throw InputError(fmt::format("The campaign that the master sent refers to the file {}.", path));
+}
+
+/// The next message, asleep until it comes.
+Message wait_for_message(Link& link) {
+    Pause pause = pause_between_polls(link.size());
+    while (true) {
+        if (auto message = link.poll()) return std::move(*message);
+        std::this_thread::sleep_for(pause.next());
+    }
+}
+
+/// One worker at work: members between hello and leave.
+class Worker {
+  public:
+    Worker(Link& link, const Campaign& campaign, int threads, const MemberFunction& compute, const StopSignals& signals)
+        : link_(link), signals_(signals), scribe_(campaign, link.rank()), crew_(campaign, compute, threads) {
+        link_.send(master, Tag::hello, encode(Hello{threads, host_name(), fingerprint(campaign)}));
+    }
+
+    int run() {
+        while (!exit_status_) {
+            if (advance()) pause_.something_happened();
+            crew_.wait(pause_.next());
+        }
+        return *exit_status_;
+    }
+
+  private:
+    /// Does what there is to do. True when there was something.
+    bool advance() {
+        bool something = link_.moving();
+        while (const auto message = link_.poll()) {
+            obey(*message);
+            something = true;
+        }
+        for (Outcome& outcome : crew_.take()) {
+            if (outcome.result) answer(outcome.assignment, std::move(*outcome.result));
+            something = true;
+        }
+        if (dismissed_ && !said_farewell_ && crew_.held() == 0) {
+            link_.send(master, Tag::farewell, {});
+            said_farewell_ = true;
+        }
+        if (signals_.received() != 0 && !passed_signal_) {
+            link_.send(master, Tag::stop_request, {});
+            passed_signal_ = true;
+        }
+        return something;
+    }
+
+    void obey(const Message& message) {
+        switch (message.tag) {
+            case Tag::assign:
+                crew_.begin(decode_assignment(message.bytes));
+                return;
+            case Tag::dismiss:
+                crew_.abandon();
+                dismissed_ = true;
+                return;
+            case Tag::leave:
+                exit_status_ = decode_status(message.bytes);
+                return;
+            default:
+                throw RunError(fmt::format("A worker cannot understand message {}.", static_cast<int>(message.tag)));
+        }
+    }
+
+    void answer(Assignment assignment, MemberResult result) {
+        link_.send(master, Tag::answer,
+                   encode(Answer{assignment.number, scribe_.record(assignment, std::move(result))}));
+    }
+
+    Link& link_;
+    const StopSignals& signals_;
+    Scribe scribe_;
+    Crew crew_;
+    Pause pause_ = pause_between_polls(2);
+    bool dismissed_ = false;
+    bool said_farewell_ = false;
+    bool passed_signal_ = false;
+    std::optional<int> exit_status_;
+};
+
+int serve(Link& link, int threads, const MemberFunction& compute, const StopSignals& signals) {
+    const Message first = wait_for_message(link);
+    if (first.tag == Tag::leave) return decode_status(first.bytes);  // the run ended before it began
+    if (first.tag != Tag::campaign) throw RunError("A worker must get the campaign before anything else.");
+    const Campaign campaign = read_campaign({decode_text(first.bytes), "campaign of the master", {}}, no_file);
+    return Worker(link, campaign, threads_of(link, threads), compute, signals).run();
+}
+
+}  // namespace
+
+int threads_of(const Link& link, int asked) {
+    return asked > 0 ? asked : link.topology().cores;
+}
+
+int serve_campaign(Link& link, int threads, const MemberFunction& compute) {
+    const StopSignals signals;
+    try {
+        return serve(link, threads, compute, signals);
+    } catch (const std::exception& error) {
+        link.send(master, Tag::trouble, encode_text(error.what()));
+    }
+    while (true) {
+        const Message message = wait_for_message(link);
+        if (message.tag == Tag::leave) return decode_status(message.bytes);
+    }
+}
+
+}  // namespace floes

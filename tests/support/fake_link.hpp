@@ -1,0 +1,69 @@
+#pragma once
+// A link that plays the other ranks by a script and complains about every message that the script does not have.
+//
+//     FakeLink link(/*rank*/ 1, /*size*/ 2);
+//     link.deliver(0, Tag::campaign, …);   // handed out by poll() once all that was expected before it has been sent
+//     link.expect(0, Tag::hello);          // the next message sent must be this one
+//     …
+//     link.finish();                       // nothing of the script is left
+
+#include <deque>
+#include <functional>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "wire/link.hpp"
+
+namespace floes {
+
+class FakeLink final : public Link {
+  public:
+    using Look = std::function<void(const std::vector<std::byte>&)>;
+
+    FakeLink(int rank, int size) : rank_(rank), size_(size) {}
+
+    void deliver(int from, Tag tag, std::vector<std::byte> bytes = {}) {
+        script_.push_back({true, {from, tag, std::move(bytes)}, {}});
+    }
+    /// `look` sees the bytes that were sent.
+    void expect(int to, Tag tag, Look look = {}) { script_.push_back({false, {to, tag, {}}, std::move(look)}); }
+    void finish() const { EXPECT_TRUE(script_.empty()) << script_.size() << " steps of the script did not happen"; }
+
+    int rank() const override { return rank_; }
+    int size() const override { return size_; }
+    const Topology& topology() const override { return topology_; }
+    bool moving() const override { return false; }
+
+    void send(int to, Tag tag, std::vector<std::byte> bytes) override {
+        if (script_.empty() || script_.front().deliver || script_.front().message.from != to ||
+            script_.front().message.tag != tag) {
+            ADD_FAILURE() << "unexpected message " << static_cast<int>(tag) << " to rank " << to;
+            return;
+        }
+        const Look look = std::move(script_.front().look);
+        script_.pop_front();
+        if (look) look(bytes);
+    }
+
+    std::optional<Message> poll() override {
+        if (script_.empty() || !script_.front().deliver) return std::nullopt;
+        Message message = std::move(script_.front().message);
+        script_.pop_front();
+        return message;
+    }
+
+  private:
+    struct Step {
+        bool deliver;
+        Message message;  // `from` is the receiver of what is expected
+        Look look;
+    };
+
+    int rank_;
+    int size_;
+    Topology topology_{.cores = 1, .bound_cores = 1, .node_cores = 1, .node_ranks = 1};
+    std::deque<Step> script_;
+};
+
+}  // namespace floes
