@@ -102,8 +102,10 @@ check "silent when there is nothing to do" "" "$err"
 
 # -- through a symbolic link, from elsewhere
 ln -s "$home/floes" "$bin/linked"
+: >"$stage/calls"
 out=$(cd / && PATH=$bin:$PATH linked config --defaults 2>/dev/null)
 check "symbolic link" "program <config> <--defaults>" "$out"
+check "symbolic link: the project it leads to" "cmake --build $home/build/release" "$(calls)"
 
 # -- a project that moved is configured afresh
 : >"$stage/calls"
