@@ -1,4 +1,5 @@
 # cmake -D SOURCE=tree -D OUTPUT=header -P GitRevision.cmake: the tree's revision as a header; "unknown" outside git.
+cmake_minimum_required(VERSION 3.22)
 set(revision unknown)
 find_program(git git)
 if(git)

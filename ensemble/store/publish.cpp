@@ -280,7 +280,9 @@ void write_breaks(hid_t file, const Content& content, const Scales& scales) {
 }
 
 // Of members, in member order.
-void write_member_provenance(hid_t group, const Content& content, const Scales& scales, std::vector<int> attempts) {
+void write_member_provenance(hid_t group, const Content& content, std::vector<int> attempts) {
+    // Not the root's scale: a scale refers to what it is attached to, and comparing two files follows the reference.
+    const Scale member = index_scale(group, "member", "member", content.records.size());
     std::vector<double> wall_time;
     std::vector<double> peak_memory;
     std::vector<std::int32_t> rank;
@@ -291,7 +293,7 @@ void write_member_provenance(hid_t group, const Content& content, const Scales& 
         rank.push_back(record != nullptr ? record->rank : -1);
         host.push_back(record != nullptr ? record->host : "");
     }
-    const hdf5::Dimensions one{scales.member};
+    const hdf5::Dimensions one{member};
     hdf5::write_values(group, {"wall_time", "s", "wall time of the member"}, one, wall_time);
     hdf5::write_values(group, {"peak_memory", "byte", "largest resident set of the process by the member's end"}, one,
                        peak_memory);
@@ -329,7 +331,7 @@ void write_sessions(hid_t group, std::span<const Session> sessions) {
     counts("session_threads", "threads over all ranks of the session", &Session::threads);
 }
 
-void write_provenance(hid_t file, const Content& content, const Scales& scales, std::span<const Session> sessions,
+void write_provenance(hid_t file, const Content& content, std::span<const Session> sessions,
                       std::vector<int> attempts) {
     const Handle group = hdf5::create_group(file, "provenance");
     const hid_t id = group.id();
@@ -341,7 +343,7 @@ void write_provenance(hid_t file, const Content& content, const Scales& scales, 
             hdf5::write_attribute(id, software.name, software.version);
     }
     hdf5::write_text(id, {"configuration", "1", "resolved configuration, TOML"}, write_campaign(content.campaign));
-    write_member_provenance(id, content, scales, std::move(attempts));
+    write_member_provenance(id, content, std::move(attempts));
     write_sessions(id, sessions);
 }
 
@@ -357,7 +359,7 @@ void write_file(const std::filesystem::path& path, Content& content, std::span<c
         write_arrangements(file.id(), content, scales);
         write_history(file.id(), content, scales);
         write_breaks(file.id(), content, scales);
-        write_provenance(file.id(), content, scales, sessions, std::move(attempts));
+        write_provenance(file.id(), content, sessions, std::move(attempts));
     }
     file.close("H5Fclose", path.string());
 }

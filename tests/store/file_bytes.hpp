@@ -1,0 +1,26 @@
+#pragma once
+// Whole files as bytes, for tests that damage them.
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "store/bytes.hpp"
+
+namespace floes {
+
+inline Bytes file_bytes(const std::filesystem::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    const auto bytes = std::as_bytes(std::span(text));
+    return {bytes.begin(), bytes.end()};
+}
+
+inline void write_file_bytes(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+    // A file emptied and written again would be flushed to the disk by the file system; a new one is not.
+    std::filesystem::remove(path);
+    std::ofstream out(path, std::ios::binary | std::ios::trunc);
+    out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}
+
+}  // namespace floes
