@@ -1,7 +1,7 @@
 // Follows Monte Carlo chains of the paper's channel from both starts and prints what docs/figures/arrangement.py draws:
 //   arrangement_chains CHAINS SWEEPS
 //   chain,START,number,sweeps,psi4,near_far,sway,columns   at rising numbers of sweeps
-//   pose,START,number,sweeps,x,z,yaw                       at 0 sweeps of chain 0, and of all chains at SWEEPS
+//   pose,START,number,sweeps,x,z,yaw                       at 0 sweeps of chain 0, and of all chains at SWEEPS / 2
 // near_far: mean cos(pi (x - begin) / length), the slowest wave of the density; sway: mean z, m; columns: |mean exp(2
 // pi i x / pitch)| with the pitch of the lattice start.
 
@@ -67,11 +67,11 @@ void follow(const Channel& channel, const char* start_name, const std::vector<Pl
     double next = 100;
     for (int sweep = 1; sweep <= sweeps; ++sweep) {
         floes.sweep(step, random);
+        if (sweep == sweeps / 2) print_poses(name(sweep), floes.poses());
         if (sweep < next && sweep != sweeps) continue;
         print_state(channel, name(sweep), floes.poses());
         next *= 1.1;
     }
-    print_poses(name(sweeps), floes.poses());
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 // The sampler against a reference: orientational order of 400 hard squares in a periodic square box. The reference
 // figures are those of an independent program (0.4 to 1 million sweeps; the same program gives the density of hard
 // discs within its error of the published one): concentration 0.50, 0.65, 0.75 -> psi4 0.0555(3), 0.126(3), 0.808(2).
+// At 0.75 psi4 also depends on how the floes' common direction lies to the box, and that direction takes more than a
+// million sweeps to turn round: from the lattice, along the box, this sampler gives 0.8155(12); compressed from a
+// disordered fluid 0.810(2) and 0.798(4), at 30 and 15 degrees to the box.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +22,8 @@ struct Estimate {
     double error;  // of the mean
 };
 
-// Batch means: the batches are long against the correlation time of psi4, so their means are independent.
+// Batch means. The batches must be long against the correlation time of psi4 for their means to be independent: it is
+// some 20, 1600 and 3000 sweeps at concentration 0.50, 0.65 and 0.75.
 Estimate batch_means(const std::vector<double>& series, std::size_t batches) {
     const std::size_t length = series.size() / batches;
     double sum = 0, squares = 0;
@@ -38,6 +42,7 @@ struct Chain {
     double concentration;
     int equilibration;  // sweeps
     int sweeps;         // measured, after those
+    std::size_t batches;
 };
 
 Estimate psi4_of_periodic_squares(const Chain& chain) {
@@ -54,7 +59,7 @@ Estimate psi4_of_periodic_squares(const Chain& chain) {
         floes.sweep(step, random);
         if (i % sweeps_per_sample == 0) series.push_back(fourfold_order(floes.poses()));
     }
-    return batch_means(series, 20);
+    return batch_means(series, chain.batches);
 }
 
 void expect_reference(const Chain& chain, const Estimate& reference) {
@@ -66,15 +71,15 @@ void expect_reference(const Chain& chain, const Estimate& reference) {
 }
 
 TEST(HardSquares, HaveTheOrderOfTheReferenceAtConcentration050) {
-    expect_reference({0.50, 5'000, 20'000}, {0.0555, 0.0003});
+    expect_reference({0.50, 2'000, 30'000, 100}, {0.0555, 0.0003});
 }
 
 TEST(HardSquares, HaveTheOrderOfTheReferenceAtConcentration065) {
-    expect_reference({0.65, 20'000, 200'000}, {0.126, 0.003});
+    expect_reference({0.65, 10'000, 150'000, 20}, {0.126, 0.003});
 }
 
 TEST(HardSquares, HaveTheOrderOfTheReferenceAtConcentration075) {
-    expect_reference({0.75, 20'000, 200'000}, {0.808, 0.002});
+    expect_reference({0.75, 10'000, 80'000, 10}, {0.808, 0.002});
 }
 
 }  // namespace
