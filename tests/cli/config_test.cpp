@@ -1,0 +1,76 @@
+// floes config: what it prints and how it ends.
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "campaign/campaign_keys.hpp"
+#include "cli/commands.hpp"
+#include "cli/config_file.hpp"
+#include "core/error.hpp"
+
+namespace floes {
+namespace {
+
+const std::string table3 = std::string(FLOES_SOURCE_DIR) + "/configs/table3.toml";
+
+/// Standard output of `floes config ARGUMENTS`; throws what main() would turn into an exit status.
+std::string config(std::vector<std::string> arguments) {
+    CLI::App program("floes");
+    int exit_status = -1;
+    add_config(program, exit_status);
+    arguments.insert(arguments.begin(), "config");
+    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // as CLI11 takes them
+    testing::internal::CaptureStdout();
+    try {
+        program.parse(reversed);
+    } catch (...) {
+        testing::internal::GetCapturedStdout();
+        throw;
+    }
+    EXPECT_EQ(exit_status, 0);
+    return testing::internal::GetCapturedStdout();
+}
+
+TEST(Config, PrintsDefaultsAndReference) {
+    EXPECT_EQ(config({"--defaults"}), default_configuration());
+    EXPECT_EQ(config({"--reference"}), reference_markdown());
+}
+
+TEST(Config, ReferenceAsJsonHasEveryKey) {
+    const nlohmann::json keys = nlohmann::json::parse(config({"--reference", "--format", "json"})).at("keys");
+    const std::vector<KeyDescription> expected = reference();
+    ASSERT_EQ(keys.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        EXPECT_EQ(keys[i].at("key"), expected[i].key);
+        EXPECT_EQ(keys[i].at("default"), expected[i].default_value);
+        EXPECT_EQ(keys[i].at("allowed"), expected[i].allowed);
+        EXPECT_EQ(keys[i].at("meaning"), expected[i].meaning);
+        EXPECT_EQ(keys[i].at("source"), expected[i].source);
+    }
+}
+
+TEST(Config, CheckCountsMembers) {
+    EXPECT_EQ(config({"--check", table3}), "ok: 3 cases x 12 arrangements = 36 members\n");
+    EXPECT_EQ(config({"--check", table3, "--set", "campaign.arrangements=1"}),
+              "ok: 3 cases x 1 arrangement = 3 members\n");
+}
+
+TEST(Config, ResolvedIsTheWholeCampaign) {
+    EXPECT_EQ(config({"--resolved", table3, "--set", "general.iterations=20"}),
+              write_campaign(load_campaign(table3, {"general.iterations=20"})));
+}
+
+TEST(Config, RefusesBadInputAndUsage) {
+    EXPECT_THROW(config({"--check", table3, "--set", "floe.element_m=0.25"}), InputError);
+    EXPECT_THROW(config({"--check", table3 + ".none"}), InputError);
+    EXPECT_THROW(config({"--check", FLOES_SOURCE_DIR}), InputError);
+    EXPECT_THROW(config({}), CLI::ParseError);
+    EXPECT_THROW(config({"--defaults", "--reference"}), CLI::ParseError);
+    EXPECT_THROW(config({"--defaults", "--format", "json"}), CLI::ParseError);
+}
+
+}  // namespace
+}  // namespace floes

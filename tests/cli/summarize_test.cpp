@@ -1,0 +1,98 @@
+// The verb `summarize`, from a campaign file on the disk to standard output.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.hpp"
+#include "core/error.hpp"
+#include "store/campaign_file.hpp"
+#include "store/synthetic.hpp"
+#include "store/temporary_folder.hpp"
+
+namespace floes {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+class Summarize : public testing::Test {
+  protected:
+    // Three cases, four arrangements; of the case "stiff" member 4 failed and member 7 is missing.
+    Summarize() {
+        const Campaign campaign = synthetic::campaign();
+        const std::vector<Session> sessions{synthetic::session()};
+        publish(file_, campaign, synthetic::records(campaign), sessions);
+    }
+
+    // Standard output of `floes summarize FILE arguments…`.
+    std::string summarize(const std::string& arguments) {
+        CLI::App program{"floes"};
+        int status = -1;
+        add_summarize(program, status);
+        testing::internal::CaptureStdout();
+        try {
+            program.parse("summarize " + file_.string() + " " + arguments);
+        } catch (...) {
+            testing::internal::GetCapturedStdout();
+            throw;
+        }
+        EXPECT_EQ(status, 0);
+        return testing::internal::GetCapturedStdout();
+    }
+
+    TemporaryFolder folder_;
+    std::filesystem::path file_ = folder_ / "synthetic.h5";
+};
+
+TEST_F(Summarize, GivesJsonOfWhatTheFileHolds) {
+    const json summary = json::parse(summarize("--format json"));
+    EXPECT_EQ(summary.at("campaign"), "synthetic");
+    EXPECT_EQ(summary.at("complete"), false);
+    const json& soft = summary.at("cases").at(0);
+    EXPECT_EQ(soft.at("name"), "soft");
+    // Members 0, 3, 6 and 9: mean loads of 100, 400, 700 and 1000 N and a tenth; odd ones are not steady.
+    EXPECT_DOUBLE_EQ(soft.at("mean_N").at("estimate").get<double>(), 550.1);
+    EXPECT_EQ(soft.at("not_steady"), 2);
+    EXPECT_EQ(soft.at("failures").at("bending"), 3 * (0 + 3 + 6 + 9));
+    const json& stiff = summary.at("cases").at(1);
+    EXPECT_EQ(stiff.at("elastic_modulus_MPa"), 200.0);
+    EXPECT_EQ(stiff.at("members"), 4);
+    EXPECT_EQ(stiff.at("failed_members"), 1);
+    EXPECT_EQ(stiff.at("missing_members"), 1);
+    // Members 1 and 10 alone.
+    EXPECT_DOUBLE_EQ(stiff.at("mean_N").at("estimate").get<double>(), 650.1);
+    const json& open = summary.at("cases").at(2).at("conditions");
+    EXPECT_EQ(open.at("far_end"), "open");
+    EXPECT_EQ(open.at("contact_erp"), 0.8);
+    EXPECT_EQ(open.at("structure_profile_m").size(), 3u);
+    EXPECT_EQ(open.at("window_s"), synthetic::campaign().cases.at(2).scenario.analysis.window);
+    EXPECT_EQ(open.at("segments"), 2);
+}
+
+TEST_F(Summarize, GivesATable) {
+    const std::string text = summarize("--reference soft");
+    EXPECT_THAT(text,
+                HasSubstr("Campaign synthetic: 12 members in 3 cases, 1 failed. INCOMPLETE: 1 without a result yet."));
+    EXPECT_THAT(text, HasSubstr("Far end: an ice sheet (soft, stiff).\nFar end: open (open).\n"));
+    EXPECT_THAT(text, HasSubstr("against soft"));
+    EXPECT_THAT(text, HasSubstr("Member 4 failed: "));
+}
+
+TEST_F(Summarize, GivesCsv) {
+    const std::string text = summarize("--format csv");
+    EXPECT_EQ(std::ranges::count(text, '\n'), 4);
+    EXPECT_THAT(text, HasSubstr("\nstiff,1e-10,200,4,1,1,"));
+}
+
+TEST_F(Summarize, RefusesWhatItDoesNotKnow) {
+    EXPECT_THROW(summarize("--format yaml"), CLI::ValidationError);
+    EXPECT_THROW(summarize("--reference hard"), InputError);
+    std::filesystem::remove(file_);
+    EXPECT_THROW(summarize(""), InputError);
+}
+
+}  // namespace
+}  // namespace floes
