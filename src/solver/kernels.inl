@@ -20,7 +20,7 @@ namespace {
 }  // namespace
 
 extern const LaneKernels FLOES_KERNELS;
-const LaneKernels FLOES_KERNELS{FLOES_LANES, prepare_bodies, prepare_joints, sweep,          reactions,
-                                to_contacts, from_contacts,  solve_normals,  solve_frictions};
+const LaneKernels FLOES_KERNELS{FLOES_LANES,    prepare_bodies, prepare_joints, sweep,         reactions,
+                                advance_bodies, to_contacts,    from_contacts,  solve_normals, solve_frictions};
 
 }  // namespace floes

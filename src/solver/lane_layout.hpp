@@ -108,6 +108,8 @@ struct LaneKernels {
     /// `sweeps` Gauss-Seidel sweeps over the joints of each block.
     void (*sweep)(const LaneArrays&, const LaneBlock* blocks, std::size_t count, int sweeps);
     void (*reactions)(const LaneArrays&, const LaneBlock&, double time_step);
+    /// body groups [0, groups): velocity and spin at the end of the step, and the pose they lead to.
+    void (*advance_bodies)(const LaneArrays&, std::size_t groups, double time_step);
     /// sweep -> delta and back, for the bodies of a block.
     void (*to_contacts)(const LaneArrays&, const LaneBlock&);
     void (*from_contacts)(const LaneArrays&, const LaneBlock&);

@@ -22,6 +22,17 @@ std::size_t place(std::uint32_t slot, int fields, int field, int width) {
     return (slot / w) * static_cast<std::size_t>(fields * width) + static_cast<std::size_t>(field * width) + slot % w;
 }
 
+/// Neighbouring fields of one lane, `lane` pointing at its first field of all.
+template <std::size_t count>
+void put(double* lane, int width, int field, const std::array<double, count>& values) {
+    for (std::size_t i = 0; i < count; ++i) lane[(field + static_cast<int>(i)) * width] = values[i];
+}
+
+template <std::size_t count>
+void get(const double* lane, int width, int field, std::array<double, count>& values) {
+    for (std::size_t i = 0; i < count; ++i) values[i] = lane[(field + static_cast<int>(i)) * width];
+}
+
 /// Root of i, shortening the way for the next who asks.
 std::uint32_t root(std::vector<std::uint32_t>& parent, std::uint32_t i) {
     while (parent[i] != i) i = parent[i] = parent[parent[i]];
@@ -171,15 +182,30 @@ void LaneSystem::remove_joint(std::size_t joint) {
 
 void LaneSystem::set_state(std::size_t body, const SolverState& state) {
     double* to = body_.data() + place(slot_of_body_[body], body_field::count, 0, width());
-    const int w = width();
-    for (int i = 0; i < 9; ++i) to[(body_field::rotation + i) * w] = state.rotation[static_cast<std::size_t>(i)];
-    for (int i = 0; i < 3; ++i) {
-        to[(body_field::position + i) * w] = state.position[i];
-        to[(body_field::velocity + i) * w] = state.velocity[i];
-        to[(body_field::spin + i) * w] = state.spin[i];
-        to[(body_field::force + i) * w] = state.force[i];
-        to[(body_field::torque + i) * w] = state.torque[i];
-    }
+    put(to, width(), body_field::position, state.position);
+    put(to, width(), body_field::rotation, state.rotation);
+    put(to, width(), body_field::velocity, state.velocity);
+    put(to, width(), body_field::spin, state.spin);
+}
+
+void LaneSystem::set_force(std::size_t body, const std::array<double, 3>& force, const std::array<double, 3>& torque) {
+    double* to = body_.data() + place(slot_of_body_[body], body_field::count, 0, width());
+    put(to, width(), body_field::force, force);
+    put(to, width(), body_field::torque, torque);
+}
+
+SolverState LaneSystem::state(std::size_t body) const {
+    const double* from = body_.data() + place(slot_of_body_[body], body_field::count, 0, width());
+    SolverState state;
+    get(from, width(), body_field::position, state.position);
+    get(from, width(), body_field::rotation, state.rotation);
+    get(from, width(), body_field::velocity, state.velocity);
+    get(from, width(), body_field::spin, state.spin);
+    return state;
+}
+
+void LaneSystem::advance() {
+    kernels_->advance_bodies(arrays(), body_groups_, time_step_);
 }
 
 void LaneSystem::prepare(double time_step) {
@@ -225,26 +251,12 @@ void LaneSystem::solve(std::span<SolverContact> contacts, const ContactRules& ru
     contact_rows_.finish(contacts);
 }
 
-std::array<double, 3> LaneSystem::velocity(std::size_t body) const {
-    const double* start =
-        body_.data() + place(slot_of_body_[body], body_field::count, body_field::start_velocity, width());
-    const double* change =
-        sweep_.data() + place(slot_of_body_[body], sweep_field::count, sweep_field::velocity, width());
-    const int w = width();
-    return {start[0] + change[0], start[w] + change[w], start[2 * w] + change[2 * w]};
-}
-
-std::array<double, 3> LaneSystem::spin(std::size_t body) const {
-    const double* start = body_.data() + place(slot_of_body_[body], body_field::count, body_field::start_spin, width());
-    const double* change = sweep_.data() + place(slot_of_body_[body], sweep_field::count, sweep_field::spin, width());
-    const int w = width();
-    return {start[0] + change[0], start[w] + change[w], start[2 * w] + change[2 * w]};
-}
-
 SolverReaction LaneSystem::reaction(std::size_t joint) const {
-    const double* p = reaction_.data() + place(slot_of_joint_[joint], reaction_field::count, 0, width());
-    const int w = width();
-    return {{p[0], p[w], p[2 * w]}, {p[3 * w], p[4 * w], p[5 * w]}};
+    const double* from = reaction_.data() + place(slot_of_joint_[joint], reaction_field::count, 0, width());
+    SolverReaction reaction;
+    get(from, width(), reaction_field::force, reaction.force);
+    get(from, width(), reaction_field::moment, reaction.moment);
+    return reaction;
 }
 
 }  // namespace floes

@@ -3,10 +3,11 @@
 // solver with fixed joints (btGeneric6DofSpring2Constraint locked in all six axes) and one friction direction; each
 // floe's rows are solved in the order in which its joints are given. A step reads:
 //
-//   system.set_state(body, state);                 // every body
+//   system.set_force(body, force, torque);         // every body; set_state for those that something else moves
 //   system.prepare(time_step);
 //   system.solve(contacts, rules, iterations);     // contacts in the order in which they are to be solved
-//   system.velocity(body); system.reaction(joint);
+//   system.advance();
+//   system.state(body); system.reaction(joint);
 //
 // A floe is a set of bodies connected by joints. Floes with the same pattern of joints go into the lanes of a block.
 // A removed joint stays in its lane and does nothing. Everything is the same, to the bit, at every lane width.
@@ -44,14 +45,12 @@ struct SolverJoint {
     double erp = 0;  ///< Γ
 };
 
-/// A body before the step. World axes, SI units.
+/// Motion of a body. World axes, SI units.
 struct SolverState {
-    const double* position;          ///< 3, centre of mass
-    std::array<double, 9> rotation;  ///< body -> world, row by row
-    const double* velocity;          ///< 3
-    const double* spin;              ///< 3
-    const double* force;             ///< 3, weight included
-    const double* torque;            ///< 3
+    std::array<double, 3> position{};                           ///< of the centre of mass
+    std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};  ///< body -> world, row by row
+    std::array<double, 3> velocity{};
+    std::array<double, 3> spin{};
 };
 
 /// What a joint exerted on body a in the last solve: in the joint's frame in a, moment about the pivot; N and N m.
@@ -72,17 +71,24 @@ class LaneSystem {
     void remove_joint(std::size_t joint);
 
     void set_state(std::size_t body, const SolverState& state);
+
+    /// For the coming step, weight included; the torque is about the centre of mass.
+    void set_force(std::size_t body, const std::array<double, 3>& force, const std::array<double, 3>& torque);
+
     void prepare(double time_step);
     void solve(std::span<SolverContact> contacts, const ContactRules& rules, int iterations);
 
-    /// After the step, before positions move.
-    std::array<double, 3> velocity(std::size_t body) const;
-    std::array<double, 3> spin(std::size_t body) const;
+    /// Ends the step: velocities, then positions moved with them.
+    void advance();
 
-    /// Velocity and spin that only move the body out of a penetration (split impulse); zero without one.
+    SolverState state(std::size_t body) const;
+
+    /// Velocity and spin that only move the body out of a penetration (split impulse), for the caller to apply to its
+    /// pose between solve and advance; zero without a penetration that deep.
     bool pushed() const { return contact_rows_.any_split(); }
     std::array<double, 6> push(std::size_t body) const { return contact_rows_.push(slot_of_body_[body]); }
 
+    /// After a solve; zero for a removed joint.
     SolverReaction reaction(std::size_t joint) const;
 
   private:

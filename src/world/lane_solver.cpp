@@ -37,6 +37,12 @@ btRigidBody& rigid(btCollisionObject* object) {
     return static_cast<btRigidBody&>(*object);
 }
 
+SolverState state_of(const btRigidBody& body) {
+    const btTransform& pose = body.getWorldTransform();
+    return {array_of(pose.getOrigin()), rows_of(pose.getBasis()), array_of(body.getLinearVelocity()),
+            array_of(body.getAngularVelocity())};
+}
+
 bool solvable(const btPersistentManifold& manifold) {
     return rigid(manifold.getBody0()).getInvMass() > 0 || rigid(manifold.getBody1()).getInvMass() > 0;
 }
@@ -75,19 +81,19 @@ void LaneSolver::lay_out(std::span<btCollisionObject* const> bodies) {
         solver_bodies.push_back({body.getInvMass(), array_of(body.getInvInertiaDiagLocal())});
     }
     system_.emplace(solver_bodies, joints_, width_);
+    for (std::size_t i = 0; i < bodies.size(); ++i) system_->set_state(i, state_of(rigid(bodies[i])));
     for (std::size_t i = 0; i < joints_.size(); ++i) {
         if (removed_[i]) system_->remove_joint(i);
     }
 }
 
-void LaneSolver::read_bodies(std::span<btCollisionObject* const> bodies) {
+void LaneSolver::read_forces(std::span<btCollisionObject* const> bodies) {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const btRigidBody& body = rigid(bodies[i]);
-        const btTransform& pose = body.getWorldTransform();
-        const btVector3 force = body.getTotalForce();
-        const btVector3 torque = body.getTotalTorque();
-        system_->set_state(i, {pose.getOrigin(), rows_of(pose.getBasis()), body.getLinearVelocity(),
-                               body.getAngularVelocity(), force, torque});
+        if (body.isKinematicObject()) system_->set_state(i, state_of(body));
+        if (body.isStaticOrKinematicObject()) continue;
+        const btVector3 weight = body.getGravity() / body.getInvMass();
+        system_->set_force(i, array_of(body.getTotalForce() + weight), array_of(body.getTotalTorque()));
     }
 }
 
@@ -122,20 +128,32 @@ void LaneSolver::write_contacts(std::span<btPersistentManifold* const> manifolds
     }
 }
 
-void LaneSolver::write_bodies(std::span<btCollisionObject* const> bodies, const btContactSolverInfo& info) const {
+void LaneSolver::push_apart(std::span<btCollisionObject* const> bodies, const btContactSolverInfo& info) {
+    if (!system_->pushed()) return;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const std::array<double, 6> push = system_->push(i);
+        if (push == std::array<double, 6>{}) continue;
+        SolverState state = system_->state(i);
+        btTransform pose;
+        btTransformUtil::integrateTransform(rigid(bodies[i]).getWorldTransform(), {push[0], push[1], push[2]},
+                                            btVector3(push[3], push[4], push[5]) * info.m_splitImpulseTurnErp,
+                                            info.m_timeStep, pose);
+        state.position = array_of(pose.getOrigin());
+        state.rotation = rows_of(pose.getBasis());
+        system_->set_state(i, state);
+    }
+}
+
+void LaneSolver::write_bodies(std::span<btCollisionObject* const> bodies) const {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         btRigidBody& body = rigid(bodies[i]);
         if (body.isStaticOrKinematicObject()) continue;
-        body.setLinearVelocity(vector_of(system_->velocity(i)));
-        body.setAngularVelocity(vector_of(system_->spin(i)));
-        if (!system_->pushed()) continue;
-        const std::array<double, 6> push = system_->push(i);
-        if (push == std::array<double, 6>{}) continue;
-        btTransform pose;
-        btTransformUtil::integrateTransform(body.getWorldTransform(), {push[0], push[1], push[2]},
-                                            btVector3(push[3], push[4], push[5]) * info.m_splitImpulseTurnErp,
-                                            info.m_timeStep, pose);
-        body.setWorldTransform(pose);
+        const auto [position, r, velocity, spin] = system_->state(i);
+        body.setWorldTransform(
+            btTransform(btMatrix3x3(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]), vector_of(position)));
+        body.setLinearVelocity(vector_of(velocity));
+        body.setAngularVelocity(vector_of(spin));
+        body.clearForces();
     }
 }
 
@@ -145,13 +163,15 @@ btScalar LaneSolver::solveGroup(btCollisionObject** bodies, int body_count, btPe
     const std::span<btCollisionObject* const> all(bodies, static_cast<std::size_t>(body_count));
     const std::span<btPersistentManifold* const> touching(manifolds, static_cast<std::size_t>(manifold_count));
     if (!system_ || system_->body_count() != all.size() || system_->joint_count() != joints_.size()) lay_out(all);
-    read_bodies(all);
+    read_forces(all);
     system_->prepare(info.m_timeStep);
     read_contacts(touching, info);
     system_->solve(contacts_, {info.m_erp2, info.m_splitImpulse != 0, -info.m_splitImpulsePenetrationThreshold},
                    info.m_numIterations);
     write_contacts(touching);
-    write_bodies(all, info);
+    push_apart(all, info);
+    system_->advance();
+    write_bodies(all);
     return 0;
 }
 

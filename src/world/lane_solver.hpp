@@ -26,17 +26,20 @@ class LaneSolver final : public btSequentialImpulseConstraintSolver {
     /// Of the last solve; zero before it and after removal.
     JointReaction reaction(std::size_t joint) const;
 
-    /// bodies: all of the world, each at the place of its id. Bullet's own joints are not solved.
+    /// Solves, and moves the bodies to the end of the step. bodies: all of the world, each at the place of its id;
+    /// their pose and velocity are read once, from then on only the force (weight apart) and what kinematic bodies do.
+    /// Bullet's own joints are not solved.
     btScalar solveGroup(btCollisionObject** bodies, int body_count, btPersistentManifold** manifolds,
                         int manifold_count, btTypedConstraint** joints, int joint_count,
                         const btContactSolverInfo& info, btIDebugDraw* draw, btDispatcher* dispatcher) override;
 
   private:
     void lay_out(std::span<btCollisionObject* const> bodies);
-    void read_bodies(std::span<btCollisionObject* const> bodies);
+    void read_forces(std::span<btCollisionObject* const> bodies);
     void read_contacts(std::span<btPersistentManifold* const> manifolds, const btContactSolverInfo& info);
     void write_contacts(std::span<btPersistentManifold* const> manifolds) const;
-    void write_bodies(std::span<btCollisionObject* const> bodies, const btContactSolverInfo& info) const;
+    void push_apart(std::span<btCollisionObject* const> bodies, const btContactSolverInfo& info);
+    void write_bodies(std::span<btCollisionObject* const> bodies) const;
 
     int width_;
     std::vector<SolverJoint> joints_;

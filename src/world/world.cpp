@@ -46,6 +46,7 @@ class World::Bullet {
         world.setForceUpdateAllAabbs(false);  // fixed boxes do not move
         if (definition.solver == ConstraintSolver::lanes) {
             world.setConstraintSolver(&lanes.emplace(definition.lanes));
+            world.getDispatchInfo().m_useContinuous = false;  // nothing swept: AABBs have a margin of 20 mm
         }
     }
 
@@ -169,7 +170,13 @@ void World::apply(BodyId body, const Wrench& wrench) {
 }
 
 void World::step() {
-    bullet_->world.stepSimulation(bullet_->definition.time_step, 0);  // 0: this step as it is, no sub-steps
+    const double time_step = bullet_->definition.time_step;
+    if (!bullet_->lanes) {
+        bullet_->world.stepSimulation(time_step, 0);  // 0: this step as it is, no sub-steps
+        return;
+    }
+    if (bullet_->structure) bullet_->body(*bullet_->structure).saveKinematicState(time_step);
+    bullet_->world.detect_and_solve(time_step);
 }
 
 BodyState World::state(BodyId body) const {

@@ -13,7 +13,7 @@ namespace floes::testing {
 namespace {
 
 struct Outcome {
-    std::vector<std::array<double, 3>> velocities, spins;
+    std::vector<SolverState> states;
     std::vector<std::array<double, 6>> pushes;
     std::vector<SolverReaction> reactions;
     std::vector<SolverContact> contacts;
@@ -25,10 +25,10 @@ Outcome solve_in_lanes(const BulletScene& scene, std::span<btPersistentManifold*
     outcome.contacts = scene.contacts(manifolds);
     system.solve(outcome.contacts, scene.rules(), BulletScene::iterations);
     for (std::size_t i = 0; i < system.body_count(); ++i) {
-        outcome.velocities.push_back(system.velocity(i));
-        outcome.spins.push_back(system.spin(i));
         outcome.pushes.push_back(system.push(i));
     }
+    system.advance();
+    for (std::size_t i = 0; i < system.body_count(); ++i) outcome.states.push_back(system.state(i));
     for (std::size_t i = 0; i < system.joint_count(); ++i) outcome.reactions.push_back(system.reaction(i));
     return outcome;
 }
@@ -67,11 +67,26 @@ class Deviation {
     double difference_ = 0;
 };
 
+/// Poses of a step without a push: those are the caller's to apply.
+void expect_same_poses(const BulletScene& scene, const Outcome& lanes) {
+    Deviation position, rotation;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        const btTransform& pose = scene.bodies[i]->getWorldTransform();
+        if (scene.bodies[i]->isStaticOrKinematicObject()) continue;
+        position.add(lanes.states[i].position, pose.getOrigin());
+        for (int k = 0; k < 9; ++k) {
+            rotation.add(lanes.states[i].rotation[static_cast<std::size_t>(k)], pose.getBasis()[k / 3][k % 3]);
+        }
+    }
+    EXPECT_LT(position.relative(), 1e-14);
+    EXPECT_LT(rotation.relative(), 1e-14);
+}
+
 void expect_same_step(const BulletScene& scene, const Outcome& lanes) {
     Deviation velocity, spin, force, moment, impulse, friction;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-        velocity.add(lanes.velocities[i], scene.bodies[i]->getLinearVelocity());
-        spin.add(lanes.spins[i], scene.bodies[i]->getAngularVelocity());
+        velocity.add(lanes.states[i].velocity, scene.bodies[i]->getLinearVelocity());
+        spin.add(lanes.states[i].spin, scene.bodies[i]->getAngularVelocity());
     }
     for (std::size_t i = 0; i < scene.joints.size(); ++i) {
         const btJointFeedback& feedback = *scene.feedback[i];
@@ -106,6 +121,7 @@ TEST(AgainstBullet, SameVelocitiesReactionsAndImpulses) {
         BulletScene scene({.cfm = cfm});
         const std::vector<Outcome> lanes = step_in_lanes(scene, 70, widest);
         expect_same_step(scene, lanes[0]);
+        expect_same_poses(scene, lanes[0]);
     }
 }
 
@@ -132,6 +148,7 @@ TEST(AgainstBullet, FarTwistedJoints) {
     }
     const std::vector<Outcome> lanes = step_in_lanes(scene, 1, widest);
     expect_same_step(scene, lanes[0]);
+    expect_same_poses(scene, lanes[0]);
 }
 
 TEST(AgainstBullet, DeepPenetrationsPushPositionsOnly) {
@@ -155,8 +172,12 @@ TEST(LaneWidths, GiveTheSameBits) {
     const std::vector<Outcome> lanes = step_in_lanes(scene, 70, lane_widths());
     ASSERT_EQ(lanes.size(), lane_widths().size());
     for (const Outcome& other : lanes) {
-        EXPECT_EQ(other.velocities, lanes[0].velocities);
-        EXPECT_EQ(other.spins, lanes[0].spins);
+        for (std::size_t i = 0; i < other.states.size(); ++i) {
+            EXPECT_EQ(other.states[i].position, lanes[0].states[i].position);
+            EXPECT_EQ(other.states[i].rotation, lanes[0].states[i].rotation);
+            EXPECT_EQ(other.states[i].velocity, lanes[0].states[i].velocity);
+            EXPECT_EQ(other.states[i].spin, lanes[0].states[i].spin);
+        }
         EXPECT_EQ(other.pushes, lanes[0].pushes);
         for (std::size_t i = 0; i < other.reactions.size(); ++i) {
             EXPECT_EQ(other.reactions[i].force, lanes[0].reactions[i].force);

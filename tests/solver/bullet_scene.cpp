@@ -132,10 +132,10 @@ LaneSystem BulletScene::lane_system(int width) const {
     }
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const btRigidBody& body = *bodies[i];
-        const btVector3 force = body.getTotalForce();
-        const btVector3 torque = body.getTotalTorque();
-        system.set_state(i, {body.getWorldTransform().getOrigin(), rows_of(body.getWorldTransform().getBasis()),
-                             body.getLinearVelocity(), body.getAngularVelocity(), force, torque});
+        const btTransform& pose = body.getWorldTransform();
+        system.set_state(i, {array_of(pose.getOrigin()), rows_of(pose.getBasis()), array_of(body.getLinearVelocity()),
+                             array_of(body.getAngularVelocity())});
+        system.set_force(i, array_of(body.getTotalForce()), array_of(body.getTotalTorque()));
     }
     system.prepare(time_step);
     return system;

@@ -11,7 +11,7 @@ namespace floes::test {
 namespace {
 
 WorldDefinition solved_by(ConstraintSolver solver, int lanes = 0) {
-    WorldDefinition definition = weightless();
+    WorldDefinition definition;
     definition.solver = solver;
     definition.lanes = lanes;
     return definition;

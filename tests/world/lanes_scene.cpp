@@ -52,7 +52,7 @@ void LanesScene::step() {
         const auto k = static_cast<double>(i);
         const BodyState state = world.state(elements[i]);
         const Vec3 wave(0.2 * std::sin(k), 0.3 * std::cos(2 * k), 0.1 * std::sin(3 * k));
-        const Vec3 force = wave - 2 * state.velocity - Vec3(0, 200 * state.position.y(), 0);
+        const Vec3 force = wave - 2 * state.velocity - Vec3(0, 200 * state.position.y() - 9.81 * element_mass, 0);
         const Vec3 moment(0.01 * std::cos(k), 0.005 * std::sin(5 * k), 0.01 * std::sin(2 * k));
         world.apply(elements[i], {force, moment - 0.05 * state.spin});
     }
