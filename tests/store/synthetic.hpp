@@ -16,6 +16,7 @@ namespace floes::synthetic {
 inline Campaign campaign(int arrangements = 4) {
     Scenario scenario;
     scenario.field.floes = 6;
+    scenario.field.concentration = 0.3;
     scenario.structure.speed = 1.75;
     scenario.analysis = {1.0, 1.2, 3};
     Campaign made;
