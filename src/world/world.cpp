@@ -4,6 +4,7 @@
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 #include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
@@ -46,6 +47,7 @@ class World::Bullet {
         world.setForceUpdateAllAabbs(false);  // fixed boxes do not move
         if (definition.solver == ConstraintSolver::lanes) {
             world.setConstraintSolver(&lanes.emplace(definition.lanes));
+            dispatcher.pass_over_distant_pairs();
             world.getDispatchInfo().m_useContinuous = false;  // nothing swept: AABBs have a margin of 20 mm
         }
     }
@@ -73,8 +75,9 @@ class World::Bullet {
         added.setCollisionFlags(added.getCollisionFlags() | flags);
         added.setActivationState(DISABLE_DEACTIVATION);  // floes as slow as the tow would fall asleep
         added.setUserIndex(static_cast<int>(id.index()));
-        added.setUserIndex2(piece);
         world.addRigidBody(&added);
+        assign_piece(added, piece);
+        if (mass > 0) dispatcher.allow_for(shape->getContactBreakingThreshold(gContactBreakingThreshold));
         return id;
     }
 
@@ -155,7 +158,7 @@ void World::remove_joint(JointId joint) {
 }
 
 void World::set_piece(BodyId body, int piece) {
-    bullet_->body(body).setUserIndex2(piece);
+    assign_piece(bullet_->body(body), piece);
 }
 
 void World::move_structure(const Vec3& position) {
