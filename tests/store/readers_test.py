@@ -1,0 +1,169 @@
+#!/usr/bin/python3
+"""readers_test.py SYNTHETIC_FILE PAGE: what h5py, pandas, xarray and h5dump make of a campaign file, and whether the page
+that describes it names every dataset with its unit and dimensions."""
+
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import h5py
+import numpy
+import pandas
+import xarray
+
+GROUPS = ["members", "cases", "arrangements", "history", "breaks", "provenance"]
+ENGINES = ["netcdf4", "h5netcdf"]
+DONE, MISSING, FAILED = 0, -1, 1
+WRITER, PAGE = sys.argv[1:3]
+
+
+def datasets_of(file):
+    found = {}
+    file.visititems(lambda name, item: found.update({name: item}) if isinstance(item, h5py.Dataset) else None)
+    return found
+
+
+class Readers(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.path = pathlib.Path(cls.folder.name, "full.h5")
+        cls.empty_path = pathlib.Path(cls.folder.name, "empty.h5")
+        subprocess.run([WRITER, cls.path], check=True)
+        subprocess.run([WRITER, cls.empty_path, "none"], check=True)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_xarray_opens_every_group_with_named_dimensions(self):
+        expected = {
+            "members": {"member": 12, "segment": 3},
+            "cases": {"case": 3, "profile_point": 3},
+            "arrangements": {"arrangement": 8, "floe": 6, "coordinate": 3},
+            "history": {"member": 12, "time": 110},
+            "breaks": {"break": 15},
+            "provenance": {"member": 12, "session": 2},
+        }
+        for engine in ENGINES:
+            for group in GROUPS:
+                with self.subTest(engine=engine, group=group):
+                    with xarray.open_dataset(self.path, group=group, engine=engine) as data:
+                        self.assertEqual(dict(data.sizes), expected[group])
+                        self.assertGreater(len(data.to_dataframe()), 0)
+            with xarray.open_dataset(self.path, engine=engine) as root:
+                self.assertEqual(root.attrs["filetype"], "floes campaign")
+                self.assertAlmostEqual(float(root["time"][-1]), 2.2)
+                self.assertEqual(list(root["coordinate"].values), ["x", "z", "yaw"])
+
+    def test_xarray_opens_a_file_without_results(self):
+        for engine in ENGINES:
+            for group in GROUPS:
+                with self.subTest(engine=engine, group=group):
+                    with xarray.open_dataset(self.empty_path, group=group, engine=engine) as data:
+                        data.load()
+        with h5py.File(self.empty_path) as file:
+            self.assertTrue((file["members/status"][:] == MISSING).all())
+            self.assertEqual(file["breaks/time"].shape, (0,))
+
+    def test_what_is_missing_is_missing_to_every_reader(self):
+        with h5py.File(self.path) as file:
+            status = file["members/status"][:]
+            not_done = status != DONE
+            self.assertEqual(list(numpy.flatnonzero(not_done)), [4, 7])
+            self.assertEqual(status[4], FAILED)
+            self.assertEqual(status[7], MISSING)
+            for name, column in file["members"].items():
+                if column.dtype == numpy.float64 and column.ndim == 1:
+                    self.assertTrue((numpy.isnan(column[:]) == not_done).all(), name)
+            for column in file["history"].values():
+                self.assertTrue(numpy.isnan(column[4]).all() and numpy.isnan(column[7]).all())
+            self.assertFalse(numpy.isin(file["breaks/member"][:], [4, 7]).any())
+            self.assertIn("ran away at 12.34 s: 11 m/s, allowed ≤ 10 m/s", file["members/reason"][4].decode())
+        for engine in ENGINES:
+            with xarray.open_dataset(self.path, group="members", engine=engine) as members:
+                self.assertEqual(list(numpy.flatnonzero(numpy.isnan(members["steady"]))), [4, 7])
+                self.assertEqual(list(numpy.flatnonzero(numpy.isnan(members["failures_shear"]))), [4, 7])
+
+    def test_values(self):
+        with h5py.File(self.path) as file:
+            self.assertEqual(file["members/mean_load"][8], 900.1)
+            self.assertEqual(file["members/failures_compression"][8], 26)
+            self.assertEqual(list(file["members/case"][:4]), [0, 1, 2, 0])
+            self.assertEqual(list(file["members/arrangement"][:6]), [0, 0, 1, 2, 2, 3])
+            surge = file["history/surge_load"]
+            self.assertAlmostEqual(surge[3, 20], 400 * numpy.sin(0.1 * 20))
+            self.assertFalse(numpy.isnan(surge[0]).any())
+            self.assertEqual(numpy.isnan(surge[2]).sum(), 10)
+            self.assertEqual(surge.chunks, (1, 110))
+            self.assertTrue(surge.shuffle and surge.compression == "gzip")
+            self.assertEqual(list(file["arrangements/pose"][2, 1]), [6.0 + 1 + 0.1, 0.3 * 6 - 1, 0.01])
+            self.assertTrue(numpy.isnan(file["arrangements/pose"][1, 4:]).all())
+            self.assertEqual(list(file["arrangements/number"][:]), [0, 0, 1, 1, 2, 2, 3, 3])
+            self.assertEqual(list(file["cases/far_end"][:]), [0, 0, 1])
+            self.assertEqual(file["cases/far_end"].attrs["flag_meanings"], "ice_sheet open")
+            self.assertEqual([name.decode() for name in file["cases/name"]], ["soft", "stiff", "open"])
+            self.assertEqual(list(file["cases/profile_height"][2]), [-0.443, 0.0, 0.122])
+            self.assertTrue((numpy.diff(file["breaks/member"][:]) >= 0).all())
+            modes = file["breaks/mode"].attrs
+            self.assertEqual(len(modes["flag_values"]), len(modes["flag_meanings"].split()))
+
+    def test_provenance(self):
+        with h5py.File(self.path) as file:
+            provenance = file["provenance"]
+            self.assertIn('name = "synthetic"', provenance["configuration"][()].decode())
+            for name in ("date", "seed", "machine", "floes", "git_revision", "compiler", "compiler_flags", "bullet",
+                         "eigen", "hdf5", "tbb", "boost"):
+                self.assertNotEqual(str(provenance.attrs[name]), "", name)
+            self.assertEqual(provenance["host"][1].decode(), "node1")
+            self.assertEqual(provenance["attempts"][7], 0)
+            self.assertEqual(provenance["rank"][7], -1)
+            self.assertEqual(provenance["wall_time"][2], 14.5)
+            self.assertEqual(list(provenance["session_ranks"][:]), [2, 1])
+
+    def test_no_times_are_stored_and_order_of_creation_is_kept(self):
+        with h5py.File(self.path) as file:
+            for name, dataset in datasets_of(file).items():
+                self.assertFalse(dataset.id.get_create_plist().get_obj_track_times(), name)
+            order = file["members"].id.get_create_plist().get_link_creation_order()
+            self.assertTrue(order & h5py.h5p.CRT_ORDER_TRACKED)
+
+    def test_pandas_and_h5dump(self):
+        with h5py.File(self.path) as file:
+            table = pandas.DataFrame({name: column[:] for name, column in file["members"].items() if column.ndim == 1})
+        self.assertEqual(table[table.status == DONE].groupby("case").mean_load.count().tolist(), [4, 2, 4])
+        dump = subprocess.run(["h5dump", self.path], capture_output=True, text=True)
+        self.assertEqual(dump.returncode, 0, dump.stderr)
+        self.assertIn("surge_load", dump.stdout)
+
+    def test_every_dataset_has_unit_and_long_name(self):
+        with h5py.File(self.path) as file:
+            for name, dataset in datasets_of(file).items():
+                self.assertTrue(dataset.attrs["long_name"] and dataset.attrs["units"], name)
+
+    def test_page_and_file_agree(self):
+        text = pathlib.Path(PAGE).read_text(encoding="utf-8")
+        rows = re.findall(r"^\| `(/[a-z0-9_/]+)` \| ([^|]+) \| ([^|]*)\|", text, re.M)
+        described = {name: (unit.strip(), dimensions.strip()) for name, unit, dimensions in rows}
+        self.assertEqual(len(described), len(rows), "a dataset is described twice")
+        with h5py.File(self.path) as file:
+            stored = {}
+            for name, dataset in datasets_of(file).items():
+                scales = [next(iter(dimension.values())).name for dimension in dataset.dims if len(dimension)]
+                # A scale is its own dimension.
+                names = [pathlib.PurePath(scale).name for scale in scales] or (
+                    [name.split("/")[-1]] if h5py.h5ds.is_scale(dataset.id) else [])
+                self.assertEqual(len(names), dataset.ndim, name)
+                stored["/" + name] = (dataset.attrs["units"], ", ".join(names))
+            for name in [*file.attrs, *file["provenance"].attrs]:
+                self.assertIn(f"`{name}`", text, "an attribute is not described")
+            version = ".".join(str(part) for part in file.attrs["version"])
+        self.assertEqual(described, stored)
+        self.assertIn(f"layout version {version}", text)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
