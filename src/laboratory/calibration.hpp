@@ -1,0 +1,41 @@
+#pragma once
+// The E-Σ curve of Fig. 2, and its inverse: the Σ with which numerical ice shows a wanted elastic modulus.
+
+#include <vector>
+
+#include "laboratory/plate_deflection.hpp"
+#include "scenario/scenario.hpp"
+
+namespace floes {
+
+/// One plate test and all that its modulus depends on. SI.
+struct CurvePoint {
+    double sheet = 0;
+    double element = 0;
+    double thickness = 0;
+    double time_step = 0;
+    double erp = 0;
+    int iterations = 0;
+    double cfm = 0;
+    double slope = 0;                  ///< N/m
+    double elastic_modulus = 0;        ///< Pa, load on a patch
+    double elastic_modulus_point = 0;  ///< Pa, as if the load were a point
+};
+
+/// measure_plate_deflection() on the scenario's ice; throws as it does.
+CurvePoint measure_curve_point(const Scenario& scenario, const PlateTest& test);
+
+/// Σ so small that only the sweeps limit the stiffness: E there is the ceiling of element size, Δt, Γ and iterations.
+inline constexpr double vanishing_cfm = 1e-10;
+
+struct Calibration {
+    double cfm = 0;                 ///< shows the wanted modulus within 1 %
+    double ceiling = 0;             ///< Pa, E at vanishing_cfm
+    std::vector<CurvePoint> curve;  ///< all that was measured on the way, by rising Σ
+};
+
+/// The Σ that makes the scenario's ice show `elastic_modulus` (Pa, patch load). Throws InputError when the modulus is
+/// above the ceiling (unconverged Gauss-Seidel is no stiffer) or so small that Σ would have to be 0.9 or more.
+Calibration calibrate_cfm(const Scenario& scenario, const PlateTest& test, double elastic_modulus);
+
+}  // namespace floes
