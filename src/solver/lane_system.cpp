@@ -131,7 +131,7 @@ void LaneSystem::lay_out(std::span<const SolverBody> bodies, std::span<const Sol
     frame_ = AlignedArray<double>(joint_groups * lanes * frame_field::count);
     row_ = AlignedArray<double>(joint_groups * lanes * row_field::count);
     reaction_ = AlignedArray<double>(joint_groups * lanes * reaction_field::count);
-    // Frames of empty lanes are zero, their axes not a number; row_scale silences them only if the rotation is one.
+    // Empty lanes are computed like the others: they need rotations, so that nothing in them is infinite or slow.
     for (std::size_t slot = 0; slot < body_groups_ * lanes; ++slot) {
         for (int i = 0; i < 9; i += 4) {
             body_[place(static_cast<std::uint32_t>(slot), body_field::count, body_field::rotation + i, width())] = 1;
