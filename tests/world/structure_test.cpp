@@ -90,6 +90,26 @@ TEST(WorldStructure, RubsWithItsCoefficient) {
     EXPECT_NEAR(tangent.norm() / force.dot(normal), ice_structure_friction, 2e-3);
 }
 
+// An element at rest 0.2 mm off the wall feels nothing, 0.2 mm into it something; on a drum and, at the height of its
+// upper edge, where the wall has come out by as much, on a 45° cone.
+TEST(WorldStructure, HasItsWallWhereTheProfileSays) {
+    const double half = element_thickness / 2;
+    const std::vector<Frustum> drum{{-0.5, 0.6, 0.5, 0.6}};
+    const std::vector<Frustum> cone{{-0.443, 0.171, 0.122, 0.736}};
+    for (const bool is_cone : {false, true}) {
+        for (const double gap : {2e-4, -2e-4}) {
+            World world(weightless());
+            const BodyId structure = world.add_structure(is_cone ? cone : drum, friction.structure, Vec3::Zero());
+            // The element's edge is rounded by its margin, a tenth of its half thickness: a corner of 90° met from its
+            // middle stands back by (sqrt(2) - 1) of that, sqrt(2) times as much along x.
+            const double radius = is_cone ? 0.614 + half - 0.1 * half * (2 - std::sqrt(2.0)) : 0.6;
+            world.add_element(element_at({radius + gap + element_side / 2, 0, 0}));
+            world.step();
+            EXPECT_EQ(world.contact_force(structure).norm() > 0, gap < 0) << (is_cone ? "cone " : "drum ") << gap;
+        }
+    }
+}
+
 // An hourglass of radius 0.3 at the waist and 0.6 at its ends; its convex hull would be a drum of radius 0.6.
 class WaistTest : public testing::Test {
   protected:
