@@ -6,9 +6,14 @@
 //     link.expect(0, Tag::hello);          // the next message sent must be this one
 //     …
 //     link.finish();                       // nothing of the script is left
+//
+// A party that waits for something the script does not have gets an exception after a while.
 
+#include <chrono>
 #include <deque>
 #include <functional>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -38,18 +43,23 @@ class FakeLink final : public Link {
     void send(int to, Tag tag, std::vector<std::byte> bytes) override {
         if (script_.empty() || script_.front().deliver || script_.front().message.from != to ||
             script_.front().message.tag != tag) {
-            ADD_FAILURE() << "unexpected message " << static_cast<int>(tag) << " to rank " << to;
+            ADD_FAILURE() << "unexpected message " << static_cast<int>(tag) << " to rank " << to << ": "
+                          << testing::PrintToString(
+                                 std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
             return;
         }
         const Look look = std::move(script_.front().look);
-        script_.pop_front();
+        advance();
         if (look) look(bytes);
     }
 
     std::optional<Message> poll() override {
+        if (std::chrono::steady_clock::now() - last_step_ > std::chrono::seconds(20)) {
+            throw std::runtime_error("the script of the fake link stands still");
+        }
         if (script_.empty() || !script_.front().deliver) return std::nullopt;
         Message message = std::move(script_.front().message);
-        script_.pop_front();
+        advance();
         return message;
     }
 
@@ -60,8 +70,14 @@ class FakeLink final : public Link {
         Look look;
     };
 
+    void advance() {
+        script_.pop_front();
+        last_step_ = std::chrono::steady_clock::now();
+    }
+
     int rank_;
     int size_;
+    std::chrono::steady_clock::time_point last_step_ = std::chrono::steady_clock::now();
     Topology topology_{.cores = 1, .bound_cores = 1, .node_cores = 1, .node_ranks = 1};
     std::deque<Step> script_;
 };

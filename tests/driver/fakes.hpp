@@ -1,0 +1,80 @@
+#pragma once
+// Member functions that stand in for the physics: fast, slow, broken. What they give depends on the member alone.
+
+#include <chrono>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include "driver/run_campaign.hpp"
+#include "store/synthetic.hpp"
+#include "store/temporary_folder.hpp"
+#include "wire/local_link.hpp"
+
+namespace floes::fake {
+
+inline MemberResult compute(const Campaign& campaign, int number, std::stop_token) {
+    return synthetic::record(campaign, number).result;
+}
+
+/// Takes a while, a different one for each member, so that members finish in another order than they begin.
+inline MemberResult compute_out_of_order(const Campaign& campaign, int number, std::stop_token stop) {
+    std::this_thread::sleep_for(std::chrono::milliseconds((number * 7) % 11));
+    return compute(campaign, number, std::move(stop));
+}
+
+/// Never ends by itself.
+inline MemberResult wait_for_stop(const Campaign&, int, std::stop_token stop) {
+    while (!stop.stop_requested()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    throw std::runtime_error("stopped");
+}
+
+/// A campaign run alone in a folder of its own, with everything it said.
+class Run {
+  public:
+    explicit Run(std::filesystem::path campaign_file, Campaign what = synthetic::campaign())
+        : campaign(std::move(what)), file(std::move(campaign_file)) {}
+
+    int operator()(const MemberFunction& compute, Existing existing = Existing::refuse, int threads = 2) {
+        LocalLink link;
+        return on(link, compute, existing, threads);
+    }
+
+    int on(Link& link, const MemberFunction& compute, Existing existing = Existing::refuse, int threads = 2) {
+        std::ostringstream out;
+        const RunOptions options{{file, existing}, threads, "RESUME COMMAND"};
+        try {
+            Progress progress(out, Progress::Style::plain);
+            const int status = run_campaign(campaign, options, link, compute, progress);
+            said = out.str();
+            return status;
+        } catch (...) {
+            said = out.str();
+            throw;
+        }
+    }
+
+    /// The result that counts of each member, as bytes without provenance; empty where there is none.
+    std::vector<Bytes> results() const {
+        const JournalContents contents = read_journal(journal_path(file));
+        std::vector<Bytes> all;
+        for (const MemberRecord* record : match_records(campaign, contents.members)) {
+            if (record == nullptr) {
+                all.emplace_back();
+                continue;
+            }
+            MemberRecord bare;
+            bare.result = record->result;
+            bare.result.wall_time = 0;
+            all.push_back(encode(bare));
+        }
+        return all;
+    }
+
+    Campaign campaign;
+    std::filesystem::path file;
+    std::string said;
+};
+
+}  // namespace floes::fake

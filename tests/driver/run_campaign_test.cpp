@@ -1,0 +1,157 @@
+#include "driver/run_campaign.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <fstream>
+
+#include "core/error.hpp"
+#include "driver/fakes.hpp"
+#include "store/campaign_file.hpp"
+
+namespace floes {
+namespace {
+
+using testing::HasSubstr;
+
+/// Asks the process to stop while member `number` runs.
+MemberFunction stopping_at(int number) {
+    return [number](const Campaign& campaign, int current, std::stop_token stop) {
+        if (current != number) return fake::compute(campaign, current, std::move(stop));
+        std::raise(SIGTERM);
+        return fake::wait_for_stop(campaign, current, std::move(stop));
+    };
+}
+
+int finished(const fake::Run& run) {
+    const auto results = run.results();
+    return static_cast<int>(std::ranges::count_if(results, [](const Bytes& bytes) { return !bytes.empty(); }));
+}
+
+TEST(RunCampaign, ComputesEveryMemberOnceAndPublishes) {
+    const TemporaryFolder folder;
+    fake::Run run(folder / "a.h5");
+    std::atomic<int> calls = 0;
+    const MemberFunction counted = [&](const Campaign& campaign, int number, std::stop_token stop) {
+        ++calls;
+        return fake::compute(campaign, number, std::move(stop));
+    };
+    EXPECT_EQ(run(counted), 0);
+    EXPECT_EQ(calls, 12);
+    EXPECT_THAT(run.said, HasSubstr("12 members = 3 cases x 4 arrangements on 2 cores of 1 rank"));
+    EXPECT_THAT(run.said, HasSubstr("12 of 12 done, 0 failed"));
+    const CampaignTable table = read_campaign_file(run.file);
+    ASSERT_EQ(table.members.size(), 12u);
+    for (std::size_t i = 0; i < 12; ++i) {
+        EXPECT_EQ(table.members[i].mean_load, synthetic::record(run.campaign, static_cast<int>(i)).result.load.mean);
+    }
+}
+
+TEST(RunCampaign, GivesTheSameWhateverTheThreadsAndTheOrder) {
+    const TemporaryFolder folder;
+    fake::Run one(folder / "one.h5");
+    fake::Run many(folder / "many.h5");
+    EXPECT_EQ(one(fake::compute, Existing::refuse, 1), 0);
+    EXPECT_EQ(many(fake::compute_out_of_order, Existing::refuse, 4), 0);
+    EXPECT_EQ(one.results(), many.results());
+}
+
+TEST(RunCampaign, SetsFailedMembersAsideAndGoesOn) {
+    const TemporaryFolder folder;
+    fake::Run run(folder / "a.h5");
+    const MemberFunction broken = [](const Campaign& campaign, int number, std::stop_token stop) {
+        if (number == 5) throw std::runtime_error("the ice melted");
+        return fake::compute(campaign, number, std::move(stop));
+    };
+    EXPECT_EQ(run(broken), 1);
+    EXPECT_EQ(finished(run), 12);
+    EXPECT_THAT(run.said, HasSubstr("member 5 (case open, arrangement 1) failed and is set aside: the ice melted"));
+    EXPECT_THAT(run.said, HasSubstr("1 of 12 members failed"));
+    const CampaignTable table = read_campaign_file(run.file);
+    EXPECT_EQ(table.members[5].status, RowStatus::failed);
+    EXPECT_EQ(table.members[5].reason, "the ice melted");
+}
+
+TEST(RunCampaign, StopsOnASignalPublishesAndCanBeResumed) {
+    const TemporaryFolder folder;
+    fake::Run whole(folder / "whole.h5");
+    ASSERT_EQ(whole(fake::compute), 0);
+    fake::Run run(folder / "a.h5");
+    EXPECT_EQ(run(stopping_at(6), Existing::resume), 85);
+    EXPECT_THAT(run.said, HasSubstr("stopped by SIGTERM with"));
+    EXPECT_THAT(run.said, HasSubstr("to go on: RESUME COMMAND"));
+    const int kept = finished(run);
+    EXPECT_GE(kept, 1);
+    EXPECT_LT(kept, 12);
+    EXPECT_TRUE(run.results()[6].empty());
+    EXPECT_EQ(read_campaign_file(run.file).members[6].status, RowStatus::missing);
+
+    EXPECT_EQ(run(fake::compute, Existing::resume), 0);
+    EXPECT_THAT(run.said, HasSubstr("reused, " + std::to_string(12 - kept) + " to compute"));
+    EXPECT_EQ(run.results(), whole.results());
+    EXPECT_EQ(read_journal(journal_path(run.file)).sessions.size(), 2u);
+}
+
+TEST(RunCampaign, ResumingAFinishedCampaignComputesNothing) {
+    const TemporaryFolder folder;
+    fake::Run run(folder / "a.h5");
+    ASSERT_EQ(run(fake::compute), 0);
+    std::filesystem::remove(run.file);  // the journal is the truth
+    const MemberFunction never = [](const Campaign&, int number, std::stop_token) -> MemberResult {
+        ADD_FAILURE() << "member " << number << " is computed again";
+        return {};
+    };
+    EXPECT_EQ(run(never, Existing::resume), 0);
+    EXPECT_TRUE(std::filesystem::exists(run.file));
+}
+
+TEST(RunCampaign, NeverOverwritesUnasked) {
+    const TemporaryFolder folder;
+    fake::Run run(folder / "a.h5");
+    ASSERT_EQ(run(fake::compute), 0);
+    const auto refused = [&] {
+        try {
+            run(fake::compute);
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string("not refused");
+    };
+    EXPECT_THAT(refused(), HasSubstr("a.h5 exists already: --resume goes on with it, --overwrite begins anew"));
+    std::filesystem::remove(run.file);
+    EXPECT_THAT(refused(), HasSubstr("a.journal exists already"));
+    EXPECT_EQ(run(fake::compute, Existing::replace), 0);
+    EXPECT_EQ(read_journal(journal_path(run.file)).sessions.size(), 1u);
+}
+
+TEST(RunCampaign, RefusesToResumeWithoutTheJournalOrAnotherCampaign) {
+    const TemporaryFolder folder;
+    fake::Run run(folder / "a.h5");
+    ASSERT_EQ(run(fake::compute), 0);
+    run.campaign.cases[0].scenario.general.iterations = 20;
+    run.campaign.cases[1].scenario.general.iterations = 20;
+    run.campaign.cases[2].scenario.general.iterations = 20;
+    try {
+        run(fake::compute, Existing::resume);
+        FAIL() << "another campaign was resumed";
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("iterations"));
+    }
+    std::filesystem::remove(journal_path(run.file));
+    EXPECT_THROW(run(fake::compute, Existing::resume), InputError);
+}
+
+TEST(LeadRanks, TurnsErrorsIntoSentencesAndStatuses) {
+    LocalLink link;
+    std::ostringstream errors;
+    EXPECT_EQ(lead_ranks(link, errors, [] { return 85; }), 85);
+    EXPECT_EQ(lead_ranks(link, errors, []() -> int { throw InputError("wrong key"); }), 2);
+    EXPECT_EQ(lead_ranks(link, errors, []() -> int { throw RunError("disk full"); }), 1);
+    EXPECT_EQ(errors.str(), "floes: wrong key\nfloes: disk full\n");
+}
+
+}  // namespace
+}  // namespace floes
