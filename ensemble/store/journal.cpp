@@ -39,6 +39,10 @@ std::string load_nothing(const std::string& path) {
         fmt::format("the configuration in a journal refers to the file {}, which it should contain", path));
 }
 
+Campaign read_text(const std::string& campaign_text, const std::filesystem::path& path) {
+    return read_campaign({campaign_text, path.string(), {}}, load_nothing);
+}
+
 }  // namespace
 
 std::filesystem::path journal_path(const std::filesystem::path& campaign_file) {
@@ -78,7 +82,7 @@ Journal open_journal(const std::filesystem::path& path, const Campaign& campaign
     const std::string here = write_campaign(campaign);
     Journal journal = open_journal(path, here, existing);
     if (journal.campaign_text() == here) return journal;
-    const Campaign there = read_campaign({journal.campaign_text(), path.string(), {}}, load_nothing);
+    const Campaign there = read_text(journal.campaign_text(), path);
     if (fingerprint(there) == fingerprint(campaign)) return journal;
     throw InputError(
         fmt::format("{} belongs to another campaign: {}. Give the configuration it was begun with, choose "
@@ -129,6 +133,10 @@ JournalContents read_journal(const std::filesystem::path& path) {
     journal_format::Reading reading = journal_format::read(file, path);
     if (!reading.begun) throw InputError(fmt::format("{} holds nothing yet.", path.string()));
     return std::move(reading.contents);
+}
+
+Campaign read_stored_campaign(const JournalContents& contents, const std::filesystem::path& path) {
+    return read_text(contents.campaign_text, path);
 }
 
 bool is_being_written(const std::filesystem::path& path) {

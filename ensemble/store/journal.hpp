@@ -77,6 +77,9 @@ Journal open_journal(const std::filesystem::path& path, const Campaign& campaign
 /// Reads without locking or changing anything, also while a run is going on. Throws as open_journal() does.
 JournalContents read_journal(const std::filesystem::path& path);
 
+/// The campaign that a journal belongs to. Throws InputError when this program does not accept its configuration.
+Campaign read_stored_campaign(const JournalContents& contents, const std::filesystem::path& path);
+
 /// True when a process has the journal open for writing (where the file system knows locks).
 bool is_being_written(const std::filesystem::path& path);
 

@@ -1,0 +1,104 @@
+#include "cli/status_text.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace floes {
+namespace {
+
+CaseStatus total_of(const CampaignStatus& status) {
+    CaseStatus total{"all", 0, 0, 0};
+    for (const CaseStatus& one : status.cases) {
+        total.done += one.done;
+        total.failed += one.failed;
+        total.missing += one.missing;
+    }
+    return total;
+}
+
+int members_of(const CaseStatus& one) {
+    return one.done + one.failed + one.missing;
+}
+
+std::string counted(int count, const char* word) {
+    return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
+}
+
+std::string duration(double seconds) {
+    if (seconds < 90) return fmt::format("{:.0f} s", seconds);
+    if (seconds < 90 * 60) return fmt::format("{:.0f} min", seconds / 60);
+    return fmt::format("{:.1f} h", seconds / 3600);
+}
+
+std::string work_line(const CampaignStatus& status, int missing) {
+    if (status.sessions.empty()) return missing > 0 ? "Continue it with floes run --resume.\n" : "";
+    const Session& last = status.sessions.back();
+    if (status.at_work)
+        return fmt::format("At work: {}, {} from {} since {}{}.\n", counted(last.ranks, "rank"),
+                           counted(last.threads, "thread"), last.host, last.started,
+                           status.seconds_left ? ", about " + duration(*status.seconds_left) + " left" : "");
+    if (missing == 0) return fmt::format("Ended {}.\n", last.ended.empty() ? "without a word" : last.ended);
+    if (last.ended.empty())
+        return fmt::format(
+            "The run begun on {} at {} was killed, or is at work on another machine; if killed, continue "
+            "it with floes run --resume.\n",
+            last.host, last.started);
+    return fmt::format("Ended {} ({}); continue it with floes run --resume.\n", last.ended, last.outcome);
+}
+
+nlohmann::ordered_json counts_json(const CaseStatus& one) {
+    return {{"done", one.done}, {"failed", one.failed}, {"missing", one.missing}, {"total", members_of(one)}};
+}
+
+}  // namespace
+
+std::string status_table(const CampaignStatus& status) {
+    const CaseStatus total = total_of(status);
+    std::string text = fmt::format("{}: {} of {} done, {} failed, {} to go\n", status.title, total.done,
+                                   counted(members_of(total), "member"), total.failed, total.missing);
+    text += work_line(status, total.missing);
+    std::size_t width = 4;
+    for (const CaseStatus& one : status.cases) width = std::max(width, one.name.size());
+    text += fmt::format("\n{:<{}}  {:>6}  {:>6}  {:>6}  {:>6}\n", "case", width, "done", "failed", "to go", "total");
+    for (const CaseStatus& one : status.cases)
+        text += fmt::format("{:<{}}  {:>6}  {:>6}  {:>6}  {:>6}\n", one.name, width, one.done, one.failed, one.missing,
+                            members_of(one));
+    if (!status.failures.empty()) text += "\nfailed\n";
+    for (const FailedMember& one : status.failures)
+        text += fmt::format("  member {} (case {}, arrangement {}): {}\n", one.number, one.case_name, one.arrangement,
+                            one.reason);
+    return text;
+}
+
+std::string status_json(const CampaignStatus& status) {
+    nlohmann::ordered_json json{{"title", status.title}};
+    json.update(counts_json(total_of(status)));
+    json["at_work"] = status.at_work;
+    json["seconds_left"] = status.seconds_left ? nlohmann::ordered_json(*status.seconds_left) : nullptr;
+    json["cases"] = nlohmann::ordered_json::array();
+    for (const CaseStatus& one : status.cases) {
+        nlohmann::ordered_json row{{"name", one.name}};
+        row.update(counts_json(one));
+        json["cases"].push_back(row);
+    }
+    json["failures"] = nlohmann::ordered_json::array();
+    for (const FailedMember& one : status.failures)
+        json["failures"].push_back({{"member", one.number},
+                                    {"case", one.case_name},
+                                    {"arrangement", one.arrangement},
+                                    {"reason", one.reason}});
+    json["sessions"] = nlohmann::ordered_json::array();
+    for (const Session& one : status.sessions)
+        json["sessions"].push_back({{"started", one.started},
+                                    {"ended", one.ended},
+                                    {"outcome", one.outcome},
+                                    {"host", one.host},
+                                    {"job", one.job},
+                                    {"ranks", one.ranks},
+                                    {"threads", one.threads}});
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace floes

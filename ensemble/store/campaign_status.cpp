@@ -1,0 +1,77 @@
+#include "store/campaign_status.hpp"
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "store/campaign_file.hpp"
+#include "store/journal.hpp"
+
+namespace floes {
+namespace {
+
+CampaignStatus status_of(const CampaignTable& table) {
+    CampaignStatus status;
+    status.title = table.title;
+    for (const CaseRow& row : table.cases) status.cases.push_back({row.name, 0, 0, 0});
+    for (std::size_t k = 0; k < table.members.size(); ++k) {
+        const MemberRow& row = table.members[k];
+        CaseStatus& one = status.cases.at(static_cast<std::size_t>(row.case_index));
+        switch (row.status) {
+            case RowStatus::done:
+                ++one.done;
+                break;
+            case RowStatus::missing:
+                ++one.missing;
+                break;
+            case RowStatus::failed:
+                ++one.failed;
+                const int number = static_cast<int>(k);
+                status.failures.push_back(
+                    {number, one.name, number / static_cast<int>(table.cases.size()), row.reason});
+                break;
+        }
+    }
+    return status;
+}
+
+// Members of a case take alike long, and the threads of the session share what is left.
+std::optional<double> seconds_left(const Campaign& campaign, const CampaignStatus& status,
+                                   const std::vector<const MemberRecord*>& records, int threads) {
+    double wall_time_per_cost = 0;
+    int done = 0;
+    double cost_left = 0;
+    for (std::size_t k = 0; k < records.size(); ++k) {
+        const double cost = expected_cost(campaign, static_cast<int>(k));
+        if (records[k] == nullptr) {
+            cost_left += cost;
+        } else if (records[k]->result.status == MemberStatus::done) {
+            wall_time_per_cost += records[k]->result.wall_time / cost;
+            ++done;
+        }
+    }
+    if (!status.at_work || done == 0 || threads < 1) return {};
+    return cost_left * wall_time_per_cost / done / threads;
+}
+
+CampaignStatus status_of_journal(const std::filesystem::path& path) {
+    const JournalContents contents = read_journal(path);
+    const Campaign campaign = read_stored_campaign(contents, path);
+    CampaignStatus status = status_of(campaign_table(campaign, contents.members));
+    status.sessions = contents.sessions;
+    status.at_work = is_being_written(path);
+    const int threads = contents.sessions.empty() ? 0 : contents.sessions.back().threads;
+    status.seconds_left = seconds_left(campaign, status, match_records(campaign, contents.members), threads);
+    return status;
+}
+
+}  // namespace
+
+CampaignStatus read_status(const std::filesystem::path& campaign_file) {
+    const std::filesystem::path journal = journal_path(campaign_file);
+    if (std::filesystem::exists(journal)) return status_of_journal(journal);
+    if (std::filesystem::exists(campaign_file)) return status_of(read_campaign_file(campaign_file));
+    throw InputError(fmt::format("there is neither {} nor its journal {}. Give the output file of floes run.",
+                                 campaign_file.string(), journal.string()));
+}
+
+}  // namespace floes

@@ -1,0 +1,108 @@
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/status_text.hpp"
+#include "core/error.hpp"
+#include "store/campaign_file.hpp"
+#include "store/journal.hpp"
+#include "store/synthetic.hpp"
+#include "store/temporary_folder.hpp"
+
+namespace floes {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+// Twelve members: eight done, number 4 failed, numbers 7, 10 and 11 not computed.
+std::vector<MemberRecord> some_records(const Campaign& campaign) {
+    std::vector<MemberRecord> records = synthetic::records(campaign);
+    records.resize(records.size() - 2);
+    return records;
+}
+
+void expect_counts(const CampaignStatus& status) {
+    EXPECT_EQ(status.title, "synthetic");
+    ASSERT_EQ(status.cases.size(), 3u);
+    EXPECT_EQ(status.cases[0].done, 4);
+    EXPECT_EQ(status.cases[1].name, "stiff");
+    EXPECT_EQ(status.cases[1].done, 1);
+    EXPECT_EQ(status.cases[1].failed, 1);
+    EXPECT_EQ(status.cases[1].missing, 2);
+    EXPECT_EQ(status.cases[2].missing, 1);
+    ASSERT_EQ(status.failures.size(), 1u);
+    EXPECT_EQ(status.failures[0].number, 4);
+    EXPECT_EQ(status.failures[0].case_name, "stiff");
+    EXPECT_EQ(status.failures[0].arrangement, 1);
+    EXPECT_THAT(status.failures[0].reason, HasSubstr("ran away"));
+}
+
+TEST(Status, IsReadFromTheJournalDuringARunAndAfterIt) {
+    const TemporaryFolder folder;
+    const Campaign campaign = synthetic::campaign();
+    {
+        Journal journal = open_journal(journal_path(folder / "a.h5"), campaign, Existing::refuse);
+        journal.begin_session(synthetic::session(0));
+        for (const MemberRecord& record : some_records(campaign)) journal.append(record);
+        const CampaignStatus live = read_status(folder / "a.h5");
+        expect_counts(live);
+        EXPECT_TRUE(live.at_work);
+        ASSERT_TRUE(live.seconds_left.has_value());
+        // Done members took 12.5 to 21.5 s each; three are left on four threads.
+        EXPECT_NEAR(*live.seconds_left, 3 * 16.5 / 4, 3.0);
+        EXPECT_THAT(status_table(live), HasSubstr("At work: 2 ranks, 4 threads from node0"));
+    }
+    const CampaignStatus killed = read_status(folder / "a.h5");
+    expect_counts(killed);
+    EXPECT_FALSE(killed.at_work);
+    EXPECT_FALSE(killed.seconds_left.has_value());
+    EXPECT_THAT(status_table(killed), HasSubstr("--resume"));
+}
+
+TEST(Status, IsReadFromTheCampaignFileAlone) {
+    const TemporaryFolder folder;
+    const Campaign campaign = synthetic::campaign();
+    publish(folder / "a.h5", campaign, some_records(campaign), {});
+    expect_counts(read_status(folder / "a.h5"));
+}
+
+TEST(Status, OfNothingIsRefused) {
+    const TemporaryFolder folder;
+    EXPECT_THROW(read_status(folder / "a.h5"), InputError);
+}
+
+TEST(Status, TableNamesCasesAndFailures) {
+    const TemporaryFolder folder;
+    const Campaign campaign = synthetic::campaign();
+    publish(folder / "a.h5", campaign, some_records(campaign), {});
+    const std::string text = status_table(read_status(folder / "a.h5"));
+    EXPECT_THAT(text, HasSubstr("synthetic: 8 of 12 members done, 1 failed, 3 to go"));
+    EXPECT_THAT(text, HasSubstr("stiff       1       1       2       4"));
+    EXPECT_THAT(text, HasSubstr("member 4 (case stiff, arrangement 1): an element ran away"));
+    publish(folder / "b.h5", synthetic::campaign(1), synthetic::records(synthetic::campaign(1)), {});
+    EXPECT_THAT(status_table(read_status(folder / "b.h5")), Not(HasSubstr("--resume")));
+}
+
+TEST(Status, JsonHasTheSameFigures) {
+    const TemporaryFolder folder;
+    const Campaign campaign = synthetic::campaign();
+    Journal journal = open_journal(journal_path(folder / "a.h5"), campaign, Existing::refuse);
+    journal.begin_session(synthetic::session(0));
+    EXPECT_TRUE(nlohmann::json::parse(status_json(read_status(folder / "a.h5")))["seconds_left"].is_null());
+    for (const MemberRecord& record : some_records(campaign)) journal.append(record);
+    const auto json = nlohmann::json::parse(status_json(read_status(folder / "a.h5")));
+    EXPECT_EQ(json["done"], 8);
+    EXPECT_EQ(json["failed"], 1);
+    EXPECT_EQ(json["missing"], 3);
+    EXPECT_EQ(json["total"], 12);
+    EXPECT_EQ(json["at_work"], true);
+    EXPECT_TRUE(json["seconds_left"].is_number());
+    EXPECT_EQ(json["cases"][1]["name"], "stiff");
+    EXPECT_EQ(json["cases"][1]["missing"], 2);
+    EXPECT_EQ(json["failures"][0]["member"], 4);
+    EXPECT_EQ(json["sessions"][0]["ranks"], 2);
+}
+
+}  // namespace
+}  // namespace floes
