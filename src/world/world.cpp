@@ -201,8 +201,4 @@ Vec3 World::contact_force(BodyId body) const {
     return contact_load(bullet_->world.solved_manifolds(), &bullet_->body(body), bullet_->definition.time_step);
 }
 
-int World::body_count() const {
-    return static_cast<int>(bullet_->bodies.size());
-}
-
 }  // namespace floes

@@ -60,8 +60,6 @@ class World {
     /// Force of all contacts (normal and friction) on the body in the last step, world axes, N.
     Vec3 contact_force(BodyId body) const;
 
-    int body_count() const;
-
   private:
     class Bullet;
     std::unique_ptr<Bullet> bullet_;
