@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "arrangement/turn.hpp"
+#include "core/turn.hpp"
 
 namespace floes {
 

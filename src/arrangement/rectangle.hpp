@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "arrangement/turn.hpp"
+#include "core/turn.hpp"
 
 namespace floes {
 

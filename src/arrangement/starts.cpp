@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "arrangement/turn.hpp"
+#include "core/turn.hpp"
 #include "core/error.hpp"
 
 namespace floes {

@@ -55,7 +55,7 @@ std::vector<GridJoint> joint_order(const FloeGrid& grid) {
 
 Quat joint_frame(JointAxis axis) {
     if (axis == JointAxis::x) return Quat::Identity();
-    return Quat(Eigen::AngleAxisd(-std::numbers::pi / 2, Vec3::UnitY()));
+    return Quat(std::numbers::sqrt2 / 2, 0, -std::numbers::sqrt2 / 2, 0);
 }
 
 std::vector<int> connected_pieces(int elements, const std::vector<GridJoint>& joints) {

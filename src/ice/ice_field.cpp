@@ -1,18 +1,14 @@
 #include "ice/ice_field.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "core/error.hpp"
+#include "core/turn.hpp"
+#include "ice/scenario_world.hpp"
+
 namespace floes {
-
-namespace {
-
-/// Height of the middle of floating ice above the water, m.
-double middle_height(const Scenario& scenario) {
-    const double draught = scenario.ice.thickness * scenario.ice.density / scenario.water.density;
-    return 0.5 * scenario.ice.thickness - draught;
-}
-
-}  // namespace
 
 IceField::IceField(World& world, const Scenario& scenario, std::span<const PlanarPose> poses)
     : grid_{scenario.floe.elements_long(), scenario.floe.elements_broad(), scenario.floe.element},
@@ -30,10 +26,10 @@ void IceField::add_floe(World& world, const Scenario& scenario, const PlanarPose
     const double thickness = scenario.ice.thickness;
     const int floe = static_cast<int>(elements_.size()) / grid_.elements();
     const int first = static_cast<int>(elements_.size());
-    const Quat yaw(Eigen::AngleAxisd(pose.yaw, Vec3::UnitY()));
-    const Vec3 middle(pose.x, middle_height(scenario), pose.z);
-    const double friction =
-        material_friction(scenario.contact.ice_ice_friction, scenario.contact.ice_structure_friction).ice;
+    const Turn half = turn_of(0.5 * pose.yaw);
+    const Quat yaw(half.cos, 0, half.sin, 0);
+    const Vec3 middle(pose.x, scenario.floating_height(), pose.z);
+    const double friction = scenario_friction(scenario).ice;
 
     for (int index = 0; index < grid_.elements(); ++index) {
         const BodyId body = world.add_element({.half_extents = Vec3(side, thickness, side) / 2,
@@ -66,15 +62,38 @@ int IceField::break_joints(World& world, double time) {
             *kept++ = joint;
             continue;
         }
-        world.remove_joint(joint.id);
-        expose_edges(joint);
-        breaks_.push_back({time, joint.floe, joint.number, *mode});
+        fail(world, joint, {time, joint.floe, joint.number, *mode});
     }
     joints_.erase(kept, joints_.end());
-    for (std::size_t i = before; i < breaks_.size(); ++i) {
-        if (i == before || breaks_[i].floe != breaks_[i - 1].floe) split_pieces(world, breaks_[i].floe);
-    }
+    split_floes(world, before);
     return static_cast<int>(breaks_.size() - before);
+}
+
+void IceField::repeat_breaks(World& world, std::span<const BreakEvent> breaks) {
+    const std::size_t before = breaks_.size();
+    for (const BreakEvent& event : breaks) {
+        const auto joint = std::ranges::find_if(
+            joints_, [&](const Joint& live) { return live.floe == event.floe && live.number == event.joint; });
+        if (joint == joints_.end()) {
+            throw InputError(fmt::format("Joint {} of floe {} cannot break at t = {:.2f} s: there is no such joint.",
+                                         event.joint, event.floe, event.time));
+        }
+        fail(world, *joint, event);
+        joints_.erase(joint);
+    }
+    split_floes(world, before);
+}
+
+void IceField::fail(World& world, const Joint& joint, const BreakEvent& event) {
+    world.remove_joint(joint.id);
+    expose_edges(joint);
+    breaks_.push_back(event);
+}
+
+void IceField::split_floes(World& world, std::size_t first_break) {
+    for (std::size_t i = first_break; i < breaks_.size(); ++i) {
+        if (i == first_break || breaks_[i].floe != breaks_[i - 1].floe) split_pieces(world, breaks_[i].floe);
+    }
 }
 
 void IceField::expose_edges(const Joint& joint) {

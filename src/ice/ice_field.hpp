@@ -40,6 +40,9 @@ class IceField {
     /// `time`: end of the step, s. Returns the number of joints that failed.
     int break_joints(World& world, double time);
 
+    /// Repeats the breaks of another run over the same floes, which enter the log as they are: their joints are removed.
+    void repeat_breaks(World& world, std::span<const BreakEvent> breaks);
+
     const std::vector<BreakEvent>& breaks() const { return breaks_; }  ///< by time, then floe, then joint
     const PeakReactions& peaks() const { return peaks_; }              ///< of all steps, failing joints included
 
@@ -57,6 +60,8 @@ class IceField {
     };
 
     void add_floe(World& world, const Scenario& scenario, const PlanarPose& pose, const std::vector<GridJoint>& order);
+    void fail(World& world, const Joint& joint, const BreakEvent& event);
+    void split_floes(World& world, std::size_t first_break);
     void expose_edges(const Joint& joint);
     void split_pieces(World& world, int floe);
 

@@ -62,7 +62,7 @@ class Sheet {
           world_(scenario_world(scenario)),
           ice_(world_, scenario, std::vector<PlanarPose>(1)),
           water_(scenario.water, scenario.general.gravity, {scenario.floe.element, scenario.ice.thickness},
-                 scenario.ice.density * scenario.floe.element * scenario.floe.element * scenario.ice.thickness, 0, 0),
+                 scenario.element_mass(), 0, 0),
           loaded_(loaded_elements(across, scenario.floe.element)) {}
 
     /// How far the centre of the sheet lies below its first height when at rest under a total load, m.

@@ -21,6 +21,14 @@ double Scenario::field_end() const {
     return field.begin + field_length();
 }
 
+double Scenario::element_mass() const {
+    return ice.density * floe.element * floe.element * ice.thickness;
+}
+
+double Scenario::floating_height() const {
+    return ice.thickness * (0.5 - ice.density / water.density);
+}
+
 double Scenario::waterline_radius() const {
     const auto& profile = structure.profile;
     double radius = 0;

@@ -132,6 +132,8 @@ struct Scenario {
 
     double field_length() const;      ///< m: floes * length * breadth / (concentration * 2 half_width)
     double field_end() const;         ///< x of the field's far edge, m
+    double element_mass() const;      ///< kg
+    double floating_height() const;   ///< of the middle of floating ice above the water, m; negative above half draught
     double waterline_radius() const;  ///< of the structure, m; 0 where its profile does not span height 0
     int step_count() const;           ///< steps of a run: (steady_start + window) / time_step, rounded
     int first_window_step() const;    ///< index of the first step inside the window

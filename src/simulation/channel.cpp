@@ -11,7 +11,7 @@ constexpr double room_behind =
 IceSheet sheet(const Scenario& scenario, const Vec2& x_range, const Vec2& z_range) {
     const Vec2 x_part{x_range.mean(), 0.5 * (x_range.y() - x_range.x())};
     const Vec2 z_part{z_range.mean(), 0.5 * (z_range.y() - z_range.x())};
-    return {{x_part.x(), floating_height(scenario), z_part.x()},
+    return {{x_part.x(), scenario.floating_height(), z_part.x()},
             {x_part.y(), 0.5 * scenario.ice.thickness, z_part.y()}};
 }
 
@@ -35,10 +35,6 @@ Channel make_channel(const Scenario& scenario) {
         channel.sheets.push_back(sheet(scenario, {scenario.field_end(), channel.end}, across));
     }
     return channel;
-}
-
-double floating_height(const Scenario& scenario) {
-    return scenario.ice.thickness * (0.5 - scenario.ice.density / scenario.water.density);
 }
 
 }  // namespace floes

@@ -26,7 +26,4 @@ struct Channel {
 /// The channel of a scenario.
 Channel make_channel(const Scenario& scenario);
 
-/// Height of the middle of ice that floats at rest: T (1/2 - ρ_i / ρ_w), m.
-double floating_height(const Scenario& scenario);
-
 }  // namespace floes

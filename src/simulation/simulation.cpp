@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -27,12 +28,8 @@ void add_sheets(World& world, const Channel& channel, double friction) {
 WaterModel make_water(const Scenario& scenario) {
     const double side = scenario.floe.element;
     const double thickness = scenario.ice.thickness;
-    return {scenario.water,
-            scenario.general.gravity,
-            {side, thickness},
-            scenario.ice.density * side * side * thickness,
-            scenario.waterline_radius(),
-            scenario.structure.speed};
+    return {scenario.water,          scenario.general.gravity,    {side, thickness},
+            scenario.element_mass(), scenario.waterline_radius(), scenario.structure.speed};
 }
 
 }  // namespace
@@ -52,6 +49,23 @@ Simulation::Simulation(const Scenario& scenario, const Arrangement& arrangement)
     loads_.sway.reserve(steps);
     loads_.heave.reserve(steps);
     states_.resize(ice_.elements().size());
+    read_states();
+}
+
+Simulation::Simulation(const Scenario& scenario, const Arrangement& arrangement, const SimulationState& state)
+    : Simulation(scenario, arrangement) {
+    if (state.elements.size() != states_.size()) {
+        throw InputError(fmt::format("A state of {} elements cannot be that of {} floes with {} elements.",
+                                     state.elements.size(), arrangement.poses.size(), states_.size()));
+    }
+    const auto known = static_cast<std::size_t>(state.steps);
+    for (std::vector<double>* history : {&loads_.surge, &loads_.sway, &loads_.heave}) {
+        history->assign(known, std::numeric_limits<double>::quiet_NaN());
+    }
+    steps_ = state.steps;
+    world_.place(structure_, {.position = {tow_.x(time()), 0, 0}, .velocity = {tow_.speed, 0, 0}});
+    for (std::size_t i = 0; i < states_.size(); ++i) world_.place(ice_.elements()[i].body, state.elements[i]);
+    ice_.repeat_breaks(world_, state.breaks);
     read_states();
 }
 

@@ -15,6 +15,7 @@
 #include "scenario/scenario.hpp"
 #include "simulation/channel.hpp"
 #include "simulation/load_history.hpp"
+#include "simulation/simulation_state.hpp"
 #include "simulation/wellbeing.hpp"
 #include "structure/tow.hpp"
 #include "water/water_model.hpp"
@@ -27,6 +28,12 @@ class Simulation {
     /// Floes float at rest where the arrangement says. Throws InputError for what the world refuses.
     Simulation(const Scenario& scenario, const Arrangement& arrangement);
 
+    /// A tow that has come as far as `state`: floes as in `arrangement` when their joints were made, then moved. The
+    /// contacts of the last step are not part of a state, so the next steps differ from those of the run that it comes
+    /// from as far as these matter. The histories begin with NaN for the steps that are not known here, peaks anew.
+    /// Throws InputError when the state is of other floes.
+    Simulation(const Scenario& scenario, const Arrangement& arrangement, const SimulationState& state);
+
     /// One time step. Throws MemberFailure, with the element, its floe and the time, when an element runs away, is gone
     /// or is no longer a number; the histories then end with the step before.
     void step();
@@ -38,6 +45,8 @@ class Simulation {
     int steps() const { return steps_; }
     const LoadHistory& loads() const { return loads_; }
     const IceField& ice() const { return ice_; }  ///< breaks, broken floes, peak reactions
+
+    SimulationState state() const { return {steps_, states_, ice_.breaks()}; }
 
     /// Motion of every element at time(), in the order of ice().elements().
     const std::vector<BodyState>& element_states() const { return states_; }

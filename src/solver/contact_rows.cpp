@@ -120,6 +120,8 @@ void ContactRows::order(std::span<const SolverContact> contacts, std::span<const
     // to the level after the last one that touched its bodies, and levels are solved one after the other.
     level_of_slot_.assign(body_slots, 0);
     level_of_contact_.resize(contacts.size());
+    // A number of contacts that rises one by one must not allocate each time; assign() alone would.
+    if (level_start_.capacity() <= contacts.size()) level_start_.reserve(2 * contacts.size() + 1);
     level_start_.assign(contacts.size() + 1, 0);
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         const std::uint32_t a = slot_of_body[contacts[i].a];

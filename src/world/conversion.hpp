@@ -16,6 +16,10 @@ inline btTransform to_bullet(const Pose& pose) {
     return btTransform(btQuaternion(q.x(), q.y(), q.z(), q.w()), to_bullet(pose.position));
 }
 
+inline btMatrix3x3 to_bullet(const Mat3& m) {
+    return {m(0, 0), m(0, 1), m(0, 2), m(1, 0), m(1, 1), m(1, 2), m(2, 0), m(2, 1), m(2, 2)};
+}
+
 inline Vec3 from_bullet(const btVector3& v) {
     return {v.x(), v.y(), v.z()};
 }

@@ -63,6 +63,10 @@ void LaneSolver::remove_joint(std::size_t joint) {
     if (system_ && joint < system_->joint_count()) system_->remove_joint(joint);
 }
 
+void LaneSolver::place(std::size_t body, const btRigidBody& state) {
+    if (system_ && body < system_->body_count()) system_->set_state(body, state_of(state));
+}
+
 JointReaction LaneSolver::reaction(std::size_t joint) const {
     if (!system_ || joint >= system_->joint_count()) return {};
     const auto [force, moment] = system_->reaction(joint);

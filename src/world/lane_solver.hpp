@@ -23,6 +23,9 @@ class LaneSolver final : public btSequentialImpulseConstraintSolver {
     void add_joint(const JointDefinition& definition, const btRigidBody& a, const btRigidBody& b);
     void remove_joint(std::size_t joint);
 
+    /// The body's pose and velocity, changed by other hands.
+    void place(std::size_t body, const btRigidBody& state);
+
     /// Of the last solve; zero before it and after removal.
     JointReaction reaction(std::size_t joint) const;
 

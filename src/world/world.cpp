@@ -161,6 +161,22 @@ void World::set_piece(BodyId body, int piece) {
     assign_piece(bullet_->body(body), piece);
 }
 
+void World::place(BodyId body, const BodyState& state) {
+    btRigidBody& placed = bullet_->body(body);
+    const btTransform transform(to_bullet(state.rotation), to_bullet(state.position));
+    placed.setWorldTransform(transform);
+    placed.setInterpolationWorldTransform(transform);  // what Bullet takes the structure's velocity from
+    placed.setLinearVelocity(to_bullet(state.velocity));
+    placed.setAngularVelocity(to_bullet(state.spin));
+    placed.setInterpolationLinearVelocity(placed.getLinearVelocity());
+    placed.setInterpolationAngularVelocity(placed.getAngularVelocity());
+    placed.updateInertiaTensor();
+    btBroadphaseProxy* const proxy = placed.getBroadphaseHandle();
+    bullet_->broadphase.getOverlappingPairCache()->cleanProxyFromPairs(proxy, &bullet_->dispatcher);
+    bullet_->world.updateSingleAabb(&placed);
+    if (bullet_->lanes) bullet_->lanes->place(body.index(), placed);
+}
+
 void World::move_structure(const Vec3& position) {
     // Not setCenterOfMassTransform: that would also move what Bullet takes the velocity from.
     bullet_->body(bullet_->structure.value()).setWorldTransform(to_bullet(Pose{position, Quat::Identity()}));

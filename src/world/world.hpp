@@ -43,6 +43,10 @@ class World {
     /// Bodies of the same piece >= 0 do not collide; no_piece for none. In force from the next step on.
     void set_piece(BodyId body, int piece);
 
+    /// Puts a body into a state that it does not come to by itself. Contacts that it had begin anew; joints pull
+    /// towards the configuration in which they were made.
+    void place(BodyId body, const BodyState& state);
+
     /// Where the structure is at the end of the coming step. Its velocity in that step is the difference over Δt.
     void move_structure(const Vec3& position);
 

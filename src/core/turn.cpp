@@ -1,4 +1,4 @@
-#include "arrangement/turn.hpp"
+#include "core/turn.hpp"
 
 #include <cmath>
 
