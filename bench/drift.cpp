@@ -1,0 +1,33 @@
+#include "drift.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace floes::bench {
+
+Simulation make_drift(const Drift& drift) {
+    Scenario scenario;
+    scenario.general.solver = SolverKind::lanes;
+    scenario.floe.length = scenario.floe.breadth = drift.elements_along * scenario.floe.element;
+    scenario.field.floes = drift.floes;
+    scenario.field.concentration = drift.concentration;
+    const double cell = scenario.floe.length / std::sqrt(drift.concentration);
+    const int across = std::max(1, static_cast<int>(std::lround(std::sqrt(drift.floes))));
+    scenario.field.half_width = 0.5 * cell * across;
+
+    Arrangement arrangement;
+    for (int i = 0; i < drift.floes; ++i) {
+        arrangement.poses.push_back({.x = scenario.field.begin + cell * (i / across + 0.5),
+                                     .z = cell * (i % across + 0.5) - scenario.field.half_width});
+    }
+    SimulationState state = Simulation(scenario, arrangement).state();
+    const std::size_t elements = state.elements.size() / arrangement.poses.size();
+    for (std::size_t i = 0; i < state.elements.size(); ++i) {
+        // Directions spread evenly by the golden ratio.
+        const double angle = 2 * std::numbers::pi * std::fmod(static_cast<double>(i / elements) * 0.6180339887, 1.0);
+        state.elements[i].velocity = {drift.speed * std::cos(angle), 0, drift.speed * std::sin(angle)};
+    }
+    return Simulation(scenario, arrangement, state);
+}
+
+}  // namespace floes::bench

@@ -1,0 +1,17 @@
+#pragma once
+// Floes of any number and size on a square lattice, each drifting its own way: cost against size.
+
+#include "simulation/simulation.hpp"
+
+namespace floes::bench {
+
+struct Drift {
+    int floes = 189;
+    int elements_along = 3;  ///< elements of 0.2 m along each side of a floe
+    double concentration = 0.75;
+    double speed = 0.3;  ///< m/s
+};
+
+Simulation make_drift(const Drift& drift);
+
+}  // namespace floes::bench

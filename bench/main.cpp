@@ -1,0 +1,119 @@
+// floes_bench [--steps N] [Google Benchmark's own options]
+//
+// TowStep and Peer time one step in a fixed number of steps from the same stored state, so that every repetition does
+// the same work; Member a whole shortened member; Size a step of drifting floes. See README.md.
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <string_view>
+
+#include "arrangement/arrangement.hpp"
+#include "drift.hpp"
+#include "member/run_member.hpp"
+#include "peer.hpp"
+#include "scene.hpp"
+#include "simulation/simulation.hpp"
+
+namespace floes::bench {
+
+namespace {
+
+constexpr int warm_up = 5;  // steps: the contacts that a stored state lacks, memory that grows once
+
+void tow_step(benchmark::State& state, SolverKind solver, Scene (*make_scene)()) {
+    const Scene scene = make_scene();
+    Simulation simulation(tow_scenario(solver), scene.arrangement, scene.state);
+    for (int i = 0; i < warm_up; ++i) simulation.step();
+    for (auto _ : state) simulation.step();
+    state.counters["surge_N"] = simulation.loads().surge.back();
+    state.counters["broken_floes"] = simulation.ice().broken_floes();
+}
+
+void peer_step(benchmark::State& state, std::unique_ptr<Peer> (*make_peer)(const PeerScene&), Scene (*make_scene)()) {
+    const std::unique_ptr<Peer> peer = make_peer(peer_scene(make_scene()));
+    for (int i = 0; i < warm_up; ++i) peer->step();
+    for (auto _ : state) peer->step();
+    state.counters["contacts"] = peer->contacts();
+    state.counters["fastest_m_s"] = peer->fastest();
+}
+
+/// A member of 20 s at four times the tow speed: 5.6 m of way from the edge of resting ice to packed ice.
+void member(benchmark::State& state, SolverKind solver) {
+    Scenario scenario = tow_scenario(solver);
+    scenario.arrangement.method = ArrangementMethod::file;
+    scenario.arrangement.poses = early_scene().arrangement.poses;
+    scenario.structure.speed *= 4;
+    scenario.analysis = {.steady_start = 5, .window = 15, .segments = 3};
+    MemberResult result;
+    for (auto _ : state) result = run_member(scenario, 1, 0, {});
+    state.counters["steps"] = static_cast<double>(result.history.surge.size());
+    state.counters["mean_surge_N"] = result.load.mean;
+    state.counters["failure_ratio"] = result.failure_ratio;
+}
+
+void size_step(benchmark::State& state, const Drift& drift) {
+    Simulation simulation = make_drift(drift);
+    for (int i = 0; i < 20; ++i) simulation.step();
+    for (auto _ : state) simulation.step();
+    state.counters["floes"] = drift.floes;
+    state.counters["elements"] = static_cast<double>(simulation.element_states().size());
+    state.counters["joints"] = simulation.ice().live_joints();
+}
+
+void add_size(const Drift& drift, std::string_view what, int value, int steps) {
+    const std::string name = fmt::format("Size/{}:{}", what, value);
+    benchmark::RegisterBenchmark(name.c_str(), size_step, drift)->Iterations(steps)->Unit(benchmark::kMillisecond);
+}
+
+void add_all(int steps) {
+    const auto add = [steps](const char* name, auto function, auto... arguments) {
+        benchmark::RegisterBenchmark(name, function, arguments...)->Iterations(steps)->Unit(benchmark::kMillisecond);
+    };
+    add("TowStep/stock/late", tow_step, SolverKind::stock, late_scene);
+    add("TowStep/lanes/late", tow_step, SolverKind::lanes, late_scene);
+    add("TowStep/stock/early", tow_step, SolverKind::stock, early_scene);
+    add("TowStep/lanes/early", tow_step, SolverKind::lanes, early_scene);
+    add("Peer/bullet/late", peer_step, make_bullet, late_scene);
+    add("Peer/ode/late", peer_step, make_ode, late_scene);
+    for (const auto& [name, solver] :
+         {std::pair{"Member/stock", SolverKind::stock}, {"Member/lanes", SolverKind::lanes}}) {
+        benchmark::RegisterBenchmark(name, member, solver)->Iterations(1)->Unit(benchmark::kMillisecond);
+    }
+    for (const int floes : {50, 100, 189, 500, 1000, 2000, 5000, 10000, 20000}) {
+        add_size({.floes = floes}, "floes", floes, floes > 2000 ? 5 : 20);
+    }
+    for (const int along : {1, 2, 3, 4, 5, 6}) add_size({.elements_along = along}, "elements", along * along, 20);
+    for (const int percent : {50, 60, 70, 75, 80, 85}) {
+        add_size({.concentration = percent / 100.0}, "concentration", percent, 20);
+    }
+}
+
+/// Takes --steps N out of the arguments.
+int steps_from(int& count, char** arguments) {
+    int steps = 50;
+    int kept = 1;
+    for (int i = 1; i < count; ++i) {
+        if (std::string_view(arguments[i]) == "--steps" && i + 1 < count) {
+            steps = std::max(1, std::atoi(arguments[++i]));
+        } else {
+            arguments[kept++] = arguments[i];
+        }
+    }
+    count = kept;
+    return steps;
+}
+
+}  // namespace
+
+}  // namespace floes::bench
+
+int main(int count, char** arguments) {
+    floes::bench::add_all(floes::bench::steps_from(count, arguments));
+    benchmark::Initialize(&count, arguments);
+    if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 2;
+    benchmark::RunSpecifiedBenchmarks();
+    benchmark::Shutdown();
+}

@@ -1,0 +1,66 @@
+#include "peer.hpp"
+
+#include <set>
+
+#include "ice/floe_grid.hpp"
+#include "simulation/simulation.hpp"
+#include "structure/profile.hpp"
+#include "structure/tow.hpp"
+
+namespace floes::bench {
+
+WaterModel peer_water(const Scenario& scenario) {
+    const double side = scenario.floe.element;
+    const double thickness = scenario.ice.thickness;
+    return {scenario.water,
+            scenario.general.gravity,
+            {side, thickness},
+            scenario.ice.density * side * side * thickness,
+            scenario.waterline_radius(),
+            scenario.structure.speed};
+}
+
+PeerScene peer_scene(const Scene& scene) {
+    PeerScene peer;
+    const Scenario scenario = tow_scenario(SolverKind::stock);
+    peer.scenario = scenario;
+    const Simulation simulation(scenario, scene.arrangement, scene.state);
+    peer.elements = simulation.element_states();
+    for (const IceElement& element : simulation.ice().elements()) peer.exposed_edges.push_back(element.exposed_edges);
+
+    std::set<std::pair<int, int>> broken;
+    for (const BreakEvent& event : scene.state.breaks) broken.insert({event.floe, event.joint});
+    const FloeGrid grid{scenario.floe.elements_long(), scenario.floe.elements_broad(), scenario.floe.element};
+    const std::vector<GridJoint> order = joint_order(grid);
+    for (int floe = 0; floe < simulation.ice().floes(); ++floe) {
+        const int first = floe * grid.elements();
+        for (int number = 0; number < static_cast<int>(order.size()); ++number) {
+            if (broken.contains({floe, number})) continue;
+            const GridJoint& joint = order[static_cast<std::size_t>(number)];
+            const Quat frame = joint_frame(joint.axis);
+            peer.joints.push_back({first + joint.a,
+                                   first + joint.b,
+                                   {grid.pivot(joint) - grid.centre(joint.a), frame},
+                                   {grid.pivot(joint) - grid.centre(joint.b), frame}});
+        }
+        for (int k = 0; k + 1 < grid.elements_broad; ++k) {
+            for (int i = 0; i + 1 < grid.elements_long; ++i) {
+                const int at = first + i + k * grid.elements_long;
+                for (const auto& [a, b] :
+                     {std::pair{at, at + grid.elements_long + 1}, std::pair{at + 1, at + grid.elements_long}}) {
+                    const auto& elements = simulation.ice().elements();
+                    if (elements[static_cast<std::size_t>(a)].piece == elements[static_cast<std::size_t>(b)].piece) {
+                        peer.diagonals.emplace_back(a, b);
+                    }
+                }
+            }
+        }
+    }
+    peer.sheets = make_channel(scenario).sheets;
+    peer.structure = Profile(scenario.structure.profile).frusta();
+    peer.structure_x = Tow{scenario.structure.start, scenario.structure.speed}.x(simulation.time());
+    peer.friction = material_friction(scenario.contact.ice_ice_friction, scenario.contact.ice_structure_friction);
+    return peer;
+}
+
+}  // namespace floes::bench

@@ -1,0 +1,58 @@
+#pragma once
+// What another engine needs to step the same scene: bodies, joints that still hold, fixed boxes, the structure.
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "core/frustum.hpp"
+#include "scene.hpp"
+#include "simulation/channel.hpp"
+#include "water/water_model.hpp"
+#include "world/definitions.hpp"
+#include "world/state.hpp"
+
+namespace floes::bench {
+
+struct PeerJoint {
+    int a = 0;
+    int b = 0;
+    Pose in_a;  ///< joint -> element a
+    Pose in_b;
+};
+
+struct PeerScene {
+    Scenario scenario;
+    std::vector<BodyState> elements;
+    std::vector<std::uint8_t> exposed_edges;
+    std::vector<PeerJoint> joints;
+    std::vector<std::pair<int, int>> diagonals;  ///< elements of one piece that meet at a corner only
+    std::vector<IceSheet> sheets;
+    std::vector<Frustum> structure;
+    double structure_x = 0;
+    MaterialFriction friction;
+};
+
+PeerScene peer_scene(const Scene& scene);
+
+/// The default scenario's water.
+WaterModel peer_water(const Scenario& scenario);
+
+/// An engine with the scene in it. One step: structure moved, water on every element, 50 iterations. No joint breaks
+/// and no joint reaction is read.
+class Peer {
+  public:
+    virtual ~Peer() = default;
+    virtual void step() = 0;
+    virtual int contacts() const = 0;  ///< points of the last step
+    virtual double structure_x() const = 0;
+    virtual double fastest() const = 0;  ///< m/s, of all elements: says that the scene still stands
+};
+
+/// Bullet as its users write it: btDiscreteDynamicsWorld, btFixedConstraint, a hull for the structure.
+std::unique_ptr<Peer> make_bullet(const PeerScene& scene);
+
+/// ODE: dWorldQuickStep, fixed joints, boxes, an upright cylinder for the structure. ODE has no cone.
+std::unique_ptr<Peer> make_ode(const PeerScene& scene);
+
+}  // namespace floes::bench

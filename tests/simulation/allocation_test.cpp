@@ -1,0 +1,157 @@
+// What the step loop takes from the heap: calls of operator new of any kind, and of Bullet's allocator.
+
+#include <LinearMath/btAlignedAllocator.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+#include <ostream>
+
+#include "simulation/simulation.hpp"
+
+namespace {
+
+std::atomic<long> allocations{0};         // operator new
+std::atomic<long> bullet_allocations{0};  // Bullet's allocator
+
+void* take(std::size_t size, std::size_t boundary = alignof(std::max_align_t)) {
+    ++allocations;
+    const std::size_t whole = (std::max<std::size_t>(size, 1) + boundary - 1) / boundary * boundary;
+    void* const memory = std::aligned_alloc(boundary, whole);
+    if (memory == nullptr) throw std::bad_alloc();
+    return memory;
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+    return take(size);
+}
+void* operator new[](std::size_t size) {
+    return take(size);
+}
+void* operator new(std::size_t size, std::align_val_t boundary) {
+    return take(size, static_cast<std::size_t>(boundary));
+}
+void* operator new[](std::size_t size, std::align_val_t boundary) {
+    return take(size, static_cast<std::size_t>(boundary));
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete[](void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+void operator delete[](void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::align_val_t) noexcept {
+    std::free(memory);
+}
+void operator delete[](void* memory, std::align_val_t) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+    std::free(memory);
+}
+void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept {
+    std::free(memory);
+}
+
+namespace floes {
+namespace {
+
+struct Taken {
+    long by_new = 0;
+    long by_bullet = 0;
+    friend bool operator==(const Taken&, const Taken&) = default;
+};
+
+void PrintTo(const Taken& taken, std::ostream* out) {
+    *out << taken.by_new << " by operator new, " << taken.by_bullet << " by Bullet";
+}
+
+class StepLoop : public ::testing::Test {
+  protected:
+    StepLoop() {
+        // Bullet aligns what these return, as it does with its own default.
+        btAlignedAllocSetCustom(
+            [](std::size_t size) {
+                ++bullet_allocations;
+                return std::malloc(size);
+            },
+            [](void* memory) { std::free(memory); });
+    }
+    ~StepLoop() override { btAlignedAllocSetCustom(nullptr, nullptr); }
+
+    static Taken taken_in(Simulation& simulation, int steps) {
+        const Taken before{allocations, bullet_allocations};
+        for (int i = 0; i < steps; ++i) simulation.step();
+        return {allocations - before.by_new, bullet_allocations - before.by_bullet};
+    }
+};
+
+/// Floes in rows of four, `gap` m apart, between walls that are as far, the structure at the near edge.
+struct Rows {
+    Scenario scenario;
+    Arrangement arrangement;
+
+    Rows(int rows, double gap) {
+        scenario.general.solver = SolverKind::lanes;
+        scenario.field.floes = 4 * rows;
+        const double cell = scenario.floe.length + gap;
+        scenario.field.half_width = 2 * cell + 0.5 * gap;
+        scenario.field.concentration = 0.36 * 4 * rows / (2 * scenario.field.half_width * (cell * rows + gap));
+        scenario.structure.start = scenario.field.begin - scenario.waterline_radius() - 0.02;
+        for (int i = 0; i < 4 * rows; ++i) {
+            arrangement.poses.push_back(
+                {.x = scenario.field.begin + gap + cell * (i / 4) + 0.3, .z = cell * (i % 4 - 1.5)});
+        }
+    }
+};
+
+TEST_F(StepLoop, TakesNothingFromTheHeapWhileTheIceIsAtRest) {
+    Rows rows(5, 0.09);
+    rows.scenario.structure.start -= 2;
+    Simulation simulation(rows.scenario, rows.arrangement);
+    taken_in(simulation, 5);
+    EXPECT_EQ(taken_in(simulation, 200), Taken{});
+}
+
+// Floes that drift into each other come and go as pairs: their algorithms and manifolds come from Bullet's pools.
+TEST_F(StepLoop, TakesNothingFromTheHeapWhileFloesCollide) {
+    Rows rows(5, 0.03);
+    rows.scenario.structure.start -= 2;
+    SimulationState state = Simulation(rows.scenario, rows.arrangement).state();
+    for (std::size_t i = 0; i < state.elements.size(); ++i) {
+        const double angle = 2.4 * static_cast<double>(i / 9);
+        state.elements[i].velocity = {0.2 * std::cos(angle), 0, 0.2 * std::sin(angle)};
+    }
+    Simulation simulation(rows.scenario, rows.arrangement, state);
+    taken_in(simulation, 60);
+    EXPECT_EQ(taken_in(simulation, 200), Taken{});
+}
+
+// The one exception: an element that newly comes near the structure. Bullet's algorithm for a compound shape then takes
+// three arrays of its own; the structure is one because its profile need not be convex.
+TEST_F(StepLoop, TakesThreeArraysOfBulletForAnElementThatComesNearTheStructure) {
+    Rows rows(5, 0.004);
+    Simulation simulation(rows.scenario, rows.arrangement);
+    taken_in(simulation, 300);
+    const Taken taken = taken_in(simulation, 200);
+    EXPECT_GT(simulation.loads().surge.back(), 1) << "the ice is packed";
+    EXPECT_EQ(taken.by_new, 0);
+    EXPECT_GT(taken.by_bullet, 0);
+    EXPECT_EQ(taken.by_bullet % 3, 0);
+    EXPECT_LE(taken.by_bullet, 3 * 36) << "as many elements as lie in the structure's way";
+}
+
+}  // namespace
+}  // namespace floes
