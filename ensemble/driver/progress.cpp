@@ -69,15 +69,16 @@ void Progress::show(const ProgressState& state, Time now) {
 }
 
 void Progress::show_last(const ProgressState& state) {
-    write(state);
+    if (style_ == Style::live || progress_text(state) != last_text_) write(state);
 }
 
 void Progress::write(const ProgressState& state) {
+    last_text_ = progress_text(state);
     if (style_ == Style::live) {
-        out_ << erase_line + ("floes: " + progress_text(state)) << std::flush;
+        out_ << erase_line + ("floes: " + last_text_) << std::flush;
         line_is_open_ = true;
     } else {
-        out_ << "floes: " + progress_text(state) + "\n" << std::flush;
+        out_ << "floes: " + last_text_ + "\n" << std::flush;
     }
 }
 

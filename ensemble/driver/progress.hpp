@@ -45,7 +45,7 @@ class Progress {
     /// Shows the state if it is time for it: live, twice a second; plain, after 60 s or a tenth of the members.
     void show(const ProgressState& state, Time now);
 
-    /// Shows the state in any case.
+    /// Shows the state unless it has just been shown.
     void show_last(const ProgressState& state);
 
   private:
@@ -57,6 +57,7 @@ class Progress {
     bool shown_ = false;
     Time last_time_{};
     int last_tenth_ = 0;
+    std::string last_text_;
 };
 
 /// Live when standard error is a terminal.

@@ -18,10 +18,10 @@ std::string count(int n, const char* singular) {
 }
 
 std::string opening(const Campaign& campaign, const RunOptions& options, int ranks, int cores) {
-    return fmt::format("{}: {} = {} x {} on {} of {}; {}", campaign.name, count(member_count(campaign), "member"),
+    return fmt::format("{}: {} = {} x {} on {}{}, into {}", campaign.name, count(member_count(campaign), "member"),
                        count(static_cast<int>(campaign.cases.size()), "case"),
-                       count(campaign.arrangements, "arrangement"), count(cores, "core"), count(ranks, "rank"),
-                       options.places.campaign_file.string());
+                       count(campaign.arrangements, "arrangement"), count(cores, "core"),
+                       ranks > 1 ? fmt::format(" of {} ranks", ranks) : "", options.places.campaign_file.string());
 }
 
 Session session_of(int ranks, int cores) {

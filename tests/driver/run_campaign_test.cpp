@@ -41,7 +41,7 @@ TEST(RunCampaign, ComputesEveryMemberOnceAndPublishes) {
     };
     EXPECT_EQ(run(counted), 0);
     EXPECT_EQ(calls, 12);
-    EXPECT_THAT(run.said, HasSubstr("12 members = 3 cases x 4 arrangements on 2 cores of 1 rank"));
+    EXPECT_THAT(run.said, HasSubstr("12 members = 3 cases x 4 arrangements on 2 cores, into "));
     EXPECT_THAT(run.said, HasSubstr("12 of 12 done, 0 failed"));
     const CampaignTable table = read_campaign_file(run.file);
     ASSERT_EQ(table.members.size(), 12u);

@@ -1,0 +1,26 @@
+# What floes run refuses, with which status, and that it then leaves everything as it was.
+source "$(dirname "$0")/common.sh"
+
+SMALL=(--set campaign.arrangements=1 --set analysis.window_s=3.0)
+
+expect 2 no_file "$FLOES" run nowhere.toml
+said no_file "nowhere.toml"
+expect 2 no_file_ranks "${MPIRUN[@]}" -n 2 "$FLOES" run nowhere.toml
+expect 2 both "$FLOES" run campaign.toml --resume --overwrite
+expect 2 threads "$FLOES" run campaign.toml --threads 0
+expect 2 key "$FLOES" run campaign.toml --set ice.thicknes_m=0.03
+said key "ice.thickness_m"
+[ ! -e campaign.h5 ] || fail "a refused run left a file"
+
+expect 0 default_name "$FLOES" run campaign.toml "${SMALL[@]}"
+[ -s campaign.h5 ] || fail "the campaign file is not named after the configuration"
+before=$(sha256sum campaign.h5 campaign.journal)
+expect 2 exists "$FLOES" run campaign.toml "${SMALL[@]}"
+said exists "--resume"
+said exists "--overwrite"
+expect 2 exists_ranks "${MPIRUN[@]}" -n 2 "$FLOES" run campaign.toml "${SMALL[@]}"
+expect 2 other "$FLOES" run campaign.toml "${SMALL[@]}" --set general.iterations=20 --resume
+said other "general.iterations"
+[ "$before" = "$(sha256sum campaign.h5 campaign.journal)" ] || fail "a refused run changed the files"
+expect 0 overwritten "$FLOES" run campaign.toml "${SMALL[@]}" --set general.iterations=20 --overwrite
+

@@ -1,0 +1,53 @@
+# SIGTERM, SIGINT or SIGUSR1 in the middle: exit status 85, a whole campaign file, and a command that completes it.
+source "$(dirname "$0")/common.sh"
+
+# stopped NAME SIGNAL PID: sends it and fails unless the process ends with 85 (or was done first).
+stopped() {
+    local status=0
+    kill "-$2" "$3" || true
+    wait "$3" || status=$?
+    [ "$status" -eq 85 ] || fail "$1 ended with $status instead of 85 on $2"
+    h5diff "$1.h5" "$1.h5" > difference.log 2>&1 || fail "$1.h5 is not whole"
+}
+
+expect 0 whole "$FLOES" run campaign.toml -o whole.h5
+
+"$FLOES" run campaign.toml -o alone.h5 --threads 1 --set campaign.seed=1 > alone.log 2>&1 &
+wait_for_a_member alone.journal
+stopped alone TERM $!
+said alone "stopped by SIGTERM"
+command=$(sed -n 's/.*to go on: //p' alone.log)
+[ "$command" = "$FLOES run campaign.toml -o alone.h5 --resume --threads 1 --set campaign.seed=1" ] ||
+    fail "the command to go on is '$command'"
+expect 0 alone_resumed bash -c "$command"
+said alone_resumed "resumed: "
+same whole.h5 alone.h5
+
+# The same command serves for the first start and every later one.
+for attempt in 1 2; do
+    "$FLOES" run campaign.toml -o again.h5 --threads 1 --resume > again.log 2>&1 &
+    pid=$!
+    [ "$attempt" -eq 1 ] && wait_for_a_member again.journal
+    sleep 0.3
+    stopped again INT "$pid"
+done
+expect 0 again_resumed "$FLOES" run campaign.toml -o again.h5 --resume
+same whole.h5 again.h5
+
+# Under mpirun, which passes SIGUSR1 to every rank.
+"${MPIRUN[@]}" -n 2 "$FLOES" run campaign.toml -o ranks.h5 > ranks.log 2>&1 &
+wait_for_a_member ranks.journal
+stopped ranks USR1 $!
+said ranks "to go on: mpirun -n 2 $FLOES run campaign.toml -o ranks.h5 --resume"
+expect 0 ranks_resumed "${MPIRUN[@]}" -n 3 "$FLOES" run campaign.toml -o ranks.h5 --resume
+same whole.h5 ranks.h5
+
+# A signal to one worker alone stops them all.
+"${MPIRUN[@]}" -n 2 bash -c 'if [ "$OMPI_COMM_WORLD_RANK" = 1 ]; then echo $$ > worker.pid; fi; exec "$@"' _ \
+    "$FLOES" run campaign.toml -o worker.h5 > worker.log 2>&1 &
+wait_for_a_member worker.journal
+kill -USR1 "$(cat worker.pid)"
+status=0
+wait $! || status=$?
+[ "$status" -eq 85 ] || fail "the ranks ended with $status instead of 85"
+said worker "stopped by a signal to rank 1"
