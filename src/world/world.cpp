@@ -171,8 +171,10 @@ void World::place(BodyId body, const BodyState& state) {
     placed.setInterpolationLinearVelocity(placed.getLinearVelocity());
     placed.setInterpolationAngularVelocity(placed.getAngularVelocity());
     placed.updateInertiaTensor();
-    btBroadphaseProxy* const proxy = placed.getBroadphaseHandle();
-    bullet_->broadphase.getOverlappingPairCache()->cleanProxyFromPairs(proxy, &bullet_->dispatcher);
+    if (bullet_->dispatcher.getNumManifolds() > 0) {  // contacts: there are none before the first step
+        bullet_->broadphase.getOverlappingPairCache()->cleanProxyFromPairs(placed.getBroadphaseHandle(),
+                                                                           &bullet_->dispatcher);
+    }
     bullet_->world.updateSingleAabb(&placed);
     if (bullet_->lanes) bullet_->lanes->place(body.index(), placed);
 }
