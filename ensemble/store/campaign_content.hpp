@@ -57,6 +57,8 @@ void write_cases(hid_t file, const CampaignContent& content, const CampaignScale
 void write_arrangements(hid_t file, const CampaignContent& content, const CampaignScales& scales);
 void write_history(hid_t file, const CampaignContent& content, const CampaignScales& scales);
 void write_breaks(hid_t file, const CampaignContent& content, const CampaignScales& scales);
+/// Nothing where no case was calibrated.
+void write_calibration(hid_t file, const CampaignContent& content, std::span<const CalibrationRecord> calibrations);
 void write_provenance(hid_t file, const CampaignContent& content, std::span<const Session> sessions);
 
 }  // namespace floes

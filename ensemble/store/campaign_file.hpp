@@ -9,21 +9,23 @@
 #include <vector>
 
 #include "campaign/campaign.hpp"
+#include "store/calibration_record.hpp"
 #include "store/member_record.hpp"
 #include "store/session.hpp"
 
 namespace floes {
 
 /// Version of the layout, {major, minor}: a new minor only adds names.
-inline constexpr std::array<int, 2> campaign_file_version{1, 0};
+inline constexpr std::array<int, 2> campaign_file_version{1, 1};
 inline constexpr const char* campaign_filetype = "floes campaign";
 
 /// Writes the file aside, brings it to the disk, and renames it into place: at every moment `path` is the old file or
 /// the new one, whole. Members without a record stand as missing. Outside /provenance the values depend on the campaign
 /// and the results alone, not on the order or origin of `records`. `sessions`: the last one is the publishing one.
+/// `calibrations`: those that gave cases of the campaign their Σ stand in /calibration.
 /// Throws RunError naming the call that failed.
 void publish(const std::filesystem::path& path, const Campaign& campaign, std::span<const MemberRecord> records,
-             std::span<const Session> sessions);
+             std::span<const Session> sessions, std::span<const CalibrationRecord> calibrations = {});
 
 enum class RowStatus : std::int8_t { missing = -1, done = 0, failed = 1 };
 

@@ -107,6 +107,12 @@ void Journal::append(const MemberRecord& record) {
     contents_.members.push_back(record);
 }
 
+void Journal::append(const CalibrationRecord& record) {
+    if (find_calibration(contents_.calibrations, record.key) != nullptr) return;
+    write_record(static_cast<std::uint32_t>(RecordType::calibration), encode(record));
+    contents_.calibrations.push_back(record);
+}
+
 void Journal::sync() {
     sync_data(file_, path_);
 }

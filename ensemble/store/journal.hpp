@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "campaign/campaign.hpp"
+#include "store/calibration_record.hpp"
 #include "store/file_descriptor.hpp"
 #include "store/member_record.hpp"
 #include "store/session.hpp"
@@ -30,8 +31,9 @@ struct JournalContents {
     std::string campaign_text;          ///< resolved configuration, TOML
     std::vector<MemberRecord> members;  ///< in order of arrival
     std::vector<Session> sessions;      ///< in order of time
-    std::uint64_t good_bytes = 0;       ///< up to the end of the last whole record
-    std::uint64_t torn_bytes = 0;       ///< after that: a torn or damaged tail, or a record just being written
+    std::vector<CalibrationRecord> calibrations;
+    std::uint64_t good_bytes = 0;  ///< up to the end of the last whole record
+    std::uint64_t torn_bytes = 0;  ///< after that: a torn or damaged tail, or a record just being written
 };
 
 /// A journal open for writing, locked against a second writer as long as the object lives.
@@ -39,6 +41,8 @@ class Journal {
   public:
     /// Adds a record. It is in the hands of the operating system on return, on the disk after the next sync().
     void append(const MemberRecord& record);
+    /// Likewise what gave a case its Σ; one that is there already is not added again.
+    void append(const CalibrationRecord& record);
     /// Everything appended so far is on the disk on return. Throws RunError when the disk refuses.
     void sync();
     /// Records the start of a session, and syncs.
@@ -48,6 +52,7 @@ class Journal {
 
     const std::vector<MemberRecord>& records() const { return contents_.members; }
     const std::vector<Session>& sessions() const { return contents_.sessions; }
+    const std::vector<CalibrationRecord>& calibrations() const { return contents_.calibrations; }
     const std::string& campaign_text() const { return contents_.campaign_text; }
     /// Bytes of torn tail that were cut off when the journal was opened.
     std::uint64_t cut_bytes() const { return contents_.torn_bytes; }

@@ -64,6 +64,9 @@ void take_record(JournalContents& contents, std::uint32_t type, std::span<const 
             contents.sessions.back().outcome = in.text();
             break;
         }
+        case RecordType::calibration:
+            contents.calibrations.push_back(decode_calibration_record(payload));
+            break;
     }
 }
 

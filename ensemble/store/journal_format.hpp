@@ -22,7 +22,7 @@ inline constexpr std::uint64_t record_head_bytes = 12;
 inline constexpr std::uint64_t crc_bytes = 4;
 
 /// Append only. A reader passes over types that it does not know.
-enum class RecordType : std::uint32_t { member = 1, session_begin = 2, session_end = 3 };
+enum class RecordType : std::uint32_t { member = 1, session_begin = 2, session_end = 3, calibration = 4 };
 
 std::uint32_t crc32c(std::span<const std::byte> bytes);
 Bytes header(std::string_view text);

@@ -25,7 +25,8 @@ void write_root(hid_t file, const Campaign& campaign) {
     hdf5::write_attribute(file, "fingerprint", fingerprint(campaign));
 }
 
-void write_file(const std::filesystem::path& path, CampaignContent& content, std::span<const Session> sessions) {
+void write_file(const std::filesystem::path& path, CampaignContent& content, std::span<const Session> sessions,
+                std::span<const CalibrationRecord> calibrations) {
     const hdf5::QuietErrors quiet;
     hdf5::Handle file = hdf5::create_file(path);
     {
@@ -37,6 +38,7 @@ void write_file(const std::filesystem::path& path, CampaignContent& content, std
         write_arrangements(file.id(), content, scales);
         write_history(file.id(), content, scales);
         write_breaks(file.id(), content, scales);
+        write_calibration(file.id(), content, calibrations);
         write_provenance(file.id(), content, sessions);
     }
     file.close("H5Fclose", path.string());
@@ -45,10 +47,10 @@ void write_file(const std::filesystem::path& path, CampaignContent& content, std
 }  // namespace
 
 void publish(const std::filesystem::path& path, const Campaign& campaign, std::span<const MemberRecord> records,
-             std::span<const Session> sessions) {
+             std::span<const Session> sessions, std::span<const CalibrationRecord> calibrations) {
     CampaignContent content(campaign, records);
     const std::filesystem::path aside = path.string() + ".tmp";
-    write_file(aside, content, sessions);
+    write_file(aside, content, sessions, calibrations);
     sync_data(open_file(aside, O_RDWR), aside);
     std::error_code error;
     std::filesystem::rename(aside, path, error);

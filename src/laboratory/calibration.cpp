@@ -52,6 +52,17 @@ class Curve {
 
 }  // namespace
 
+Scenario plate_scenario(const Scenario& scenario) {
+    Scenario plate;
+    plate.general = scenario.general;
+    plate.ice = scenario.ice;
+    plate.floe.element = scenario.floe.element;
+    plate.joint = scenario.joint;
+    plate.joint.cfm = Scenario{}.joint.cfm;
+    plate.water.density = scenario.water.density;
+    return plate;
+}
+
 CurvePoint measure_curve_point(const Scenario& scenario, const PlateTest& test) {
     const PlateDeflection result = measure_plate_deflection(scenario, test);
     return {.sheet = test.sheet,

@@ -25,6 +25,10 @@ struct CurvePoint {
 /// measure_plate_deflection() on the scenario's ice; throws as it does.
 CurvePoint measure_curve_point(const Scenario& scenario, const PlateTest& test);
 
+/// The scenario with all that a plate test does not depend on at its default: equal for two scenarios exactly when
+/// their ice is calibrated alike. Keeps general, ice, joint (but Σ, which the test varies), element and water density.
+Scenario plate_scenario(const Scenario& scenario);
+
 /// Σ so small that only the sweeps limit the stiffness: E there is the ceiling of element size, Δt, Γ and iterations.
 inline constexpr double vanishing_cfm = 1e-10;
 

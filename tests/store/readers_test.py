@@ -14,7 +14,8 @@ import numpy
 import pandas
 import xarray
 
-GROUPS = ["members", "cases", "arrangements", "history", "breaks", "provenance"]
+GROUPS = ["members", "cases", "arrangements", "history", "breaks", "provenance"]  # of every file
+CALIBRATION = {"calibration": {"calibration_point": 6}}  # of one with calibrated cases
 ENGINES = ["netcdf4", "h5netcdf"]
 DONE, MISSING, FAILED = 0, -1, 1
 WRITER, PAGE = sys.argv[1:3]
@@ -47,9 +48,10 @@ class Readers(unittest.TestCase):
             "history": {"member": 12, "time": 110},
             "breaks": {"break": 15},
             "provenance": {"member": 12, "session": 2},
+            **CALIBRATION,
         }
         for engine in ENGINES:
-            for group in GROUPS:
+            for group in expected:
                 with self.subTest(engine=engine, group=group):
                     with xarray.open_dataset(self.path, group=group, engine=engine) as data:
                         self.assertEqual(dict(data.sizes), expected[group])
@@ -68,6 +70,8 @@ class Readers(unittest.TestCase):
         with h5py.File(self.empty_path) as file:
             self.assertTrue((file["members/status"][:] == MISSING).all())
             self.assertEqual(file["breaks/time"].shape, (0,))
+            self.assertNotIn("calibration", file)
+            self.assertNotIn("calibration_point", file)
 
     def test_what_is_missing_is_missing_to_every_reader(self):
         with h5py.File(self.path) as file:
@@ -110,6 +114,16 @@ class Readers(unittest.TestCase):
             self.assertTrue((numpy.diff(file["breaks/member"][:]) >= 0).all())
             modes = file["breaks/mode"].attrs
             self.assertEqual(len(modes["flag_values"]), len(modes["flag_meanings"].split()))
+
+    def test_calibration(self):
+        with h5py.File(self.path) as file:
+            curve = {name: list(column[:]) for name, column in file["calibration"].items()}
+        self.assertEqual(curve["case"], [1, 1, 1, 2, 2, 2])
+        self.assertEqual(curve["iterations"], [50, 51, 52] * 2)
+        first = [curve[name][0] for name in ("sheet", "element", "thickness", "time_step", "erp", "cfm", "slope",
+                                             "elastic_modulus", "elastic_modulus_point")]
+        self.assertEqual(first, [5.4, 0.2, 0.03, 0.02, 0.8, 0.016, 1e4, 6e7, 7e7])
+        self.assertEqual(curve["elastic_modulus_point"], [7e7, 7e7 + 1, 7e7 + 2] * 2)
 
     def test_provenance(self):
         with h5py.File(self.path) as file:

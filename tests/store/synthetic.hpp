@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "campaign/campaign.hpp"
+#include "store/calibration_record.hpp"
 #include "store/member_record.hpp"
 #include "store/session.hpp"
 
@@ -87,6 +88,17 @@ inline std::vector<MemberRecord> records(const Campaign& campaign) {
         if (number == 7) continue;
         made.push_back(number == 4 ? failed_record(campaign, number) : record(campaign, number));
     }
+    return made;
+}
+
+/// As if the second and the third case, of one ice, had given their elastic modulus in place of Σ; the values of a
+/// point rise by its index.
+inline CalibrationRecord calibration(const Campaign& campaign) {
+    const Scenario& scenario = campaign.cases[1].scenario;
+    CalibrationRecord made{calibration_key(scenario), {scenario.joint.cfm, 207e6, {}}};
+    for (int k = 0; k < 3; ++k)
+        made.found.curve.push_back(
+            {5.4 + k, 0.2 + k, 0.03 + k, 0.02 + k, 0.8 + k, 50 + k, 0.016 + k, 1e4 + k, 6e7 + k, 7e7 + k});
     return made;
 }
 
