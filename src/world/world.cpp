@@ -52,6 +52,16 @@ class World::Bullet {
         }
     }
 
+    /// Takes the pairs away one by one. Bullet would look through all of them for each body: a time that grows as the
+    /// square of the number of bodies.
+    ~Bullet() {
+        btOverlappingPairCache& pairs = *broadphase.getOverlappingPairCache();
+        for (int left = pairs.getNumOverlappingPairs(); left > 0; left = pairs.getNumOverlappingPairs()) {
+            const btBroadphasePair& last = pairs.getOverlappingPairArrayPtr()[left - 1];
+            pairs.removeOverlappingPair(last.m_pProxy0, last.m_pProxy1, &dispatcher);
+        }
+    }
+
     btRigidBody& body(BodyId id) { return bodies[id.index()]; }
     const btRigidBody& body(BodyId id) const { return bodies[id.index()]; }
 
