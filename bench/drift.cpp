@@ -14,6 +14,7 @@ Simulation make_drift(const Drift& drift) {
     const double cell = scenario.floe.length / std::sqrt(drift.concentration);
     const int across = std::max(1, static_cast<int>(std::lround(std::sqrt(drift.floes))));
     scenario.field.half_width = 0.5 * cell * across;
+    scenario.field.far_end = FarEnd::open;  // the last row may be a part of one
 
     Arrangement arrangement;
     for (int i = 0; i < drift.floes; ++i) {
