@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "store/campaign_columns.hpp"
 #include "store/file_bytes.hpp"
+#include "store/hdf5_write.hpp"
 #include "store/synthetic.hpp"
 #include "store/temporary_folder.hpp"
 
@@ -159,6 +160,14 @@ TEST(CampaignFile, RefusesWhatIsNoCampaignFile) {
     const std::string text = "Dear reader";
     write_file_bytes(folder / "text.h5", std::as_bytes(std::span(text)));
     EXPECT_THAT(refusal(folder / "text.h5"), HasSubstr("is not an HDF5 file"));
+    hdf5::create_file(folder / "bare.h5");
+    EXPECT_THAT(refusal(folder / "bare.h5"), HasSubstr("no campaign of floes"));
+    {
+        const hdf5::Handle file = hdf5::create_file(folder / "next.h5");
+        hdf5::write_attribute(file.id(), "filetype", std::string("floes campaign"));
+        hdf5::write_attribute(file.id(), "version", std::vector<std::int32_t>{2, 0});
+    }
+    EXPECT_THAT(refusal(folder / "next.h5"), HasSubstr("layout version 2"));
 }
 
 TEST(CampaignFile, StaysAsItWasWhenPublishingFails) {
