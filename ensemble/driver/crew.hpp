@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <deque>
 #include <mutex>
 #include <optional>
 #include <stop_token>
@@ -53,6 +54,7 @@ class Crew {
     int held() const { return held_; }
 
   private:
+    void execute_next();
     Outcome execute(Assignment assignment) const;
 
     const Campaign& campaign_;
@@ -60,8 +62,9 @@ class Crew {
     std::stop_source stop_;
     int held_ = 0;
 
-    std::mutex mutex_;  // guards the two below
+    std::mutex mutex_;  // guards the four below
     std::condition_variable changed_;
+    std::deque<Assignment> waiting_;
     std::vector<Outcome> outcomes_;
     int unfinished_ = 0;
 
