@@ -23,11 +23,28 @@ std::vector<std::string> case_names(const Campaign& campaign) {
     return names;
 }
 
+std::string cfm_text(const Case& one) {
+    return one.calibrate ? "to be calibrated" : fmt::format("{}", one.scenario.joint.cfm);
+}
+
+std::vector<std::string> differences_of(const Case& there, const Case& here) {
+    std::vector<std::string> lines = differences(there.scenario, here.scenario);
+    if (there.calibrate == here.calibrate) return lines;
+    std::erase_if(lines, [](const std::string& line) { return line.starts_with("joint.cfm: "); });
+    lines.push_back(fmt::format("joint.cfm: {} there, {} here", cfm_text(there), cfm_text(here)));
+    return lines;
+}
+
+/// All that a member of the case depends on, but the seed.
+std::string case_text(const Case& one) {
+    return canonical_text(one.scenario) + (one.calibrate ? "joint.cfm is to be calibrated\n" : "");
+}
+
 /// The lines of each case; a line that all cases share is given once, without naming them.
 std::vector<std::string> case_differences(const Campaign& there, const Campaign& here) {
     std::vector<std::vector<std::string>> of_case;
     for (std::size_t i = 0; i < there.cases.size(); ++i) {
-        of_case.push_back(differences(there.cases[i].scenario, here.cases[i].scenario));
+        of_case.push_back(differences_of(there.cases[i], here.cases[i]));
     }
     const auto shared = [&](const std::string& line) {
         for (const std::vector<std::string>& lines : of_case) {
@@ -69,13 +86,13 @@ double expected_cost(const Campaign& campaign, int number) {
 std::string fingerprint(const Campaign& campaign) {
     CampaignHead head = head_of(campaign);
     std::string text = canonical_text(describe(head));
-    for (const Case& one : campaign.cases) text += fmt::format("case {}\n{}", one.name, canonical_text(one.scenario));
+    for (const Case& one : campaign.cases) text += fmt::format("case {}\n{}", one.name, case_text(one));
     return digest_hex(text);
 }
 
 std::string case_fingerprint(const Campaign& campaign, int case_index) {
-    const Scenario& scenario = campaign.cases[static_cast<std::size_t>(case_index)].scenario;
-    return digest_hex(fmt::format("seed {}\n{}", campaign.seed, canonical_text(scenario)));
+    const Case& one = campaign.cases[static_cast<std::size_t>(case_index)];
+    return digest_hex(fmt::format("seed {}\n{}", campaign.seed, case_text(one)));
 }
 
 std::vector<std::string> differences(const Campaign& there, const Campaign& here) {

@@ -13,6 +13,8 @@ namespace floes {
 struct Case {
     std::string name;
     Scenario scenario;
+    /// The case states an elastic modulus and no Σ: joint.cfm has no meaning until a Σ is found that shows the modulus.
+    bool calibrate = false;
 };
 
 struct Campaign {
@@ -54,7 +56,7 @@ using LoadFile = std::string (*)(const std::string& path);
 Campaign read_campaign(const CampaignSource& source, LoadFile load_file);
 
 /// The complete resolved configuration as TOML: reading it gives an equal campaign (file poses inline). Keys in which
-/// the cases differ stand in each case, all others in the tables.
+/// the cases differ stand in each case, all others in the tables; a case to be calibrated has no joint.cfm anywhere.
 std::string write_campaign(const Campaign& campaign);
 
 /// 32 hex digits: equal exactly when every member of the two campaigns is the same and they have the same members.

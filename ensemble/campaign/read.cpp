@@ -167,6 +167,7 @@ class Reader {
             set(keys, entry, own);
         }
         own.insert(origins_.begin(), origins_.end());  // what the case does not set comes from the tables
+        one.calibrate = own.contains("ice.elastic_modulus_MPa") && !own.contains("joint.cfm");
         const std::string label = names.size() > 1 ? fmt::format("case {}: ", one.name) : "";
         resolve_poses(one.scenario, own, label);
         refuse_contradictions(one.scenario, own, label);

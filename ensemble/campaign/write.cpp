@@ -12,11 +12,14 @@
 namespace floes {
 namespace {
 
-/// Paths of the keys in which the cases differ.
+constexpr const char* cfm_path = "joint.cfm";
+
+/// Paths of the keys in which the cases differ, or that some do not have.
 std::set<std::string> varying_paths(std::vector<Case>& cases) {
     std::set<std::string> paths;
     const Keys first = describe(cases.front().scenario);
     for (Case& one : cases) {
+        if (one.calibrate) paths.insert(cfm_path);
         const Keys keys = describe(one.scenario);
         for (std::size_t i = 0; i < keys.size(); ++i) {
             if (exact_text(keys[i]) != exact_text(first[i])) paths.insert(keys[i].path);
@@ -39,7 +42,11 @@ std::string write_campaign(const Campaign& campaign) {
     for (Case& one : cases) {
         text += fmt::format("\n[[case]]\nname = {}\n", text_literal(one.name));
         for (const Key& key : describe(one.scenario)) {
-            if (varying.contains(key.path)) text += fmt::format("{} = {}\n", key.path, literal(key));
+            if (one.calibrate && key.path == cfm_path) {
+                text += "# joint.cfm: calibrated to show the elastic modulus when the campaign runs\n";
+            } else if (varying.contains(key.path)) {
+                text += fmt::format("{} = {}\n", key.path, literal(key));
+            }
         }
     }
     return text;

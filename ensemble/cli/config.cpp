@@ -41,8 +41,13 @@ std::string counted(int count, const char* noun) {
 }
 
 std::string check_line(const Campaign& campaign) {
-    return fmt::format("ok: {} x {} = {}\n", counted(static_cast<int>(campaign.cases.size()), "case"),
-                       counted(campaign.arrangements, "arrangement"), counted(member_count(campaign), "member"));
+    std::string calibrated;
+    for (const Case& one : campaign.cases) {
+        if (one.calibrate) calibrated += (calibrated.empty() ? "; to be calibrated: " : ", ") + one.name;
+    }
+    return fmt::format("ok: {} x {} = {}{}\n", counted(static_cast<int>(campaign.cases.size()), "case"),
+                       counted(campaign.arrangements, "arrangement"), counted(member_count(campaign), "member"),
+                       calibrated);
 }
 
 std::string answer(const ConfigOptions& options) {

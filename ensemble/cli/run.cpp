@@ -12,6 +12,7 @@
 #include "cli/commands.hpp"
 #include "cli/config_file.hpp"
 #include "cli/terminal.hpp"
+#include "driver/calibrate_campaign.hpp"
 #include "driver/run_campaign.hpp"
 #include "driver/signals.hpp"
 #include "driver/worker.hpp"
@@ -68,13 +69,16 @@ MemberResult compute_member(const Campaign& campaign, int number, std::stop_toke
 }
 
 int lead(const RunVerb& verb, const std::string& program, Link& link) {
-    const Campaign campaign = load_campaign(verb.config, verb.overrides);
-    const RunOptions options{.places = {.campaign_file = output_of(verb), .existing = existing_of(verb)},
-                             .threads = verb.threads,
-                             .resume_command = resume_command(verb, program, link.size())};
+    Campaign campaign = load_campaign(verb.config, verb.overrides);
+    RunOptions options{.places = {.campaign_file = output_of(verb), .existing = existing_of(verb)},
+                       .threads = verb.threads,
+                       .resume_command = resume_command(verb, program, link.size())};
     int status = 0;
     {
         Progress progress(std::cerr, style_of_standard_error());
+        Recorder::check(options.places);  // before the calibration, which takes a minute
+        options.places.calibrations =
+            calibrate_campaign(campaign, kept_calibrations(options.places), threads_of(link, verb.threads), progress);
         status = run_campaign(campaign, options, link, compute_member, progress);
     }
     if (status != exit_stopped) {

@@ -19,6 +19,15 @@ constexpr int least_work_per_publishing = 20;            // publishing takes at 
 
 /// Opens the journal of the campaign file, having seen that nothing is overwritten or mixed up unasked.
 Journal open(const Campaign& campaign, const Recorder::Places& places) {
+    Recorder::check(places);
+    Journal opened = open_journal(journal_path(places.campaign_file), campaign, places.existing);
+    if (places.existing == Existing::replace) fs::remove(places.campaign_file);
+    return opened;
+}
+
+}  // namespace
+
+void Recorder::check(const Places& places) {
     const fs::path journal = journal_path(places.campaign_file);
     const std::string file = places.campaign_file.string();
     const bool has_file = fs::exists(places.campaign_file);
@@ -35,12 +44,7 @@ Journal open(const Campaign& campaign, const Recorder::Places& places) {
                         "--overwrite begins anew in its place, -o names another file.",
                         file, journal.string()));
     }
-    Journal opened = open_journal(journal, campaign, places.existing);
-    if (places.existing == Existing::replace) fs::remove(places.campaign_file);
-    return opened;
 }
-
-}  // namespace
 
 Recorder::Recorder(const Campaign& campaign, Places places)
     : campaign_(campaign),
@@ -61,6 +65,7 @@ Recorder::Recorder(const Campaign& campaign, Places places)
 }
 
 void Recorder::begin(const Session& session) {
+    for (const CalibrationRecord& calibration : places_.calibrations) journal_.append(calibration);
     journal_.begin_session(session);
 }
 
@@ -99,7 +104,7 @@ void Recorder::finish(const std::string& outcome) {
 }
 
 void Recorder::publish_now() {
-    publish(places_.campaign_file, campaign_, journal_.records(), journal_.sessions());
+    publish(places_.campaign_file, campaign_, journal_.records(), journal_.sessions(), journal_.calibrations());
     published_ = true;
 }
 

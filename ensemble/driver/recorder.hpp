@@ -20,10 +20,14 @@ class Recorder {
         std::filesystem::path campaign_file;
         Existing existing = Existing::refuse;
         std::chrono::seconds publish_every{300};
+        std::vector<CalibrationRecord> calibrations = {};  ///< that gave cases their Σ, to be kept beside the members
     };
 
-    /// Opens the journal. `campaign` must outlive the recorder. Throws InputError when there is something already and
-    /// `existing` does not say what to do about it, when the journal is another campaign's, or when somebody writes it.
+    /// Throws InputError when there is something already and `existing` does not say what to do about it.
+    static void check(const Places& places);
+
+    /// Opens the journal. `campaign` must outlive the recorder. Throws InputError as check()
+    /// does, when the journal is another campaign's, or when somebody writes it.
     Recorder(const Campaign& campaign, Places places);
 
     /// What is still to be computed.

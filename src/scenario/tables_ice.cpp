@@ -44,9 +44,10 @@ void add_ice(Keys& keys, Ice& ice) {
     keys.push_back(number_key("ice.in_plane_bending_strength_kPa", ice.in_plane_bending_strength, unit::kilopascal,
                               criterion, "the paper has none",
                               "Strength in bending about the vertical; 0 is no criterion."));
-    keys.push_back(
-        number_key("ice.elastic_modulus_MPa", ice.elastic_modulus, unit::megapascal, above(0).at_most(1e6), "Table 1",
-                   "E that the case stands for: a label in results. The joints follow joint.cfm, not this."));
+    keys.push_back(number_key(
+        "ice.elastic_modulus_MPa", ice.elastic_modulus, unit::megapascal, above(0).at_most(1e6), "Table 1",
+        "E that the case stands for. Beside joint.cfm a label in results: the joints follow joint.cfm. Given "
+        "without joint.cfm, floes run finds the joint.cfm with which a sheet shows it."));
 }
 
 void add_floe(Keys& keys, Floe& floe) {

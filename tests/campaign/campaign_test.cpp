@@ -166,6 +166,32 @@ TEST(WriteCampaign, CasesListOnlyWhatDiffers) {
               "[[case]]\nname = \"E200\"\nice.elastic_modulus_MPa = 200.0\njoint.cfm = 1e-10\n");
 }
 
+TEST(WriteCampaign, WhatIsToBeCalibratedReadsBackSo) {
+    Campaign written = sample();
+    for (const std::vector<bool>& calibrate :
+         {std::vector{false, true, false}, {true, false, true}, {true, true, true}}) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            written.cases[i].calibrate = calibrate[i];
+            if (calibrate[i]) written.cases[i].scenario.joint.cfm = Scenario{}.joint.cfm;
+        }
+        const Campaign read_back = read_campaign({write_campaign(written), "other.toml", {}}, nullptr);
+        for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(read_back.cases[i].calibrate, calibrate[i]) << i;
+        EXPECT_EQ(fingerprint(read_back), fingerprint(written));
+        EXPECT_TRUE(differences(written, read_back).empty());
+    }
+}
+
+TEST(Campaign, AStatedSigmaIsNotTheSameAsOneToBeFound) {
+    const Campaign stated = sample();
+    Campaign wanted = sample();
+    wanted.cases[1].calibrate = true;
+    EXPECT_NE(fingerprint(wanted), fingerprint(stated));
+    EXPECT_NE(case_fingerprint(wanted, 1), case_fingerprint(stated, 1));
+    EXPECT_EQ(case_fingerprint(wanted, 0), case_fingerprint(stated, 0));
+    EXPECT_EQ(differences(stated, wanted),
+              std::vector<std::string>{"case E60: joint.cfm: 0.016 there, to be calibrated here"});
+}
+
 TEST(Configurations, DefaultsAreAConfigurationThatSaysTheDefaults) {
     const Campaign campaign = read_campaign({default_configuration(), "defaults.toml", {}}, nullptr);
     const Campaign empty = read_campaign({"", "defaults.toml", {}}, nullptr);

@@ -87,6 +87,33 @@ TEST(ReadCampaign, SingleCaseIsNamedFromItsModulus) {
     EXPECT_EQ(read("", {"ice.elastic_modulus_MPa=200"}).cases[0].name, "E200");
 }
 
+TEST(ReadCampaign, AModulusWithoutASigmaIsToBeCalibrated) {
+    const auto calibrated = [](const std::string& text, const std::vector<std::string>& overrides = {}) {
+        std::string names;
+        for (const Case& one : read(text, overrides).cases) names += one.calibrate ? one.name + " " : "";
+        return names;
+    };
+    const std::string modulus = "[ice]\nelastic_modulus_MPa = 45.0\n";
+    const std::string cfm = "[joint]\ncfm = 0.02\n";
+    const std::string cases =
+        "[[case]]\nname = \"plain\"\n"
+        "[[case]]\nname = \"short\"\nelastic_modulus_MPa = 30.0\n"
+        "[[case]]\nname = \"long\"\nice.elastic_modulus_MPa = 30.0\n"
+        "[[case]]\nname = \"both\"\nelastic_modulus_MPa = 30.0\ncfm = 0.03\n"
+        "[[case]]\nname = \"cfm\"\ncfm = 0.03\n";
+    EXPECT_EQ(calibrated(""), "");
+    EXPECT_EQ(calibrated(modulus), "E45 ");
+    EXPECT_EQ(calibrated(cfm), "");
+    EXPECT_EQ(calibrated(modulus + cfm), "");
+    EXPECT_EQ(calibrated(modulus, {"joint.cfm=0.02"}), "");
+    EXPECT_EQ(calibrated("", {"ice.elastic_modulus_MPa=45"}), "E45 ");
+    EXPECT_EQ(calibrated(cases), "short long ");
+    EXPECT_EQ(calibrated(modulus + cases), "plain short long ");
+    EXPECT_EQ(calibrated(cfm + cases), "");
+    EXPECT_EQ(calibrated(cases, {"case.short.cfm=0.02", "case.plain.elastic_modulus_MPa=30"}), "plain long ");
+    EXPECT_EQ(read(cases).cases[1].scenario.ice.elastic_modulus, 30e6);
+}
+
 TEST(ReadCampaign, OrderOfTheTextDoesNotMatter) {
     const Campaign one =
         read("[ice]\nthickness_m = 0.03\ndensity_kg_m3 = 900\n[floe]\nelement_m = 0.3\n[campaign]\nseed = 3\n");

@@ -1,0 +1,28 @@
+# A case that gives an elastic modulus in place of Σ: calibrated once, the same on any ranks, kept for --resume, its curve
+# in the file. Elements of 0.6 m, so that a plate test takes a tenth of a second.
+source "$(dirname "$0")/common.sh"
+
+sed -i '/^cfm = 1e-10/d' campaign.toml
+COARSE=(--set floe.length_m=1.2 --set floe.element_m=0.6 --set field.floes=2 --set general.iterations=20
+        --set campaign.arrangements=2 --set analysis.window_s=3.0)
+
+expect 0 resolved "$FLOES" config --resolved campaign.toml "${COARSE[@]}"
+said resolved "# joint.cfm: calibrated"
+expect 0 alone "$FLOES" run campaign.toml -o alone.h5 "${COARSE[@]}"
+said alone "calibrated E200: Σ = "
+expect 0 ranks "${MPIRUN[@]}" -n 2 "$FLOES" run campaign.toml -o ranks.h5 "${COARSE[@]}"
+same alone.h5 ranks.h5
+expect 0 curve h5dump -d /calibration/elastic_modulus alone.h5
+
+expect 0 again "$FLOES" run campaign.toml -o alone.h5 --resume "${COARSE[@]}"
+said again "from the journal"
+said again "4 members reused, 0 to compute"
+same alone.h5 ranks.h5
+
+expect 2 another "$FLOES" run campaign.toml -o alone.h5 --resume "${COARSE[@]}" --set case.E200.elastic_modulus_MPa=150
+said another "elastic_modulus_MPa"
+expect 2 ceiling "$FLOES" run campaign.toml -o ceiling.h5 "${COARSE[@]}" --set case.E200.elastic_modulus_MPa=50000
+said ceiling "case E200 cannot be calibrated"
+[ ! -e ceiling.h5 ] && [ ! -e ceiling.journal ] || fail "a refused run left a file"
+expect 2 exists "$FLOES" run campaign.toml -o alone.h5 "${COARSE[@]}"
+! grep -q "calibrating" exists.log || fail "calibrated before it refused to overwrite"
