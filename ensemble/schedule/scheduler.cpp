@@ -28,6 +28,7 @@ Scheduler::Scheduler(std::vector<MemberTask> tasks) {
         const bool is_new = index_of_.emplace(task.number, tasks_.size()).second;
         require(is_new, "a member comes twice", task.number);
         pending_.insert(pending_.end(), tasks_.size());
+        total_cost_ += task.cost;
         tasks_.push_back({task, task.attempts_made, std::nullopt, false});
     }
 }
@@ -66,6 +67,7 @@ void Scheduler::take(const MemberFinished& event, std::vector<Command>& commands
     entry.done = true;
     --assigned_;
     ++done_;
+    done_cost_ += entry.task.cost;
     commands.push_back(Record{event.number, event.attempt});
 }
 
@@ -129,16 +131,8 @@ int Scheduler::running() const {
     return count;
 }
 
-double Scheduler::done_cost() const {
-    double sum = 0;
-    for (const Entry& entry : tasks_) sum += entry.done ? entry.task.cost : 0.0;
-    return sum;
-}
-
 double Scheduler::remaining_cost() const {
-    double sum = 0;
-    for (const Entry& entry : tasks_) sum += entry.done ? 0.0 : entry.task.cost;
-    return sum;
+    return done_ == total() ? 0.0 : total_cost_ - done_cost_;
 }
 
 void Scheduler::check_invariants() const {

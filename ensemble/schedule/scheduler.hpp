@@ -39,8 +39,8 @@ class Scheduler {
     int running() const;                                ///< of the assigned, those that have a core
     int late_answers() const { return late_answers_; }  ///< answers of attempts that had been given up
     bool stopping() const { return stopping_; }
-    double done_cost() const;       ///< sum over done members
-    double remaining_cost() const;  ///< sum over all others
+    double done_cost() const { return done_cost_; }  ///< sum over done members
+    double remaining_cost() const;                   ///< sum over all others
 
     /// Throws std::logic_error naming the first inconsistency of the books. O(members + workers); for tests.
     void check_invariants() const;
@@ -80,6 +80,8 @@ class Scheduler {
     int done_ = 0;
     int assigned_ = 0;
     int late_answers_ = 0;
+    double total_cost_ = 0;
+    double done_cost_ = 0;
     bool stopping_ = false;
 };
 
