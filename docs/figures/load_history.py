@@ -1,15 +1,16 @@
 #!/usr/bin/python3
-"""Load histories of one arrangement, one line a case, as in the paper's Fig. 6.
+"""Load histories of one arrangement, one panel a case, as in the paper's Fig. 6.
 
-Usage: load_history.py CAMPAIGN.h5 OUTPUT.svg [ARRANGEMENT]
+Thin: every time step. Black: mean over 5 s. Grey: before the window in which the load is measured.
+
+Usage: load_history.py CAMPAIGN.h5 OUTPUT.png [ARRANGEMENT]
 """
 import sys
 
 import h5py
 import matplotlib
 
-matplotlib.use("svg")
-matplotlib.rcParams["svg.hashsalt"] = "floes"  # the same file from the same data
+matplotlib.use("agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -17,7 +18,9 @@ COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00"]  # 
 
 
 def moving_mean(values, width):
-    return np.convolve(values, np.ones(width) / width, mode="same")
+    """Over what there is of the window of `width` samples: no droop at the ends."""
+    ones = np.ones(width)
+    return np.convolve(values, ones, mode="same") / np.convolve(np.ones(len(values)), ones, mode="same")
 
 
 def main(campaign, output, arrangement=0):
@@ -31,7 +34,10 @@ def main(campaign, output, arrangement=0):
             load = file["history/surge_load"][member]
             case = int(members["case"][member])
             axis.plot(time, load, color=colour, linewidth=0.4, alpha=0.6)
-            axis.plot(time, moving_mean(load, 250), color="black", linewidth=1.2)
+            step = float(file["cases/time_step"][case])
+            axis.plot(time, moving_mean(load, round(5 / step)), color="black", linewidth=1.2)
+            axis.axvspan(0, float(file["cases/steady_start"][case]), color="0.93", zorder=0)
+            axis.set_xlim(0, time[-1])
             axis.set_ylabel("load (N)")
             axis.set_title(
                 f"{names[case]}: mean {members['mean_load'][member]:.1f} N, "
@@ -42,7 +48,7 @@ def main(campaign, output, arrangement=0):
             axis.spines[["top", "right"]].set_visible(False)
         axes[-1, 0].set_xlabel("time since the tow began (s)")
         figure.tight_layout()
-        figure.savefig(output, metadata={"Date": None})
+        figure.savefig(output, dpi=110)
 
 
 if __name__ == "__main__":

@@ -20,7 +20,7 @@ enum class WaterFlow { potential, still };         ///< water velocity that drag
 struct General {
     double time_step = 0.02;  ///< Δt, s (Table 1)
     int iterations = 50;      ///< projected Gauss-Seidel sweeps a step (design decision 1)
-    SolverKind solver = SolverKind::stock;
+    SolverKind solver = SolverKind::lanes;
     double gravity = 9.81;        ///< m/s²
     double runaway_speed = 10.0;  ///< m/s; an element faster than this ends the member as failed
 };

@@ -1,0 +1,106 @@
+#!/usr/bin/python3
+"""Fig. 2 redrawn, and the ceiling that the number of iterations sets, from `floes calibrate`.
+
+Usage: calibration.py OUTPUT_FOLDER [FLOES]      FLOES: the program, default ./floes
+Writes calibration.json (what was measured), calibration.svg and ceiling.svg into the folder, and prints the ceiling
+table. Takes some minutes.
+"""
+import json
+import pathlib
+import subprocess
+import sys
+
+import matplotlib
+
+matplotlib.use("svg")
+matplotlib.rcParams["svg.hashsalt"] = "floes"
+import matplotlib.pyplot as plt
+
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7"]
+MARKERS = ["o", "s", "^", "D"]
+PAPER = {1e-10: 200, 0.016: 60, 0.03: 30}
+SMALL = "1e-10"
+
+
+def calibrate(program, *arguments):
+    command = [program, "calibrate", "--format", "json", *arguments]
+    return json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE).stdout)["curve"]
+
+
+def measure(program):
+    return {
+        "fig2": calibrate(program, "--cfm", "1e-10,1e-4,1e-3,0.003,0.008,0.016,0.03,0.06,0.1"),
+        "ceiling": calibrate(program, "--sheet-m", "2.4", "--cfm", SMALL, "--element-m", "0.2,0.15,0.1",
+                             "--iterations", "10,20,50,100,200"),
+        "time_step": calibrate(program, "--sheet-m", "2.6", "--cfm", "1e-10,0.016", "--time-step-s", "0.005,0.01,0.02,0.03"),
+        "thickness": calibrate(program, "--sheet-m", "2.6", "--cfm", "0.016", "--thickness-m", "0.02,0.03,0.033,0.05"),
+        "erp": calibrate(program, "--sheet-m", "2.6", "--cfm", "1e-10,0.016", "--erp", "0.2,0.4,0.8"),
+    }
+
+
+def style(axes):
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.grid(True, which="major", alpha=0.3)
+
+
+def draw_fig2(curve, path):
+    figure, axes = plt.subplots(figsize=(7.5, 4.6))
+    for sheet, colour, marker in zip(sorted({p["sheet_m"] for p in curve}, reverse=True), COLOURS, MARKERS):
+        points = [p for p in curve if p["sheet_m"] == sheet]
+        axes.plot([p["cfm"] for p in points], [p["elastic_modulus_MPa"] for p in points], color=colour, marker=marker,
+                  markersize=5, label=f"sheet of {sheet} m")
+    axes.scatter(PAPER.keys(), PAPER.values(), s=130, facecolors="none", edgecolors="black", linewidths=1.5, zorder=5,
+                 label="the paper: about 200, 60, 30 MPa")
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.set_xlabel("constraint force mixing Σ")
+    axes.set_ylabel("elastic modulus E (MPa)")
+    axes.legend(frameon=False)
+    style(axes)
+    figure.tight_layout()
+    figure.savefig(path, metadata={"Date": None})
+
+
+def draw_ceiling(curve, path):
+    figure, axes = plt.subplots(figsize=(7.5, 4.2))
+    for element, colour, marker in zip(sorted({p["element_m"] for p in curve}, reverse=True), COLOURS, MARKERS):
+        points = [p for p in curve if p["element_m"] == element]
+        axes.plot([p["iterations"] for p in points], [p["elastic_modulus_MPa"] for p in points], color=colour, marker=marker,
+                  markersize=5, label=f"elements of {element} m")
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.set_xlabel("Gauss-Seidel iterations a step")
+    axes.set_ylabel("E at Σ = 1e-10 (MPa)")
+    axes.legend(frameon=False)
+    style(axes)
+    figure.tight_layout()
+    figure.savefig(path, metadata={"Date": None})
+
+
+def print_table(curve, row, column, value="elastic_modulus_MPa"):
+    columns = sorted({p[column] for p in curve})
+    print(f"| {row} \\ {column} | " + " | ".join(f"{c:g}" for c in columns) + " |")
+    print("|---" * (len(columns) + 1) + "|")
+    for r in sorted({p[row] for p in curve}, reverse=True):
+        cells = {p[column]: p[value] for p in curve if p[row] == r}
+        print(f"| {r:g} | " + " | ".join(f"{cells[c]:.1f}" for c in columns) + " |")
+    print()
+
+
+def main(folder, program="./floes"):
+    folder = pathlib.Path(folder)
+    measured = measure(program)
+    (folder / "calibration.json").write_text(json.dumps(measured, indent=1) + "\n")
+    draw_fig2(measured["fig2"], folder / "calibration.svg")
+    draw_ceiling(measured["ceiling"], folder / "ceiling.svg")
+    print_table(measured["fig2"], "sheet_m", "cfm")
+    print_table(measured["ceiling"], "element_m", "iterations")
+    print_table(measured["time_step"], "cfm", "time_step_s")
+    print_table(measured["thickness"], "cfm", "thickness_m")
+    print_table(measured["erp"], "cfm", "erp")
+
+
+if __name__ == "__main__":
+    if not 2 <= len(sys.argv) <= 3:
+        sys.exit(__doc__)
+    main(*sys.argv[1:])
