@@ -21,7 +21,6 @@ void write_root(hid_t file, const Campaign& campaign) {
     hdf5::write_attribute(file, "version", version);
     hdf5::write_attribute(file, "software", std::string("floes"));
     hdf5::write_attribute(file, "softwareVersion", floes_version());
-    hdf5::write_attribute(file, "git_sha1", git_revision());
     hdf5::write_attribute(file, "fingerprint", fingerprint(campaign));
 }
 
