@@ -64,9 +64,12 @@ Recorder::Recorder(const Campaign& campaign, Places places)
     }
 }
 
-void Recorder::begin(const Session& session) {
+std::vector<std::string> Recorder::begin(const Session& session) {
+    std::vector<std::string> changes;
+    if (reused_ > 0 && !journal_.sessions().empty()) changes = changed_software(journal_.sessions().back(), session);
     for (const CalibrationRecord& calibration : places_.calibrations) journal_.append(calibration);
     journal_.begin_session(session);
+    return changes;
 }
 
 void Recorder::keep(const MemberRecord& record) {

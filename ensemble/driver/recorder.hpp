@@ -36,8 +36,9 @@ class Recorder {
     int failed() const { return failed_; }  ///< members set aside as failed, likewise
     int reused() const { return reused_; }  ///< of both, those from before
 
-    /// Notes that a session begins now.
-    void begin(const Session& session);
+    /// Notes that a session begins now. Returns what has changed since the session before it, see changed_software();
+    /// empty when there are no members from before.
+    std::vector<std::string> begin(const Session& session);
 
     /// Keeps a result. It may take a second until it is on the disk.
     void keep(const MemberRecord& record);

@@ -63,7 +63,10 @@ int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link
         progress.say(fmt::format("resumed: {} reused, {} to compute", count(recorder.reused(), "member"),
                                  member_count(campaign) - recorder.reused()));
     }
-    recorder.begin(session_of(link.size(), mustered.cores()));
+    for (const std::string& change : recorder.begin(session_of(link.size(), mustered.cores()))) {
+        progress.say(fmt::format(
+            "the members from before may differ in their last bits from what this run would give; {}", change));
+    }
     Master master(campaign, link, recorder, progress, signals, compute, mustered);
     master.run();
     return conclude(campaign, options, recorder, progress, master.stopped_by());

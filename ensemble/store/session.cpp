@@ -1,5 +1,6 @@
 #include "store/session.hpp"
 
+#include <gnu/libc-version.h>
 #include <sys/utsname.h>
 #include <unistd.h>
 
@@ -30,6 +31,17 @@ std::string system_and_processor() {
     utsname name{};
     if (uname(&name) != 0) return processor();
     return fmt::format("{} {} {}, {}", name.sysname, name.release, name.machine, processor());
+}
+
+/// glibc has a sin and a cos with fused multiply-add and ones without, and takes what the processor has: other bits.
+/// Bullet's own solver calls them; the lanes do not.
+std::string math_library() {
+#if defined(__x86_64__)
+    const bool fused = __builtin_cpu_supports("fma") && __builtin_cpu_supports("avx2");
+    return fmt::format("glibc {} {} FMA", gnu_get_libc_version(), fused ? "with" : "without");
+#else
+    return fmt::format("glibc {}", gnu_get_libc_version());
+#endif
 }
 
 std::string batch_job() {
@@ -66,8 +78,20 @@ Session describe_session(int ranks, int threads, std::span<const Software> other
     session.ranks = ranks;
     session.threads = threads;
     session.software = built_with();
+    session.software.push_back({"math_library", math_library()});
     session.software.insert(session.software.end(), others.begin(), others.end());
     return session;
+}
+
+std::vector<std::string> changed_software(const Session& before, const Session& now) {
+    std::vector<std::string> changes;
+    for (const char* name : {"git_revision", "compiler", "compiler_flags", "bullet", "math_library"}) {
+        const std::string then = version_of(before, name);
+        const std::string here = version_of(now, name);
+        if (then != here)
+            changes.push_back(fmt::format("{}: {} before, {} now", name, then.empty() ? "none" : then, here));
+    }
+    return changes;
 }
 
 Bytes encode(const Session& session) {

@@ -39,6 +39,10 @@ std::string utc_now();
 /// The version named `name`; empty when there is none.
 std::string version_of(const Session& session, std::string_view name);
 
+/// What differs between two sessions of all that may change the last bits of a member: revision, compiler, flags,
+/// Bullet, and the C library with the path its sin and cos take. "git_revision: 1a2b3c before, 4d5e6f now", one a line.
+std::vector<std::string> changed_software(const Session& before, const Session& now);
+
 Bytes encode(const Session& session);
 
 /// Throws RunError when the bytes are not exactly one session.
