@@ -38,41 +38,23 @@ def measure(program):
     }
 
 
-def style(axes):
+def draw(curve, x, line, labels, path, marks=None):
+    """E over the column x, one line for each value of the column `line`; marks: {x: E} to circle."""
+    figure, axes = plt.subplots(figsize=(7.5, 4.4))
+    for value, colour, marker in zip(sorted({p[line] for p in curve}, reverse=True), COLOURS, MARKERS):
+        points = [p for p in curve if p[line] == value]
+        axes.plot([p[x] for p in points], [p["elastic_modulus_MPa"] for p in points], color=colour, marker=marker,
+                  markersize=5, label=labels["line"].format(value))
+    if marks:
+        axes.scatter(marks.keys(), marks.values(), s=130, facecolors="none", edgecolors="black", linewidths=1.5, zorder=5,
+                     label=labels["marks"])
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.set_xlabel(labels["x"])
+    axes.set_ylabel(labels["y"])
+    axes.legend(frameon=False)
     axes.spines[["top", "right"]].set_visible(False)
     axes.grid(True, which="major", alpha=0.3)
-
-
-def draw_fig2(curve, path):
-    figure, axes = plt.subplots(figsize=(7.5, 4.6))
-    for sheet, colour, marker in zip(sorted({p["sheet_m"] for p in curve}, reverse=True), COLOURS, MARKERS):
-        points = [p for p in curve if p["sheet_m"] == sheet]
-        axes.plot([p["cfm"] for p in points], [p["elastic_modulus_MPa"] for p in points], color=colour, marker=marker,
-                  markersize=5, label=f"sheet of {sheet} m")
-    axes.scatter(PAPER.keys(), PAPER.values(), s=130, facecolors="none", edgecolors="black", linewidths=1.5, zorder=5,
-                 label="the paper: about 200, 60, 30 MPa")
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    axes.set_xlabel("constraint force mixing Σ")
-    axes.set_ylabel("elastic modulus E (MPa)")
-    axes.legend(frameon=False)
-    style(axes)
-    figure.tight_layout()
-    figure.savefig(path, metadata={"Date": None})
-
-
-def draw_ceiling(curve, path):
-    figure, axes = plt.subplots(figsize=(7.5, 4.2))
-    for element, colour, marker in zip(sorted({p["element_m"] for p in curve}, reverse=True), COLOURS, MARKERS):
-        points = [p for p in curve if p["element_m"] == element]
-        axes.plot([p["iterations"] for p in points], [p["elastic_modulus_MPa"] for p in points], color=colour, marker=marker,
-                  markersize=5, label=f"elements of {element} m")
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    axes.set_xlabel("Gauss-Seidel iterations a step")
-    axes.set_ylabel("E at Σ = 1e-10 (MPa)")
-    axes.legend(frameon=False)
-    style(axes)
     figure.tight_layout()
     figure.savefig(path, metadata={"Date": None})
 
@@ -91,8 +73,12 @@ def main(folder, program="./floes"):
     folder = pathlib.Path(folder)
     measured = measure(program)
     (folder / "calibration.json").write_text(json.dumps(measured, indent=1) + "\n")
-    draw_fig2(measured["fig2"], folder / "calibration.svg")
-    draw_ceiling(measured["ceiling"], folder / "ceiling.svg")
+    draw(measured["fig2"], "cfm", "sheet_m",
+         {"x": "constraint force mixing Σ", "y": "elastic modulus E (MPa)", "line": "sheet of {} m",
+          "marks": "the paper: about 200, 60, 30 MPa"}, folder / "calibration.svg", PAPER)
+    draw(measured["ceiling"], "iterations", "element_m",
+         {"x": "Gauss-Seidel iterations a step", "y": "E at Σ = 1e-10 (MPa)", "line": "elements of {} m"},
+         folder / "ceiling.svg")
     print_table(measured["fig2"], "sheet_m", "cfm")
     print_table(measured["ceiling"], "element_m", "iterations")
     print_table(measured["time_step"], "cfm", "time_step_s")
