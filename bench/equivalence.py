@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 """Do two solvers give the same statistics? Paired tests over common arrangements.
 
-Usage: equivalence.py A.h5 B.h5
+Usage: equivalence.py A.h5 B.h5 [A2.h5 B2.h5 …]
 
-A and B are campaign files of the same configuration with different `general.solver`. For every statistic of Table 3 and
-every case: the mean of A, of B, of the difference with its 95 % interval, p of the paired t test, and p after Holm's
-correction over all rows.
+A and B are campaign files of the same configuration with different `general.solver`; further pairs, of other seeds, are
+pooled with the first. For every statistic of Table 3 and every case: the mean of A, of B, of the difference with its 95 %
+interval, p of the paired t test, and p after Holm's correction over all rows.
 """
 import sys
 
@@ -24,20 +24,31 @@ def holm(p):
     return corrected
 
 
-def main(path_a, path_b):
+def pairs(path_a, path_b):
+    """{(column, case): [(a, b), …]} of the members that are done in both."""
     with h5py.File(path_a) as a, h5py.File(path_b) as b:
+        if not np.array_equal(a["arrangements/pose"][:], b["arrangements/pose"][:]):
+            sys.exit(f"{path_a} and {path_b} do not have the same arrangements, so their members are no pairs.")
         names = [name.decode() if isinstance(name, bytes) else name for name in a["cases/name"][:]]
         case = a["members/case"][:]
-        if not np.array_equal(a["arrangements/pose"][:], b["arrangements/pose"][:]):
-            sys.exit("The two campaigns do not have the same arrangements, so their members are no pairs.")
-        rows = []
-        for column in COLUMNS:
-            for index, name in enumerate(names):
-                value_a, value_b = (file[f"members/{column}"][:][case == index] for file in (a, b))
-                difference = (value_a - value_b)[np.isfinite(value_a - value_b)]
-                half = stats.sem(difference) * stats.t.ppf(0.975, len(difference) - 1)
-                p = stats.ttest_1samp(difference, 0).pvalue
-                rows.append((column, name, len(difference), np.nanmean(value_a), np.nanmean(value_b), difference.mean(), half, p))
+        return {(column, name): [pair for pair in zip(a[f"members/{column}"][:][case == index],
+                                                      b[f"members/{column}"][:][case == index])
+                                 if np.all(np.isfinite(pair))]
+                for column in COLUMNS for index, name in enumerate(names)}
+
+
+def main(paths):
+    pooled = {}
+    for path_a, path_b in zip(paths[::2], paths[1::2]):
+        for key, values in pairs(path_a, path_b).items():
+            pooled.setdefault(key, []).extend(values)
+    rows = []
+    for (column, name), values in pooled.items():
+        value_a, value_b = np.transpose(values)
+        difference = value_a - value_b
+        half = stats.sem(difference) * stats.t.ppf(0.975, len(difference) - 1)
+        p = stats.ttest_1samp(difference, 0).pvalue
+        rows.append((column, name, len(difference), value_a.mean(), value_b.mean(), difference.mean(), half, p))
     corrected = holm([row[-1] for row in rows])
     print("| statistic | case | n | A | B | A - B | p | p (Holm) |\n|---|---|---|---|---|---|---|---|")
     for (column, name, n, mean_a, mean_b, difference, half, p), adjusted in zip(rows, corrected):
@@ -45,6 +56,6 @@ def main(path_a, path_b):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
+    if len(sys.argv) < 3 or len(sys.argv) % 2 == 0:
         sys.exit(__doc__)
-    main(*sys.argv[1:])
+    main(sys.argv[1:])
