@@ -142,10 +142,7 @@ void add_calibrate(CLI::App& program, int& exit_status) {
     };
     CLI::Option* config = verb->add_option("config", options->config,
                                            "Test the ice of this configuration's first case; else the paper's plate");
-    verb->add_option("--set", options->overrides, "key=value: override a key of the file; may be repeated")
-        ->type_size(1)
-        ->allow_extra_args(false)
-        ->needs(config);
+    add_overrides(*verb, options->overrides)->needs(config);
     list("--sheet-m", options->sheets, "Sides of the square sheet, m");
     list("--cfm", options->cfm, "Values of Σ");
     list("--element-m", options->elements, "Element sizes L_e, m");

@@ -101,10 +101,7 @@ void add_cantilever(CLI::App& program, int& exit_status) {
         program.add_subcommand("cantilever", "The strength that a numerical beam shows, beside the one it was given");
     CLI::Option* config = verb->add_option("config", options->config,
                                            "Test the ice of this configuration's first case; else the paper's");
-    verb->add_option("--set", options->overrides, "key=value: override a key of the file; may be repeated")
-        ->type_size(1)
-        ->allow_extra_args(false)
-        ->needs(config);
+    add_overrides(*verb, options->overrides)->needs(config);
     verb->add_option("--cfm", options->cfm, "Values of Σ, comma-separated")->delimiter(',')->capture_default_str();
     verb->add_option("--elements", options->elements, "Lengths of the beam in elements, comma-separated")
         ->delimiter(',')

@@ -3,6 +3,8 @@
 // 0 every member done, 1 a member was set aside or the run failed, 2 bad input or usage, 85 stopped and resumable.
 
 #include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
 
 namespace floes {
 
@@ -12,5 +14,8 @@ void add_summarize(CLI::App& program, int& exit_status);
 void add_config(CLI::App& program, int& exit_status);
 void add_calibrate(CLI::App& program, int& exit_status);
 void add_cantilever(CLI::App& program, int& exit_status);
+
+/// The option --set of a verb that reads a configuration: key=value, one at a time, into `overrides`.
+CLI::Option* add_overrides(CLI::App& verb, std::vector<std::string>& overrides);
 
 }  // namespace floes

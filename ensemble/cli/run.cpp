@@ -106,9 +106,7 @@ void add_run(CLI::App& program, int& exit_status) {
     verb->add_flag("--overwrite", options->overwrite, "Begin anew in the place of what is there")->excludes(resume);
     verb->add_option("--threads", options->threads, "Members at a time on each rank; all its cores when not given")
         ->check(CLI::Range(1, 4096));
-    verb->add_option("--set", options->overrides, "key=value: override a key of the file; may be repeated")
-        ->type_size(1)
-        ->allow_extra_args(false);
+    add_overrides(*verb, options->overrides);
     verb->callback([options, &program, &exit_status] { exit_status = run(*options, program.get_name()); });
 }
 
