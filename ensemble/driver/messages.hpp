@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/bytes.hpp"
 #include "driver/crew.hpp"
-#include "store/bytes.hpp"
 #include "store/member_record.hpp"
 
 namespace floes {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "campaign/campaign.hpp"
+#include "core/bytes.hpp"
 #include "laboratory/calibration.hpp"
-#include "store/bytes.hpp"
 
 namespace floes {
 

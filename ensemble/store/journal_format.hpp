@@ -9,7 +9,7 @@
 #include <span>
 #include <string_view>
 
-#include "store/bytes.hpp"
+#include "core/bytes.hpp"
 #include "store/file_descriptor.hpp"
 #include "store/journal.hpp"
 

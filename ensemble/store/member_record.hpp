@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "campaign/campaign.hpp"
+#include "core/bytes.hpp"
 #include "member/result.hpp"
-#include "store/bytes.hpp"
 
 namespace floes {
 

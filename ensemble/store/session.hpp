@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "store/bytes.hpp"
+#include "core/bytes.hpp"
 
 namespace floes {
 

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "store/bytes.hpp"
+#include "core/bytes.hpp"
 
 namespace floes {
 

@@ -1,4 +1,4 @@
-#include "store/bytes.hpp"
+#include "core/bytes.hpp"
 
 #include <bit>
 #include <cstring>
