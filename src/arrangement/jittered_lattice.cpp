@@ -50,7 +50,7 @@ std::vector<PlanarPose> jittered_lattice(const Walls& walls, const Rectangle& sh
             throw InputError(
                 fmt::format("the jittered lattice has no room for floe {} of {} ({} trials with shifts up to {} m and "
                             "turns up to {:.4g}°); "
-                            "lower arrangement.jitter_m or arrangement.jitter_angle_deg, or use arrangement.method = "
+                            "lower arrangement.jitter_m or arrangement.jitter_deg, or use arrangement.method = "
                             "\"monte_carlo\"",
                             floe, count, trials, jitter.shift, jitter.turn * 180 / std::numbers::pi));
         }

@@ -33,7 +33,7 @@ void IceField::add_floe(World& world, const Scenario& scenario, const PlanarPose
 
     for (int index = 0; index < grid_.elements(); ++index) {
         const BodyId body = world.add_element({.half_extents = Vec3(side, thickness, side) / 2,
-                                               .mass = scenario.ice.density * side * side * thickness,
+                                               .mass = scenario.moving_mass(),
                                                .pose = {middle + yaw * grid_.centre(index), yaw},
                                                .friction = friction,
                                                .piece = first});

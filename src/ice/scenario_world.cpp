@@ -22,7 +22,7 @@ World scenario_world(const Scenario& scenario) {
     const Contact& contact = scenario.contact;
     return World({.time_step = general.time_step,
                   .iterations = general.iterations,
-                  .gravity = general.gravity,
+                  .gravity = general.gravity / (1 + scenario.water.added_mass),  // the added mass has no weight
                   .contact_erp = contact.erp,
                   .split_impulse = contact.split_impulse,
                   .split_impulse_depth = contact.split_impulse_depth,

@@ -31,11 +31,12 @@ class Beam {
     Beam(const Scenario& scenario, const BeamTest& test)
         : test_(test),
           side_(scenario.floe.element),
-          mass_(scenario.element_mass()),
+          mass_(scenario.moving_mass()),
           time_step_(scenario.general.time_step),
           thresholds_(make_thresholds(scenario)),
           world_(scenario_world(scenario)),
-          water_(scenario.water, scenario.general.gravity, {side_, scenario.ice.thickness}, mass_, 0, 0) {
+          water_(scenario.water, scenario.general.gravity, {side_, scenario.ice.thickness}, scenario.element_mass(), 0,
+                 0) {
         const double height = test.floating ? scenario.floating_height() : 0;
         const Vec3 half_extents(side_ / 2, scenario.ice.thickness / 2, side_ / 2);
         // The clamp holds by its joint alone: the body stands aside, where nothing touches it.

@@ -25,6 +25,10 @@ double Scenario::element_mass() const {
     return ice.density * floe.element * floe.element * ice.thickness;
 }
 
+double Scenario::moving_mass() const {
+    return element_mass() * (1 + water.added_mass);
+}
+
 double Scenario::floating_height() const {
     return ice.thickness * (0.5 - ice.density / water.density);
 }

@@ -109,6 +109,7 @@ struct Water {
     double skin_drag = 0.009;     ///< C_s on the bottom face
     double heave_drag = 1.0;      ///< C_h, quadratic, on vertical motion
     double heave_damping = 0.15;  ///< linear, as a fraction of critical damping of an element's heave
+    double added_mass = 0.0;      ///< water that an element carries along in every direction, as a share of its mass
 };
 
 /// The window in which the load is measured. It ends the run.
@@ -132,7 +133,8 @@ struct Scenario {
 
     double field_length() const;      ///< m: floes * length * breadth / (concentration * 2 half_width)
     double field_end() const;         ///< x of the field's far edge, m
-    double element_mass() const;      ///< kg
+    double element_mass() const;      ///< of ice, kg
+    double moving_mass() const;       ///< of an element with the water that it carries along, kg
     double floating_height() const;   ///< of the middle of floating ice above the water, m; negative above half draught
     double waterline_radius() const;  ///< of the structure, m; 0 where its profile does not span height 0
     int step_count() const;           ///< steps of a run: (steady_start + window) / time_step, rounded

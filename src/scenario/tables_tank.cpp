@@ -116,6 +116,11 @@ void add_water(Keys& keys, Water& water) {
     keys.push_back(number_key("water.heave_damping", water.heave_damping, unit::one, at_least(0).at_most(1),
                               "judgement; usual 0.1 to 0.2",
                               "Linear damping of vertical motion, as a share of an element's critical damping."));
+    keys.push_back(number_key(
+        "water.added_mass", water.added_mass, unit::one, coefficient,
+        "none; a flat plate: 4.4 in heave, about 0.15 along the surface",
+        "Mass of water that moves with an element, in every direction alike, as a share of its own mass. Joints get "
+        "stiffer in proportion to the whole (see [joint]), so another value wants another cfm."));
 }
 
 void add_analysis(Keys& keys, Analysis& analysis) {

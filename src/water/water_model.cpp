@@ -35,7 +35,8 @@ WaterModel::WaterModel(const Water& water, double gravity, ElementShape shape, d
       speed_(speed),
       gauss_offset_(shape.side / std::sqrt(12.0)),
       gauss_area_(shape.side * shape.side / 4),
-      linear_damping_(2 * water.heave_damping * std::sqrt(water.density * gravity * shape.side * shape.side * mass) /
+      linear_damping_(2 * water.heave_damping *
+                      std::sqrt(water.density * gravity * shape.side * shape.side * mass * (1 + water.added_mass)) /
                       4) {}
 
 WaterModel::Columns WaterModel::gauss_columns(const ElementState& state) const {

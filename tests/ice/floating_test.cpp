@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "ice/scenario_world.hpp"
 #include "ice_scene.hpp"
 
 namespace floes::test {
@@ -73,6 +74,28 @@ TEST(IceFloating, StaysAtRestForAMinute) {
     }
     EXPECT_EQ(ice.broken_floes(), 0);
     EXPECT_LT(ice.peaks().bending, 1e-6);
+}
+
+// Added mass has inertia and no weight: a floe with it floats at the same height, and the water lifts it as
+// ρ_w g L² δ / (m (1 + added_mass)).
+TEST(IceFloating, CarriesItsAddedMassAlong) {
+    Scenario scenario = scenario_of(1, 1);
+    scenario.water.added_mass = 4.4;
+    const double depth = 1e-3;
+    const double step = scenario.general.time_step;
+    const auto speed_after_a_step = [&](double sunk) {
+        World world = scenario_world(scenario);
+        const IceField ice(world, scenario, std::vector<PlanarPose>{{0, 0, 0}});
+        const BodyId element = ice.elements()[0].body;
+        BodyState state = world.state(element);
+        state.position.y() -= sunk;
+        world.apply(element, buoyancy(scenario, state));
+        world.step();
+        return world.state(element).velocity.y();
+    };
+    EXPECT_NEAR(speed_after_a_step(0), 0, 1e-15);
+    const double mass = 930 * 0.2 * 0.2 * 0.033;
+    EXPECT_NEAR(speed_after_a_step(depth), 1000 * gravity * 0.04 * depth / (mass * 5.4) * step, 1e-15);
 }
 
 // Bent, sheared and squeezed at once, neighbours and diagonal neighbours overlap; they are one piece and do not touch.

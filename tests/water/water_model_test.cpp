@@ -171,6 +171,18 @@ TEST(Drag, HeaveDragIsQuadraticPlusAFractionOfCritical) {
     EXPECT_NEAR(wrench.moment.norm(), 0, 1e-14);
 }
 
+TEST(Drag, CriticalDampingCountsTheAddedMass) {
+    Water water;
+    water.flow = WaterFlow::still;
+    water.heave_drag = 0;
+    water.added_mass = 3;
+    ElementState state;
+    state.velocity = {0, -0.2, 0};
+    const double critical = 2 * std::sqrt(1000 * gravity * shape.side * shape.side * 4 * mass_of(930));
+    EXPECT_NEAR(model(water).drag(state, 0).force.y(), water.heave_damping * critical * 0.2, 1e-12);
+    EXPECT_NEAR(model(water).floating_draught(), 0.93 * shape.thickness, 1e-12);
+}
+
 // Linear part alone: the moment of four dampers c/4 at ±L/√12 is c L²/12 times the spin.
 TEST(Drag, RollIsDampedLikeHeave) {
     Water water;
