@@ -27,7 +27,7 @@ function(floes_compile_options target)
                          -Wnon-virtual-dtor -Woverloaded-virtual $<$<BOOL:${FLOES_WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()
 
-# Each kernels_*.cpp of the solver for its own instruction set; which one runs is decided at run time.
+# Each kernels_*.cpp of a room for its own instruction set; which one runs is decided at run time.
 function(floes_lane_kernels path)
   set(kernels -fno-math-errno -Wno-psabi)
   set(instructions_scalar)

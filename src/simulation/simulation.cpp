@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <string>
 
 #include "core/error.hpp"
 #include "ice/scenario_world.hpp"
+#include "solver/lane_width.hpp"
 #include "structure/profile.hpp"
 
 namespace floes {
@@ -32,6 +35,14 @@ WaterModel make_water(const Scenario& scenario) {
             scenario.element_mass(), scenario.waterline_radius(), scenario.structure.speed};
 }
 
+/// Same places of all floes side by side: mostly the same edges are exposed there.
+std::vector<std::size_t> by_place_in_floe(const std::vector<IceElement>& elements) {
+    std::vector<std::size_t> order(elements.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return elements[i].index; });
+    return order;
+}
+
 }  // namespace
 
 Simulation::Simulation(const Scenario& scenario, const Arrangement& arrangement)
@@ -39,10 +50,11 @@ Simulation::Simulation(const Scenario& scenario, const Arrangement& arrangement)
       channel_(make_channel(scenario)),
       wellbeing_(scenario, channel_),
       tow_{scenario.structure.start, scenario.structure.speed},
-      water_(make_water(scenario)),
       world_(scenario_world(scenario)),
       structure_(add_structure(world_, scenario)),
-      ice_(world_, scenario, arrangement.poses) {
+      ice_(world_, scenario, arrangement.poses),
+      water_(make_water(scenario), ice_.elements().size(), lane_widths().back()),
+      water_order_(by_place_in_floe(ice_.elements())) {
     add_sheets(world_, channel_, scenario_friction(scenario).ice);
     const auto steps = static_cast<std::size_t>(scenario.step_count());
     loads_.surge.reserve(steps);
@@ -94,12 +106,14 @@ void Simulation::move_structure() {
 
 void Simulation::apply_water() {
     const std::vector<IceElement>& elements = ice_.elements();
-    const double structure_x = tow_.x(time());
-    for (std::size_t i = 0; i < elements.size(); ++i) {
+    for (std::size_t place = 0; place < water_order_.size(); ++place) {
+        const std::size_t i = water_order_[place];
         const BodyState& state = states_[i];
-        const ElementState element{state.position, state.rotation, state.velocity, state.spin,
-                                   elements[i].exposed_edges};
-        world_.apply(elements[i].body, water_.wrench(element, structure_x));
+        water_.set(place, {state.position, state.rotation, state.velocity, state.spin, elements[i].exposed_edges});
+    }
+    water_.compute(water_order_.size(), tow_.x(time()));
+    for (std::size_t place = 0; place < water_order_.size(); ++place) {
+        world_.apply(elements[water_order_[place]].body, water_.wrench(place));
     }
 }
 

@@ -18,7 +18,7 @@
 #include "simulation/simulation_state.hpp"
 #include "simulation/wellbeing.hpp"
 #include "structure/tow.hpp"
-#include "water/water_model.hpp"
+#include "water/water_lanes.hpp"
 #include "world/world.hpp"
 
 namespace floes {
@@ -65,10 +65,11 @@ class Simulation {
     Channel channel_;
     Wellbeing wellbeing_;
     Tow tow_;
-    WaterModel water_;
     World world_;
     BodyId structure_;
     IceField ice_;
+    WaterLanes water_;
+    std::vector<std::size_t> water_order_;  ///< element at each place of water_
     std::vector<BodyState> states_;
     Vec3 ice_load_ = Vec3::Zero();
     LoadHistory loads_;

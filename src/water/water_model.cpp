@@ -121,4 +121,19 @@ double WaterModel::floating_draught() const {
     return mass_ / (water_.density * shape_.side * shape_.side);
 }
 
+WaterFactors WaterModel::factors() const {
+    const double half_area = 0.5 * water_.density * gauss_area_;
+    return {.half_side = 0.5 * shape_.side,
+            .side = shape_.side,
+            .thickness = shape_.thickness,
+            .gauss_offset = gauss_offset_,
+            .buoyancy = water_.density * gravity_ * gauss_area_,
+            .form = -0.5 * water_.density * water_.form_drag,
+            .skin = half_area * water_.skin_drag,
+            .heave = half_area * water_.heave_drag,
+            .linear = linear_damping_,
+            .radius = waterline_radius_,
+            .speed = water_.flow == WaterFlow::still ? 0.0 : speed_};
+}
+
 }  // namespace floes

@@ -17,6 +17,7 @@
 #include "core/vector.hpp"
 #include "scenario/scenario.hpp"
 #include "water/column.hpp"
+#include "water/water_kernels.hpp"
 
 namespace floes {
 
@@ -38,6 +39,9 @@ class WaterModel {
 
     /// Depth of the lower face of an element of this mass at rest: m / (ρ_w L²), m.
     double floating_draught() const;
+
+    /// What many elements at once are computed with (water_lanes.hpp).
+    WaterFactors factors() const;
 
   private:
     struct Columns;

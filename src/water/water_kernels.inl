@@ -1,0 +1,151 @@
+// The water on a group of elements, one a lane: WaterModel::wrench, operation by operation in its order, so that the
+// bits are the same. A kernels_*.cpp defines FLOES_LANES and FLOES_WATER_KERNEL and includes this once; its own
+// compiler flags choose the instruction set.
+
+#include "water/water_kernels.hpp"
+
+#if FLOES_LANES > 1
+#include <immintrin.h>
+#endif
+
+namespace floes {
+namespace {
+#include "solver/pack.inl"
+
+// A lane for which a condition does not hold computes like the others; then its result is left out.
+#if FLOES_LANES == 1
+using Bits = std::int64_t;
+using Mask = bool;
+#else
+using Bits [[gnu::vector_size(8 * FLOES_LANES)]] = std::int64_t;
+using Mask = decltype(Pack{} < Pack{});
+#endif
+
+/// One group of lanes in the arrays.
+struct Group {
+    const double* state;
+    std::size_t stride;
+
+    Pack field(std::size_t f) const { return *reinterpret_cast<const Pack*>(state + f * stride); }
+    V3 vector(std::size_t f) const { return {field(f), field(f + 1), field(f + 2)}; }
+};
+
+struct Element {
+    V3 position, x, normal, z, velocity, spin;
+};
+
+struct Column {
+    Pack length;
+    V3 arm;
+};
+
+struct LaneWrench {
+    V3 force, moment;
+
+    void add(Mask where, const V3& f, const V3& arm) {
+        const V3 m = cross(arm, f);
+        force = {where ? force.x + f.x : force.x, where ? force.y + f.y : force.y, where ? force.z + f.z : force.z};
+        moment = {where ? moment.x + m.x : moment.x, where ? moment.y + m.y : moment.y,
+                  where ? moment.z + m.z : moment.z};
+    }
+};
+
+inline Column submerged_column(const Element& e, double x, double z, double thickness) {
+    const Pack zero{};
+    const V3 foot = e.x * (zero + x) + e.z * (zero + z);
+    const Pack height = e.position.y + foot.y;
+    const Pack bottom = zero + -0.5 * thickness;
+    const Pack top = zero + 0.5 * thickness;
+    const Pack crossing = -height / e.normal.y;
+    const Pack high = e.normal.y > 0.0   ? (crossing < top ? crossing : top)
+                      : e.normal.y < 0.0 ? top
+                                         : (height >= 0.0 ? bottom : top);
+    const Pack low = e.normal.y < 0.0 ? (bottom < crossing ? crossing : bottom) : bottom;
+    const Pack length = high - low;
+    return {0.0 < length ? length : zero, foot + e.normal * (0.5 * (low + high))};
+}
+
+/// Velocity of the water relative to the element's material at `arm`.
+inline V3 relative_velocity(const Element& e, const V3& arm, const WaterFactors& factors, double structure_x) {
+    const Pack zero{};
+    const Pack x = e.position.x + arm.x - structure_x;
+    const Pack z = e.position.z + arm.z;
+    const Pack r2 = x * x + z * z;
+    const double radius2 = factors.radius * factors.radius;
+    const Pack strength = factors.speed * (r2 > radius2 ? radius2 / r2 : zero + 1.0);
+    const Pack along = strength * (x * x / r2 - z * z / r2);
+    const Pack across = strength * 2.0 * (x * z / r2);
+    const V3 water = {r2 == 0.0 ? zero + factors.speed : along, zero, r2 == 0.0 ? zero : across};
+    return water - (e.velocity + cross(e.spin, arm));
+}
+
+inline void add_form_drag(LaneWrench& total, const Element& e, Mask exposed, const V3& axis, double sign, double x,
+                          double z, const WaterFactors& factors, double structure_x) {
+    const Column column = submerged_column(e, x, z, factors.thickness);
+    const V3 outward = axis * (Pack{} + sign);
+    const Pack approach = dot(relative_velocity(e, column.arm, factors, structure_x), outward);
+    const Pack area = factors.side * column.length;
+    total.add(exposed & (column.length != 0.0) & (approach < 0.0),
+              outward * (factors.form * area * approach * approach), column.arm);
+}
+
+inline LaneWrench drag_on_faces(const Element& e, const std::int64_t* exposed_edges, const WaterFactors& factors,
+                                double structure_x) {
+    const Bits exposed = *reinterpret_cast<const Bits*>(exposed_edges);
+    std::int64_t any = 0;
+    for (int lane = 0; lane < lanes; ++lane) any |= exposed_edges[lane];
+    const double half = factors.half_side;
+    LaneWrench total{};
+    if (any & 1) add_form_drag(total, e, (exposed & 1) != 0, e.x, 1.0, half, 0.0, factors, structure_x);
+    if (any & 2) add_form_drag(total, e, (exposed & 2) != 0, e.x, -1.0, -half, 0.0, factors, structure_x);
+    if (any & 4) add_form_drag(total, e, (exposed & 4) != 0, e.z, 1.0, 0.0, half, factors, structure_x);
+    if (any & 8) add_form_drag(total, e, (exposed & 8) != 0, e.z, -1.0, 0.0, -half, factors, structure_x);
+    return total;
+}
+
+inline void add_gauss_point(LaneWrench& buoyancy, LaneWrench& drag, const Element& e, double x, double z,
+                            const WaterFactors& factors, double structure_x) {
+    const Pack zero{};
+    const Column column = submerged_column(e, x, z, factors.thickness);
+    const Mask wet = column.length != 0.0;
+    buoyancy.add(wet, {zero, factors.buoyancy * column.length, zero}, column.arm);
+
+    const V3 foot = column.arm - e.normal * dot(e.normal, column.arm);
+    const Pack down = e.normal.y >= 0.0 ? zero - 0.5 : zero + 0.5;
+    const V3 arm = foot + e.normal * down * (zero + factors.thickness);
+    const V3 relative = relative_velocity(e, arm, factors, structure_x);
+    const Pack through = dot(relative, e.normal);
+    const V3 along = relative - e.normal * through;
+    const V3 skin = along * (factors.skin * square_root(dot(along, along)));
+    const Pack heave = (factors.heave * (through < 0.0 ? -through : through) + factors.linear) * through;
+    drag.add(wet, skin + e.normal * heave, arm);
+}
+
+void water(const WaterArrays& arrays, const WaterFactors& factors, std::size_t count, double structure_x) {
+    const double g = factors.gauss_offset;
+    for (std::size_t i = 0; i < count; i += lanes) {
+        const Group group{arrays.state + i, arrays.stride};
+        const Element e{group.vector(water_field::position),     group.vector(water_field::rotation),
+                        group.vector(water_field::rotation + 3), group.vector(water_field::rotation + 6),
+                        group.vector(water_field::velocity),     group.vector(water_field::spin)};
+        LaneWrench total{};
+        LaneWrench drag = drag_on_faces(e, arrays.exposed_edges + i, factors, structure_x);
+        add_gauss_point(total, drag, e, -g, -g, factors, structure_x);
+        add_gauss_point(total, drag, e, -g, g, factors, structure_x);
+        add_gauss_point(total, drag, e, g, -g, factors, structure_x);
+        add_gauss_point(total, drag, e, g, g, factors, structure_x);
+        const Pack sum[wrench_fields] = {total.force.x + drag.force.x,   total.force.y + drag.force.y,
+                                         total.force.z + drag.force.z,   total.moment.x + drag.moment.x,
+                                         total.moment.y + drag.moment.y, total.moment.z + drag.moment.z};
+        for (std::size_t f = 0; f < wrench_fields; ++f) {
+            *reinterpret_cast<Pack*>(arrays.wrench + f * arrays.stride + i) = sum[f];
+        }
+    }
+}
+
+}  // namespace
+
+extern const WaterKernel FLOES_WATER_KERNEL;
+const WaterKernel FLOES_WATER_KERNEL = water;
+
+}  // namespace floes

@@ -1,0 +1,97 @@
+#include "water/water_lanes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "core/error.hpp"
+#include "solver/lane_width.hpp"
+
+namespace floes {
+namespace {
+
+constexpr ElementShape shape{0.2, 0.033};
+constexpr double structure_x = 1.5;
+
+WaterModel model(WaterFlow flow) {
+    Water water;
+    water.flow = flow;
+    return {water, 9.81, shape, 1.2276, 0.614, 0.07};
+}
+
+Mat3 turned(double angle, const Vec3& axis) {
+    return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
+}
+
+/// Floating, sunk, dry, tilted, upright, upside down, at rest and fast, within the structure's circle and far off.
+std::vector<ElementState> every_kind_of_element() {
+    std::mt19937 random(7);
+    const auto between = [&](double low, double high) {
+        return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
+    };
+    const auto vector = [&](double size) {
+        return Vec3(between(-size, size), between(-size, size), between(-size, size));
+    };
+    std::vector<ElementState> elements;
+    for (int i = 0; i < 2003; ++i) {
+        ElementState state;
+        const double tilt = i % 3 == 0 ? 0.02 : std::numbers::pi;
+        state.rotation = turned(between(-tilt, tilt), vector(1)) * turned(between(-3, 3), Vec3::UnitY());
+        state.position = vector(i % 5 == 0 ? 0.5 : 3);
+        state.position.y() = between(-0.03, 0.03) * (i % 7 == 0 ? 10 : 1);
+        state.velocity = vector(i % 4 == 0 ? 1 : 0.05);
+        state.spin = vector(i % 4 == 1 ? 2 : 0.05);
+        state.exposed_edges = static_cast<std::uint8_t>(random() % 16);
+        elements.push_back(state);
+    }
+    ElementState resting;  // flat, zeros everywhere
+    elements.push_back(resting);
+    resting.position.x() = structure_x;  // the middle of the structure
+    resting.exposed_edges = 15;
+    elements.push_back(resting);
+    resting.rotation = turned(std::numbers::pi / 2, Vec3::UnitX());
+    resting.rotation(1, 1) = 0;  // its normal exactly level
+    elements.push_back(resting);
+    resting.position.y() = -0.1;
+    elements.push_back(resting);
+    return elements;
+}
+
+::testing::AssertionResult same_bits(const Vec3& a, const Vec3& b) {
+    for (int i = 0; i < 3; ++i) {
+        if (std::bit_cast<std::uint64_t>(a[i]) != std::bit_cast<std::uint64_t>(b[i])) {
+            return ::testing::AssertionFailure() << "[" << i << "]: " << a[i] << " and " << b[i];
+        }
+    }
+    return ::testing::AssertionSuccess();
+}
+
+class WaterLanesOf : public ::testing::TestWithParam<WaterFlow> {};
+
+TEST_P(WaterLanesOf, EveryWidthHasTheBitsOfTheModel) {
+    const WaterModel one(model(GetParam()));
+    const std::vector<ElementState> elements = every_kind_of_element();
+    for (const int width : lane_widths()) {
+        WaterLanes many(one, elements.size(), width);
+        for (std::size_t i = 0; i < elements.size(); ++i) many.set(i, elements[i]);
+        many.compute(elements.size(), structure_x);
+        for (std::size_t i = 0; i < elements.size(); ++i) {
+            const Wrench expected = one.wrench(elements[i], structure_x);
+            ASSERT_TRUE(same_bits(many.wrench(i).force, expected.force)) << "element " << i << ", width " << width;
+            ASSERT_TRUE(same_bits(many.wrench(i).moment, expected.moment)) << "element " << i << ", width " << width;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Flows, WaterLanesOf, ::testing::Values(WaterFlow::potential, WaterFlow::still));
+
+TEST(WaterLanes, RefuseAWidthThatThereIsNot) {
+    EXPECT_THROW(WaterLanes(model(WaterFlow::still), 4, 3), RunError);
+}
+
+}  // namespace
+}  // namespace floes
