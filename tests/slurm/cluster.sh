@@ -1,0 +1,237 @@
+# Sourced by the tests of slurm/: bash TEST.sh FLOES PROJECT. Starts a Slurm cluster of two nodes on this machine that
+# belongs to this test alone: own munge, own ports, own folder, no systemd, any user. Whatever happens to the test, the
+# cluster ends with it.
+set -euo pipefail
+export FLOES=$1       # what the scripts run
+export FLOES_HOME=$2  # where the scripts are
+NODES=${NODES:-n1 n2}
+TEST=$$
+
+FOLDER=$(mktemp -d)   # short: the path of a socket has at most 107 characters
+CLUSTER=$FOLDER/cluster
+export SLURM_CONF=$CLUSTER/slurm.conf
+# Two ranks of one machine on two nodes of Slurm: shared memory would mix up their names, and a container may have no
+# network but this one. Root is all there is in a container.
+export OMPI_MCA_btl=self,tcp OMPI_MCA_btl_tcp_if_include=lo OMPI_MCA_oob_tcp_if_include=lo
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+
+fail() {
+    echo "FAILED: $*" >&2
+    tail -n +1 "$FOLDER"/*.log >&2 || true
+    scontrol show jobs >&2 2>&1 || true
+    tail -n 20 "$CLUSTER"/log/*.log >&2 || true
+    exit 1
+}
+
+# The processes that were started with this cluster's configuration: its daemons, its jobs and all they started.
+cluster_pids() {
+    env -u SLURM_CONF grep -lzsxF "SLURM_CONF=$SLURM_CONF" /proc/[0-9]*/environ | cut -d/ -f3
+}
+
+end_cluster() {
+    local pids
+    for _ in 1 2 3 4 5; do  # until nothing is left that could start another
+        mapfile -t pids < <(cluster_pids)
+        [ ${#pids[@]} -gt 0 ] || break
+        kill -CONT "${pids[@]}" 2> /dev/null || true
+        kill -KILL "${pids[@]}" 2> /dev/null || true
+        sleep 0.2
+    done
+    rm -rf "$FOLDER"
+}
+trap end_cluster EXIT
+trap 'exit 1' INT TERM HUP
+
+# The trap does not run when the test is killed. This one outlives it and is nobody's child, so that whoever kills a tree
+# of processes does not find it.
+watch_over_test() {
+    while kill -0 "$TEST" 2> /dev/null; do sleep 1; done
+    [ ! -e "$FOLDER" ] || end_cluster
+}
+(trap - EXIT; trap '' INT TERM HUP; watch_over_test > /dev/null 2>&1 < /dev/null &)
+
+# until_true SECONDS COMMAND…: fails unless the command succeeds within that time.
+until_true() {
+    local end=$((SECONDS + $1))
+    shift
+    until "$@"; do
+        [ $SECONDS -lt $end ] || return 1
+        sleep 0.1
+    done
+}
+
+# free_ports USE…: a port for each.
+free_ports() {
+    /usr/bin/python3 - "$@" <<'PYTHON'
+import socket, sys
+held = [socket.socket() for _ in sys.argv[1:]]
+for one in held:
+    one.bind(("127.0.0.1", 0))
+print(*(one.getsockname()[1] for one in held))
+PYTHON
+}
+
+# as_daemon NAME COMMAND…: in a session of its own, its output in the cluster's logs.
+as_daemon() {
+    local name=$1
+    shift
+    setsid "$@" > "$CLUSTER/log/$name.out" 2>&1 < /dev/null &
+    disown  # no word from bash when it is killed
+}
+
+start_munge() {
+    local folder=$CLUSTER/munge
+    head -c 1024 /dev/urandom > "$folder/key"
+    chmod 400 "$folder/key"
+    as_daemon munged munged --foreground --force --num-threads=2 --key-file="$folder/key" --socket="$folder/socket" \
+        --pid-file="$folder/pid" --log-file="$CLUSTER/log/munged.log" --seed-file="$folder/seed"
+    until_true 20 test -S "$folder/socket" || fail "munged, which Slurm needs, did not start; its log is above"
+}
+
+write_configuration() {
+    local host user ports node
+    host=$(uname -n)  # hostname -s asks a resolver, which a container may lack
+    host=${host%%.*}
+    user=$(id -un)
+    # shellcheck disable=SC2086
+    read -ra ports < <(free_ports controller $NODES)
+    cat > "$SLURM_CONF" <<CONF
+ClusterName=test
+SlurmctldHost=$host(127.0.0.1)
+SlurmctldPort=${ports[0]}
+SlurmUser=$user
+SlurmdUser=$user
+AuthType=auth/munge
+CredType=cred/munge
+AuthInfo=socket=$CLUSTER/munge/socket,cred_expire=5
+StateSaveLocation=$CLUSTER/state
+SlurmctldPidFile=$CLUSTER/run/slurmctld.pid
+SlurmctldLogFile=$CLUSTER/log/slurmctld.log
+SlurmdSpoolDir=$CLUSTER/spool/%n
+SlurmdPidFile=$CLUSTER/run/slurmd-%n.pid
+SlurmdLogFile=$CLUSTER/log/slurmd-%n.log
+TmpFS=$CLUSTER/tmp/%n
+ProctrackType=proctrack/linuxproc
+TaskPlugin=task/none
+SwitchType=switch/none
+JobAcctGatherType=jobacct_gather/none
+AccountingStorageType=accounting_storage/none
+JobCompType=jobcomp/filetxt
+JobCompLoc=$CLUSTER/log/jobcomp.txt
+SelectType=select/cons_tres
+SelectTypeParameters=CR_Core
+SchedulerType=sched/backfill
+SchedulerParameters=bf_interval=2,sched_interval=2,batch_sched_delay=0
+SlurmdParameters=config_overrides
+MpiDefault=pmix
+MailProg=/bin/true
+ReturnToService=2
+SlurmctldTimeout=30
+SlurmdTimeout=30
+InactiveLimit=0
+KillWait=5
+MinJobAge=300
+JobRequeue=1
+PartitionName=debug Nodes=ALL Default=YES MaxTime=INFINITE State=UP
+CONF
+    for node in $NODES; do
+        echo "NodeName=$node NodeHostname=$host NodeAddr=127.0.0.1 Port=${ports[1]} CPUs=2 State=UNKNOWN"
+        ports=("${ports[@]:1}")
+    done >> "$SLURM_CONF"
+}
+
+start_node() {
+    mkdir -p "$CLUSTER"/{spool,tmp}/"$1"
+    as_daemon "slurmd-$1" slurmd -D -f "$SLURM_CONF" -N "$1"
+}
+
+controller_answers() {
+    scontrol ping 2> /dev/null | grep -q ' is UP'
+}
+
+all_idle() {
+    [ "$(sinfo -h -o %T)" = idle ]
+}
+
+start_cluster() {
+    local program node
+    for program in munged slurmctld slurmd sbatch; do
+        PATH=$PATH:/usr/sbin command -v "$program" > /dev/null || fail "$program is missing; packages-test.txt has it"
+    done
+    PATH=$PATH:/usr/sbin
+    mkdir -p "$CLUSTER"/{run,state,log,munge}
+    chmod 755 "$CLUSTER" "$CLUSTER/munge"
+    start_munge
+    write_configuration
+    as_daemon slurmctld slurmctld -D -f "$SLURM_CONF"
+    until_true 20 controller_answers || fail "slurmctld did not start; its log is above"
+    for node in $NODES; do start_node "$node"; done
+    until_true 30 all_idle || fail "the nodes of Slurm did not come up; their logs are above"
+}
+
+start_cluster
+cd "$FOLDER"
+
+# campaign.toml: 2 cases x 4 arrangements of two coarse floes, some hundredths of a second each: the time is Slurm's.
+cat > campaign.toml <<'TOML'
+[campaign]
+seed = 1
+arrangements = 4
+
+[field]
+floes = 2
+concentration_percent = 40.0
+begin_m = 2.0
+half_width_m = 1.25
+
+[structure]
+profile_m = [[-0.443, 0.43], [0.0, 0.614], [0.122, 0.736]]
+start_m = 1.38
+speed_m_s = 0.03
+
+[analysis]
+steady_start_s = 2.0
+window_s = 6.0
+
+[[case]]
+name = "E30"
+elastic_modulus_MPa = 30.0
+cfm = 0.03
+
+[[case]]
+name = "E200"
+elastic_modulus_MPa = 200.0
+cfm = 1e-10
+TOML
+
+# submit ARGUMENT…: prints the job's number.
+submit() {
+    sbatch --parsable "$@" 2> submit.log || fail "sbatch refused: $*"
+}
+
+# state_of JOB
+state_of() {
+    scontrol show job "$1" | sed -n 's/.*JobState=\([A-Z_]*\).*/\1/p' | sort -u
+}
+
+has_state() {
+    [ "$(state_of "$1")" = "$2" ]
+}
+
+# ends JOB STATE SECONDS: fails unless it comes to that end within the time.
+ends() {
+    until_true "$3" has_state "$1" "$2" || fail "job $1 is $(state_of "$1") instead of $2 after $3 s"
+}
+
+# same A.h5 B.h5: fails unless both files have the same values outside /provenance.
+same() {
+    h5diff --exclude-path /provenance "$1" "$2" > difference.log 2>&1 || fail "$1 and $2 differ"
+}
+
+# said LOG TEXT: fails unless the log has the text.
+said() {
+    grep -qF -- "$2" "$1" || fail "$1 does not say '$2'"
+}
+
+# What the same program makes of the campaign without Slurm.
+"$FLOES" run campaign.toml -o whole.h5 > /dev/null 2> whole.log || fail "the campaign does not run without Slurm"
