@@ -28,6 +28,7 @@ struct RunVerb {
     std::string output;
     bool resume = false;
     bool overwrite = false;
+    bool retry_failed = false;
     int threads = 0;
     std::vector<std::string> overrides;
 };
@@ -70,9 +71,10 @@ MemberResult compute_member(const Campaign& campaign, int number, std::stop_toke
 
 int lead(const RunVerb& verb, const std::string& program, Link& link) {
     Campaign campaign = load_campaign(verb.config, verb.overrides);
-    RunOptions options{.places = {.campaign_file = output_of(verb), .existing = existing_of(verb)},
-                       .threads = verb.threads,
-                       .resume_command = resume_command(verb, program, link.size())};
+    RunOptions options{
+        .places = {.campaign_file = output_of(verb), .existing = existing_of(verb), .retry_failed = verb.retry_failed},
+        .threads = verb.threads,
+        .resume_command = resume_command(verb, program, link.size())};
     int status = 0;
     {
         Progress progress(std::cerr, style_of_standard_error());
@@ -103,6 +105,8 @@ void add_run(CLI::App& program, int& exit_status) {
     verb->add_option("-o,--output", options->output, "The campaign file; CONFIG.h5 in this folder when not given");
     CLI::Option* resume =
         verb->add_flag("--resume", options->resume, "Go on with what is there, and begin when there is nothing yet");
+    verb->add_flag("--retry-failed", options->retry_failed, "With --resume: try members again that were set aside")
+        ->needs(resume);
     verb->add_flag("--overwrite", options->overwrite, "Begin anew in the place of what is there")->excludes(resume);
     verb->add_option("--threads", options->threads, "Members at a time on each rank; all its cores when not given")
         ->check(CLI::Range(1, 4096));

@@ -1,6 +1,7 @@
 #include "driver/recorder.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -23,6 +24,26 @@ Journal open(const Campaign& campaign, const Recorder::Places& places) {
     Journal opened = open_journal(journal_path(places.campaign_file), campaign, places.existing);
     if (places.existing == Existing::replace) fs::remove(places.campaign_file);
     return opened;
+}
+
+std::vector<std::string> case_fingerprints(const Campaign& campaign) {
+    std::vector<std::string> keys;
+    for (int k = 0; k < static_cast<int>(campaign.cases.size()); ++k) keys.push_back(case_fingerprint(campaign, k));
+    return keys;
+}
+
+MemberRecord failure_by_loss(const MemberIdentity& member, int attempts) {
+    MemberRecord record;
+    std::tie(record.case_key, record.arrangement) = member;
+    record.attempt = attempts;
+    record.rank = -1;
+    record.result.status = MemberStatus::failed;
+    record.result.reason = fmt::format(
+        "It was begun {} and each time the run was killed or crashed before it ended; --retry-failed tries it again.",
+        attempts == 1   ? "once,"
+        : attempts == 2 ? "twice,"
+                        : fmt::format("{} times,", attempts));
+    return record;
 }
 
 }  // namespace
@@ -49,32 +70,60 @@ void Recorder::check(const Places& places) {
 Recorder::Recorder(const Campaign& campaign, Places places)
     : campaign_(campaign),
       places_(std::move(places)),
+      case_keys_(case_fingerprints(campaign)),
       journal_(open(campaign_, places_)),
       next_publish_(std::chrono::steady_clock::now() + places_.publish_every) {
+    take_stock();
+}
+
+void Recorder::take_stock() {
     const auto kept = match_records(campaign_, journal_.records());
-    const auto attempts = last_attempts(campaign_, journal_.records());
     for (int number = 0; number < member_count(campaign_); ++number) {
         const MemberRecord* record = kept[static_cast<std::size_t>(number)];
-        if (record == nullptr) {
-            tasks_.push_back({number, expected_cost(campaign_, number), 0, attempts[static_cast<std::size_t>(number)]});
-        } else {
+        if (record != nullptr && record->result.status == MemberStatus::done) {
             ++reused_;
-            ++(record->result.status == MemberStatus::done ? done_ : failed_);
+            ++done_;
+            continue;
+        }
+        const int lost = journal_.attempts().lost(identity_of(number));
+        const int failures = record == nullptr || places_.retry_failed ? 0 : record->attempt;
+        if (failures + lost < places_.attempts) {
+            tasks_.push_back({number, expected_cost(campaign_, number), 0, failures + lost});
+            if (record != nullptr || lost > 0) ++retried_;
+        } else if (lost == 0) {
+            ++reused_;
+            ++failed_;
+        } else {
+            lost_too_often_.push_back(failure_by_loss(identity_of(number), failures + lost));
         }
     }
 }
 
-std::vector<std::string> Recorder::begin(const Session& session) {
+MemberIdentity Recorder::identity_of(int number) const {
+    const MemberKey key = member_key(campaign_, number);
+    return {case_keys_[static_cast<std::size_t>(key.case_index)], key.arrangement};
+}
+
+std::vector<std::string> Recorder::begin(Session session) {
     std::vector<std::string> changes;
     if (reused_ > 0 && !journal_.sessions().empty()) changes = changed_software(journal_.sessions().back(), session);
     for (const CalibrationRecord& calibration : places_.calibrations) journal_.append(calibration);
+    session.reused = reused_;
+    session.retried = retried_;
     journal_.begin_session(session);
+    for (const MemberRecord& record : std::exchange(lost_too_often_, {})) keep(record);
     return changes;
+}
+
+void Recorder::started(int number, int attempt) {
+    journal_.started(identity_of(number), attempt);
 }
 
 void Recorder::keep(const MemberRecord& record) {
     journal_.append(record);
-    ++(record.result.status == MemberStatus::done ? done_ : failed_);
+    const bool done = record.result.status == MemberStatus::done;
+    ++(done ? done_ : failed_);
+    ++(done ? computed_ : set_aside_);
     synced_ = false;
     published_ = false;
 }
@@ -98,6 +147,14 @@ void Recorder::sync() {
     if (!synced_) journal_.sync();
     synced_ = true;
     last_sync_ = std::chrono::steady_clock::now();
+}
+
+void Recorder::give_up() noexcept {
+    try {
+        journal_.end_session("failed");
+    } catch (const std::exception&) {
+        // The error that brought us here is the one to tell.
+    }
 }
 
 void Recorder::finish(const std::string& outcome) {

@@ -21,6 +21,8 @@ class Recorder {
         Existing existing = Existing::refuse;
         std::chrono::seconds publish_every{300};
         std::vector<CalibrationRecord> calibrations = {};  ///< that gave cases their Σ, to be kept beside the members
+        int attempts = 2;           ///< of a member that fails or takes its process down, >= 1; then it is set aside
+        bool retry_failed = false;  ///< give members that were set aside before as many attempts again
     };
 
     /// Throws InputError when there is something already and `existing` does not say what to do about it.
@@ -30,15 +32,24 @@ class Recorder {
     /// does, when the journal is another campaign's, or when somebody writes it.
     Recorder(const Campaign& campaign, Places places);
 
-    /// What is still to be computed.
+    /// What is still to be computed. `attempts_made` has those that count against Places::attempts: failures, and
+    /// attempts that were started() and neither answered nor ended by the end of their session.
     std::vector<MemberTask> tasks() const { return tasks_; }
     int done() const { return done_; }      ///< members with a result, of this session and before
     int failed() const { return failed_; }  ///< members set aside as failed, likewise
     int reused() const { return reused_; }  ///< of both, those from before
+    bool resumed() const { return journal_.sessions().size() > 1; }  ///< of begin() on: there was a session before
+    /// Of the tasks, those that failed or were lost before; of members, those set aside in this session.
+    int retried() const { return retried_; }
+    int set_aside() const { return set_aside_; }
+    int computed() const { return computed_; }  ///< members done in this session
 
     /// Notes that a session begins now. Returns what has changed since the session before it, see changed_software();
-    /// empty when there are no members from before.
-    std::vector<std::string> begin(const Session& session);
+    /// empty when there are no members from before. Sets members aside that took their process down too often.
+    std::vector<std::string> begin(Session session);
+
+    /// Notes that an attempt at the member begins, so that a later session knows when it never ended.
+    void started(int number, int attempt);
 
     /// Keeps a result. It may take a second until it is on the disk.
     void keep(const MemberRecord& record);
@@ -50,19 +61,30 @@ class Recorder {
     /// Brings the journal to the disk now.
     void sync();
 
+    /// Ends the session as far as that is possible after an error: without it the members under way would stand as
+    /// attempts that took their process down.
+    void give_up() noexcept;
+
     /// Ends the session and publishes. Throws RunError when that is impossible.
     void finish(const std::string& outcome);
 
   private:
+    void take_stock();
+    MemberIdentity identity_of(int number) const;
     void publish_now();
 
     const Campaign& campaign_;
     Places places_;
+    std::vector<std::string> case_keys_;
     Journal journal_;
     std::vector<MemberTask> tasks_;
+    std::vector<MemberRecord> lost_too_often_;
     int done_ = 0;
     int failed_ = 0;
     int reused_ = 0;
+    int retried_ = 0;
+    int set_aside_ = 0;
+    int computed_ = 0;
     bool synced_ = true;
     bool published_ = true;
     Time last_sync_ = std::chrono::steady_clock::now();

@@ -24,6 +24,23 @@ std::string opening(const Campaign& campaign, const RunOptions& options, int ran
                        ranks > 1 ? fmt::format(" of {} ranks", ranks) : "", options.places.campaign_file.string());
 }
 
+/// What was found of earlier sessions; empty when there is nothing.
+std::string stock(const Recorder& recorder) {
+    if (recorder.reused() + recorder.retried() + recorder.set_aside() == 0) return {};
+    const std::size_t tasks = recorder.tasks().size();
+    return fmt::format("resumed: {} reused, {} to compute{}{}", count(recorder.reused(), "member"), tasks,
+                       recorder.retried() > 0 ? fmt::format(", {} of them again", recorder.retried()) : "",
+                       recorder.set_aside() > 0 ? fmt::format(", {} set aside since it took its process down too often",
+                                                              recorder.set_aside())
+                                                : "");
+}
+
+/// What this session did.
+std::string harvest(const Recorder& recorder) {
+    return fmt::format("{} reused, {} computed, {} retried, {} set aside", count(recorder.reused(), "member"),
+                       recorder.computed(), recorder.retried(), recorder.set_aside());
+}
+
 Session session_of(int ranks, int cores) {
     return describe_session(ranks, cores, std::array{Software{"MPI", library_version()}});
 }
@@ -35,11 +52,13 @@ int conclude(const Campaign& campaign, const RunOptions& options, Recorder& reco
     const int total = member_count(campaign);
     if (!stopped_by.empty()) {
         recorder.sync();  // before anything that takes time: the batch system may not wait
+        if (recorder.resumed()) progress.say(harvest(recorder));
         progress.say(fmt::format("stopped by {} with {} of {} members done and on the disk; to go on: {}", stopped_by,
                                  recorder.done() + recorder.failed(), total, options.resume_command));
         recorder.finish("stopped");
         return exit_stopped;
     }
+    if (recorder.resumed()) progress.say(harvest(recorder));
     recorder.finish(recorder.failed() > 0 ? "complete, members failed" : "complete");
     if (recorder.failed() > 0) {
         progress.say(fmt::format("{} of {} members failed and stand as missing in {}; floes status {} has the reasons",
@@ -59,16 +78,18 @@ int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link
     const Muster mustered = muster(link, campaign, own);
     progress.say(opening(campaign, options, link.size(), mustered.cores()));
     if (const std::string remark = binding_remark(link.topology()); !remark.empty()) progress.say(remark);
-    if (recorder.reused() > 0) {
-        progress.say(fmt::format("resumed: {} reused, {} to compute", count(recorder.reused(), "member"),
-                                 member_count(campaign) - recorder.reused()));
-    }
     for (const std::string& change : recorder.begin(session_of(link.size(), mustered.cores()))) {
         progress.say(fmt::format(
             "the members from before may differ in their last bits from what this run would give; {}", change));
     }
+    if (const std::string text = stock(recorder); !text.empty()) progress.say(text);
     Master master(campaign, link, recorder, progress, signals, compute, mustered);
-    master.run();
+    try {
+        master.run();
+    } catch (...) {
+        recorder.give_up();
+        throw;
+    }
     return conclude(campaign, options, recorder, progress, master.stopped_by());
 }
 

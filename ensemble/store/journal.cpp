@@ -64,6 +64,7 @@ Journal open_journal(const std::filesystem::path& path, const std::string& campa
                                 "--overwrite, or choose another output file with -o.",
                                 path.string()));
             truncate_file(file, path, reading.contents.good_bytes);
+            reading.contents.attempts.close_session();  // nobody else is at work: the lock is ours
             return {path, std::move(file), std::move(reading.contents)};
         }
     }
@@ -104,13 +105,22 @@ void Journal::write_record(std::uint32_t type, std::span<const std::byte> payloa
 
 void Journal::append(const MemberRecord& record) {
     write_record(static_cast<std::uint32_t>(RecordType::member), encode(record));
-    contents_.members.push_back(record);
+    journal_format::take_member(contents_, record);
 }
 
 void Journal::append(const CalibrationRecord& record) {
     if (find_calibration(contents_.calibrations, record.key) != nullptr) return;
     write_record(static_cast<std::uint32_t>(RecordType::calibration), encode(record));
     contents_.calibrations.push_back(record);
+}
+
+void Journal::started(const MemberIdentity& member, int attempt) {
+    ByteWriter payload;
+    payload.text(member.first);
+    payload.i32(member.second);
+    payload.i32(attempt);
+    write_record(static_cast<std::uint32_t>(RecordType::attempt_started), payload.bytes());
+    contents_.attempts.started(member);
 }
 
 void Journal::sync() {
@@ -120,6 +130,7 @@ void Journal::sync() {
 void Journal::begin_session(const Session& session) {
     write_record(static_cast<std::uint32_t>(RecordType::session_begin), encode(session));
     contents_.sessions.push_back(session);
+    contents_.attempts.close_session();
     sync();
 }
 
@@ -127,6 +138,7 @@ void Journal::end_session(const std::string& outcome) {
     Session& session = contents_.sessions.at(contents_.sessions.size() - 1);
     session.ended = utc_now();
     session.outcome = outcome;
+    contents_.attempts.session_ended();
     ByteWriter payload;
     payload.text(session.ended);
     payload.text(session.outcome);

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "campaign/campaign.hpp"
+#include "store/attempt_book.hpp"
 #include "store/calibration_record.hpp"
 #include "store/file_descriptor.hpp"
 #include "store/member_record.hpp"
@@ -32,6 +33,7 @@ struct JournalContents {
     std::vector<MemberRecord> members;  ///< in order of arrival
     std::vector<Session> sessions;      ///< in order of time
     std::vector<CalibrationRecord> calibrations;
+    AttemptBook attempts;
     std::uint64_t good_bytes = 0;  ///< up to the end of the last whole record
     std::uint64_t torn_bytes = 0;  ///< after that: a torn or damaged tail, or a record just being written
 };
@@ -43,6 +45,8 @@ class Journal {
     void append(const MemberRecord& record);
     /// Likewise what gave a case its Σ; one that is there already is not added again.
     void append(const CalibrationRecord& record);
+    /// Notes that an attempt at the member begins. Not worth a sync(): a lost note costs one attempt more.
+    void started(const MemberIdentity& member, int attempt);
     /// Everything appended so far is on the disk on return. Throws RunError when the disk refuses.
     void sync();
     /// Records the start of a session, and syncs.
@@ -53,6 +57,8 @@ class Journal {
     const std::vector<MemberRecord>& records() const { return contents_.members; }
     const std::vector<Session>& sessions() const { return contents_.sessions; }
     const std::vector<CalibrationRecord>& calibrations() const { return contents_.calibrations; }
+    /// Attempts that earlier sessions began and that were lost with them are lost() here.
+    const AttemptBook& attempts() const { return contents_.attempts; }
     const std::string& campaign_text() const { return contents_.campaign_text; }
     /// Bytes of torn tail that were cut off when the journal was opened.
     std::uint64_t cut_bytes() const { return contents_.torn_bytes; }

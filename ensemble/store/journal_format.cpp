@@ -52,13 +52,15 @@ std::uint64_t check_fixed_header(std::span<const std::byte> bytes, const std::fi
 void take_record(JournalContents& contents, std::uint32_t type, std::span<const std::byte> payload) {
     switch (static_cast<RecordType>(type)) {
         case RecordType::member:
-            contents.members.push_back(decode_member_record(payload));
+            take_member(contents, decode_member_record(payload));
             break;
         case RecordType::session_begin:
+            contents.attempts.close_session();
             contents.sessions.push_back(decode_session(payload));
             break;
         case RecordType::session_end: {
             ByteReader in(payload);
+            contents.attempts.session_ended();
             if (contents.sessions.empty()) break;
             contents.sessions.back().ended = in.text();
             contents.sessions.back().outcome = in.text();
@@ -67,6 +69,12 @@ void take_record(JournalContents& contents, std::uint32_t type, std::span<const 
         case RecordType::calibration:
             contents.calibrations.push_back(decode_calibration_record(payload));
             break;
+        case RecordType::attempt_started: {
+            ByteReader in(payload);
+            const std::string case_key = in.text();
+            contents.attempts.started({case_key, in.i32()});
+            break;
+        }
     }
 }
 
@@ -76,6 +84,15 @@ std::uint32_t crc32c(std::span<const std::byte> bytes) {
     Crc32c crc;
     crc.process_bytes(bytes.data(), bytes.size());
     return crc.checksum();
+}
+
+void take_member(JournalContents& contents, MemberRecord record) {
+    contents.attempts.finished(identity(record));
+    if (!contents.sessions.empty()) {
+        Session& session = contents.sessions.back();
+        ++(record.result.status == MemberStatus::done ? session.computed : session.set_aside);
+    }
+    contents.members.push_back(std::move(record));
 }
 
 Bytes header(std::string_view text) {

@@ -22,11 +22,20 @@ inline constexpr std::uint64_t record_head_bytes = 12;
 inline constexpr std::uint64_t crc_bytes = 4;
 
 /// Append only. A reader passes over types that it does not know.
-enum class RecordType : std::uint32_t { member = 1, session_begin = 2, session_end = 3, calibration = 4 };
+enum class RecordType : std::uint32_t {
+    member = 1,
+    session_begin = 2,
+    session_end = 3,
+    calibration = 4,
+    attempt_started = 5
+};
 
 std::uint32_t crc32c(std::span<const std::byte> bytes);
 Bytes header(std::string_view text);
 Bytes record(RecordType type, std::span<const std::byte> payload);
+
+/// Enters a member into the contents: what appending and reading have in common.
+void take_member(JournalContents& contents, MemberRecord record);
 
 /// What a file that was opened for reading holds. `begun` is false when it ends inside the header: a journal whose
 /// writer was stopped before it could keep anything. Throws InputError when the file is no readable journal.

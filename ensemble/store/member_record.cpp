@@ -10,8 +10,6 @@
 namespace floes {
 namespace {
 
-using MemberIdentity = std::pair<std::string, int>;
-
 // Cases of equal physics share their records, hence several numbers to an identity.
 std::multimap<MemberIdentity, std::size_t> member_numbers(const Campaign& campaign) {
     std::vector<std::string> keys;
@@ -27,6 +25,10 @@ std::multimap<MemberIdentity, std::size_t> member_numbers(const Campaign& campai
 }
 
 }  // namespace
+
+MemberIdentity identity(const MemberRecord& record) {
+    return {record.case_key, record.arrangement};
+}
 
 Bytes encode(const MemberRecord& record) {
     ByteWriter out;
@@ -61,9 +63,7 @@ std::vector<const MemberRecord*> match_records(const Campaign& campaign, std::sp
         const auto [first, last] = numbers.equal_range({record.case_key, record.arrangement});
         for (auto place = first; place != last; ++place) {
             const MemberRecord*& known = matched[place->second];
-            const bool better = known != nullptr && known->result.status == MemberStatus::failed &&
-                                record.result.status == MemberStatus::done;
-            if (known == nullptr || better) known = &record;
+            if (known == nullptr || known->result.status == MemberStatus::failed) known = &record;
         }
     }
     return matched;

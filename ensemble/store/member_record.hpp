@@ -9,6 +9,7 @@
 #include "campaign/campaign.hpp"
 #include "core/bytes.hpp"
 #include "member/result.hpp"
+#include "store/attempt_book.hpp"
 
 namespace floes {
 
@@ -24,6 +25,8 @@ struct MemberRecord {
     MemberResult result;
 };
 
+MemberIdentity identity(const MemberRecord& record);
+
 /// The bytes of a record, the same on every machine.
 Bytes encode(const MemberRecord& record);
 
@@ -31,7 +34,7 @@ Bytes encode(const MemberRecord& record);
 MemberRecord decode_member_record(std::span<const std::byte> bytes);
 
 /// For each member of the campaign, in member order, the record that counts; nullptr where there is none.
-/// Among several records of one member a done one counts before a failed one, then the first before a later one.
+/// Among several records of one member the first done one counts; where none is done, the last failure.
 std::vector<const MemberRecord*> match_records(const Campaign& campaign, std::span<const MemberRecord> records);
 
 /// The largest attempt number recorded of each member, in member order; 0 where there is none.

@@ -109,6 +109,8 @@ Bytes encode(const Session& session) {
         out.text(software.name);
         out.text(software.version);
     }
+    out.i32(session.reused);
+    out.i32(session.retried);
     return out.take();
 }
 
@@ -128,6 +130,9 @@ Session decode_session(std::span<const std::byte> bytes) {
         software.name = in.text();
         software.version = in.text();
     }
+    if (in.left() == 0) return session;  // of a version that did not count
+    session.reused = in.i32();
+    session.retried = in.i32();
     if (in.left() != 0) throw RunError("a stored session goes on after its end; it was written by another version");
     return session;
 }

@@ -25,7 +25,11 @@ struct Session {
     std::string machine;  ///< system, release, processor of rank 0
     std::string job;      ///< batch job id; empty outside a batch system
     int ranks = 1;
-    int threads = 1;  ///< over all ranks
+    int threads = 1;    ///< over all ranks
+    int reused = 0;     ///< members that had their result, or stood aside, when it began
+    int retried = 0;    ///< members that it tried again, since they had failed or were lost with their process
+    int computed = 0;   ///< members that it finished; counted by the journal
+    int set_aside = 0;  ///< members that it gave up; counted by the journal
     std::vector<Software> software;
     friend bool operator==(const Session&, const Session&) = default;
 };

@@ -62,6 +62,10 @@ void write_sessions(hid_t group, std::span<const Session> sessions) {
     });
     counts("session_ranks", "ranks of the session", &Session::ranks);
     counts("session_threads", "threads over all ranks of the session", &Session::threads);
+    counts("session_reused", "members that had their result, or stood aside, before the session", &Session::reused);
+    counts("session_retried", "members that failed or were lost before and were tried again", &Session::retried);
+    counts("session_computed", "members done in the session", &Session::computed);
+    counts("session_set_aside", "members given up in the session", &Session::set_aside);
 }
 
 std::string lower_case(std::string text) {

@@ -91,6 +91,7 @@ TEST(RunCampaign, StopsOnASignalPublishesAndCanBeResumed) {
 
     EXPECT_EQ(run(fake::compute, Existing::resume), 0);
     EXPECT_THAT(run.said, HasSubstr("reused, " + std::to_string(12 - kept) + " to compute"));
+    EXPECT_THAT(run.said, HasSubstr("reused, " + std::to_string(12 - kept) + " computed, 0 retried, 0 set aside"));
     EXPECT_EQ(run.results(), whole.results());
     EXPECT_EQ(read_journal(journal_path(run.file)).sessions.size(), 2u);
 }

@@ -107,9 +107,39 @@ TEST(Journal, TellsOfSessions) {
     journal.end_session("complete");
     finished.ended = journal.sessions()[1].ended;
     finished.outcome = "complete";
+    finished.computed = 1;
     EXPECT_EQ(finished.ended.size(), std::string("2026-01-01T10:00:00Z").size());
     EXPECT_THAT(journal.sessions(), testing::ElementsAre(killed, finished));
     EXPECT_THAT(read_journal(path).sessions, testing::ElementsAre(killed, finished));
+}
+
+TEST(Journal, KnowsTheAttemptsThatNeverEnded) {
+    const TemporaryFolder folder;
+    const auto path = folder / "a.journal";
+    const MemberIdentity ended{"case", 0};
+    const MemberIdentity lost{"case", 1};
+    for (int session = 0; session < 2; ++session) {
+        Journal journal = open_journal(path, "", Existing::resume);
+        EXPECT_EQ(journal.attempts().lost(lost), session);
+        journal.begin_session(synthetic::session(session));
+        journal.started(ended, 1);
+        journal.started(lost, session + 1);
+        EXPECT_EQ(journal.attempts().lost(lost), session) << "it is under way";
+        journal.append(small_record(0));
+    }  // killed
+    {
+        Journal journal = open_journal(path, "", Existing::resume);
+        EXPECT_EQ(journal.attempts().lost(ended), 0);
+        EXPECT_EQ(journal.attempts().lost(lost), 2);
+        journal.begin_session(synthetic::session(2));
+        journal.started({"case", 2}, 1);
+        journal.started(lost, 3);
+        journal.end_session("stopped");
+    }
+    EXPECT_EQ(read_journal(path).attempts.lost(lost), 2) << "a clean end blames nobody";
+    EXPECT_EQ(read_journal(path).attempts.lost({"case", 2}), 0);
+    open_journal(path, "", Existing::resume).append(small_record(1));
+    EXPECT_EQ(read_journal(path).attempts.lost(lost), 0) << "a result begins the account anew";
 }
 
 TEST(Journal, CutAtEveryByteKeepsEveryWholeRecordAndGoesOn) {

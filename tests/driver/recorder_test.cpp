@@ -1,0 +1,136 @@
+// What a resumed run finds of the runs before it, and what it does about members that failed or were lost.
+
+#include "driver/recorder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "driver/fakes.hpp"
+#include "store/campaign_file.hpp"
+
+namespace floes {
+namespace {
+
+using testing::HasSubstr;
+
+/// The journal of a campaign over several sessions, each a Recorder of its own.
+class Sessions : public testing::Test {
+  protected:
+    Recorder open(bool retry_failed = false) {
+        Recorder recorder(
+            campaign_, {.campaign_file = folder_ / "a.h5", .existing = Existing::resume, .retry_failed = retry_failed});
+        recorder.begin(synthetic::session());
+        return recorder;
+    }
+
+    /// A session that is killed while `number` is under way.
+    void lose(int number, bool retry_failed = false) {
+        Recorder recorder = open(retry_failed);
+        recorder.started(number, attempts_made(recorder, number) + 1);
+    }
+
+    /// -1 when the member is no task.
+    static int attempts_made(const Recorder& recorder, int number) {
+        for (const MemberTask& task : recorder.tasks())
+            if (task.number == number) return task.attempts_made;
+        return -1;
+    }
+
+    CampaignTable published() {
+        open().finish("stopped");
+        return read_campaign_file(folder_ / "a.h5");
+    }
+
+    TemporaryFolder folder_;
+    Campaign campaign_ = synthetic::campaign();
+};
+
+TEST_F(Sessions, MemberThatWasLostTwiceIsSetAsideWithItsReason) {
+    lose(5);
+    {
+        const Recorder recorder = open();
+        EXPECT_EQ(attempts_made(recorder, 5), 1);
+        EXPECT_EQ(recorder.retried(), 1);
+        EXPECT_EQ(recorder.tasks().size(), 12u);
+    }
+    lose(5);
+    {
+        const Recorder recorder = open();
+        EXPECT_EQ(attempts_made(recorder, 5), -1);
+        EXPECT_EQ(recorder.set_aside(), 1);
+        EXPECT_EQ(recorder.failed(), 1);
+        EXPECT_EQ(recorder.tasks().size(), 11u);
+    }
+    const CampaignTable table = published();
+    EXPECT_EQ(table.members[5].status, RowStatus::failed);
+    EXPECT_THAT(table.members[5].reason, HasSubstr("begun twice, and each time the run was killed or crashed"));
+    EXPECT_EQ(open().set_aside(), 0) << "it is set aside once";
+}
+
+TEST_F(Sessions, CleanEndsAndErrorsOfTheMachineBlameNoMember) {
+    for (int session = 0; session < 3; ++session) {
+        {
+            Recorder stopped = open();
+            stopped.started(5, 1);
+            stopped.finish("stopped");
+        }
+        Recorder in_trouble = open();
+        EXPECT_EQ(attempts_made(in_trouble, 5), 0);
+        in_trouble.started(5, 1);
+        in_trouble.give_up();
+    }
+    EXPECT_EQ(attempts_made(open(), 5), 0);
+}
+
+TEST_F(Sessions, FailedMemberIsTriedAgainWhileItHasAttemptsLeft) {
+    MemberRecord failure = synthetic::failed_record(campaign_, 4);
+    failure.attempt = 1;
+    open().keep(failure);
+    {
+        Recorder recorder = open();
+        EXPECT_EQ(attempts_made(recorder, 4), 1);
+        EXPECT_EQ(recorder.failed(), 0);
+        failure.attempt = 2;
+        failure.result.reason = "again";
+        recorder.keep(failure);
+        EXPECT_EQ(recorder.failed(), 1);
+    }
+    EXPECT_EQ(attempts_made(open(), 4), -1);
+    EXPECT_EQ(open().reused(), 1);
+    EXPECT_EQ(published().members[4].reason, "again");
+}
+
+TEST_F(Sessions, RetryFailedGivesAsManyAttemptsAgainAndNoMore) {
+    MemberRecord failure = synthetic::failed_record(campaign_, 4);
+    failure.attempt = 2;
+    open().keep(failure);
+    EXPECT_EQ(attempts_made(open(), 4), -1);
+    EXPECT_EQ(attempts_made(open(true), 4), 0);
+    lose(4, true);
+    EXPECT_EQ(attempts_made(open(true), 4), 1);
+    lose(4, true);
+    EXPECT_EQ(open(true).set_aside(), 1);
+}
+
+TEST_F(Sessions, SayWhatTheyDid) {
+    for (const int number : {0, 1, 2}) open().keep(synthetic::record(campaign_, number));
+    MemberRecord failure = synthetic::failed_record(campaign_, 4);
+    failure.attempt = 1;
+    open().keep(failure);
+    {
+        Recorder recorder = open();
+        recorder.keep(synthetic::record(campaign_, 4));
+        recorder.keep(synthetic::record(campaign_, 5));
+        EXPECT_EQ(recorder.reused(), 3);
+        EXPECT_EQ(recorder.retried(), 1);
+        EXPECT_EQ(recorder.computed(), 2);
+    }
+    const Session session = read_journal(folder_ / "a.journal").sessions.back();
+    EXPECT_EQ(session.reused, 3);
+    EXPECT_EQ(session.retried, 1);
+    EXPECT_EQ(session.computed, 2);
+    EXPECT_EQ(session.set_aside, 0);
+}
+
+}  // namespace
+}  // namespace floes
