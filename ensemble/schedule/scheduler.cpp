@@ -39,7 +39,8 @@ std::vector<Command> Scheduler::handle(const Event& event) {
     if (const auto* answer = std::get_if<MemberFinished>(&event)) take(*answer, commands);
     if (const auto* lost = std::get_if<WorkerLost>(&event)) take(*lost);
     if (std::holds_alternative<StopRequested>(event)) stopping_ = true;
-    hand_out(commands);
+    // While workers join, one after the other, members given ahead would be missing on those still to come.
+    hand_out(commands, std::holds_alternative<WorkerJoined>(event) ? Ahead::no : Ahead::yes);
     dismiss_when_over(commands);
     return commands;
 }
@@ -84,12 +85,12 @@ void Scheduler::take(const WorkerLost& event) {
     workers_.erase(found);
 }
 
-void Scheduler::hand_out(std::vector<Command>& commands) {
+void Scheduler::hand_out(std::vector<Command>& commands, Ahead ahead) {
     if (stopping_) return;
     while (!pending_.empty() && !room_.empty()) {
         const auto [load, number] = *room_.begin();
         const bool ahead_of_cores = load >= 0;
-        if (ahead_of_cores && pending() < 2 * cores_) return;
+        if (ahead_of_cores && (ahead == Ahead::no || pending() < 2 * cores_)) return;
         withdraw(number);
         const Index index = *pending_.begin();
         pending_.erase(pending_.begin());

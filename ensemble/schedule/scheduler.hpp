@@ -4,7 +4,8 @@
 // Order: batch, then longest expected cost first, ties by member number. (Longest first keeps the last members short:
 // 0.93 instead of 0.68 of the ideal speed for 192 members on 64 workers, 20 % error in the expectation.)
 // A member goes to the worker with the most idle cores. A worker is given members ahead of its cores only while at
-// least two for every core are pending, so that near the end no member waits behind a busy core while another is idle.
+// least two for every core are pending, so that near the end no member waits behind a busy core while another is idle;
+// and not before the first answer, so that at the beginning none waits while a worker has yet to join.
 //
 //     Scheduler scheduler(tasks);
 //     while (!scheduler.finished())
@@ -66,7 +67,8 @@ class Scheduler {
     void take(const WorkerJoined& event);
     void take(const MemberFinished& event, std::vector<Command>& commands);
     void take(const WorkerLost& event);
-    void hand_out(std::vector<Command>& commands);
+    enum class Ahead { no, yes };  // of the cores
+    void hand_out(std::vector<Command>& commands, Ahead ahead);
     void dismiss_when_over(std::vector<Command>& commands);
     void offer(int worker);     // enters the worker among those with room
     void withdraw(int worker);  // takes it out, before its load changes

@@ -34,15 +34,23 @@ TEST(Scheduler, ServesTheWorkerWithTheMostIdleCores) {
     EXPECT_EQ(handle(scheduler, WorkerJoined{2, 3, 0}), (std::vector<Command>{Assign{2, 1, 2}, Assign{2, 2, 2}}));
 }
 
+TEST(Scheduler, LeavesMembersToTheWorkersThatAreStillToJoin) {
+    std::vector<MemberTask> tasks;
+    for (int i = 0; i < 12; ++i) tasks.push_back({i, 1.0});
+    Scheduler scheduler(tasks);
+    for (int worker = 0; worker < 12; ++worker) handle(scheduler, WorkerJoined{worker, 1, 1});
+    EXPECT_EQ(scheduler.running(), 12);
+}
+
 TEST(Scheduler, GivesMembersAheadOfTheCoresOnlyWhileManyArePending) {
     std::vector<MemberTask> tasks;
     for (int i = 0; i < 5; ++i) tasks.push_back({i, 1.0});
     Scheduler scheduler(tasks);
-    handle(scheduler, WorkerJoined{0, 1, 1});  // one running, four pending: one ahead
+    handle(scheduler, WorkerJoined{0, 1, 1});
+    EXPECT_EQ(scheduler.assigned(), 1);
+    handle(scheduler, MemberFinished{0, 0, 1});  // one runs, three pending: one ahead
     EXPECT_EQ(scheduler.assigned(), 2);
     EXPECT_EQ(scheduler.running(), 1);
-    handle(scheduler, MemberFinished{0, 0, 1});
-    EXPECT_EQ(scheduler.assigned(), 2);
     handle(scheduler, MemberFinished{0, 1, 1});  // two pending for one core: one runs, one still waits ahead
     EXPECT_EQ(scheduler.assigned(), 2);
     handle(scheduler, MemberFinished{0, 2, 1});  // one pending: nobody takes it ahead
