@@ -11,6 +11,7 @@ int main(int argc, char** argv) {
     int exit_status = 0;
     floes::add_run(program, exit_status);
     floes::add_status(program, exit_status);
+    floes::add_plan(program, exit_status);
     floes::add_summarize(program, exit_status);
     floes::add_config(program, exit_status);
     floes::add_calibrate(program, exit_status);

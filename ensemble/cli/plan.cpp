@@ -1,0 +1,84 @@
+// floes plan: wall time, core-hours, efficiency and sizes of a campaign, before they are spent.
+
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/config_file.hpp"
+#include "cli/plan_text.hpp"
+#include "core/error.hpp"
+
+namespace floes {
+
+namespace {
+
+struct PlanOptions {
+    std::string config;
+    std::vector<int> cores;
+    std::vector<int> ranks;
+    std::string from;
+    std::string format = "table";
+    std::vector<std::string> overrides;
+};
+
+std::vector<PlanRow> rows_of(const PlanOptions& options, const PlannedMembers& planned) {
+    std::vector<int> cores = options.cores;
+    if (cores.empty()) cores.push_back(static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+    if (options.ranks.size() > 1 && options.ranks.size() != cores.size()) {
+        throw InputError(fmt::format("--ranks has {} numbers and --cores {}; give one for all, or one for each.",
+                                     options.ranks.size(), cores.size()));
+    }
+    const DriverCosts costs = measured_costs();
+    std::vector<PlanRow> rows;
+    for (std::size_t k = 0; k < cores.size(); ++k) {
+        int ranks = usual_ranks(cores[k]);
+        if (!options.ranks.empty()) ranks = options.ranks[options.ranks.size() == 1 ? 0 : k];
+        rows.push_back(plan_row(planned.members, cores[k], ranks, costs));
+    }
+    return rows;
+}
+
+std::string plan_text(const PlanOptions& options) {
+    const Campaign campaign = load_campaign(options.config, options.overrides);
+    const PlannedMembers planned =
+        options.from.empty() ? expected_members(campaign) : measured_members(campaign, read_measured_run(options.from));
+    const std::vector<PlanRow> rows = rows_of(options, planned);
+    if (options.format == "csv") return plan_csv(rows);
+    const PlanHead head = plan_head(campaign, planned);
+    return options.format == "json" ? plan_json(head, rows) : plan_table(head, rows);
+}
+
+}  // namespace
+
+void add_plan(CLI::App& program, int& exit_status) {
+    auto options = std::make_shared<PlanOptions>();
+    CLI::App* verb = program.add_subcommand("plan", "Wall time, core-hours and efficiency, before they are spent");
+    verb->add_option("config", options->config, "The configuration (CONFIG.toml)")->required();
+    verb->add_option("--cores", options->cores,
+                     "Cores of all ranks, one setting or several; those of this machine "
+                     "when not given")
+        ->delimiter(',')
+        ->check(CLI::Range(1, 10'000'000));
+    verb->add_option("--ranks", options->ranks,
+                     "Ranks, one number for all settings or one for each; one for every 64 "
+                     "cores when not given")
+        ->delimiter(',')
+        ->check(CLI::Range(1, 1'000'000));
+    verb->add_option("--from", options->from,
+                     "A campaign file (CAMPAIGN.h5) or one being made, to take run times from");
+    verb->add_option("--format", options->format, "table, json or csv")
+        ->check(CLI::IsMember({"table", "json", "csv"}))
+        ->capture_default_str();
+    add_overrides(*verb, options->overrides);
+    verb->callback([options, &exit_status] {
+        std::fputs(plan_text(*options).c_str(), stdout);
+        exit_status = 0;
+    });
+}
+
+}  // namespace floes

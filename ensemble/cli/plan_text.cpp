@@ -1,0 +1,117 @@
+#include "cli/plan_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace floes {
+namespace {
+
+constexpr double busy_master = 0.7;
+
+std::string duration(double seconds) {
+    if (seconds < 1) return fmt::format("{:.3g} ms", 1e3 * seconds);
+    if (seconds < 120) return fmt::format("{:.3g} s", seconds);
+    if (seconds < 2 * 3600) return fmt::format("{:.3g} min", seconds / 60);
+    if (seconds < 100 * 3600) return fmt::format("{:.3g} h", seconds / 3600);
+    return fmt::format("{:.3g} d", seconds / 86400);
+}
+
+std::string size(double bytes) {
+    constexpr std::array units{"B", "kB", "MB", "GB", "TB", "PB"};
+    std::size_t unit = 0;
+    for (; bytes >= 1000 && unit + 1 < units.size(); ++unit) bytes /= 1000;
+    return bytes < 100 ? fmt::format("{:.2g} {}", bytes, units[unit]) : fmt::format("{:.0f} {}", bytes, units[unit]);
+}
+
+double core_hours(const PlanRow& row) {
+    return row.cores * row.forecast.wall_time / 3600;
+}
+
+std::string remark(const PlanHead& head, const PlanRow& row) {
+    const Forecast& forecast = row.forecast;
+    if (forecast.master_load > busy_master)
+        return fmt::format("{} cores: the master is busy {:.0f} % of the time; more cores bring little.\n", row.cores,
+                           100 * forecast.master_load);
+    const double after = forecast.wall_time - forecast.last_member;
+    if (after > 0.1 * forecast.wall_time)
+        return fmt::format("{} cores: of the time, {} is start-up and {} the writing of the campaign file.\n",
+                           row.cores, duration(forecast.start_up), duration(after));
+    if (forecast.efficiency < 0.9 && head.members < 3 * row.cores)
+        return fmt::format("{} cores: too few members for them; cores wait for the last ones.\n", row.cores);
+    return "";
+}
+
+}  // namespace
+
+PlanHead plan_head(const Campaign& campaign, const PlannedMembers& planned) {
+    PlanHead head;
+    head.title = campaign.name;
+    head.members = member_count(campaign);
+    for (const SimulatedMember& member : planned.members) {
+        head.mean_run_time += member.run_time / head.members;
+        head.longest = std::max(head.longest, member.run_time);
+        head.message_bytes = std::max(head.message_bytes, member.record_bytes);
+    }
+    head.source = planned.source;
+    head.calibrates = std::ranges::any_of(campaign.cases, &Case::calibrate);
+    return head;
+}
+
+std::string plan_table(const PlanHead& head, std::span<const PlanRow> rows) {
+    std::string text = fmt::format("{}: {} members of {} on average, {} at most, {} each.\n", head.title, head.members,
+                                   duration(head.mean_run_time), duration(head.longest), size(head.message_bytes));
+    text += fmt::format("Run times: {}.\n", head.source);
+    if (head.calibrates) text += "Not counted: cases are calibrated first, about a minute.\n";
+    text += fmt::format("\n{:>8} {:>6} {:>10} {:>12} {:>11} {:>12} {:>10} {:>10} {:>14}\n", "cores", "ranks",
+                        "wall time", "core-hours", "efficiency", "master busy", "file", "journal", "master memory");
+    for (const PlanRow& row : rows) {
+        const Forecast& forecast = row.forecast;
+        text += fmt::format("{:>8} {:>6} {:>10} {:>12.4g} {:>9.1f} % {:>10.2g} % {:>10} {:>10} {:>14}\n", row.cores,
+                            row.ranks, duration(forecast.wall_time), core_hours(row), 100 * forecast.efficiency,
+                            100 * forecast.master_load, size(forecast.file_bytes), size(forecast.journal_bytes),
+                            size(row.master_memory));
+    }
+    std::string remarks;
+    for (const PlanRow& row : rows) remarks += remark(head, row);
+    return remarks.empty() ? text : text + "\n" + remarks;
+}
+
+std::string plan_json(const PlanHead& head, std::span<const PlanRow> rows) {
+    nlohmann::ordered_json json{{"campaign", head.title},
+                                {"members", head.members},
+                                {"mean_run_time_s", head.mean_run_time},
+                                {"longest_run_time_s", head.longest},
+                                {"message_bytes", head.message_bytes},
+                                {"run_times_from", head.source},
+                                {"calibration_not_counted", head.calibrates},
+                                {"plans", nlohmann::ordered_json::array()}};
+    for (const PlanRow& row : rows)
+        json["plans"].push_back({{"cores", row.cores},
+                                 {"ranks", row.ranks},
+                                 {"wall_time_s", row.forecast.wall_time},
+                                 {"core_hours", core_hours(row)},
+                                 {"efficiency", row.forecast.efficiency},
+                                 {"master_busy", row.forecast.master_load},
+                                 {"start_up_s", row.forecast.start_up},
+                                 {"last_member_s", row.forecast.last_member},
+                                 {"file_bytes", std::round(row.forecast.file_bytes)},
+                                 {"journal_bytes", row.forecast.journal_bytes},
+                                 {"master_memory_bytes", row.master_memory}});
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string plan_csv(std::span<const PlanRow> rows) {
+    std::string text =
+        "cores,ranks,wall_time_s,core_hours,efficiency,master_busy,file_bytes,journal_bytes,master_memory_bytes\n";
+    for (const PlanRow& row : rows)
+        text += fmt::format("{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.0f},{:.0f},{:.0f}\n", row.cores, row.ranks,
+                            row.forecast.wall_time, core_hours(row), row.forecast.efficiency, row.forecast.master_load,
+                            row.forecast.file_bytes, row.forecast.journal_bytes, row.master_memory);
+    return text;
+}
+
+}  // namespace floes

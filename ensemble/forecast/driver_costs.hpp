@@ -1,0 +1,40 @@
+#pragma once
+// What the driver itself costs beside the members, as measured. The figures are in measured_costs.cpp, with the command
+// that made them.
+
+namespace floes {
+
+/// All times in s, all sizes in bytes.
+struct DriverCosts {
+    // -- before the first member
+    double start_up = 0;           ///< of the program, alone
+    double start_up_per_rank = 0;  ///< more for every rank beyond the first: launch, campaign, hello
+
+    // -- the master's thread, one thing after the other
+    double assign = 0;         ///< hand out a member to another rank
+    double answer = 0;         ///< take an answer of another rank, keep it in the journal
+    double own_member = 0;     ///< hand out and keep a member of the master's own cores
+    double keep_per_byte = 0;  ///< more for every byte of the record
+    double sync = 0;           ///< fdatasync of the journal
+    double sync_interval = 0;  ///< between two of them
+    double publish = 0;        ///< write the campaign file
+    double publish_per_member = 0;
+    double publish_per_byte = 0;  ///< of the file
+    double publish_interval = 0;  ///< between two of them, at least
+    double publish_share = 0;     ///< of the time at most, while the run goes on
+
+    // -- a worker
+    double member = 0;           ///< begin and end a member on a core
+    double report = 0;           ///< of the rank's message thread: write an answer and send it
+    double report_per_byte = 0;  ///< more for every byte of the record
+
+    // -- between them
+    double latency = 0;  ///< of a message
+    double transfer_per_byte = 0;
+    double longest_pause = 0;  ///< a rank without news looks for messages at least this often
+};
+
+/// Of the present driver on the machine named in measured_costs.cpp.
+DriverCosts measured_costs();
+
+}  // namespace floes

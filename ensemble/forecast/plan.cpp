@@ -1,0 +1,129 @@
+#include "forecast/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "core/random.hpp"
+#include "forecast/member_costs.hpp"
+#include "store/member_record.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr int cores_of_a_node = 64;
+
+/// The bytes of a done member's record: those of one with as many numbers in it.
+double record_bytes(const Scenario& scenario) {
+    MemberRecord record;
+    record.case_key = std::string(32, '0');
+    record.host = "node0000";
+    const auto steps = static_cast<std::size_t>(scenario.step_count());
+    record.result.load.segment_maximum.resize(static_cast<std::size_t>(scenario.analysis.segments));
+    record.result.history.surge.resize(steps);
+    record.result.history.sway.resize(steps);
+    record.result.history.heave.resize(steps);
+    record.result.arrangement.resize(static_cast<std::size_t>(scenario.field.floes));
+    return static_cast<double>(encode(record).size());
+}
+
+/// Two independent uniform numbers in (0, 1) that belong to a member.
+std::array<double, 2> draw(const Campaign& campaign, int number) {
+    const PhiloxKey key{static_cast<std::uint32_t>(campaign.seed), static_cast<std::uint32_t>(campaign.seed >> 32)};
+    const PhiloxCounter words = philox({static_cast<std::uint32_t>(number), 0, 0, 0}, key);
+    return {(words[0] + 0.5) * 0x1p-32, (words[1] + 0.5) * 0x1p-32};
+}
+
+/// Log-normal, of mean 1.
+double scatter(const std::array<double, 2>& uniform, double variation) {
+    const double sigma = std::sqrt(std::log1p(variation * variation));
+    const double normal = std::sqrt(-2 * std::log(uniform[0])) * std::cos(2 * std::numbers::pi * uniform[1]);
+    return std::exp(sigma * normal - sigma * sigma / 2);
+}
+
+std::vector<SimulatedMember> members_of(const Campaign& campaign, double file_per_record_byte) {
+    std::vector<double> bytes;
+    for (const Case& one : campaign.cases) bytes.push_back(record_bytes(one.scenario));
+    std::vector<SimulatedMember> members;
+    members.reserve(static_cast<std::size_t>(member_count(campaign)));
+    for (int number = 0; number < member_count(campaign); ++number) {
+        const double record = bytes[static_cast<std::size_t>(member_key(campaign, number).case_index)];
+        members.push_back({0, expected_cost(campaign, number), record, file_per_record_byte * record});
+    }
+    return members;
+}
+
+/// Seconds per unit of expected cost, as measured, of each case of the run; and of all its members.
+struct MeasuredRates {
+    std::vector<std::vector<double>> of_case;
+    std::vector<double> of_all;
+};
+
+MeasuredRates rates_of(const MeasuredRun& run) {
+    MeasuredRates rates{std::vector<std::vector<double>>(run.campaign.cases.size()), {}};
+    for (std::size_t k = 0; k < run.wall_time.size(); ++k) {
+        if (std::isnan(run.wall_time[k])) continue;
+        const int number = static_cast<int>(k);
+        const double rate = run.wall_time[k] / expected_cost(run.campaign, number);
+        rates.of_case[static_cast<std::size_t>(member_key(run.campaign, number).case_index)].push_back(rate);
+        rates.of_all.push_back(rate);
+    }
+    return rates;
+}
+
+/// What the members of a case draw from.
+const std::vector<double>& rates_for(const Case& one, const MeasuredRun& run, const MeasuredRates& rates) {
+    const auto same = std::ranges::find(run.campaign.cases, one.name, &Case::name);
+    if (same == run.campaign.cases.end()) return rates.of_all;
+    const auto& own = rates.of_case[static_cast<std::size_t>(same - run.campaign.cases.begin())];
+    return own.empty() ? rates.of_all : own;
+}
+
+}  // namespace
+
+PlannedMembers expected_members(const Campaign& campaign) {
+    const MemberCosts costs = measured_member_costs();
+    PlannedMembers planned{members_of(campaign, costs.file_per_record_byte), costs.source};
+    for (std::size_t k = 0; k < planned.members.size(); ++k) {
+        const int number = static_cast<int>(k);
+        const auto case_index = static_cast<std::size_t>(member_key(campaign, number).case_index);
+        const bool lanes = campaign.cases[case_index].scenario.general.solver == SolverKind::lanes;
+        SimulatedMember& member = planned.members[k];
+        member.run_time = member.expected_cost * (lanes ? costs.lanes_per_unit : costs.stock_per_unit) *
+                          scatter(draw(campaign, number), costs.variation);
+    }
+    return planned;
+}
+
+PlannedMembers measured_members(const Campaign& campaign, const MeasuredRun& run) {
+    const MeasuredRates rates = rates_of(run);
+    if (rates.of_all.empty()) throw InputError(fmt::format("no member of {} is done yet.", run.campaign.name));
+    const double ratio =
+        run.file_per_record_byte > 0 ? run.file_per_record_byte : measured_member_costs().file_per_record_byte;
+    PlannedMembers planned{members_of(campaign, ratio),
+                           fmt::format("{} measured members of {}", rates.of_all.size(), run.campaign.name)};
+    for (std::size_t k = 0; k < planned.members.size(); ++k) {
+        const int number = static_cast<int>(k);
+        const auto case_index = static_cast<std::size_t>(member_key(campaign, number).case_index);
+        const std::vector<double>& from = rates_for(campaign.cases[case_index], run, rates);
+        const auto chosen = static_cast<std::size_t>(draw(campaign, number)[0] * static_cast<double>(from.size()));
+        planned.members[k].run_time = planned.members[k].expected_cost * from[chosen];
+    }
+    return planned;
+}
+
+int usual_ranks(int cores) {
+    return (cores + cores_of_a_node - 1) / cores_of_a_node;
+}
+
+PlanRow plan_row(std::span<const SimulatedMember> members, int cores, int ranks, const DriverCosts& costs) {
+    PlanRow row{cores, ranks, simulate(members, machine_of(cores, ranks), costs), 0};
+    row.master_memory = row.forecast.journal_bytes;
+    return row;
+}
+
+}  // namespace floes

@@ -1,0 +1,201 @@
+#include "forecast/simulate.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <deque>
+#include <queue>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "forecast/master_clock.hpp"
+#include "schedule/scheduler.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr int master = 0;
+
+enum class Kind : std::uint8_t {
+    assigned,  // a member has reached a rank
+    computed,  // a core is through with a member
+    answered,  // the answer has reached the master
+};
+
+struct Happening {
+    double time = 0;
+    std::uint64_t order = 0;  // of two at the same time the one that was foreseen first
+    Kind kind = Kind::assigned;
+    int rank = 0;
+    int number = 0;
+    int attempt = 0;
+};
+
+struct Later {
+    bool operator()(const Happening& a, const Happening& b) const {
+        return std::tie(a.time, a.order) > std::tie(b.time, b.order);
+    }
+};
+
+struct Rank {
+    int idle_cores = 0;
+    std::deque<Assign> waiting;
+    double free_at = 0;  // its message thread
+};
+
+std::vector<MemberTask> tasks_of(std::span<const SimulatedMember> members) {
+    std::vector<MemberTask> tasks;
+    tasks.reserve(members.size());
+    for (std::size_t i = 0; i < members.size(); ++i) tasks.push_back({static_cast<int>(i), members[i].expected_cost});
+    return tasks;
+}
+
+class Play {
+  public:
+    Play(std::span<const SimulatedMember> members, const Machine& machine, const DriverCosts& costs)
+        : members_(members),
+          costs_(costs),
+          processors_(machine.processors),
+          scheduler_(tasks_of(members)),
+          start_up_(costs.start_up + costs.start_up_per_rank * static_cast<double>(machine.cores_of_rank.size() - 1)),
+          clock_(costs_, processors_, start_up_) {
+        for (const int cores : machine.cores_of_rank) ranks_.push_back({cores, {}, start_up_});
+        for (std::size_t rank = 0; rank < ranks_.size(); ++rank) {
+            const int cores = machine.cores_of_rank[rank];
+            handle(WorkerJoined{static_cast<int>(rank), cores, cores});
+        }
+    }
+
+    Forecast run() {
+        while (!happenings_.empty()) {
+            const Happening next = happenings_.top();
+            happenings_.pop();
+            switch (next.kind) {
+                case Kind::assigned:
+                    assigned(next);
+                    break;
+                case Kind::computed:
+                    computed(next);
+                    break;
+                case Kind::answered:
+                    answered(next);
+                    break;
+            }
+        }
+        Forecast forecast;
+        forecast.start_up = start_up_;
+        forecast.last_member = clock_.now();
+        const double span = clock_.now() - start_up_;
+        forecast.master_load = span > 0 ? clock_.busy() / span : 0.0;
+        if (ranks_.size() > 1) clock_.notice(clock_.now() + farewell(), false);
+        clock_.finish();
+        forecast.wall_time = clock_.now();
+        return forecast;
+    }
+
+  private:
+    Rank& rank(int number) { return ranks_[static_cast<std::size_t>(number)]; }
+    const SimulatedMember& member(int number) const { return members_[static_cast<std::size_t>(number)]; }
+
+    void foresee(double time, Kind kind, int at, const Assign& what) {
+        happenings_.push({time, order_++, kind, at, what.number, what.attempt});
+    }
+
+    // Dismissed there, farewell back, each noticed late by a rank that waits.
+    double farewell() const { return 2 * (costs_.latency + notice_delay(costs_, costs_.longest_pause)); }
+
+    void handle(const Event& event) {
+        for (const Command& command : scheduler_.handle(event)) {
+            const auto* assign = std::get_if<Assign>(&command);
+            if (assign == nullptr) continue;
+            if (assign->worker == master) {
+                clock_.work(costs_.own_member / 2);
+                foresee(clock_.now(), Kind::assigned, master, *assign);
+            } else {
+                clock_.work(costs_.assign);
+                const double arrival = clock_.now() + costs_.latency;
+                const double silence = arrival - rank(assign->worker).free_at;
+                foresee(arrival + notice_delay(costs_, silence), Kind::assigned, assign->worker, *assign);
+            }
+        }
+    }
+
+    void assigned(const Happening& at) {
+        Rank& here = rank(at.rank);
+        here.free_at = std::max(here.free_at, at.time);
+        here.waiting.push_back({at.rank, at.number, at.attempt});
+        begin_next(here, at.time);
+    }
+
+    void begin_next(Rank& here, double time) {
+        if (here.idle_cores == 0 || here.waiting.empty()) return;
+        const Assign next = here.waiting.front();
+        here.waiting.pop_front();
+        --here.idle_cores;
+        foresee(processors_.run(time, costs_.member) + member(next.number).run_time, Kind::computed, next.worker, next);
+    }
+
+    void computed(const Happening& at) {
+        Rank& here = rank(at.rank);
+        ++here.idle_cores;
+        begin_next(here, at.time);
+        const Assign done{at.rank, at.number, at.attempt};
+        if (at.rank == master) {
+            foresee(at.time, Kind::answered, master, done);
+            return;
+        }
+        const double bytes = member(at.number).record_bytes;
+        here.free_at = processors_.run(std::max(at.time, here.free_at), costs_.report + costs_.report_per_byte * bytes);
+        foresee(here.free_at + costs_.latency + costs_.transfer_per_byte * bytes, Kind::answered, at.rank, done);
+    }
+
+    void answered(const Happening& at) {
+        const SimulatedMember& what = member(at.number);
+        clock_.notice(at.time, at.rank != master);
+        clock_.work((at.rank == master ? costs_.own_member / 2 : costs_.answer) +
+                    costs_.keep_per_byte * what.record_bytes);
+        clock_.keep(what.file_bytes);
+        handle(MemberFinished{at.rank, at.number, at.attempt});
+    }
+
+    std::span<const SimulatedMember> members_;
+    const DriverCosts& costs_;
+    Processors processors_;
+    Scheduler scheduler_;
+    double start_up_;
+    MasterClock clock_;
+    std::vector<Rank> ranks_;
+    std::priority_queue<Happening, std::vector<Happening>, Later> happenings_;
+    std::uint64_t order_ = 0;
+};
+
+}  // namespace
+
+Machine machine_of(int cores, int ranks) {
+    if (ranks < 1 || ranks > cores) {
+        throw InputError(
+            fmt::format("{} cores cannot be spread over {} ranks: there must be at least one rank, and a "
+                        "core for each.",
+                        cores, ranks));
+    }
+    Machine machine;
+    for (int rank = 0; rank < ranks; ++rank) machine.cores_of_rank.push_back(cores / ranks + (rank < cores % ranks));
+    return machine;
+}
+
+Forecast simulate(std::span<const SimulatedMember> members, const Machine& machine, const DriverCosts& costs) {
+    Forecast forecast = Play(members, machine, costs).run();
+    double cores = 0;
+    for (const int of_rank : machine.cores_of_rank) cores += of_rank;
+    for (const SimulatedMember& one : members) {
+        forecast.run_time += one.run_time;
+        forecast.journal_bytes += one.record_bytes;
+        forecast.file_bytes += one.file_bytes;
+    }
+    forecast.efficiency = forecast.wall_time > 0 ? forecast.run_time / (cores * forecast.wall_time) : 1.0;
+    return forecast;
+}
+
+}  // namespace floes

@@ -1,0 +1,46 @@
+#pragma once
+// A run in simulated time: the real Scheduler is given the events that a real run would give it, at the times that the
+// members and the measured costs of the driver lead to. Deterministic: the same members, machine and costs give the
+// same forecast to the last bit.
+//
+//     const Forecast forecast = simulate(members, machine_of(1000, 16), measured_costs());
+
+#include <span>
+#include <vector>
+
+#include "forecast/driver_costs.hpp"
+
+namespace floes {
+
+/// A member, as far as the driver is concerned.
+struct SimulatedMember {
+    double run_time = 0;       ///< s, >= 0
+    double expected_cost = 1;  ///< what the scheduler goes by, any unit, > 0
+    double record_bytes = 0;   ///< in a message and in the journal
+    double file_bytes = 0;     ///< in the campaign file
+};
+
+struct Machine {
+    std::vector<int> cores_of_rank;  ///< at least one rank; each at least one core
+    /// That all ranks share, where they are more than the machine has processors for; members then sleep rather than
+    /// compute. 0: every thread has a processor of its own.
+    int processors = 0;
+};
+
+/// `cores` spread evenly over `ranks`. Throws InputError unless 1 <= ranks <= cores.
+Machine machine_of(int cores, int ranks);
+
+struct Forecast {
+    double wall_time = 0;      ///< s, from the start of the program to its end
+    double start_up = 0;       ///< s of it before the first member
+    double last_member = 0;    ///< s from the start until the last answer is in the journal
+    double run_time = 0;       ///< s, of all members together
+    double efficiency = 0;     ///< run_time / (cores x wall_time)
+    double master_load = 0;    ///< fraction of the time from start-up to the last answer in which the master works
+    double journal_bytes = 0;  ///< of all records
+    double file_bytes = 0;
+};
+
+Forecast simulate(std::span<const SimulatedMember> members, const Machine& machine, const DriverCosts& costs);
+
+}  // namespace floes
