@@ -1,12 +1,15 @@
 // floes summarize: what a campaign file says, as a table, JSON or CSV. Works on incomplete campaigns too.
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
-#include "report/formats.hpp"
+#include "core/units.hpp"
+#include "report/findings.hpp"
 
 namespace floes {
 
@@ -16,29 +19,56 @@ struct SummarizeOptions {
     std::string file;
     std::string format = "table";
     std::string reference;
+    std::vector<std::string> parts;
+    double resolve_percent = 10;
 };
 
-std::string summary_text(const SummarizeOptions& options) {
-    const Summary summary = summarise(read_campaign_file(options.file));
-    const Reference reference =
-        options.reference.empty() ? Reference{} : Reference{case_index(summary, options.reference)};
-    if (options.format == "json") return summary_json(summary, reference);
-    if (options.format == "csv") return summary_csv(summary, reference);
-    return summary_table(summary, terminal_width(), reference);
+/// What is shown unless parts are named: all of a table's and JSON's, and the one CSV that most want.
+std::vector<std::string> default_parts(const std::string& format) {
+    if (format == "csv") return {"cases"};
+    return {"cases", "pairs"};
+}
+
+Findings find(const SummarizeOptions& options) {
+    const CampaignTable table = read_campaign_file(options.file);
+    Findings findings;
+    findings.summary = summarise(table);
+    if (!options.reference.empty()) findings.reference = case_index(findings.summary, options.reference);
+    const std::vector<std::string> parts = options.parts.empty() ? default_parts(options.format) : options.parts;
+    const auto wanted = [&](const char* part) { return std::ranges::find(parts, part) != parts.end(); };
+    findings.show_cases = wanted("cases");
+    if (wanted("pairs")) {
+        findings.pair_options = {findings.reference, options.resolve_percent * unit::percent};
+        findings.pairs = compare_pairs(table, findings.pair_options);
+    }
+    return findings;
+}
+
+std::string text_of(const Findings& findings, const std::string& format) {
+    if (format == "json") return findings_json(findings);
+    if (format == "csv") return findings_csv(findings);
+    return findings_table(findings, terminal_width());
 }
 
 }  // namespace
 
 void add_summarize(CLI::App& program, int& exit_status) {
     auto options = std::make_shared<SummarizeOptions>();
-    CLI::App* verb = program.add_subcommand("summarize", "Mean and maximum load and failure ratio of every case");
+    CLI::App* verb = program.add_subcommand("summarize", "What the members say: cases, pairs of cases, extremes");
     verb->add_option("campaign", options->file, "The campaign file (CAMPAIGN.h5)")->required();
     verb->add_option("--format", options->format, "table, json or csv")
         ->check(CLI::IsMember({"table", "json", "csv"}))
         ->capture_default_str();
     verb->add_option("--reference", options->reference, "Case that the others are compared with, in percent");
+    verb->add_option("--parts", options->parts, "What to show: cases, pairs; with commas between")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"cases", "pairs"}));
+    verb->add_option("--resolve", options->resolve_percent,
+                     "Difference of a pair, in percent of the first case, whose arrangements are told")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
     verb->callback([options, &exit_status] {
-        std::fputs(summary_text(*options).c_str(), stdout);
+        std::fputs(text_of(find(*options), options->format).c_str(), stdout);
         exit_status = 0;
     });
 }

@@ -27,10 +27,12 @@ std::string quoted(const std::string& text) {
     return result + "\"";
 }
 
-void add_interval(std::string_view key, const Interval& interval, Cells& cells) {
+void add_interval(std::string_view key, const Estimate& interval, Cells& cells) {
     cells.emplace_back(key, number(interval.estimate));
     cells.emplace_back(fmt::format("{}_low", key), number(interval.low));
     cells.emplace_back(fmt::format("{}_high", key), number(interval.high));
+    cells.emplace_back(fmt::format("{}_bca_low", key), number(interval.bca.low));
+    cells.emplace_back(fmt::format("{}_bca_high", key), number(interval.bca.high));
     cells.emplace_back(fmt::format("{}_prediction_low", key), number(interval.prediction_low));
     cells.emplace_back(fmt::format("{}_prediction_high", key), number(interval.prediction_high));
 }

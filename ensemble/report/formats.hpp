@@ -20,8 +20,8 @@ std::string summary_table(const Summary& summary, int width, Reference reference
 /// newline.
 std::string summary_json(const Summary& summary, Reference reference = {});
 
-/// A header line and one line a case; an interval takes the columns NAME, NAME_low, NAME_high, NAME_prediction_low,
-/// NAME_prediction_high; empty where undefined.
+/// A header line and one line a case; an interval takes the columns NAME, NAME_low, NAME_high, NAME_bca_low,
+/// NAME_bca_high, NAME_prediction_low, NAME_prediction_high; empty where undefined.
 std::string summary_csv(const Summary& summary, Reference reference = {});
 
 }  // namespace floes

@@ -1,5 +1,4 @@
-#include <cmath>
-#include <nlohmann/json.hpp>
+#include "report/json.hpp"
 
 #include "core/units.hpp"
 #include "report/conditions.hpp"
@@ -9,18 +8,14 @@ namespace floes {
 
 namespace {
 
-using Json = nlohmann::ordered_json;  // keys in the order of writing
-
-Json number(double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
-Json interval_json(const Interval& interval) {
-    return {{"estimate", number(interval.estimate)},
-            {"low", number(interval.low)},
-            {"high", number(interval.high)},
-            {"prediction_low", number(interval.prediction_low)},
-            {"prediction_high", number(interval.prediction_high)}};
+Json interval_json(const Estimate& interval) {
+    return {{"estimate", json_number(interval.estimate)},
+            {"low", json_number(interval.low)},
+            {"high", json_number(interval.high)},
+            {"bca_low", json_number(interval.bca.low)},
+            {"bca_high", json_number(interval.bca.high)},
+            {"prediction_low", json_number(interval.prediction_low)},
+            {"prediction_high", json_number(interval.prediction_high)}};
 }
 
 Json failures_json(const std::optional<FailureCounts>& failures) {
@@ -33,17 +28,17 @@ Json conditions_json(const CaseRow& about) {
     for (const ProfilePoint& point : about.profile) profile.push_back({point.height, point.radius});
     return {{"structure_profile_m", profile},
             {"far_end", far_end_key(about.far_end)},
-            {"contact_erp", number(about.contact_erp)},
-            {"steady_start_s", number(about.analysis.steady_start)},
-            {"window_s", number(about.analysis.window)},
+            {"contact_erp", json_number(about.contact_erp)},
+            {"steady_start_s", json_number(about.analysis.steady_start)},
+            {"window_s", json_number(about.analysis.window)},
             {"segments", about.analysis.segments}};
 }
 
 Json case_json(const Summary& summary, std::size_t index, Reference reference) {
     const CaseSummary& row = summary.cases[index];
     Json json{{"name", row.about.name},
-              {"cfm", number(row.about.cfm)},
-              {"elastic_modulus_MPa", number(row.about.elastic_modulus / unit::megapascal)},
+              {"cfm", json_number(row.about.cfm)},
+              {"elastic_modulus_MPa", json_number(row.about.elastic_modulus / unit::megapascal)},
               {"members", row.members},
               {"failed_members", row.failed_members},
               {"missing_members", row.missing_members},
@@ -56,7 +51,8 @@ Json case_json(const Summary& summary, std::size_t index, Reference reference) {
     if (reference) {
         Json& differences = json["difference_percent"] = Json::object();
         for (const Quantity& quantity : quantities) {
-            differences[std::string{quantity.key}] = number(difference_percent(summary, index, *reference, quantity));
+            differences[std::string{quantity.key}] =
+                json_number(difference_percent(summary, index, *reference, quantity));
         }
     }
     return json;
@@ -64,14 +60,18 @@ Json case_json(const Summary& summary, std::size_t index, Reference reference) {
 
 }  // namespace
 
-std::string summary_json(const Summary& summary, Reference reference) {
+Json summary_as_json(const Summary& summary, Reference reference) {
     Json json{{"campaign", summary.title}, {"complete", summary.complete()}};
     if (reference) json["reference"] = summary.cases.at(*reference).about.name;
     json["cases"] = Json::array();
     for (std::size_t index = 0; index < summary.cases.size(); ++index) {
         json["cases"].push_back(case_json(summary, index, reference));
     }
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json;
+}
+
+std::string summary_json(const Summary& summary, Reference reference) {
+    return summary_as_json(summary, reference).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace floes

@@ -2,16 +2,13 @@
 
 #include <algorithm>
 
+#include "report/columns.hpp"
+
 namespace floes {
 
 namespace {
 
 constexpr std::size_t gap = 3;  // characters before a column
-
-// Places on the screen, not bytes: UTF-8 continuation bytes take none.
-std::size_t places(const std::string& text) {
-    return static_cast<std::size_t>(std::ranges::count_if(text, [](char byte) { return (byte & 0xC0) != 0x80; }));
-}
 
 std::string spaces(std::size_t width, const std::string& beside) {
     return std::string(width - std::min(width, places(beside)), ' ');

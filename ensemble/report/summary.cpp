@@ -43,10 +43,11 @@ CaseSummary summarise_case(const CampaignTable& table, int number) {
     }
     std::vector<double> values(done.size());
     for (const Quantity& quantity : quantities) {
-        std::ranges::transform(done, values.begin(), [&](const MemberRow* member) { return member->*quantity.value; });
-        row.*quantity.interval = mean_interval(values);
+        std::ranges::transform(done, values.begin(), [&](const MemberRow* member) { return quantity.value(*member); });
+        // The bootstrap's limits cannot leave the range that the values keep to; Student's can.
+        row.*quantity.interval = {clipped(mean_interval(values), quantity.least, quantity.most),
+                                  bca_mean_interval(values)};
     }
-    row.failure_ratio = clipped(row.failure_ratio, 0, 1);
     return row;
 }
 

@@ -6,11 +6,14 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "inference/bootstrap.hpp"
 #include "inference/interval.hpp"
 #include "store/campaign_file.hpp"
 
@@ -23,6 +26,11 @@ struct FailureCounts {
     std::int64_t compression = 0;
 };
 
+/// A mean over arrangements with Student's intervals and, beside them, the BCa bootstrap's of the mean.
+struct Estimate : Interval {
+    Limits bca{};
+};
+
 /// One case over its arrangements. members = done + failed_members + missing_members.
 struct CaseSummary {
     CaseRow about;
@@ -31,12 +39,15 @@ struct CaseSummary {
     int failed_members = 0;                 ///< set aside
     int missing_members = 0;                ///< without a result yet
     int not_steady = 0;                     ///< done, with a load that still had a trend in the window
-    Interval mean{};                        ///< N
-    Interval sd{};                          ///< N
-    Interval maximum{};                     ///< N, over the whole window
-    Interval mean_maximum{};                ///< N, of the segments' maxima
-    Interval sd_maximum{};                  ///< N, of the segments' maxima
-    Interval failure_ratio{};               ///< 0-1; both intervals are cut to that range
+    Estimate mean{};                        ///< N
+    Estimate sd{};                          ///< N
+    Estimate maximum{};                     ///< N, over the whole window
+    Estimate mean_maximum{};                ///< N, of the segments' maxima
+    Estimate sd_maximum{};                  ///< N, of the segments' maxima
+    Estimate failure_ratio{};               ///< 0-1
+    Estimate bending{};                     ///< joints failed in bending in one run
+    Estimate shear{};                       ///< in shear
+    Estimate compression{};                 ///< in compression
     std::optional<FailureCounts> failures;  ///< none when no member is done
 };
 
@@ -54,22 +65,37 @@ struct Summary {
     bool complete() const;  ///< every planned member is done or set aside
 };
 
-/// A quantity of Table 3 that is a mean over arrangements.
+/// A quantity of Table 3 that is a mean over arrangements. Its intervals are cut to [least, most], where it lies.
 struct Quantity {
     std::string_view key;    ///< in JSON, and the beginning of the CSV columns; ends in the unit
     std::string_view label;  ///< in the table
-    Interval CaseSummary::*interval;
-    double MemberRow::*value;
+    Estimate CaseSummary::*interval;
+    double (*value)(const MemberRow&);
+    double least = 0;
+    double most = std::numeric_limits<double>::infinity();
 };
 
-inline constexpr std::array<Quantity, 6> quantities{{
-    {"mean_N", "mean, N", &CaseSummary::mean, &MemberRow::mean_load},
-    {"sd_N", "SD, N", &CaseSummary::sd, &MemberRow::sd_load},
-    {"maximum_N", "maximum, N", &CaseSummary::maximum, &MemberRow::maximum_load},
-    {"mean_maximum_N", "mean maximum, N", &CaseSummary::mean_maximum, &MemberRow::mean_maximum},
-    {"sd_maximum_N", "SD maximum, N", &CaseSummary::sd_maximum, &MemberRow::sd_maximum},
-    {"failure_ratio", "failure ratio, %", &CaseSummary::failure_ratio, &MemberRow::failure_ratio},
+inline constexpr double no_least = -std::numeric_limits<double>::infinity();
+
+inline constexpr std::array<Quantity, 9> quantities{{
+    {"mean_N", "mean, N", &CaseSummary::mean, [](const MemberRow& row) { return row.mean_load; }, no_least},
+    {"sd_N", "SD, N", &CaseSummary::sd, [](const MemberRow& row) { return row.sd_load; }},
+    {"maximum_N", "maximum, N", &CaseSummary::maximum, [](const MemberRow& row) { return row.maximum_load; }, no_least},
+    {"mean_maximum_N", "mean maximum, N", &CaseSummary::mean_maximum,
+     [](const MemberRow& row) { return row.mean_maximum; }, no_least},
+    {"sd_maximum_N", "SD maximum, N", &CaseSummary::sd_maximum, [](const MemberRow& row) { return row.sd_maximum; }},
+    {"failure_ratio", "failure ratio, %", &CaseSummary::failure_ratio,
+     [](const MemberRow& row) { return row.failure_ratio; }, 0, 1},
+    {"failures_bending_per_run", "joints failed in bending", &CaseSummary::bending,
+     [](const MemberRow& row) { return static_cast<double>(row.failures_bending); }},
+    {"failures_shear_per_run", "  in shear", &CaseSummary::shear,
+     [](const MemberRow& row) { return static_cast<double>(row.failures_shear); }},
+    {"failures_compression_per_run", "  in compression", &CaseSummary::compression,
+     [](const MemberRow& row) { return static_cast<double>(row.failures_compression); }},
 }};
+
+/// The quantities that a case's row of Table 3 has: all but the failures by mode.
+inline constexpr std::span<const Quantity> table3_quantities{quantities.data(), 6};
 
 /// Statistics of every case, in the order of the file.
 Summary summarise(const CampaignTable& table);

@@ -5,6 +5,7 @@
 
 #include "core/units.hpp"
 #include "report/conditions.hpp"
+#include "report/figures.hpp"
 #include "report/formats.hpp"
 #include "report/panels.hpp"
 
@@ -19,12 +20,8 @@ struct Style {
     double factor = 1;
     int decimals = 2;
 
-    std::string text(double value) const {
-        return std::isfinite(value) ? fmt::format("{:.{}f}", value * factor, decimals) : "–";
-    }
-    std::string range(double low, double high) const {
-        return std::isfinite(low) ? fmt::format("[{}, {}]", text(low), text(high)) : "";
-    }
+    std::string text(double value) const { return fixed(value * factor, decimals); }
+    std::string range(double low, double high) const { return bracket({low, high}, decimals, factor); }
 };
 
 Style style_of(const Summary& summary, const Quantity& quantity) {
@@ -34,7 +31,7 @@ Style style_of(const Summary& summary, const Quantity& quantity) {
         const double estimate = std::abs((row.*quantity.interval).estimate);
         if (estimate > largest) largest = estimate;  // NaN is not
     }
-    return {1, largest >= 1000 ? 0 : largest >= 100 ? 1 : largest >= 1 ? 2 : 4};
+    return {1, decimals_for(largest)};
 }
 
 template <typename MakeCell>
@@ -77,7 +74,12 @@ void add_quantity(const Summary& summary, const Quantity& quantity, Reference re
         const Interval& found = row.*quantity.interval;
         return Cell{"", style.range(found.prediction_low, found.prediction_high)};
     };
+    const auto bootstrap = [&](const CaseSummary& row) {
+        const Limits& found = (row.*quantity.interval).bca;
+        return Cell{"", style.range(found.low, found.high)};
+    };
     add_line(summary, std::string{quantity.label}, estimate, lines);
+    add_line(summary, "  bootstrap", bootstrap, lines);
     add_line(summary, "  one further run", further_run, lines);
     if (!reference) return;
     Line against{fmt::format("  against {}", summary.cases.at(*reference).about.name), {}};
@@ -89,16 +91,16 @@ void add_quantity(const Summary& summary, const Quantity& quantity, Reference re
     lines.push_back(std::move(against));
 }
 
+// Failures by mode are no row of Table 3: the estimate will do, the rest is in JSON and CSV.
 void add_failures(const Summary& summary, std::vector<Line>& lines) {
-    const auto add = [&](const char* label, std::int64_t FailureCounts::*mode) {
-        const auto total = [&](const CaseSummary& row) {
-            return Cell{row.failures ? fmt::format("{}", *row.failures.*mode) : "–", ""};
+    for (const Quantity& quantity : std::span(quantities).subspan(table3_quantities.size())) {
+        const Style style{1, 1};
+        const auto estimate = [&](const CaseSummary& row) {
+            const Estimate& found = row.*quantity.interval;
+            return Cell{style.text(found.estimate), style.range(found.low, found.high)};
         };
-        add_line(summary, label, total, lines);
-    };
-    add("joints failed in bending", &FailureCounts::bending);
-    add("  in shear", &FailureCounts::shear);
-    add("  in compression", &FailureCounts::compression);
+        add_line(summary, std::string{quantity.label}, estimate, lines);
+    }
 }
 
 struct Totals {
@@ -126,10 +128,13 @@ std::string heading(const Summary& summary, const Totals& totals) {
 
 std::string notes(const Summary& summary, const Totals& totals) {
     std::string text =
-        "\nOne arrangement is one value. Brackets: where the mean over all arrangements lies, 95 %; below it, where "
-        "one\n"
-        "further run falls, 95 %. Failure ratio: broken floes of all floes. Joints failed: totals over the members "
-        "done.\n";
+        "\nOne arrangement is one value. Brackets: where the mean over all arrangements lies, 95 %, by Student's t; "
+        "below "
+        "it by\nBCa bootstrap, which assumes no shape; then where one further run falls, 95 %. Failure ratio: broken "
+        "floes of all floes.\nJoints failed: mean of a run.\n";
+    if (totals.missing > 0 && totals.done > 0) {
+        text += "Members that end sooner come first: until the campaign is complete the figures lean towards them.\n";
+    }
     if (totals.not_steady > 0) {
         text += fmt::format(
             "Not steady: in {} of {} members the load still had a trend in the window; they are in the figures "
@@ -151,7 +156,7 @@ std::string summary_table(const Summary& summary, int width, Reference reference
     const Totals totals{summary};
     std::vector<Line> lines;
     add_counts(summary, lines);
-    for (const Quantity& quantity : quantities) add_quantity(summary, quantity, reference, lines);
+    for (const Quantity& quantity : table3_quantities) add_quantity(summary, quantity, reference, lines);
     add_failures(summary, lines);
     return heading(summary, totals) + "\n" + panels(lines, width) + notes(summary, totals);
 }

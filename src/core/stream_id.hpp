@@ -6,8 +6,10 @@
 namespace floes {
 
 enum class StreamId : std::uint32_t {
-    monte_carlo = 1,     ///< trial moves of the hard-rectangle Monte Carlo
-    lattice_jitter = 2,  ///< shifts and turns of the jittered lattice
+    monte_carlo = 1,      ///< trial moves of the hard-rectangle Monte Carlo
+    lattice_jitter = 2,   ///< shifts and turns of the jittered lattice
+    bootstrap = 3,        ///< resampling of arrangements in statistics
+    goodness_of_fit = 4,  ///< samples from a fitted distribution
 };
 
 }  // namespace floes

@@ -101,7 +101,9 @@ TEST(Summary, ComparesAsTable3Does) {
     const Summary summary = summarise(table);
     const std::size_t reference = case_index(summary, "E60");
     EXPECT_EQ(reference, 1u);
-    const auto& [mean, sd, maximum, mean_maximum, sd_maximum, ratio] = quantities;
+    const Quantity& mean = quantities[0];
+    const Quantity& mean_maximum = quantities[3];
+    const Quantity& ratio = quantities[5];
     EXPECT_NEAR(difference_percent(summary, 0, reference, mean), -12.5, 0.05);
     EXPECT_NEAR(difference_percent(summary, 2, reference, mean), -6.5, 0.05);
     EXPECT_NEAR(difference_percent(summary, 0, reference, mean_maximum), -20.8, 0.05);

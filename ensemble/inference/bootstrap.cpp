@@ -1,0 +1,147 @@
+#include "inference/bootstrap.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "core/error.hpp"
+#include "core/random.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+constexpr Limits no_limits{undefined, undefined};
+constexpr std::size_t most_draws = 20'000'000;
+
+double normal_cdf(double z) {
+    return boost::math::cdf(boost::math::normal{}, z);
+}
+
+double normal_quantile(double p) {
+    return boost::math::quantile(boost::math::normal{}, p);
+}
+
+double mean_of(std::span<const double> values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// Σ U³ / (6 (Σ U²)^(3/2)) of the statistic without each row in turn.
+double acceleration(std::size_t rows, const RowStatistic& statistic) {
+    std::vector<std::uint32_t> others(rows - 1);
+    std::vector<double> without(rows);
+    for (std::size_t left_out = 0; left_out < rows; ++left_out) {
+        for (std::size_t i = 0; i + 1 < rows; ++i) others[i] = static_cast<std::uint32_t>(i < left_out ? i : i + 1);
+        without[left_out] = statistic(others);
+    }
+    const double mean = mean_of(without);
+    double squares = 0;
+    double cubes = 0;
+    for (const double value : without) {
+        const double influence = mean - value;
+        squares += influence * influence;
+        cubes += influence * influence * influence;
+    }
+    return squares > 0 ? cubes / (6 * std::pow(squares, 1.5)) : 0;
+}
+
+/// The limits given the bootstrap distribution, the estimate and the acceleration.
+Limits corrected_limits(std::vector<double> resampled, double estimate, double accelerated, double confidence) {
+    std::ranges::sort(resampled);
+    if (!std::isfinite(estimate) || !std::isfinite(resampled.front()) || !std::isfinite(resampled.back()) ||
+        resampled.front() == resampled.back()) {
+        return no_limits;
+    }
+    const auto [first, last] = std::ranges::equal_range(resampled, estimate);
+    const double below = static_cast<double>((first - resampled.begin()) + (last - resampled.begin())) /
+                         (2 * static_cast<double>(resampled.size()));
+    if (below <= 0 || below >= 1) return no_limits;
+    const double bias = normal_quantile(below);
+    const auto level = [&](double p) {
+        const double shifted = bias + normal_quantile(p);
+        return normal_cdf(bias + shifted / (1 - accelerated * shifted));
+    };
+    const double tail = (1 - confidence) / 2;
+    return {quantile_of_sorted(resampled, level(tail)), quantile_of_sorted(resampled, level(1 - tail))};
+}
+
+void check_confidence(double confidence) {
+    if (confidence > 0 && confidence < 1) return;
+    throw InputError(fmt::format("A confidence of {} is none: it lies between 0 and 1, as 0.95 does.", confidence));
+}
+
+std::vector<std::uint32_t> all_rows(std::size_t rows) {
+    std::vector<std::uint32_t> all(rows);
+    std::iota(all.begin(), all.end(), 0u);
+    return all;
+}
+
+}  // namespace
+
+int default_resamples(std::size_t rows) {
+    return static_cast<int>(std::clamp<std::size_t>(most_draws / std::max<std::size_t>(rows, 1), 999, 9999));
+}
+
+std::vector<double> bootstrap(std::size_t rows, const RowStatistic& statistic, const BootstrapOptions& options) {
+    const int resamples = options.resamples > 0 ? options.resamples : default_resamples(rows);
+    std::vector<double> results(static_cast<std::size_t>(resamples));
+    std::vector<std::uint32_t> drawn(rows);
+    RandomStream random{0, options.draw, StreamId::bootstrap, rows};
+    for (double& result : results) {
+        for (std::uint32_t& row : drawn) row = random.below(static_cast<std::uint32_t>(rows));
+        result = statistic(drawn);
+    }
+    return results;
+}
+
+Limits bca_interval(std::size_t rows, const RowStatistic& statistic, const BootstrapOptions& options) {
+    check_confidence(options.confidence);
+    if (rows < 3) return no_limits;
+    return corrected_limits(bootstrap(rows, statistic, options), statistic(all_rows(rows)),
+                            acceleration(rows, statistic), options.confidence);
+}
+
+Limits bca_mean_interval(std::span<const double> values, const BootstrapOptions& options) {
+    check_confidence(options.confidence);
+    if (values.size() < 3) return no_limits;
+    const auto mean = [values](std::span<const std::uint32_t> rows) {
+        double sum = 0;
+        for (const std::uint32_t row : rows) sum += values[row];
+        return sum / static_cast<double>(rows.size());
+    };
+    // Leaving row i out moves the mean by (x_i - mean) / (n - 1), so the influence is known without n sums.
+    const double middle = mean_of(values);
+    double squares = 0;
+    double cubes = 0;
+    for (const double value : values) {
+        const double influence = value - middle;
+        squares += influence * influence;
+        cubes += influence * influence * influence;
+    }
+    const double accelerated = squares > 0 ? cubes / (6 * std::pow(squares, 1.5)) : 0;
+    return corrected_limits(bootstrap(values.size(), mean, options), mean(all_rows(values.size())), accelerated,
+                            options.confidence);
+}
+
+Limits percentile_interval(std::vector<double> values, double confidence) {
+    check_confidence(confidence);
+    std::erase_if(values, [](double value) { return !std::isfinite(value); });
+    if (values.empty()) return no_limits;
+    std::ranges::sort(values);
+    const double tail = (1 - confidence) / 2;
+    return {quantile_of_sorted(values, tail), quantile_of_sorted(values, 1 - tail)};
+}
+
+double quantile_of_sorted(std::span<const double> sorted, double p) {
+    const double place = p * static_cast<double>(sorted.size() - 1);
+    const auto index = static_cast<std::size_t>(place);
+    if (index + 1 >= sorted.size()) return sorted.back();
+    return sorted[index] + (place - static_cast<double>(index)) * (sorted[index + 1] - sorted[index]);
+}
+
+}  // namespace floes

@@ -1,0 +1,107 @@
+#include "inference/paired.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/distributions/non_central_t.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "core/error.hpp"
+#include "inference/interval.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+constexpr int most_arrangements = 1'000'000;
+
+double sample_variance(std::span<const double> values) {
+    if (values.size() < 2) return undefined;
+    const double count = static_cast<double>(values.size());
+    const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
+    double squares = 0;
+    for (const double value : values) squares += (value - mean) * (value - mean);
+    return squares / (count - 1);
+}
+
+}  // namespace
+
+PairedComparison compare_paired(std::span<const double> first, std::span<const double> second, double confidence) {
+    if (first.size() != second.size()) {
+        throw InputError(fmt::format("{} values cannot be paired with {}.", first.size(), second.size()));
+    }
+    std::vector<double> differences(first.size());
+    std::ranges::transform(second, first, differences.begin(), std::minus<>{});
+    const Interval interval = mean_interval(differences, confidence);
+    PairedComparison found;
+    found.arrangements = static_cast<int>(differences.size());
+    found.difference = interval.estimate;
+    found.t_interval = {interval.low, interval.high};
+    found.bca = bca_mean_interval(differences, {.confidence = confidence});
+    const double variance = sample_variance(differences);
+    found.sd = std::sqrt(variance);
+    found.t = found.difference / (found.sd / std::sqrt(static_cast<double>(differences.size())));
+    if (std::isfinite(found.t)) {
+        const boost::math::students_t distribution(static_cast<double>(differences.size() - 1));
+        found.t_p = 2 * boost::math::cdf(boost::math::complement(distribution, std::abs(found.t)));
+    } else {
+        found.t = found.t_p = undefined;
+    }
+    const SignedRank ranks = wilcoxon_signed_rank(differences);
+    found.rank_sum = ranks.rank_sum;
+    found.wilcoxon_p = ranks.p;
+    found.wilcoxon_exact = ranks.exact;
+    const double unrelated = sample_variance(first) + sample_variance(second);
+    found.variance_saved = unrelated > 0 ? 1 - variance / unrelated : undefined;
+    return found;
+}
+
+std::vector<double> holm(std::span<const double> p) {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        if (!std::isnan(p[i])) order.push_back(i);
+    }
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return p[i]; });
+    std::vector<double> adjusted(p.size(), undefined);
+    double largest = 0;
+    for (std::size_t rank = 0; rank < order.size(); ++rank) {
+        largest = std::max(largest, p[order[rank]] * static_cast<double>(order.size() - rank));
+        adjusted[order[rank]] = std::min(1.0, largest);
+    }
+    return adjusted;
+}
+
+double power_of_paired_test(int pairs, double difference, double sd, double confidence) {
+    const double freedom = pairs - 1;
+    const double noncentrality = std::abs(difference) / sd * std::sqrt(static_cast<double>(pairs));
+    const boost::math::students_t central(freedom);
+    const double limit = boost::math::quantile(boost::math::complement(central, (1 - confidence) / 2));
+    if (noncentrality > std::max(30.0, 10 * limit)) return 1;  // to all digits, and the series below takes long
+    const boost::math::non_central_t shifted(freedom, noncentrality);
+    return boost::math::cdf(boost::math::complement(shifted, limit)) + boost::math::cdf(shifted, -limit);
+}
+
+int arrangements_to_resolve(double difference, double sd, double confidence, double power) {
+    if (std::isnan(difference) || std::isnan(sd)) return 0;
+    if (difference == 0) return most_arrangements;
+    if (sd == 0) return 2;
+    const auto enough = [&](int pairs) { return power_of_paired_test(pairs, difference, sd, confidence) >= power; };
+    int too_few = 1;
+    int plenty = 2;
+    while (!enough(plenty)) {
+        if (plenty >= most_arrangements) return most_arrangements;
+        too_few = plenty;
+        plenty = std::min(2 * plenty, most_arrangements);
+    }
+    while (plenty - too_few > 1) {
+        const int middle = too_few + (plenty - too_few) / 2;
+        (enough(middle) ? plenty : too_few) = middle;
+    }
+    return plenty;
+}
+
+}  // namespace floes

@@ -1,0 +1,26 @@
+#pragma once
+// The parts of the JSON that `floes summarize` prints. For this room only.
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "report/findings.hpp"
+
+namespace floes {
+
+using Json = nlohmann::ordered_json;  // keys in the order of writing
+
+/// null where undefined.
+inline Json json_number(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+inline Json json_limits(const Limits& limits) {
+    return {{"low", json_number(limits.low)}, {"high", json_number(limits.high)}};
+}
+
+Json summary_as_json(const Summary& summary, Reference reference);
+Json pairs_as_json(const Summary& summary, const std::vector<PairRow>& rows, const PairOptions& options);
+
+}  // namespace floes

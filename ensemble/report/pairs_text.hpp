@@ -1,0 +1,18 @@
+#pragma once
+// Paired comparisons as text.
+
+#include <string>
+#include <vector>
+
+#include "report/pairs.hpp"
+
+namespace floes {
+
+/// A heading, the pairs by quantity, and what the columns mean.
+std::string pairs_table(const Summary& summary, const std::vector<PairRow>& rows, const PairOptions& options,
+                        int width);
+
+/// A header line and one line a quantity and pair; empty where undefined.
+std::string pairs_csv(const Summary& summary, const std::vector<PairRow>& rows);
+
+}  // namespace floes

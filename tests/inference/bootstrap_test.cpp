@@ -1,0 +1,82 @@
+// Bootstrap intervals: what they must be in closed form, that they cover, and that they repeat.
+
+#include "inference/bootstrap.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/random.hpp"
+
+namespace floes {
+namespace {
+
+// Of two rows each resample is one of four equally likely ones: the mean of 0 and 1 is 0, 1/2, 1/2, 1.
+TEST(Bootstrap, DrawsEveryRowAsOften) {
+    const std::vector<double> values{0.0, 1.0};
+    const auto sum = [&](std::span<const std::uint32_t> rows) { return values[rows[0]] + values[rows[1]]; };
+    const std::vector<double> found = bootstrap(2, sum, {.resamples = 40000});
+    ASSERT_EQ(found.size(), 40000u);
+    double ones = 0;
+    double twos = 0;
+    for (const double value : found) {
+        ones += value == 1;
+        twos += value == 2;
+    }
+    EXPECT_NEAR(ones / 40000, 0.5, 4 * std::sqrt(0.25 / 40000));
+    EXPECT_NEAR(twos / 40000, 0.25, 4 * std::sqrt(0.1875 / 40000));
+}
+
+TEST(Bootstrap, GivesTheSameAgainAndAnotherForAnotherDraw) {
+    const std::vector<double> values{3.14, 1.59, 4.65, 3.58, 9.79, 3.23, 8.46};
+    EXPECT_EQ(bca_mean_interval(values), bca_mean_interval(values));
+    EXPECT_NE(bca_mean_interval(values), bca_mean_interval(values, {.draw = 1}));
+}
+
+// The mean has its influence in closed form; the general way has it from leaving rows out.
+TEST(Bootstrap, TheMeanIsAStatisticLikeAnyOther) {
+    const std::vector<double> values{3, 1, 4, 1, 5, 9, 2, 6};
+    const auto mean = [&](std::span<const std::uint32_t> rows) {
+        double sum = 0;
+        for (const std::uint32_t row : rows) sum += values[row];
+        return sum / static_cast<double>(rows.size());
+    };
+    const Limits general = bca_interval(values.size(), mean);
+    const Limits own = bca_mean_interval(values);
+    EXPECT_NEAR(general.low, own.low, 1e-12);
+    EXPECT_NEAR(general.high, own.high, 1e-12);
+}
+
+TEST(Bootstrap, IsUndefinedWithoutSpreadOrRows) {
+    EXPECT_TRUE(std::isnan(bca_mean_interval(std::vector<double>{2, 2, 2, 2}).low));
+    EXPECT_TRUE(std::isnan(bca_mean_interval(std::vector<double>{1, 2}).high));
+    EXPECT_THROW(bca_mean_interval(std::vector<double>{1, 2, 3}, {.confidence = 1}), InputError);
+}
+
+// Skewed values (exponential, n = 40): both tails of BCa miss about as often, 2.5 %; plus what 40 values cost.
+TEST(Bootstrap, CoversSkewedValues) {
+    RandomStream random{5, 0, StreamId::monte_carlo, 0};
+    int inside = 0;
+    constexpr int trials = 1500;
+    for (int trial = 0; trial < trials; ++trial) {
+        std::vector<double> values(40);
+        for (double& value : values) value = -std::log(1 - random.uniform());
+        const Limits found = bca_mean_interval(values, {.resamples = 999});
+        inside += found.low <= 1 && 1 <= found.high;
+    }
+    EXPECT_NEAR(inside / double{trials}, 0.935, 4 * std::sqrt(0.95 * 0.05 / trials));
+}
+
+TEST(Quantile, IsLinearBetweenSortedValues) {
+    const std::vector<double> sorted{1, 2, 4};
+    EXPECT_EQ(quantile_of_sorted(sorted, 0), 1);
+    EXPECT_EQ(quantile_of_sorted(sorted, 0.25), 1.5);
+    EXPECT_EQ(quantile_of_sorted(sorted, 0.75), 3);
+    EXPECT_EQ(quantile_of_sorted(sorted, 1), 4);
+    const Limits limits = percentile_interval({4, std::nan(""), 1, 2}, 0.5);
+    EXPECT_EQ(limits, (Limits{1.5, 3}));
+}
+
+}  // namespace
+}  // namespace floes
