@@ -41,10 +41,11 @@ void peer_step(benchmark::State& state, std::unique_ptr<Peer> (*make_peer)(const
 }
 
 /// A member of 20 s at four times the tow speed: 5.6 m of way from the edge of resting ice to packed ice.
-void member(benchmark::State& state, SolverKind solver) {
+void member(benchmark::State& state, SolverKind solver, double wake_radius) {
     Scenario scenario = tow_scenario(solver);
     scenario.arrangement.method = ArrangementMethod::file;
     scenario.arrangement.poses = early_scene().arrangement.poses;
+    scenario.field.wake_radius = wake_radius;
     scenario.structure.speed *= 4;
     scenario.analysis = {.steady_start = 5, .window = 15, .segments = 3};
     MemberResult result;
@@ -78,9 +79,15 @@ void add_all(int steps) {
     add("TowStep/lanes/early", tow_step, SolverKind::lanes, early_scene);
     add("Peer/bullet/late", peer_step, make_bullet, late_scene);
     add("Peer/ode/late", peer_step, make_ode, late_scene);
-    for (const auto& [name, solver] :
-         {std::pair{"Member/stock", SolverKind::stock}, {"Member/lanes", SolverKind::lanes}}) {
-        benchmark::RegisterBenchmark(name, member, solver)->Iterations(1)->Unit(benchmark::kMillisecond);
+    const auto add_member = [](const std::string& name, SolverKind solver, double wake_radius) {
+        benchmark::RegisterBenchmark(name.c_str(), member, solver, wake_radius)
+            ->Iterations(1)
+            ->Unit(benchmark::kMillisecond);
+    };
+    add_member("Member/stock", SolverKind::stock, 0);
+    add_member("Member/lanes", SolverKind::lanes, 0);
+    for (const double radius : {6.0, 4.0, 3.0, 2.0}) {
+        add_member(fmt::format("Member/lanes/wake:{}", radius), SolverKind::lanes, radius);
     }
     for (const int floes : {50, 100, 189, 500, 1000, 2000, 5000, 10000, 20000}) {
         add_size({.floes = floes}, "floes", floes, 5);

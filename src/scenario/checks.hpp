@@ -14,6 +14,7 @@ void check_floating(const Scenario& scenario, Contradictions& found);  ///< the 
 void check_time(const Scenario& scenario, Contradictions& found);      ///< whole steps, whole segments
 void check_profile(const Scenario& scenario, Contradictions& found);   ///< a body that stands in the water
 void check_tow(const Scenario& scenario, Contradictions& found);       ///< it meets the ice and stays in it
+void check_wake(const Scenario& scenario, Contradictions& found);      ///< the structure strikes no resting floe
 void check_lattice(const Scenario& scenario, Contradictions& found);   ///< the floes fit
 void check_poses(const Scenario& scenario, Contradictions& found);     ///< given poses belong to the field
 

@@ -95,6 +95,29 @@ void check_tow(const Scenario& scenario, Contradictions& found) {
     }
 }
 
+void check_wake(const Scenario& scenario, Contradictions& found) {
+    const double radius = scenario.field.wake_radius;
+    if (radius == 0) return;
+    if (scenario.general.solver != SolverKind::lanes) {
+        found.push_back(
+            {{"field.wake_radius_m", "general.solver"},
+             fmt::format("{} is not for {}: only the lanes solver lets floes rest; take it, or set the radius "
+                         "to 0",
+                         given(scenario, "field.wake_radius_m"), given(scenario, "general.solver"))});
+    }
+    double widest = 0;
+    for (const ProfilePoint& point : scenario.structure.profile) widest = std::max(widest, point.radius);
+    const double least = widest + 0.5 * std::hypot(scenario.floe.length, scenario.floe.breadth);
+    if (radius < least) {
+        found.push_back(
+            {{"field.wake_radius_m", "structure.profile_m", "floe.length_m", "floe.breadth_m"},
+             fmt::format(
+                 "{} lets the structure strike a floe at rest, whose middle may be {:.4g} m from its axis then; "
+                 "take more than that, or 0 for none at rest",
+                 given(scenario, "field.wake_radius_m"), least)});
+    }
+}
+
 void check_lattice(const Scenario& scenario, Contradictions& found) {
     if (scenario.arrangement.method == ArrangementMethod::file) return;
     const double clearance = scenario.arrangement.clearance;

@@ -63,6 +63,7 @@ struct Field {
     double half_width = 2.4;      ///< the field lies in |z| <= half_width, m (between the wall ice sheets)
     double sheet_width = 1.0;     ///< breadth of the fixed ice sheets along the walls and at the far end, m
     FarEnd far_end = FarEnd::ice_sheet;
+    double wake_radius = 0;  ///< m from the structure's axis; floes beyond it that nothing touched yet rest. 0: none do
 };
 
 /// How the floes come to lie where they lie.

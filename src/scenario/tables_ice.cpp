@@ -12,8 +12,9 @@ void add_general(Keys& keys, General& general) {
         "general.iterations", general.iterations, 1, 100000, "inferred from Fig. 2; Bullet's own default is 10",
         "Projected Gauss-Seidel sweeps a step. More make ice of small cfm stiffer: at cfm 1e-10 a sheet shows 37, "
         "207 and 421 MPa at 10, 50 and 100. Run time is proportional to it."));
-    keys.push_back(word_key("general.solver", general.solver, {"stock", "lanes"}, "the paper",
-                            "Constraint solver: lanes sweeps many floes at once, one a SIMD lane; stock is Bullet's own, the reference."));
+    keys.push_back(word_key(
+        "general.solver", general.solver, {"stock", "lanes"}, "the paper",
+        "Constraint solver: lanes sweeps many floes at once, one a SIMD lane; stock is Bullet's own, the reference."));
     keys.push_back(
         number_key("general.gravity_m_s2", general.gravity, unit::one, above(0).at_most(100), "standard", "Gravity."));
     keys.push_back(

@@ -59,6 +59,11 @@ void add_field(Keys& keys, Field& field) {
         "What stands behind the field: a fixed ice sheet that confines it, or open water. Open, a steep wall meets "
         "half the "
         "load or less and breaks hardly a floe; for the straight 45° wall the difference is small."));
+    keys.push_back(number_key("field.wake_radius_m", field.wake_radius, unit::one, at_least(0).at_most(farthest),
+                              "off: every floe is computed",
+                              "Solver lanes: a floe rests, at no cost, until the structure's axis is this near its "
+                              "middle or moving ice touches "
+                              "it. The flow would have moved it by waterline radius² / this at most, ahead. 0: off."));
 }
 
 void add_arrangement(Keys& keys, ArrangementRule& arrangement) {

@@ -13,6 +13,7 @@ std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
     check_profile(scenario, found);
     if (!found.empty()) return found;  // what follows would only repeat it in other words
     check_tow(scenario, found);
+    check_wake(scenario, found);
     check_lattice(scenario, found);
     check_poses(scenario, found);
     return found;

@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <string>
 
@@ -35,14 +33,6 @@ WaterModel make_water(const Scenario& scenario) {
             scenario.element_mass(), scenario.waterline_radius(), scenario.structure.speed};
 }
 
-/// Same places of all floes side by side: mostly the same edges are exposed there.
-std::vector<std::size_t> by_place_in_floe(const std::vector<IceElement>& elements) {
-    std::vector<std::size_t> order(elements.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return elements[i].index; });
-    return order;
-}
-
 }  // namespace
 
 Simulation::Simulation(const Scenario& scenario, const Arrangement& arrangement)
@@ -54,7 +44,7 @@ Simulation::Simulation(const Scenario& scenario, const Arrangement& arrangement)
       structure_(add_structure(world_, scenario)),
       ice_(world_, scenario, arrangement.poses),
       water_(make_water(scenario), ice_.elements().size(), lane_widths().back()),
-      water_order_(by_place_in_floe(ice_.elements())) {
+      sleeping_(scenario.field.wake_radius, ice_.elements()) {
     add_sheets(world_, channel_, scenario_friction(scenario).ice);
     const auto steps = static_cast<std::size_t>(scenario.step_count());
     loads_.surge.reserve(steps);
@@ -62,6 +52,7 @@ Simulation::Simulation(const Scenario& scenario, const Arrangement& arrangement)
     loads_.heave.reserve(steps);
     states_.resize(ice_.elements().size());
     read_states();
+    sleeping_.lay_down(world_, states_, tow_.x(0));
 }
 
 Simulation::Simulation(const Scenario& scenario, const Arrangement& arrangement, const SimulationState& state)
@@ -75,10 +66,12 @@ Simulation::Simulation(const Scenario& scenario, const Arrangement& arrangement,
         history->assign(known, std::numeric_limits<double>::quiet_NaN());
     }
     steps_ = state.steps;
+    sleeping_.wake_all(world_);
     world_.place(structure_, {.position = {tow_.x(time()), 0, 0}, .velocity = {tow_.speed, 0, 0}});
     for (std::size_t i = 0; i < states_.size(); ++i) world_.place(ice_.elements()[i].body, state.elements[i]);
     ice_.repeat_breaks(world_, state.breaks);
     read_states();
+    sleeping_.lay_down(world_, states_, tow_.x(time()));
 }
 
 bool Simulation::run(const std::stop_token& stop) {
@@ -91,6 +84,7 @@ bool Simulation::run(const std::stop_token& stop) {
 
 void Simulation::step() {
     move_structure();
+    wake_floes();
     apply_water();
     world_.step();
     read_states();
@@ -104,21 +98,26 @@ void Simulation::move_structure() {
     world_.move_structure({tow_.x(step_end()), 0, 0});
 }
 
+void Simulation::wake_floes() {
+    sleeping_.wake(world_, tow_.x(time()));
+}
+
 void Simulation::apply_water() {
     const std::vector<IceElement>& elements = ice_.elements();
-    for (std::size_t place = 0; place < water_order_.size(); ++place) {
-        const std::size_t i = water_order_[place];
-        const BodyState& state = states_[i];
-        water_.set(place, {state.position, state.rotation, state.velocity, state.spin, elements[i].exposed_edges});
+    const std::vector<std::size_t>& awake = sleeping_.awake_elements();
+    for (std::size_t place = 0; place < awake.size(); ++place) {
+        const BodyState& state = states_[awake[place]];
+        water_.set(place,
+                   {state.position, state.rotation, state.velocity, state.spin, elements[awake[place]].exposed_edges});
     }
-    water_.compute(water_order_.size(), tow_.x(time()));
-    for (std::size_t place = 0; place < water_order_.size(); ++place) {
-        world_.apply(elements[water_order_[place]].body, water_.wrench(place));
+    water_.compute(awake.size(), tow_.x(time()));
+    for (std::size_t place = 0; place < awake.size(); ++place) {
+        world_.apply(elements[awake[place]].body, water_.wrench(place));
     }
 }
 
 void Simulation::read_states() {
-    for (std::size_t i = 0; i < states_.size(); ++i) states_[i] = world_.state(ice_.elements()[i].body);
+    for (const std::size_t i : sleeping_.awake_elements()) states_[i] = world_.state(ice_.elements()[i].body);
 }
 
 void Simulation::check_wellbeing() const {

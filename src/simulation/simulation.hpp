@@ -16,6 +16,7 @@
 #include "simulation/channel.hpp"
 #include "simulation/load_history.hpp"
 #include "simulation/simulation_state.hpp"
+#include "simulation/sleeping_floes.hpp"
 #include "simulation/wellbeing.hpp"
 #include "structure/tow.hpp"
 #include "water/water_lanes.hpp"
@@ -54,6 +55,7 @@ class Simulation {
   private:
     double step_end() const { return (steps_ + 1) * scenario_.general.time_step; }
     void move_structure();
+    void wake_floes();
     void apply_water();
     void read_states();
     void check_wellbeing() const;
@@ -69,8 +71,8 @@ class Simulation {
     BodyId structure_;
     IceField ice_;
     WaterLanes water_;
-    std::vector<std::size_t> water_order_;  ///< element at each place of water_
     std::vector<BodyState> states_;
+    SleepingFloes sleeping_;
     Vec3 ice_load_ = Vec3::Zero();
     LoadHistory loads_;
     int steps_ = 0;

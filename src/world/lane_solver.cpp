@@ -43,9 +43,15 @@ SolverState state_of(const btRigidBody& body) {
             array_of(body.getAngularVelocity())};
 }
 
-bool solvable(const btPersistentManifold& manifold) {
-    return rigid(manifold.getBody0()).getInvMass() > 0 || rigid(manifold.getBody1()).getInvMass() > 0;
+bool moves(const btRigidBody& body) {
+    return body.getInvMass() > 0 && body.isActive();
 }
+
+bool solvable(const btPersistentManifold& manifold) {
+    return moves(rigid(manifold.getBody0())) || moves(rigid(manifold.getBody1()));
+}
+
+constexpr std::size_t not_in_system = static_cast<std::size_t>(-1);
 
 }  // namespace
 
@@ -56,11 +62,12 @@ void LaneSolver::add_joint(const JointDefinition& definition, const btRigidBody&
                        static_cast<std::uint32_t>(definition.b.index()), frame_in(a, definition),
                        frame_in(b, definition), definition.cfm, definition.erp});
     removed_.push_back(false);
+    stale_ = true;
 }
 
 void LaneSolver::remove_joint(std::size_t joint) {
     removed_[joint] = true;
-    if (system_ && joint < system_->joint_count()) system_->remove_joint(joint);
+    if (in_system(joint)) system_->remove_joint(joint_in_system_[joint]);
 }
 
 void LaneSolver::place(std::size_t body, const btRigidBody& state) {
@@ -68,8 +75,8 @@ void LaneSolver::place(std::size_t body, const btRigidBody& state) {
 }
 
 JointReaction LaneSolver::reaction(std::size_t joint) const {
-    if (!system_ || joint >= system_->joint_count()) return {};
-    const auto [force, moment] = system_->reaction(joint);
+    if (!in_system(joint)) return {};
+    const auto [force, moment] = system_->reaction(joint_in_system_[joint]);
     return {.axial = force[0],
             .shear_vertical = force[1],
             .shear_in_plane = force[2],
@@ -78,24 +85,37 @@ JointReaction LaneSolver::reaction(std::size_t joint) const {
             .bending = moment[2]};
 }
 
+bool LaneSolver::in_system(std::size_t joint) const {
+    return joint < joint_in_system_.size() && joint_in_system_[joint] != not_in_system;
+}
+
 void LaneSolver::lay_out(std::span<btCollisionObject* const> bodies) {
     std::vector<SolverBody> solver_bodies;
     for (const btCollisionObject* object : bodies) {
         const btRigidBody& body = rigid(object);
-        solver_bodies.push_back({body.getInvMass(), array_of(body.getInvInertiaDiagLocal())});
+        solver_bodies.push_back(moves(body) ? SolverBody{body.getInvMass(), array_of(body.getInvInertiaDiagLocal())}
+                                            : SolverBody{});
     }
-    system_.emplace(solver_bodies, joints_, width_);
+    std::vector<SolverJoint> awake;
+    joint_in_system_.assign(joints_.size(), not_in_system);
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+        if (!rigid(bodies[joints_[i].a]).isActive()) continue;
+        joint_in_system_[i] = awake.size();
+        awake.push_back(joints_[i]);
+    }
+    system_.emplace(solver_bodies, awake, width_);
     for (std::size_t i = 0; i < bodies.size(); ++i) system_->set_state(i, state_of(rigid(bodies[i])));
     for (std::size_t i = 0; i < joints_.size(); ++i) {
-        if (removed_[i]) system_->remove_joint(i);
+        if (removed_[i] && in_system(i)) system_->remove_joint(joint_in_system_[i]);
     }
+    stale_ = false;
 }
 
 void LaneSolver::read_forces(std::span<btCollisionObject* const> bodies) {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const btRigidBody& body = rigid(bodies[i]);
         if (body.isKinematicObject()) system_->set_state(i, state_of(body));
-        if (body.isStaticOrKinematicObject()) continue;
+        if (!moves(body)) continue;
         const btVector3 weight = body.getGravity() / body.getInvMass();
         system_->set_force(i, array_of(body.getTotalForce() + weight), array_of(body.getTotalTorque()));
     }
@@ -151,7 +171,7 @@ void LaneSolver::push_apart(std::span<btCollisionObject* const> bodies, const bt
 void LaneSolver::write_bodies(std::span<btCollisionObject* const> bodies) const {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         btRigidBody& body = rigid(bodies[i]);
-        if (body.isStaticOrKinematicObject()) continue;
+        if (!moves(body)) continue;
         const auto [position, r, velocity, spin] = system_->state(i);
         body.setWorldTransform(
             btTransform(btMatrix3x3(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]), vector_of(position)));
@@ -166,7 +186,7 @@ btScalar LaneSolver::solveGroup(btCollisionObject** bodies, int body_count, btPe
                                 btIDebugDraw*, btDispatcher*) {
     const std::span<btCollisionObject* const> all(bodies, static_cast<std::size_t>(body_count));
     const std::span<btPersistentManifold* const> touching(manifolds, static_cast<std::size_t>(manifold_count));
-    if (!system_ || system_->body_count() != all.size() || system_->joint_count() != joints_.size()) lay_out(all);
+    if (stale_ || system_->body_count() != all.size()) lay_out(all);
     read_forces(all);
     system_->prepare(info.m_timeStep);
     read_contacts(touching, info);

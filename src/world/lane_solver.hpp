@@ -23,6 +23,10 @@ class LaneSolver final : public btSequentialImpulseConstraintSolver {
     void add_joint(const JointDefinition& definition, const btRigidBody& a, const btRigidBody& b);
     void remove_joint(std::size_t joint);
 
+    /// A body fell asleep or woke: from the next solve on. Bodies that sleep (Bullet's isActive is false) are fixed in
+    /// place, and their joints are left out.
+    void lay_out_anew() { stale_ = true; }
+
     /// The body's pose and velocity, changed by other hands.
     void place(std::size_t body, const btRigidBody& state);
 
@@ -37,6 +41,7 @@ class LaneSolver final : public btSequentialImpulseConstraintSolver {
                         const btContactSolverInfo& info, btIDebugDraw* draw, btDispatcher* dispatcher) override;
 
   private:
+    bool in_system(std::size_t joint) const;
     void lay_out(std::span<btCollisionObject* const> bodies);
     void read_forces(std::span<btCollisionObject* const> bodies);
     void read_contacts(std::span<btPersistentManifold* const> manifolds, const btContactSolverInfo& info);
@@ -47,7 +52,9 @@ class LaneSolver final : public btSequentialImpulseConstraintSolver {
     int width_;
     std::vector<SolverJoint> joints_;
     std::vector<bool> removed_;
-    std::optional<LaneSystem> system_;  ///< of the bodies and joints there were when it was laid out
+    std::optional<LaneSystem> system_;          ///< of the bodies and joints there were when it was laid out
+    std::vector<std::size_t> joint_in_system_;  ///< of every joint; not_in_system while its floe sleeps
+    bool stale_ = true;                         ///< bodies, joints or who sleeps have changed since then
     std::vector<SolverContact> contacts_;
 };
 

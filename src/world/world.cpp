@@ -10,8 +10,10 @@
 
 #include <deque>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "core/error.hpp"
 #include "world/checks.hpp"
 #include "world/contact_load.hpp"
 #include "world/conversion.hpp"
@@ -169,6 +171,26 @@ void World::remove_joint(JointId joint) {
 
 void World::set_piece(BodyId body, int piece) {
     assign_piece(bullet_->body(body), piece);
+}
+
+void World::set_asleep(BodyId body, bool asleep) {
+    if (!bullet_->lanes) throw InputError("Only the lanes solver lets bodies sleep; take it, or keep them awake.");
+    btRigidBody& changed = bullet_->body(body);
+    bullet_->world.updateSingleAabb(&changed);  // from now on Bullet leaves its box alone; a new one has no margin yet
+    changed.forceActivationState(asleep ? ISLAND_SLEEPING : DISABLE_DEACTIVATION);
+    bullet_->lanes->lay_out_anew();
+}
+
+std::vector<BodyId> World::touched_asleep() const {
+    std::vector<BodyId> touched;
+    for (const btPersistentManifold* manifold : bullet_->world.solved_manifolds()) {
+        const btCollisionObject* a = manifold->getBody0();
+        const btCollisionObject* b = manifold->getBody1();
+        if (a->isActive() == b->isActive()) continue;
+        if (a->isActive()) std::swap(a, b);
+        if (!b->isStaticObject()) touched.emplace_back(static_cast<std::size_t>(body_id_of(*a)));
+    }
+    return touched;
 }
 
 void World::place(BodyId body, const BodyState& state) {

@@ -12,6 +12,7 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "core/frustum.hpp"
 #include "world/definitions.hpp"
@@ -46,6 +47,14 @@ class World {
     /// Puts a body into a state that it does not come to by itself. Contacts that it had begin anew; joints pull
     /// towards the configuration in which they were made.
     void place(BodyId body, const BodyState& state);
+
+    /// A sleeping body stays exactly where it is and is fixed to whoever touches it, and costs next to nothing. It must
+    /// be at rest; all bodies that joints connect sleep or none. Throws InputError with the stock solver.
+    void set_asleep(BodyId body, bool asleep);
+
+    /// Sleeping bodies that the structure or an awake element touched in the last step (nearer than a contact point
+    /// lives, some millimetres), in the order of the contacts; a body may come more than once.
+    std::vector<BodyId> touched_asleep() const;
 
     /// Where the structure is at the end of the coming step. Its velocity in that step is the difference over Δt.
     void move_structure(const Vec3& position);

@@ -172,6 +172,15 @@ TEST(Validate, EveryContradictionIsOneSentence) {
          "arrangement.poses[0] puts a corner of a floe 0.1243 m outside the field, x from 6 to 21 m and |z| up to 2.4 "
          "m; move "
          "it, or correct the field"},
+        {[](Scenario& s) {
+             s.field.wake_radius = 3;
+             s.general.solver = SolverKind::stock;
+         },
+         "field.wake_radius_m = 3.0 is not for general.solver = \"stock\": only the lanes solver lets floes rest; take "
+         "it, or set the radius to 0"},
+        {[](Scenario& s) { s.field.wake_radius = 1.1; },
+         "field.wake_radius_m = 1.1 lets the structure strike a floe at rest, whose middle may be 1.16 m from its axis "
+         "then; take more than that, or 0 for none at rest"},
     };
     for (const auto& [change, expected] : cases) EXPECT_EQ(sentence(change), expected);
 }
@@ -181,6 +190,7 @@ TEST(Validate, BordersAreConsistent) {
     EXPECT_EQ(sentence([](Scenario& s) { s.analysis.segments = 3750; }), "consistent");  // parts of exactly 2 steps
     EXPECT_EQ(sentence([](Scenario& s) { s.floe.element = 0.6; }), "consistent");        // one element a floe
     EXPECT_EQ(sentence([](Scenario& s) { s.analysis.steady_start = 0; }), "consistent");
+    EXPECT_EQ(sentence([](Scenario& s) { s.field.wake_radius = 1.17; }), "consistent");
     EXPECT_EQ(sentence([](Scenario& s) {
                   s.structure.profile = {{-1, 0.2}, {0, 0.3}, {0, 0.5}, {1, 0.6}};
               }),

@@ -1,0 +1,72 @@
+#include "simulation/sleeping_floes.hpp"
+
+#include <algorithm>
+
+namespace floes {
+
+SleepingFloes::SleepingFloes(double wake_radius, const std::vector<IceElement>& elements) : wake_radius_(wake_radius) {
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        const auto floe = static_cast<std::size_t>(elements[i].floe);
+        floes_.resize(std::max(floes_.size(), floe + 1));
+        floes_[floe].indices.push_back(i);
+        const std::size_t body = elements[i].body.index();
+        floe_of_body_.resize(std::max(floe_of_body_.size(), body + 1));
+        floe_of_body_[body] = floe;
+        body_.push_back(elements[i].body);
+    }
+    list_awake();
+}
+
+void SleepingFloes::lay_down(World& world, std::span<const BodyState> states, double structure_x) {
+    if (wake_radius_ == 0) return;
+    for (FloeElements& floe : floes_) {
+        floe.middle = Vec3::Zero();
+        for (const std::size_t i : floe.indices) {
+            floe.middle += states[i].position / static_cast<double>(floe.indices.size());
+        }
+        const bool at_rest = std::ranges::all_of(
+            floe.indices, [&](std::size_t i) { return states[i].velocity.isZero(0) && states[i].spin.isZero(0); });
+        if (at_rest && !reached(floe, structure_x)) set_asleep(world, floe, true);
+    }
+    list_awake();
+}
+
+void SleepingFloes::wake(World& world, double structure_x) {
+    if (sleepers_ == 0) return;
+    const std::size_t before = sleepers_;
+    for (const BodyId body : world.touched_asleep()) set_asleep(world, floes_[floe_of_body_[body.index()]], false);
+    for (FloeElements& floe : floes_) {
+        if (floe.asleep && reached(floe, structure_x)) set_asleep(world, floe, false);
+    }
+    if (sleepers_ != before) list_awake();
+}
+
+void SleepingFloes::wake_all(World& world) {
+    for (FloeElements& floe : floes_) set_asleep(world, floe, false);
+    list_awake();
+}
+
+bool SleepingFloes::reached(const FloeElements& floe, double structure_x) const {
+    const double x = floe.middle.x() - structure_x;
+    return x * x + floe.middle.z() * floe.middle.z() <= wake_radius_ * wake_radius_;
+}
+
+void SleepingFloes::set_asleep(World& world, FloeElements& floe, bool asleep) {
+    if (floe.asleep == asleep) return;
+    floe.asleep = asleep;
+    sleepers_ += asleep ? std::size_t{1} : static_cast<std::size_t>(-1);
+    for (const std::size_t i : floe.indices) world.set_asleep(body_[i], asleep);
+}
+
+void SleepingFloes::list_awake() {
+    awake_elements_.clear();
+    std::size_t most = 0;
+    for (const FloeElements& floe : floes_) most = std::max(most, floe.indices.size());
+    for (std::size_t place = 0; place < most; ++place) {
+        for (const FloeElements& floe : floes_) {
+            if (!floe.asleep && place < floe.indices.size()) awake_elements_.push_back(floe.indices[place]);
+        }
+    }
+}
+
+}  // namespace floes

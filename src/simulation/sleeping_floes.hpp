@@ -1,0 +1,55 @@
+#pragma once
+// Floes that nothing has reached yet, and that are not computed (key field.wake_radius_m).
+//
+// A floe sleeps where it lies at rest, beyond the wake radius R from the structure's axis. It wakes, for good, when the
+// axis comes within R of its middle or something that moves touches it. What is left out is the drag of the flow out
+// there, V a²/r² at most V (a/R)²: while the structure comes nearer along a line through the floe it would have moved
+// it by less than ∫ a²/r² dr = a²/R, abeam by less than π a²/R.
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "ice/ice_field.hpp"
+#include "world/world.hpp"
+
+namespace floes {
+
+class SleepingFloes {
+  public:
+    /// All awake. wake_radius in m; 0: they stay so.
+    SleepingFloes(double wake_radius, const std::vector<IceElement>& elements);
+
+    /// To be called with all awake: lays the floes down that do not move at all (states of all elements) and lie beyond
+    /// the radius.
+    void lay_down(World& world, std::span<const BodyState> states, double structure_x);
+
+    /// Wakes whom the structure's axis, now at x = `structure_x` m, is near enough, and whom something touched in the
+    /// world's last step.
+    void wake(World& world, double structure_x);
+
+    void wake_all(World& world);
+
+    /// Indices of awake elements. The same place of all floes side by side: mostly the same edges are exposed there.
+    const std::vector<std::size_t>& awake_elements() const { return awake_elements_; }
+
+  private:
+    struct FloeElements {
+        std::vector<std::size_t> indices;
+        Vec3 middle = Vec3::Zero();
+        bool asleep = false;
+    };
+
+    bool reached(const FloeElements& floe, double structure_x) const;
+    void set_asleep(World& world, FloeElements& floe, bool asleep);
+    void list_awake();
+
+    double wake_radius_;
+    std::vector<BodyId> body_;  ///< by element
+    std::vector<FloeElements> floes_;
+    std::vector<std::size_t> floe_of_body_;
+    std::size_t sleepers_ = 0;
+    std::vector<std::size_t> awake_elements_;
+};
+
+}  // namespace floes
