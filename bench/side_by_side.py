@@ -10,6 +10,7 @@ waiting.
 import argparse
 import statistics
 import subprocess
+import sys
 
 
 def finish(processes):
@@ -19,6 +20,22 @@ def finish(processes):
     return wall, cpu
 
 
+def measure(program, rounds, steps):
+    """Ratios of throughput round by round, by wall clock and by CPU time."""
+    def start(threads):
+        return subprocess.Popen([program, str(threads), str(steps)], stdout=subprocess.PIPE, text=True)
+
+    ratios = {"wall": [], "CPU": []}
+    for round_ in range(rounds):
+        together = finish([start(2)])
+        apart = finish([start(1), start(1)])
+        for i, what in enumerate(ratios):
+            ratios[what].append(together[i] / apart[i])
+        print(f"round {round_ + 1}: wall {together[0]:.1f} / {apart[0]:.1f} steps/s = {ratios['wall'][-1]:.3f}   "
+              f"CPU {together[1]:.1f} / {apart[1]:.1f} steps/s = {ratios['CPU'][-1]:.3f}", file=sys.stderr, flush=True)
+    return ratios
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
@@ -26,17 +43,7 @@ def main():
     parser.add_argument("--steps", type=int, default=400)
     options = parser.parse_args()
 
-    def start(threads):
-        return subprocess.Popen([options.program, str(threads), str(options.steps)], stdout=subprocess.PIPE, text=True)
-
-    ratios = []
-    for round_ in range(options.rounds):
-        together = finish([start(2)])
-        apart = finish([start(1), start(1)])
-        ratios.append((together[0] / apart[0], together[1] / apart[1]))
-        print(f"round {round_ + 1}: wall {together[0]:.1f} / {apart[0]:.1f} steps/s = {ratios[-1][0]:.3f}   "
-              f"CPU {together[1]:.1f} / {apart[1]:.1f} steps/s = {ratios[-1][1]:.3f}", flush=True)
-    for what, values in zip(("wall", "CPU"), zip(*ratios)):
+    for what, values in measure(options.program, options.rounds, options.steps).items():
         print(f"{what}: median {statistics.median(values):.3f}, from {min(values):.3f} to {max(values):.3f}")
 
 

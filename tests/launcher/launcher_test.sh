@@ -125,6 +125,19 @@ check "no root: nothing was tried" "" "$(calls)"
 launch test
 check_has "tests need their packages too" "missing: beta gamma" "$err"
 
+# -- benchmarks: their own packages and preset, then all of them
+machine
+printf 'delta\n' >"$home/packages-bench.txt"
+launch bench
+check_has "benchmarks need their packages" "missing: delta" "$err"
+echo delta >>"$stage/installed"
+mkdir "$home/bench"
+printf '#!/bin/bash\nprintf "all"; printf " <%%s>" "$@"; echo\n' >"$home/bench/all.py"
+chmod +x "$home/bench/all.py"
+launch bench --rounds 3
+check "benchmarks" "all <$home/build/bench/bench> <--rounds> <3>" "$out"
+check_has "benchmarks: their build" "cmake --preset bench" "$(calls)"
+
 # -- packages are missing, root
 machine
 echo beta >"$stage/installed"

@@ -1,0 +1,105 @@
+#!/usr/bin/python3
+"""The paired benchmarks, end to end: what `./floes bench` runs. Some 5 minutes on a quiet machine.
+
+    bench/all.py build/bench/bench [--rounds 7] [--docs docs/performance.md]
+
+Steps, peers and members in turns, A B A B ..., instructions by callgrind, two threads against two processes. Prints the
+table of docs/performance.md; all single times go to results.json in the folder of the programs. --docs puts the table
+into that file, between its two marks.
+"""
+
+import argparse
+import json
+import os
+import re
+import statistics
+import subprocess
+import sys
+import tempfile
+
+import pair
+import side_by_side
+
+# Times are compared with that of the first of each group.
+LATE = ["TowStep/stock/late", "TowStep/lanes/late", "Peer/bullet/late", "Peer/ode/late"]
+EARLY = ["TowStep/stock/early", "TowStep/lanes/early"]
+MEMBERS = ["Member/stock", "Member/lanes"] + [f"Member/lanes/wake:{radius}" for radius in (6, 4, 3, 2)]
+COUNTED = LATE[:2] + EARLY  # the instructions of a step
+WARM_UP = 5  # steps that callgrind counts too
+MARKS = ("<!-- paired: ./floes bench -->", "<!-- end -->")
+
+
+def turns(program, names, rounds, steps):
+    times = {name: [] for name in names}
+    for round_ in range(rounds):
+        for name in names:
+            times[name].append(pair.run(program, name, steps)["cpu_time"])
+        print(f"round {round_ + 1} of {rounds}: " + "  ".join(f"{name} {times[name][-1]:.3f}" for name in names),
+              file=sys.stderr, flush=True)
+    return times
+
+
+def instructions(program, name):
+    """Of one step."""
+    steps = 5
+    with tempfile.TemporaryDirectory() as folder:
+        out = os.path.join(folder, "out")
+        subprocess.run(["valgrind", "--tool=callgrind", "--toggle-collect=floes::Simulation::step()",
+                        f"--callgrind-out-file={out}", program, "--steps", str(steps), f"--benchmark_filter=^{name}/"],
+                       check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        with open(out, encoding="utf-8") as file:
+            total = re.search(r"^(?:summary|totals): (\d+)", file.read(), re.MULTILINE)
+    return int(total.group(1)) / (WARM_UP + steps)
+
+
+def table(times, counts):
+    lines = ["| benchmark | CPU ms | instructions/step | time of stock over it (range of rounds) |", "|---|---|---|---|"]
+    for group in (LATE, EARLY, MEMBERS):
+        for name in group:
+            ratios = [a / b for a, b in zip(times[group[0]], times[name])]
+            ratio = f"{statistics.median(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})"
+            count = f"{counts[name] / 1e6:.1f} M" if name in counts else ""
+            lines.append(f"| {name} | {statistics.median(times[name]):.4g} | {count} | "
+                         f"{1 if name == group[0] else ratio} |")
+    return "\n".join(lines) + "\n"
+
+
+def put_between_marks(path, text):
+    with open(path, encoding="utf-8") as file:
+        before, mark, rest = file.read().partition(MARKS[0])
+    _, end, after = rest.partition(MARKS[1])
+    if not mark or not end:
+        sys.exit(f"{path} lacks the marks {MARKS[0]} and {MARKS[1]} that the table goes between.")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(f"{before}{mark}\n{text}{end}{after}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder")
+    parser.add_argument("--rounds", type=int, default=7, help="of steps; members take a third of them")
+    parser.add_argument("--docs")
+    options = parser.parse_args()
+    program = os.path.join(options.folder, "floes_bench")
+
+    load = os.getloadavg()[0]
+    times = turns(program, LATE + EARLY, options.rounds, 50)
+    times |= turns(program, MEMBERS, max(1, options.rounds // 3), 1)
+    counts = {name: instructions(program, name) for name in COUNTED}
+    together = side_by_side.measure(os.path.join(options.folder, "floes_throughput"), max(1, options.rounds - 2), 200)
+
+    text = table(times, counts)
+    text += f"\nLoad average before: {load:.1f}; {os.cpu_count()} CPUs; {options.rounds} rounds of 50 steps, " \
+            f"{len(times[MEMBERS[0]])} of members.\nTwo threads over two processes, throughput: "
+    text += ", ".join(f"{what} {statistics.median(values):.3f} ({min(values):.3f} to {max(values):.3f})"
+                      for what, values in together.items()) + ".\n"
+    print(text, end="")
+    with open(os.path.join(options.folder, "results.json"), "w", encoding="utf-8") as file:
+        json.dump({"load": load, "cpu_ms": times, "instructions_a_step": counts, "threads_over_processes": together},
+                  file, indent=1)
+    if options.docs:
+        put_between_marks(options.docs, text)
+
+
+if __name__ == "__main__":
+    main()
