@@ -2,6 +2,7 @@
 """Do two solvers give the same statistics? Paired tests over common arrangements.
 
 Usage: equivalence.py A.h5 B.h5 [A2.h5 B2.h5 …]
+       equivalence.py --reference CASE A.h5      every other case of one file (A) against this one (B)
 
 A and B are campaign files of the same configuration with different `general.solver`; further pairs, of other seeds, are
 pooled with the first. For every statistic of Table 3 and every case: the mean of A, of B, of the difference with its 95 %
@@ -37,11 +38,35 @@ def pairs(path_a, path_b):
                 for column in COLUMNS for index, name in enumerate(names)}
 
 
+def pairs_within(path, reference):
+    """The same of one file: each other case with the reference, arrangement by arrangement."""
+    with h5py.File(path) as file:
+        names = [name.decode() if isinstance(name, bytes) else name for name in file["cases/name"][:]]
+        if reference not in names:
+            sys.exit(f"{path} has no case {reference}; it has {', '.join(names)}.")
+        case = file["members/case"][:]
+        arrangement = file["members/arrangement"][:]
+
+        def of_case(column, index):
+            mine = case == index
+            return file[f"members/{column}"][:][mine][np.argsort(arrangement[mine])]
+
+        return {(column, name): [pair for pair in zip(of_case(column, index), of_case(column, names.index(reference)))
+                                 if np.all(np.isfinite(pair))]
+                for column in COLUMNS for index, name in enumerate(names) if name != reference}
+
+
 def main(paths):
+    if paths[0] == "--reference":
+        return show(pairs_within(paths[2], paths[1]))
     pooled = {}
     for path_a, path_b in zip(paths[::2], paths[1::2]):
         for key, values in pairs(path_a, path_b).items():
             pooled.setdefault(key, []).extend(values)
+    return show(pooled)
+
+
+def show(pooled):
     rows = []
     for (column, name), values in pooled.items():
         value_a, value_b = np.transpose(values)
@@ -56,6 +81,6 @@ def main(paths):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 3 or len(sys.argv) % 2 == 0:
+    if len(sys.argv) < 3 or (len(sys.argv) % 2 == 0) != (sys.argv[1] == "--reference"):
         sys.exit(__doc__)
     main(sys.argv[1:])
