@@ -1,5 +1,7 @@
 #include "store/journal_format.hpp"
 
+#include <cstring>
+
 #include <fmt/format.h>
 #include <boost/crc.hpp>
 
@@ -9,6 +11,21 @@ namespace floes::journal_format {
 namespace {
 
 using Crc32c = boost::crc_optimal<32, 0x1EDC6F41, 0xFFFFFFFF, 0xFFFFFFFF, true, true>;
+
+#ifdef __x86_64__
+// The sum over histories was most of what a member costs the master: the processor's instruction is ten times faster.
+__attribute__((target("sse4.2"))) std::uint32_t crc32c_by_processor(std::span<const std::byte> bytes) {
+    std::uint64_t crc = 0xFFFFFFFF;
+    for (; bytes.size() >= sizeof(std::uint64_t); bytes = bytes.subspan(sizeof(std::uint64_t))) {
+        std::uint64_t eight = 0;
+        std::memcpy(&eight, bytes.data(), sizeof eight);
+        crc = __builtin_ia32_crc32di(crc, eight);
+    }
+    auto rest = static_cast<std::uint32_t>(crc);
+    for (const std::byte one : bytes) rest = __builtin_ia32_crc32qi(rest, static_cast<std::uint8_t>(one));
+    return ~rest;
+}
+#endif
 
 void append(Bytes& bytes, std::span<const std::byte> more) {
     bytes.insert(bytes.end(), more.begin(), more.end());
@@ -81,6 +98,9 @@ void take_record(JournalContents& contents, std::uint32_t type, std::span<const 
 }  // namespace
 
 std::uint32_t crc32c(std::span<const std::byte> bytes) {
+#ifdef __x86_64__
+    if (__builtin_cpu_supports("sse4.2") != 0) return crc32c_by_processor(bytes);
+#endif
     Crc32c crc;
     crc.process_bytes(bytes.data(), bytes.size());
     return crc.checksum();
