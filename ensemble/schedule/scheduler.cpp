@@ -115,21 +115,18 @@ void Scheduler::dismiss_when_over(std::vector<Command>& commands) {
 
 void Scheduler::offer(int worker) {
     const Worker& w = workers_.at(worker);
+    running_ += w.running();
     if (w.load() < w.prefetch) room_.emplace(w.load(), worker);
 }
 
 void Scheduler::withdraw(int worker) {
-    room_.erase({workers_.at(worker).load(), worker});
+    const Worker& w = workers_.at(worker);
+    running_ -= w.running();
+    room_.erase({w.load(), worker});
 }
 
 bool Scheduler::finished() const {
     return workers_.empty() && (stopping_ || done_ == total());
-}
-
-int Scheduler::running() const {
-    int count = 0;
-    for (const auto& [number, worker] : workers_) count += std::min(static_cast<int>(worker.held.size()), worker.cores);
-    return count;
 }
 
 double Scheduler::remaining_cost() const {
@@ -153,6 +150,7 @@ void Scheduler::check_invariants() const {
         assigned += entry.worker ? 1 : 0;
     }
     int held = 0;
+    int running = 0;
     for (const auto& [number, worker] : workers_) {
         const bool has_room = worker.load() < worker.prefetch;
         require(worker.load() <= worker.prefetch, "a worker holds more than it may", number);
@@ -160,8 +158,10 @@ void Scheduler::check_invariants() const {
         require(stopping_ || pending_.empty() || worker.load() >= 0, "a core is idle though a member is pending",
                 number);
         held += static_cast<int>(worker.held.size());
+        running += worker.running();
         cores += worker.cores;
     }
+    require(running == running_, "the number of running members is wrong", running_);
     require(room_.size() <= workers_.size(), "the list of workers with room is too long",
             static_cast<int>(room_.size()));
     require(done == done_ && assigned == assigned_ && held == assigned_, "the counts are wrong", done_);

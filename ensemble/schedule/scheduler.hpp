@@ -11,6 +11,7 @@
 //     while (!scheduler.finished())
 //         for (const Command& command : scheduler.handle(next_event())) obey(command);
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
@@ -37,7 +38,7 @@ class Scheduler {
     int done() const { return done_; }
     int assigned() const { return assigned_; }  ///< handed out and not answered
     int pending() const { return static_cast<int>(pending_.size()); }
-    int running() const;                                ///< of the assigned, those that have a core
+    int running() const { return running_; }            ///< of the assigned, those that have a core
     int late_answers() const { return late_answers_; }  ///< answers of attempts that had been given up
     bool stopping() const { return stopping_; }
     double done_cost() const { return done_cost_; }  ///< sum over done members
@@ -61,6 +62,7 @@ class Scheduler {
         std::set<Index> held;
         bool dismissed = false;
 
+        int running() const { return std::min(static_cast<int>(held.size()), cores); }
         int load() const { return static_cast<int>(held.size()) - cores; }  // < 0: idle cores
     };
 
@@ -70,8 +72,8 @@ class Scheduler {
     enum class Ahead { no, yes };  // of the cores
     void hand_out(std::vector<Command>& commands, Ahead ahead);
     void dismiss_when_over(std::vector<Command>& commands);
-    void offer(int worker);     // enters the worker among those with room
-    void withdraw(int worker);  // takes it out, before its load changes
+    void offer(int worker);     // counts what the worker runs, and enters it among those with room
+    void withdraw(int worker);  // takes both back, before its load changes
 
     std::vector<Entry> tasks_;
     std::map<int, Index> index_of_;
@@ -81,6 +83,7 @@ class Scheduler {
     int cores_ = 0;                       // of all workers
     int done_ = 0;
     int assigned_ = 0;
+    int running_ = 0;
     int late_answers_ = 0;
     double total_cost_ = 0;
     double done_cost_ = 0;
