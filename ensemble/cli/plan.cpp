@@ -1,5 +1,6 @@
 // floes plan: wall time, core-hours, efficiency and sizes of a campaign, before they are spent.
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -22,6 +23,7 @@ struct PlanOptions {
     std::vector<int> cores;
     std::vector<int> ranks;
     std::string from;
+    double record_bytes = 0;  // 0: as they are
     std::string format = "table";
     std::vector<std::string> overrides;
 };
@@ -45,8 +47,9 @@ std::vector<PlanRow> rows_of(const PlanOptions& options, const PlannedMembers& p
 
 std::string plan_text(const PlanOptions& options) {
     const Campaign campaign = load_campaign(options.config, options.overrides);
-    const PlannedMembers planned =
+    PlannedMembers planned =
         options.from.empty() ? expected_members(campaign) : measured_members(campaign, read_measured_run(options.from));
+    if (options.record_bytes > 0) set_record_bytes(planned, options.record_bytes);
     const std::vector<PlanRow> rows = rows_of(options, planned);
     if (options.format == "csv") return plan_csv(rows);
     const PlanHead head = plan_head(campaign, planned);
@@ -71,6 +74,9 @@ void add_plan(CLI::App& program, int& exit_status) {
         ->check(CLI::Range(1, 1'000'000));
     verb->add_option("--from", options->from,
                      "A campaign file (CAMPAIGN.h5) or one being made, to take run times from");
+    verb->add_option("--record-bytes", options->record_bytes,
+                     "Size of a member's answer, for what if; that of its record when not given")
+        ->check(CLI::Range(1.0, 1e12));
     verb->add_option("--format", options->format, "table, json or csv")
         ->check(CLI::IsMember({"table", "json", "csv"}))
         ->capture_default_str();

@@ -11,15 +11,16 @@ struct DriverCosts {
     double start_up_per_rank = 0;  ///< more for every rank beyond the first: launch, campaign, hello
 
     // -- the master's thread, one thing after the other
-    double assign = 0;         ///< hand out a member to another rank
-    double answer = 0;         ///< take an answer of another rank, keep it in the journal
-    double own_member = 0;     ///< hand out and keep a member of the master's own cores
-    double keep_per_byte = 0;  ///< more for every byte of the record
-    double sync = 0;           ///< fdatasync of the journal
-    double sync_interval = 0;  ///< between two of them
-    double publish = 0;        ///< write the campaign file
+    double assign = 0;            ///< hand out a member to another rank
+    double answer = 0;            ///< take an answer of another rank, keep it in the journal
+    double own_member = 0;        ///< hand out and keep a member of the master's own cores
+    double receive_per_byte = 0;  ///< more for every byte of an answer of another rank
+    double keep_per_byte = 0;     ///< more for every byte of the record
+    double sync = 0;              ///< fdatasync of the journal
+    double sync_interval = 0;     ///< between two of them
+    double publish = 0;           ///< write the campaign file
     double publish_per_member = 0;
-    double publish_per_byte = 0;  ///< of the file
+    double publish_per_byte = 0;  ///< of the records in it
     double publish_interval = 0;  ///< between two of them, at least
     double publish_share = 0;     ///< of the time at most, while the run goes on
 

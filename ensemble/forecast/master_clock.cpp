@@ -37,9 +37,9 @@ void MasterClock::work(double seconds) {
     busy_ += seconds;
 }
 
-void MasterClock::keep(double file_bytes) {
+void MasterClock::keep(double bytes) {
     ++members_;
-    file_bytes_ += file_bytes;
+    bytes_ += bytes;
     synced_ = false;
     published_ = false;
 }
@@ -69,7 +69,7 @@ void MasterClock::tend(double until) {
 }
 
 void MasterClock::publish() {
-    work(costs_.publish + costs_.publish_per_member * members_ + costs_.publish_per_byte * file_bytes_);
+    work(costs_.publish + costs_.publish_per_member * members_ + costs_.publish_per_byte * bytes_);
     published_ = true;
 }
 

@@ -31,8 +31,8 @@ class MasterClock {
     void notice(double ready, bool asleep);
     /// Works for so long.
     void work(double seconds);
-    /// A record is in the journal; it will take so much in the campaign file.
-    void keep(double file_bytes);
+    /// A record of so many bytes is in the journal.
+    void keep(double bytes);
     /// Brings everything to the disk and publishes.
     void finish();
 
@@ -52,7 +52,7 @@ class MasterClock {
     bool synced_ = true;
     bool published_ = true;
     double members_ = 0;
-    double file_bytes_ = 0;
+    double bytes_ = 0;
 };
 
 /// How long after it arrived a message is noticed by a rank that has had no news for `silence` seconds: such a rank

@@ -116,6 +116,13 @@ PlannedMembers measured_members(const Campaign& campaign, const MeasuredRun& run
     return planned;
 }
 
+void set_record_bytes(PlannedMembers& planned, double bytes) {
+    for (SimulatedMember& member : planned.members) {
+        member.file_bytes *= bytes / member.record_bytes;
+        member.record_bytes = bytes;
+    }
+}
+
 int usual_ranks(int cores) {
     return (cores + cores_of_a_node - 1) / cores_of_a_node;
 }

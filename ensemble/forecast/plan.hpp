@@ -28,6 +28,9 @@ PlannedMembers expected_members(const Campaign& campaign);
 /// depend on the campaign's seed and the member's number alone. Throws InputError when no member is done yet.
 PlannedMembers measured_members(const Campaign& campaign, const MeasuredRun& run);
 
+/// Every record becomes so large, and takes as much less or more in the campaign file.
+void set_record_bytes(PlannedMembers& planned, double bytes);
+
 /// One setting, and what comes of it.
 struct PlanRow {
     int cores = 1;

@@ -154,9 +154,10 @@ class Play {
     void answered(const Happening& at) {
         const SimulatedMember& what = member(at.number);
         clock_.notice(at.time, at.rank != master);
-        clock_.work((at.rank == master ? costs_.own_member / 2 : costs_.answer) +
-                    costs_.keep_per_byte * what.record_bytes);
-        clock_.keep(what.file_bytes);
+        const double taking =
+            at.rank == master ? costs_.own_member / 2 : costs_.answer + costs_.receive_per_byte * what.record_bytes;
+        clock_.work(taking + costs_.keep_per_byte * what.record_bytes);
+        clock_.keep(what.record_bytes);
         handle(MemberFinished{at.rank, at.number, at.attempt});
     }
 

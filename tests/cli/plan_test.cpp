@@ -46,6 +46,8 @@ TEST(Plan, GivesJsonOfEverySetting) {
     EXPECT_NEAR(one.at("wall_time_s").get<double>(), 36 * mean, 0.01 * 36 * mean);
     EXPECT_NEAR(one.at("core_hours").get<double>(), 36 * mean / 3600, 0.01 * 36 * mean / 3600);
     const double longest = answer.at("longest_run_time_s");
+    const json lean = json::parse(plan("--cores 1 --record-bytes 5000 --format json"));
+    EXPECT_EQ(lean.at("plans").at(0).at("journal_bytes"), 36 * 5000.0);
     EXPECT_NEAR(all.at("wall_time_s").get<double>(), longest, 2.0);  // a member a core
 }
 

@@ -131,9 +131,10 @@ TEST(Simulate, MoreCoresOrShorterMembersNeverTakeLonger) {
         EXPECT_LE(now, before) << cores;
         before = now;
     }
+    // With a driver that looks for messages now and then this holds within one such look only.
     before = 0;
     for (const double run_time : {0.0, 1e-4, 1e-3, 1e-2, 0.1, 1.0}) {
-        const double now = simulate(equal_members(1000, run_time), machine_of(32, 8), measured_costs()).wall_time;
+        const double now = simulate(equal_members(1000, run_time), machine_of(32, 8), free_driver).wall_time;
         EXPECT_GE(now, before) << run_time;
         before = now;
     }

@@ -1,0 +1,144 @@
+// floes_dispatch MEMBERS MILLISECONDS STEPS THREADS FOLDER: the real driver, with its journal in FOLDER, on members
+// that only sleep and give histories of so many steps. Alone or under mpirun. Every rank prints a line of JSON: where
+// its processor time went. The line of rank 0 has the times as well, beside those that the simulated run gives.
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <thread>
+
+#include "driver/run_campaign.hpp"
+#include "driver/worker.hpp"
+#include "forecast/plan.hpp"
+#include "store/campaign_file.hpp"
+
+namespace {
+
+using namespace floes;
+using Clock = std::chrono::steady_clock;
+
+double since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+double processor_time(int whose) {
+    rusage usage{};
+    ::getrusage(whose, &usage);
+    const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * t.tv_usec; };
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+/// Six floes, one case, so many members and steps.
+Campaign campaign_of(int members, int steps) {
+    Scenario scenario;
+    scenario.field.floes = 6;
+    scenario.field.concentration = 0.3;
+    scenario.structure.speed = 3.5 / (steps * scenario.general.time_step);
+    const int window = steps / 6 * 3;  // three segments
+    scenario.analysis = {(steps - window) * scenario.general.time_step, window * scenario.general.time_step, 3};
+    return {"dispatch", 1, members, {{"sleeping", scenario}}};
+}
+
+/// As hard to compress as loads are.
+std::vector<double> noise(std::size_t count, std::uint64_t state) {
+    std::vector<double> values(count);
+    for (double& value : values) {
+        state = state * 6364136223846793005u + 1442695040888963407u;
+        value = static_cast<double>(state >> 11);
+    }
+    return values;
+}
+
+MemberFunction sleeper(std::chrono::duration<double> duration, std::size_t steps) {
+    return [=](const Campaign&, int number, std::stop_token) {
+        if (duration.count() > 0) std::this_thread::sleep_for(duration);
+        MemberResult result;
+        result.load.segment_maximum.resize(3);
+        for (auto* history : {&result.history.surge, &result.history.sway, &result.history.heave})
+            *history = noise(steps, static_cast<std::uint64_t>(number));
+        result.arrangement.resize(6);
+        return result;
+    };
+}
+
+/// What the simulated run gives for the same members, without the launch, which is over when the clock begins.
+Forecast forecast_of(const Campaign& campaign, double duration, int cores, int ranks) {
+    std::vector<SimulatedMember> members = expected_members(campaign).members;
+    for (SimulatedMember& member : members) member.run_time = duration;
+    DriverCosts costs = measured_costs();
+    costs.start_up = 0;
+    costs.start_up_per_rank = 0;
+    Machine machine = machine_of(cores, ranks);
+    machine.processors = static_cast<int>(std::thread::hardware_concurrency());
+    return simulate(members, machine, costs);
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    if (count != 6) {
+        fmt::print(stderr, "Usage: floes_dispatch MEMBERS MILLISECONDS STEPS THREADS FOLDER\n");
+        return 2;
+    }
+    const int members = std::atoi(arguments[1]);
+    const double duration = 1e-3 * std::atof(arguments[2]);
+    const int steps = std::atoi(arguments[3]);
+    const int threads = std::atoi(arguments[4]);
+    const std::filesystem::path file = std::filesystem::path(arguments[5]) / "dispatch.h5";
+    const MemberFunction compute = sleeper(std::chrono::duration<double>(duration), static_cast<std::size_t>(steps));
+
+    const std::unique_ptr<Link> link = open_link();
+    const auto inside = Clock::now();
+    const double thread_before = processor_time(RUSAGE_THREAD);
+    const double process_before = processor_time(RUSAGE_SELF);
+    nlohmann::ordered_json line{{"rank", link->rank()}, {"ranks", link->size()}};
+    int status = 0;
+    if (link->rank() != 0) {
+        status = serve_campaign(*link, threads, compute);
+    } else {
+        status = lead_ranks(*link, std::cerr, [&] {
+            const Campaign campaign = campaign_of(members, steps);
+            std::ostringstream said;
+            Progress progress(said, Progress::Style::plain);
+            const auto begin = Clock::now();
+            const int done = run_campaign(campaign, {{file, Existing::replace}, threads, ""}, *link, compute, progress);
+            const double wall = since(begin);
+            line["message_thread_processor_s"] = processor_time(RUSAGE_THREAD) - thread_before;
+
+            const JournalContents contents = read_journal(journal_path(file));
+            const auto publish_begin = Clock::now();
+            const double before = processor_time(RUSAGE_THREAD);
+            publish(file, campaign, contents.members, contents.sessions);
+            line["publish_s"] = since(publish_begin);
+            line["publish_processor_s"] = processor_time(RUSAGE_THREAD) - before;
+            const int cores = threads * link->size();
+            const Forecast forecast = forecast_of(campaign, duration, cores, link->size());
+            line["cores"] = cores;
+            line["members"] = members;
+            line["member_s"] = duration;
+            line["own_members"] = std::ranges::count(contents.members, 0, &MemberRecord::rank);
+            line["record_bytes"] = std::filesystem::file_size(journal_path(file)) / static_cast<unsigned>(members);
+            line["wall_s"] = wall;
+            line["predicted_wall_s"] = forecast.wall_time;
+            line["members_per_s"] = members / (wall - line["publish_s"].get<double>());
+            line["predicted_members_per_s"] = members / forecast.last_member;
+            line["file_bytes"] = std::filesystem::file_size(file);
+            return done;
+        });
+    }
+    const double of_thread = processor_time(RUSAGE_THREAD) - thread_before;
+    if (link->rank() != 0) line["message_thread_processor_s"] = of_thread;
+    line["inside_s"] = since(inside);
+    line["crew_processor_s"] = processor_time(RUSAGE_SELF) - process_before - of_thread;
+    fmt::print("{}\n", line.dump());
+    return status;
+}

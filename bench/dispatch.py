@@ -1,0 +1,134 @@
+#!/usr/bin/python3
+"""Runs floes_dispatch over many settings: what the driver costs, and how well `floes plan` foretells real runs.
+
+    bench/dispatch.py build/bench/bench/floes_dispatch OUTPUT.json [--rounds 3] [--folder FOLDER]
+
+Members sleep, so a machine of two cores can host many ranks. Prints the costs for ensemble/forecast/measured_costs.cpp
+(processor times, the least of all rounds) and a table of real and foretold wall time (the least of all rounds). The
+journal is written in FOLDER: its disk is the one that is measured.
+"""
+
+import argparse
+import json
+import os
+import statistics
+import subprocess
+import tempfile
+import time
+
+SMALL = 111  # steps: a record of 3 kB
+LARGE = 11502  # steps: a record of 276 kB, as of configs/table3.toml
+# ranks, members, milliseconds, steps
+SETTINGS = [
+    (1, 20000, 0, SMALL), (2, 20000, 0, SMALL), (8, 20000, 0, SMALL), (32, 20000, 0, SMALL),
+    (1, 2000, 1, SMALL), (2, 4000, 1, SMALL), (8, 10000, 1, SMALL), (32, 20000, 1, SMALL),
+    (1, 300, 10, SMALL), (2, 600, 10, SMALL), (8, 2400, 10, SMALL), (32, 9600, 10, SMALL),
+    (1, 30, 100, SMALL), (2, 60, 100, SMALL), (8, 240, 100, SMALL), (32, 960, 100, SMALL),
+    (1, 400, 0, LARGE), (2, 400, 0, LARGE), (8, 400, 100, LARGE),
+]
+
+
+def run(program, setting, folder):
+    ranks, members, milliseconds, steps = setting
+    command = [program, str(members), str(milliseconds), str(steps), "1", folder]
+    if ranks > 1:
+        command = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "-n", str(ranks)] + command
+    begin = time.monotonic()
+    text = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+    whole = time.monotonic() - begin
+    lines = sorted((json.loads(line) for line in text.splitlines()), key=lambda line: line["rank"])
+    result = lines[0]
+    result["whole_s"] = whole
+    result["steps"] = steps
+    result["load_average"] = os.getloadavg()[0]
+    for name in ("message_thread_processor_s", "crew_processor_s"):
+        result["workers_" + name] = sum(line[name] for line in lines[1:])
+    return result
+
+
+def sync_time(folder):
+    """Median time of fdatasync after 1 MB, s."""
+    times = []
+    with open(os.path.join(folder, "sync"), "ab") as file:
+        for _ in range(15):
+            file.write(os.urandom(1_000_000))
+            file.flush()
+            begin = time.monotonic()
+            os.fdatasync(file.fileno())
+            times.append(time.monotonic() - begin)
+    return statistics.median(times)
+
+
+def costs(results, sync):
+    """Of DriverCosts, from the least of every time."""
+    def least(ranks, steps, value):
+        return min(value(one) for one in results if one["ranks"] == ranks and one["steps"] == steps and not one["member_s"])
+
+    def publishing(one):
+        same = [other for other in results if (other["members"], other["steps"]) == (one["members"], one["steps"])]
+        return min(other["publish_processor_s"] for other in same)
+
+    def thread(one):
+        return one["message_thread_processor_s"] - publishing(one)
+
+    large = next(one["record_bytes"] for one in results if one["steps"] == LARGE)
+    own = least(1, SMALL, lambda one: thread(one) / one["members"])
+    other = least(8, SMALL, lambda one: (thread(one) - own * one["own_members"]) / (one["members"] - one["own_members"]))
+    keep = (least(1, LARGE, lambda one: thread(one) / one["members"]) - own) / large
+    receive = (least(2, LARGE, lambda one: (thread(one) - (own + keep * large) * one["own_members"])
+                     / (one["members"] - one["own_members"])) - other) / large - keep
+    small = next(one["record_bytes"] for one in results if one["steps"] == SMALL)
+    publish_small = least(1, SMALL, lambda one: publishing(one) / one["members"])
+    publish_byte = least(1, LARGE, lambda one: publishing(one) / one["members"] - publish_small) / (large - small)
+    report = least(8, SMALL, lambda one: one["workers_message_thread_processor_s"] / (one["members"] - one["own_members"]))
+    report_large = least(2, LARGE, lambda one: one["workers_message_thread_processor_s"]
+                         / (one["members"] - one["own_members"]))
+
+    def launch(ranks):
+        return min(one["whole_s"] - one["inside_s"] for one in results if one["ranks"] == ranks)
+
+    return {
+        "start_up": launch(1), "start_up_per_rank": (launch(32) - launch(2)) / 30,
+        "assign": other / 4, "answer": other * 3 / 4, "own_member": own,
+        "receive_per_byte": max(receive, 0), "keep_per_byte": keep, "sync": sync, "publish_per_member": publish_small - small * publish_byte,
+        "publish_per_byte": publish_byte,
+        "member": least(8, SMALL, lambda one: one["workers_crew_processor_s"] / (one["members"] - one["own_members"])),
+        "report": report, "report_per_byte": max(report_large - report, 0) / large,
+    }
+
+
+def table(results):
+    print("| ranks | member, ms | record, kB | members | real, s | plan, s | plan / real | real, members/s |")
+    print("|---|---|---|---|---|---|---|---|")
+    for setting in SETTINGS:
+        ranks, members, milliseconds, steps = setting
+        same = [one for one in results if (one["ranks"], one["members"], round(1e3 * one["member_s"]), one["steps"]) == setting]
+        real = min(one["wall_s"] for one in same)
+        plan = same[0]["predicted_wall_s"]
+        rate = max(one["members_per_s"] for one in same)
+        print(f"| {ranks} | {milliseconds} | {same[0]['record_bytes'] / 1e3:.0f} | {members} | {real:.2f} | {plan:.2f} "
+              f"| {plan / real:.2f} | {rate:.0f} |")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("output")
+    parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--folder", help="on the disk to be measured; this folder's when not given", default=".")
+    options = parser.parse_args()
+    results = []
+    with tempfile.TemporaryDirectory(dir=options.folder) as folder:
+        for _ in range(options.rounds):
+            results += [run(options.program, setting, folder) for setting in SETTINGS]
+        sync = sync_time(folder)
+    with open(options.output, "w", encoding="utf-8") as file:
+        json.dump({"sync_s": sync, "runs": results}, file, indent=1)
+    for name, value in costs(results, sync).items():
+        print(f".{name} = {value:.2g},")
+    print()
+    table(results)
+
+
+if __name__ == "__main__":
+    main()

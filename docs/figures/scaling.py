@@ -1,0 +1,72 @@
+#!/usr/bin/python3
+"""What `floes plan` foretells on 2 to 100,000 cores, ten members a core: a figure, and the same as a table.
+
+Usage: scaling.py FLOES CONFIGS OUTPUT.svg      (FLOES: the program, CONFIGS: the folder configs/)
+"""
+import csv
+import io
+import os
+import subprocess
+import sys
+
+import matplotlib
+
+matplotlib.use("agg")
+import matplotlib.pyplot as plt
+
+CORES = [2, 8, 64, 512, 1000, 2000, 4000, 8000, 16000, 32000, 64000, 100000]
+# title, configuration, bytes of a record (None: as it is), colour, line
+CURVES = [
+    ("60 s members with histories, 281 kB (table3.toml)", "table3.toml", None, "#0072B2", "-"),
+    ("60 s members without histories, 5 kB", "table3.toml", 5000, "#0072B2", "--"),
+    ("0.9 s members with histories, 32 kB (smoke.toml)", "smoke.toml", None, "#D55E00", "-"),
+    ("0.9 s members without histories, 2 kB", "smoke.toml", 2000, "#D55E00", "--"),
+]
+
+
+def plan(program, config, cores, record_bytes):
+    arrangements = -(-10 * cores // 3)
+    command = [program, "plan", config, "--cores", str(cores), "--format", "csv",
+               "--set", f"campaign.arrangements={arrangements}"]
+    if record_bytes:
+        command += ["--record-bytes", str(record_bytes)]
+    text = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+    return {key: float(value) for key, value in next(csv.DictReader(io.StringIO(text))).items()}
+
+
+def size(number):
+    for unit in ("B", "kB", "MB"):
+        if number < 1000:
+            return f"{number:.0f} {unit}"
+        number /= 1000
+    return f"{number:.1f} GB"
+
+
+def main(program, configs, output):
+    figure, (efficiency, busy) = plt.subplots(1, 2, figsize=(10, 4), sharex=True)
+    print("| members | cores | ranks | wall time, s | efficiency | master busy | campaign file |")
+    print("|---|---|---|---|---|---|---|")
+    for title, config, record_bytes, colour, line in CURVES:
+        rows = [plan(program, os.path.join(configs, config), cores, record_bytes) for cores in CORES]
+        for row in rows:
+            print(f"| {title} | {row['cores']:.0f} | {row['ranks']:.0f} | {row['wall_time_s']:.3g} "
+                  f"| {100 * row['efficiency']:.1f} % | {100 * row['master_busy']:.2g} % | {size(row['file_bytes'])} |")
+        efficiency.plot(CORES, [100 * row["efficiency"] for row in rows], line, color=colour, marker=".", label=title)
+        busy.plot(CORES, [100 * row["master_busy"] for row in rows], line, color=colour, marker=".", label=title)
+    efficiency.set_ylabel("efficiency (%)")
+    busy.set_ylabel("master busy (%)")
+    for axis in (efficiency, busy):
+        axis.set_xscale("log")
+        axis.set_xlabel("cores")
+        axis.set_ylim(0, 104)
+        axis.grid(color="0.9")
+        axis.spines[["top", "right"]].set_visible(False)
+    efficiency.legend(frameon=False, fontsize=8, loc="lower left")
+    figure.tight_layout()
+    figure.savefig(output, metadata={"Date": None})
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 4:
+        sys.exit(__doc__)
+    main(*sys.argv[1:])
