@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "campaign/advice.hpp"
 #include "campaign/campaign_keys.hpp"
 #include "cli/commands.hpp"
 #include "cli/config_file.hpp"
@@ -45,9 +46,11 @@ std::string check_line(const Campaign& campaign) {
     for (const Case& one : campaign.cases) {
         if (one.calibrate) calibrated += (calibrated.empty() ? "; to be calibrated: " : ", ") + one.name;
     }
-    return fmt::format("ok: {} x {} = {}{}\n", counted(static_cast<int>(campaign.cases.size()), "case"),
-                       counted(campaign.arrangements, "arrangement"), counted(member_count(campaign), "member"),
-                       calibrated);
+    std::string text = fmt::format("ok: {} x {} = {}{}\n", counted(static_cast<int>(campaign.cases.size()), "case"),
+                                   counted(campaign.arrangements, "arrangement"),
+                                   counted(member_count(campaign), "member"), calibrated);
+    for (const std::string& sentence : advice(campaign)) text += "but " + sentence + "\n";
+    return text;
 }
 
 std::string answer(const ConfigOptions& options) {

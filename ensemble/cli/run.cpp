@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "campaign/advice.hpp"
 #include "cli/commands.hpp"
 #include "cli/config_file.hpp"
 #include "cli/terminal.hpp"
@@ -78,6 +79,7 @@ int lead(const RunVerb& verb, const std::string& program, Link& link) {
     int status = 0;
     {
         Progress progress(std::cerr, style_of_standard_error());
+        for (const std::string& sentence : advice(campaign)) progress.say(sentence);
         Recorder::check(options.places);  // before the calibration, which takes a minute
         options.places.calibrations =
             calibrate_campaign(campaign, kept_calibrations(options.places), threads_of(link, verb.threads), progress);

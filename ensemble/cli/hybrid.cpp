@@ -1,0 +1,84 @@
+// floes hybrid: the load by Lindqvist, by KPR and by the hybrid of both over the elastic modulus (Eqs. (6)-(7), Fig.
+// 8).
+
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/config_file.hpp"
+#include "core/units.hpp"
+#include "report/hybrid_curve.hpp"
+
+namespace floes {
+namespace {
+
+struct HybridOptions {
+    std::string config;
+    std::vector<std::string> overrides;
+    std::vector<double> moduli{1, 2, 5, 10, 20, 30, 60, 100, 200, 500, 1000};
+    double crossing = 10;  // MPa, Fig. 8
+    std::vector<double> coefficients;
+    std::string format = "table";
+};
+
+Scenario scenario_of(const HybridOptions& options) {
+    if (options.config.empty()) return Scenario{};
+    return load_campaign(options.config, options.overrides).cases.front().scenario;
+}
+
+HybridModel model_of(const HybridOptions& options, const Scenario& scenario) {
+    const HybridModel model = hybrid_model(scenario);
+    const std::vector<double>& k = options.coefficients;
+    return k.empty() ? model.crossing_at(options.crossing * unit::megapascal) : model.with({k[0], k[1], k[2]});
+}
+
+std::string answer(const HybridOptions& options) {
+    const Scenario scenario = scenario_of(options);
+    std::vector<double> moduli;
+    for (const double modulus : options.moduli) moduli.push_back(modulus * unit::megapascal);
+    const HybridCurve curve = hybrid_curve(scenario, model_of(options, scenario), moduli);
+    if (options.format == "json") return hybrid_json(curve);
+    return options.format == "csv" ? hybrid_csv(curve) : hybrid_table(curve);
+}
+
+}  // namespace
+
+void add_hybrid(CLI::App& program, int& exit_status) {
+    auto options = std::make_shared<HybridOptions>();
+    CLI::App* verb = program.add_subcommand(
+        "hybrid", "The load by closed formulas over the elastic modulus: Lindqvist, KPR and their hybrid (Fig. 8)");
+    CLI::Option* config = verb->add_option(
+        "config", options->config, "Take ice and structure of this configuration's first case; else the paper's");
+    add_overrides(*verb, options->overrides)->needs(config);
+    verb->add_option("--modulus-MPa", options->moduli, "Elastic moduli, MPa, comma-separated")
+        ->delimiter(',')
+        ->check(CLI::Range(1e-3, 1e6));
+    CLI::Option* crossing =
+        verb->add_option("--crossing-MPa", options->crossing,
+                         "Choose KPR's static coefficient so that both limits are equal at this modulus; the paper's "
+                         "Fig. 8 shows about 10")
+            ->check(CLI::Range(1e-3, 1e6))
+            ->capture_default_str();
+    verb->add_option("--kpr", options->coefficients, "KPR's coefficients k1,k2,k3 instead")
+        ->delimiter(',')
+        ->expected(3)
+        ->check(CLI::NonNegativeNumber)
+        ->excludes(crossing);
+    verb->add_option("--format", options->format, "table, json or csv")
+        ->check(CLI::IsMember({"table", "json", "csv"}))
+        ->capture_default_str();
+    verb->footer(
+        "R_LS breaks the floes (Lindqvist times concentration), R_LM pushes them aside (KPR), R_F is the smaller.\n"
+        "KPR's coefficients are in no source that could be read: k1 is set by the crossing, so the crossing tests "
+        "nothing.\n\n"
+        "  floes hybrid                                   the paper's case\n"
+        "  floes hybrid table3.toml --set ice.bending_strength_kPa=50 --format json");
+    verb->callback([options, &exit_status] {
+        std::fputs(answer(*options).c_str(), stdout);
+        exit_status = 0;
+    });
+}
+
+}  // namespace floes

@@ -1,0 +1,77 @@
+// floes hybrid: the paper's case without a configuration, another with one.
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cli/commands.hpp"
+#include "core/error.hpp"
+
+namespace floes {
+namespace {
+
+std::string hybrid(const std::string& arguments) {
+    CLI::App program("floes");
+    int exit_status = -1;
+    add_hybrid(program, exit_status);
+    testing::internal::CaptureStdout();
+    try {
+        program.parse("hybrid " + arguments);
+    } catch (...) {
+        testing::internal::GetCapturedStdout();
+        throw;
+    }
+    EXPECT_EQ(exit_status, 0);
+    return testing::internal::GetCapturedStdout();
+}
+
+nlohmann::json row_at(const nlohmann::json& answer, double modulus) {
+    for (const auto& row : answer.at("rows")) {
+        if (row.at("elastic_modulus_MPa") == modulus) return row;
+    }
+    ADD_FAILURE() << "no row at " << modulus << " MPa in " << answer;
+    return {};
+}
+
+TEST(Hybrid, AnswersForThePapersCase) {
+    const nlohmann::json answer = nlohmann::json::parse(hybrid("--format json"));
+    EXPECT_NEAR(answer.at("crossing_MPa").get<double>(), 10, 1e-9);
+    EXPECT_NEAR(answer.at("wall_deg").get<double>(), 45, 1e-9);
+    EXPECT_NEAR(row_at(answer, 30).at("limit_stress_N").get<double>(), 55.7, 0.05);
+    EXPECT_NEAR(row_at(answer, 60).at("limit_stress_N").get<double>(), 50.6, 0.05);
+    EXPECT_NEAR(row_at(answer, 200).at("limit_stress_N").get<double>(), 45.1, 0.05);
+    EXPECT_NEAR(row_at(answer, 60).at("characteristic_length_m").get<double>(), 0.377, 5e-4);
+    for (const auto& row : answer.at("rows")) {
+        EXPECT_EQ(row.at("hybrid_N").get<double>(),
+                  std::min(row.at("limit_stress_N").get<double>(), row.at("limit_momentum_N").get<double>()));
+    }
+}
+
+TEST(Hybrid, TakesStructureAndIceFromAConfiguration) {
+    const std::string table3 = std::string(FLOES_SOURCE_DIR) + "/configs/table3.toml";
+    const auto at_60 = [](const std::string& arguments) {
+        return row_at(nlohmann::json::parse(hybrid(arguments + " --format json")), 60);
+    };
+    EXPECT_EQ(at_60(table3), at_60(""));
+    EXPECT_NEAR(at_60(table3 + " --set ice.bending_strength_kPa=72.8").at("bending_N").get<double>(),
+                2 * at_60("").at("bending_N").get<double>(), 1e-9);
+    EXPECT_THROW(hybrid(table3 + " --set structure.profile_m=[[-0.443,0.614],[0.122,0.614]]"), InputError);
+}
+
+TEST(Hybrid, TakesCoefficients) {
+    const nlohmann::json answer = nlohmann::json::parse(hybrid("--kpr 0.01,0,0 --modulus-MPa 60 --format json"));
+    EXPECT_TRUE(answer.at("crossing_MPa").is_null());
+    EXPECT_EQ(answer.at("rows").size(), 1u);
+    EXPECT_THROW(hybrid("--kpr 0.01,0,0 --crossing-MPa 20"), CLI::Error);
+}
+
+TEST(Hybrid, PrintsATable) {
+    const std::string table = hybrid("--modulus-MPa 60");
+    EXPECT_NE(table.find("    60 0.377    50.6       26.1      12.1          12.3    68.3    50.6"), std::string::npos)
+        << table;
+    EXPECT_NE(table.find("floes break above 10 MPa"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace floes
