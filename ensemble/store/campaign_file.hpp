@@ -16,7 +16,7 @@
 namespace floes {
 
 /// Version of the layout, {major, minor}: a new minor only adds names.
-inline constexpr std::array<int, 2> campaign_file_version{1, 1};
+inline constexpr std::array<int, 2> campaign_file_version{1, 2};
 inline constexpr const char* campaign_filetype = "floes campaign";
 
 /// Writes the file aside, brings it to the disk, and renames it into place: at every moment `path` is the old file or

@@ -17,17 +17,20 @@ void write_member_provenance(hid_t group, const CampaignContent& content) {
     // Not the root's scale: a scale refers to what it is attached to, and comparing two files follows the reference.
     const Scale member = write_index_scale(group, "member", "member", content.records.size());
     std::vector<double> wall_time;
+    std::vector<double> cpu_time;
     std::vector<double> peak_memory;
     std::vector<std::int32_t> rank;
     std::vector<std::string> host;
     for (const MemberRecord* record : content.records) {
         wall_time.push_back(record != nullptr ? record->result.wall_time : nan);
+        cpu_time.push_back(record != nullptr ? record->result.cpu_time : nan);
         peak_memory.push_back(record != nullptr ? static_cast<double>(record->peak_memory) : nan);
         rank.push_back(record != nullptr ? record->rank : -1);
         host.push_back(record != nullptr ? record->host : "");
     }
     const hdf5::Dimensions one{member};
     hdf5::write_values(group, {"wall_time", "s", "wall time of the member"}, one, wall_time);
+    hdf5::write_values(group, {"cpu_time", "s", "processor time of the member"}, one, cpu_time);
     hdf5::write_values(group, {"peak_memory", "byte", "largest resident set of the process by the member's end"}, one,
                        peak_memory);
     hdf5::write_values(group, {"rank", "1", "rank that computed the member"}, one, rank, -1);

@@ -1,6 +1,7 @@
 #pragma once
 // What one member gives: a row of Table 3, its load histories, its break log and the arrangement it began from.
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ enum class MemberStatus : std::int8_t { done = 0, failed = 1 };
 
 /// The result of one member. Of a failed member only status, reason, arrangement and what was recorded before count.
 struct MemberResult {
+    static constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
+
     MemberStatus status = MemberStatus::done;
     std::string reason;        ///< of a failure, a sentence; empty when done
     LoadStatistics load;       ///< of the surge load in the window
@@ -31,6 +34,7 @@ struct MemberResult {
     std::vector<PlanarPose> arrangement;  ///< floe poses at t = 0
     double psi4 = 0;                      ///< of the arrangement
     double wall_time = 0;                 ///< s; provenance only
+    double cpu_time = not_measured;       ///< s, of the thread that computed it; provenance only
 };
 
 }  // namespace floes

@@ -70,6 +70,7 @@ void write(ByteWriter& out, const MemberResult& result) {
     }
     out.f64(result.psi4);
     out.f64(result.wall_time);
+    out.f64(result.cpu_time);
 }
 
 MemberResult read_member_result(ByteReader& in) {
@@ -105,6 +106,8 @@ MemberResult read_member_result(ByteReader& in) {
     }
     result.psi4 = in.f64();
     result.wall_time = in.f64();
+    // Journals from before it was measured end here.
+    result.cpu_time = in.left() > 0 ? in.f64() : MemberResult::not_measured;
     return result;
 }
 

@@ -9,7 +9,7 @@ namespace floes {
 
 void write(ByteWriter& out, const MemberResult& result);
 
-/// What write() wrote, bit for bit. Throws RunError when the bytes are no result.
+/// What write() wrote, bit for bit; the result is the last thing in the bytes. Throws RunError when they are no result.
 MemberResult read_member_result(ByteReader& in);
 
 }  // namespace floes

@@ -1,6 +1,7 @@
 #include "member/run_member.hpp"
 
 #include <fmt/format.h>
+#include <time.h>
 
 #include <algorithm>
 #include <chrono>
@@ -13,6 +14,13 @@
 
 namespace floes {
 namespace {
+
+// A member is computed by one thread from its begin to its end.
+double cpu_seconds_of_this_thread() {
+    timespec now{};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -71,6 +79,7 @@ void set_aside(MemberResult& result, const Scenario& scenario, const std::string
 
 MemberResult run_member(const Scenario& scenario, std::uint64_t seed, std::uint32_t arrangement, std::stop_token stop) {
     const auto start = std::chrono::steady_clock::now();
+    const double cpu_start = cpu_seconds_of_this_thread();
     const Arrangement floes = make_arrangement(scenario, seed, arrangement);
     MemberResult result;
     result.arrangement = floes.poses;
@@ -88,6 +97,7 @@ MemberResult run_member(const Scenario& scenario, std::uint64_t seed, std::uint3
         set_aside(result, scenario, failure.what());
     }
     result.wall_time = seconds_since(start);
+    result.cpu_time = cpu_seconds_of_this_thread() - cpu_start;
     return result;
 }
 

@@ -3,7 +3,7 @@
 //
 //   scenario, seed, arrangement number -> arrangement -> run -> statistics -> MemberResult
 //
-// A pure function of its first three arguments but for wall_time: any thread, any rank, any day, the same bits.
+// A pure function of its first three arguments but for its times: any thread, any rank, any day, the same bits.
 
 #include <cstdint>
 #include <stdexcept>

@@ -67,6 +67,7 @@ class Run {
             MemberRecord bare;
             bare.result = record->result;
             bare.result.wall_time = 0;
+            bare.result.cpu_time = 0;
             all.push_back(encode(bare));
         }
         return all;

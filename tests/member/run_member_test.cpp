@@ -55,6 +55,8 @@ TEST(RunMember, FillsARowFromItsHistories) {
     EXPECT_EQ(result.load.maximum, *std::max_element(result.history.surge.begin() + 50, result.history.surge.end()));
     EXPECT_GT(result.load.mean, 0);
     EXPECT_GT(result.wall_time, 0);
+    EXPECT_GT(result.cpu_time, 0);
+    EXPECT_LE(result.cpu_time, result.wall_time + 0.02);  // clocks of different grain
     EXPECT_GT(result.peaks.compression, 0);
     EXPECT_GT(result.peaks.shear, 0);
 }

@@ -136,6 +136,7 @@ class Readers(unittest.TestCase):
             self.assertEqual(provenance["attempts"][7], 0)
             self.assertEqual(provenance["rank"][7], -1)
             self.assertEqual(provenance["wall_time"][2], 14.5)
+            self.assertEqual(provenance["cpu_time"][2], 14.0)
             self.assertEqual(list(provenance["session_ranks"][:]), [2, 1])
 
     def test_no_times_are_stored_and_order_of_creation_is_kept(self):
