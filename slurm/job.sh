@@ -31,10 +31,12 @@ in_job() {
         wait "$child" || true  # a signal ends this wait, not the child
     done
     wait "$child" || status=$?
-    ((status == 85 || status >= 128)) || exit "$status"
     if [[ $cancelled ]]; then
         echo "floes: cancelled; the same sbatch goes on with what is done" >&2
-    elif ((restarts >= limit)); then
+        exit "$status"
+    fi
+    ((status == 85 || status >= 128)) || exit "$status"
+    if ((restarts >= limit)); then
         echo "floes: ended with $status and not put back into the queue after $restarts restarts" >&2
     elif scontrol requeue "$SLURM_JOB_ID"; then
         echo "floes: ended with $status and put back into the queue, restart $((restarts + 1)) of at most $limit" >&2

@@ -9,6 +9,7 @@
 namespace floes {
 
 void add_run(CLI::App& program, int& exit_status);
+void add_merge(CLI::App& program, int& exit_status);
 void add_status(CLI::App& program, int& exit_status);
 void add_plan(CLI::App& program, int& exit_status);
 void add_summarize(CLI::App& program, int& exit_status);

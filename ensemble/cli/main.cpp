@@ -10,6 +10,7 @@ int main(int argc, char** argv) {
     program.require_subcommand(1);
     int exit_status = 0;
     floes::add_run(program, exit_status);
+    floes::add_merge(program, exit_status);
     floes::add_status(program, exit_status);
     floes::add_plan(program, exit_status);
     floes::add_summarize(program, exit_status);

@@ -13,6 +13,7 @@
 #include "cli/commands.hpp"
 #include "cli/config_file.hpp"
 #include "cli/terminal.hpp"
+#include "core/error.hpp"
 #include "driver/calibrate_campaign.hpp"
 #include "driver/run_campaign.hpp"
 #include "driver/signals.hpp"
@@ -31,6 +32,7 @@ struct RunVerb {
     bool overwrite = false;
     bool retry_failed = false;
     int threads = 0;
+    std::string part;
     std::vector<std::string> overrides;
 };
 
@@ -54,9 +56,23 @@ std::string resume_command(const RunVerb& verb, const std::string& program, int 
     std::string command = ranks > 1 ? fmt::format("mpirun -n {} ", ranks) : "";
     command +=
         fmt::format("{} run {} -o {} --resume", quoted(program), quoted(verb.config), quoted(output_of(verb).string()));
+    if (!verb.part.empty()) command += " --part " + verb.part;
     if (verb.threads > 0) command += fmt::format(" --threads {}", verb.threads);
     for (const std::string& setting : verb.overrides) command += " --set " + quoted(setting);
     return command;
+}
+
+/// --part K/N.
+Part part_of(const RunVerb& verb, const Campaign& campaign) {
+    if (verb.part.empty()) return {};
+    Part part;
+    char rest = 0;
+    const bool read = std::sscanf(verb.part.c_str(), "%9d/%9d%c", &part.number, &part.of, &rest) == 2;
+    if (read && 1 <= part.number && part.number <= part.of && part.of <= campaign.arrangements) return part;
+    throw InputError(
+        fmt::format("--part {} is not a part of this campaign; it is K/N, part K of N, with K from 1 to N and N from 1 "
+                    "to its {} arrangements.",
+                    verb.part, campaign.arrangements));
 }
 
 Existing existing_of(const RunVerb& verb) {
@@ -72,10 +88,12 @@ MemberResult compute_member(const Campaign& campaign, int number, std::stop_toke
 
 int lead(const RunVerb& verb, const std::string& program, Link& link) {
     Campaign campaign = load_campaign(verb.config, verb.overrides);
-    RunOptions options{
-        .places = {.campaign_file = output_of(verb), .existing = existing_of(verb), .retry_failed = verb.retry_failed},
-        .threads = verb.threads,
-        .resume_command = resume_command(verb, program, link.size())};
+    RunOptions options{.places = {.campaign_file = output_of(verb),
+                                  .existing = existing_of(verb),
+                                  .part = part_of(verb, campaign),
+                                  .retry_failed = verb.retry_failed},
+                       .threads = verb.threads,
+                       .resume_command = resume_command(verb, program, link.size())};
     int status = 0;
     {
         Progress progress(std::cerr, style_of_standard_error());
@@ -112,6 +130,8 @@ void add_run(CLI::App& program, int& exit_status) {
     verb->add_flag("--overwrite", options->overwrite, "Begin anew in the place of what is there")->excludes(resume);
     verb->add_option("--threads", options->threads, "Members at a time on each rank; all its cores when not given")
         ->check(CLI::Range(1, 4096));
+    verb->add_option("--part", options->part,
+                     "K/N: of the arrangements only part K of N, with a file of its own; floes merge joins the parts");
     add_overrides(*verb, options->overrides);
     verb->callback([options, &program, &exit_status] { exit_status = run(*options, program.get_name()); });
 }

@@ -135,7 +135,7 @@ void Master::report_failure(int number, const MemberRecord& record) {
 
 ProgressState Master::state() const {
     ProgressState state;
-    state.total = member_count(campaign_);
+    state.total = recorder_.total();
     state.done = recorder_.done();
     state.failed = recorder_.failed();
     state.running = scheduler_.running();

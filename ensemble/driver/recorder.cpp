@@ -81,10 +81,13 @@ void Recorder::take_stock() {
     for (int number = 0; number < member_count(campaign_); ++number) {
         const MemberRecord* record = kept[static_cast<std::size_t>(number)];
         if (record != nullptr && record->result.status == MemberStatus::done) {
+            ++total_;
             ++reused_;
             ++done_;
             continue;
         }
+        if (!places_.part.has(member_key(campaign_, number).arrangement)) continue;
+        ++total_;
         const int lost = journal_.attempts().lost(identity_of(number));
         const int failures = record == nullptr || places_.retry_failed ? 0 : record->attempt;
         if (failures + lost < places_.attempts) {

@@ -12,6 +12,14 @@
 
 namespace floes {
 
+/// Some of a campaign's arrangements, for runs that know nothing of one another: those whose number leaves number - 1
+/// when divided by `of`. Cases that share an arrangement stay together.
+struct Part {
+    int number = 1;  ///< 1 … of
+    int of = 1;
+    bool has(int arrangement) const { return arrangement % of == number - 1; }
+};
+
 class Recorder {
   public:
     using Time = std::chrono::steady_clock::time_point;
@@ -22,6 +30,7 @@ class Recorder {
         std::chrono::seconds publish_every{300};
         std::vector<CalibrationRecord> calibrations = {};  ///< that gave cases their Σ, to be kept beside the members
         int attempts = 2;           ///< of a member that fails or takes its process down, >= 1; then it is set aside
+        Part part = {};             ///< what is to be computed; the whole campaign when not given
         bool retry_failed = false;  ///< give members that were set aside before as many attempts again
     };
 
@@ -35,6 +44,7 @@ class Recorder {
     /// What is still to be computed. `attempts_made` has those that count against Places::attempts: failures, and
     /// attempts that were started() and neither answered nor ended by the end of their session.
     std::vector<MemberTask> tasks() const { return tasks_; }
+    int total() const { return total_; }    ///< members of the part, and others that the journal has
     int done() const { return done_; }      ///< members with a result, of this session and before
     int failed() const { return failed_; }  ///< members set aside as failed, likewise
     int reused() const { return reused_; }  ///< of both, those from before
@@ -79,6 +89,7 @@ class Recorder {
     Journal journal_;
     std::vector<MemberTask> tasks_;
     std::vector<MemberRecord> lost_too_often_;
+    int total_ = 0;
     int done_ = 0;
     int failed_ = 0;
     int reused_ = 0;

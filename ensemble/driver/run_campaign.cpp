@@ -24,6 +24,10 @@ std::string opening(const Campaign& campaign, const RunOptions& options, int ran
                        ranks > 1 ? fmt::format(" of {} ranks", ranks) : "", options.places.campaign_file.string());
 }
 
+std::string part_text(const Part& part, const Recorder& recorder) {
+    return fmt::format("part {} of {}: {} of them", part.number, part.of, recorder.total());
+}
+
 /// What was found of earlier sessions; empty when there is nothing.
 std::string stock(const Recorder& recorder) {
     if (recorder.reused() + recorder.retried() + recorder.set_aside() == 0) return {};
@@ -46,10 +50,9 @@ Session session_of(int ranks, int cores) {
 }
 
 /// The last words, and the exit status that goes with them.
-int conclude(const Campaign& campaign, const RunOptions& options, Recorder& recorder, Progress& progress,
-             const std::string& stopped_by) {
+int conclude(const RunOptions& options, Recorder& recorder, Progress& progress, const std::string& stopped_by) {
     const std::string file = options.places.campaign_file.string();
-    const int total = member_count(campaign);
+    const int total = recorder.total();
     if (!stopped_by.empty()) {
         recorder.sync();  // before anything that takes time: the batch system may not wait
         if (recorder.resumed()) progress.say(harvest(recorder));
@@ -77,6 +80,7 @@ int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link
     const Hello own{threads_of(link, options.threads), host_name(), fingerprint(campaign)};
     const Muster mustered = muster(link, campaign, own);
     progress.say(opening(campaign, options, link.size(), mustered.cores()));
+    if (options.places.part.of > 1) progress.say(part_text(options.places.part, recorder));
     if (const std::string remark = binding_remark(link.topology()); !remark.empty()) progress.say(remark);
     for (const std::string& change : recorder.begin(session_of(link.size(), mustered.cores()))) {
         progress.say(fmt::format(
@@ -90,7 +94,7 @@ int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link
         recorder.give_up();
         throw;
     }
-    return conclude(campaign, options, recorder, progress, master.stopped_by());
+    return conclude(options, recorder, progress, master.stopped_by());
 }
 
 int lead_ranks(Link& link, std::ostream& errors, const std::function<int()>& body) {

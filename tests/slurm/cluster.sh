@@ -134,6 +134,10 @@ MinJobAge=300
 JobRequeue=1
 PartitionName=debug Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 CONF
+    # No limits are asked for; cgroup/v2 would want systemd all the same.
+    echo "CgroupPlugin=cgroup/v1" > "$CLUSTER/cgroup.conf"
+    # Without an address beside 127.0.0.1, Slurm does not even resolve that one as long as it is for IPv4 alone.
+    [ -n "$(hostname -I 2> /dev/null)" ] || echo "CommunicationParameters=EnableIPv6" >> "$SLURM_CONF"
     for node in $NODES; do
         echo "NodeName=$node NodeHostname=$host NodeAddr=127.0.0.1 Port=${ports[1]} CPUs=2 State=UNKNOWN"
         ports=("${ports[@]:1}")
@@ -172,11 +176,11 @@ start_cluster() {
 start_cluster
 cd "$FOLDER"
 
-# campaign.toml: 2 cases x 4 arrangements of two coarse floes, some hundredths of a second each: the time is Slurm's.
+# campaign.toml: 2 cases x 6 arrangements of two floes, a tenth of a second each: the time is Slurm's.
 cat > campaign.toml <<'TOML'
 [campaign]
 seed = 1
-arrangements = 4
+arrangements = 6
 
 [field]
 floes = 2
@@ -191,7 +195,7 @@ speed_m_s = 0.03
 
 [analysis]
 steady_start_s = 2.0
-window_s = 6.0
+window_s = 12.0
 
 [[case]]
 name = "E30"

@@ -10,5 +10,5 @@ said "floes-$job.log" "held: asleep"
 said "floes-$job.log" "stopped by SIGUSR1"
 said "floes-$job.log" "ended with 85 and put back into the queue, restart 1 of at most 100"
 said "floes-$job.log" "resumed: "
-said "floes-$job.log" "8 of 8 done, 0 failed"
+said "floes-$job.log" "12 of 12 done, 0 failed"
 same whole.h5 campaign.h5

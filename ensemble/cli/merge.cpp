@@ -1,0 +1,55 @@
+// floes merge: one campaign file out of those that runs with --part computed apart.
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/terminal.hpp"
+#include "report/formats.hpp"
+#include "store/merge.hpp"
+
+namespace floes {
+
+namespace {
+
+struct MergeOptions {
+    std::vector<std::string> parts;
+    std::string output;
+    bool overwrite = false;
+};
+
+int merge(const MergeOptions& options) {
+    const std::vector<std::filesystem::path> parts(options.parts.begin(), options.parts.end());
+    merge_campaigns(parts, options.output, options.overwrite);
+    const CampaignTable table = read_campaign_file(options.output);
+    const auto done = std::ranges::count(table.members, RowStatus::done, &MemberRow::status);
+    const auto missing = std::ranges::count(table.members, RowStatus::missing, &MemberRow::status);
+    const auto failed = std::ssize(table.members) - done - missing;
+    fmt::print(stderr, "floes: {} of {} members done, {} failed, {} in no part, into {}\n", done, table.members.size(),
+               failed, missing, options.output);
+    if (missing > 0) {
+        fmt::print(stderr, "floes: floes run CONFIG.toml -o {} --resume computes those that are in no part\n",
+                   options.output);
+    }
+    std::fputs(summary_table(summarise(table), terminal_width()).c_str(), stdout);
+    return failed + missing > 0 ? 1 : 0;
+}
+
+}  // namespace
+
+void add_merge(CLI::App& program, int& exit_status) {
+    auto options = std::make_shared<MergeOptions>();
+    CLI::App* verb = program.add_subcommand("merge", "Make one campaign of the parts that floes run --part computed");
+    verb->add_option("parts", options->parts, "Their campaign files; their journals are found beside them")->required();
+    verb->add_option("-o,--output", options->output, "The campaign file to be made")->required();
+    verb->add_flag("--overwrite", options->overwrite, "Merge into the place of what is there");
+    verb->callback([options, &exit_status] { exit_status = merge(*options); });
+}
+
+}  // namespace floes

@@ -1,0 +1,87 @@
+#include "store/merge.hpp"
+
+#include <fcntl.h>
+
+#include <algorithm>
+#include <string>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/error.hpp"
+#include "store/campaign_file.hpp"
+#include "store/journal.hpp"
+#include "store/journal_format.hpp"
+
+namespace floes {
+namespace {
+
+namespace fs = std::filesystem;
+
+void check_output(std::span<const fs::path> parts, const fs::path& output, bool overwrite) {
+    const fs::path journal = journal_path(output);
+    for (const fs::path& part : parts) {
+        if (fs::weakly_canonical(journal_path(part)) == fs::weakly_canonical(journal))
+            throw InputError(fmt::format("{} cannot be merged into itself; -o names another file.", part.string()));
+    }
+    if (!overwrite && (fs::exists(output) || fs::exists(journal)))
+        throw InputError(fmt::format("{} exists already: --overwrite merges into its place, -o names another file.",
+                                     fs::exists(output) ? output.string() : journal.string()));
+    if (fs::exists(journal) && is_being_written(journal))
+        throw InputError(fmt::format("{} is being written by a run.", journal.string()));
+}
+
+/// Throws unless the part belongs to the campaign of the first.
+void check_part(const Campaign& first, const JournalContents& contents, const fs::path& path) {
+    const Campaign campaign = read_stored_campaign(contents, path);
+    if (fingerprint(campaign) == fingerprint(first)) return;
+    throw InputError(fmt::format("{} belongs to another campaign than the first part: {}.", path.string(),
+                                 fmt::join(differences(first, campaign), "; ")));
+}
+
+/// The whole records of `part` as they stand there: sessions, attempts and their order mean something.
+void copy_records(const FileDescriptor& out, const fs::path& out_path, const fs::path& part,
+                  const JournalContents& contents) {
+    const FileDescriptor file = open_file(part, O_RDONLY);
+    constexpr std::uint64_t piece = 1 << 20;
+    for (std::uint64_t at = journal_format::header(contents.campaign_text).size(); at < contents.good_bytes;) {
+        Bytes bytes(std::min(piece, contents.good_bytes - at));
+        if (!read_at(file, part, at, bytes))
+            throw RunError(fmt::format("{} became shorter while it was read", part.string()));
+        write_all(out, out_path, bytes);
+        at += bytes.size();
+    }
+}
+
+}  // namespace
+
+void merge_campaigns(std::span<const fs::path> parts, const fs::path& output, bool overwrite) {
+    check_output(parts, output, overwrite);
+    const JournalContents first = read_journal(journal_path(parts.front()));
+    const Campaign campaign = read_stored_campaign(first, journal_path(parts.front()));
+
+    const fs::path journal = journal_path(output);
+    const fs::path aside = journal.string() + ".tmp";
+    try {
+        const FileDescriptor out = open_file(aside, O_WRONLY | O_CREAT | O_TRUNC);
+        write_all(out, aside, journal_format::header(first.campaign_text));
+        for (const fs::path& part : parts) {
+            const fs::path path = journal_path(part);
+            const JournalContents contents = read_journal(path);
+            check_part(campaign, contents, path);
+            copy_records(out, aside, path, contents);
+        }
+        sync_data(out, aside);
+    } catch (...) {
+        std::error_code ignored;
+        fs::remove(aside, ignored);
+        throw;
+    }
+    fs::rename(aside, journal);
+    sync_folder_of(journal);
+    const JournalContents merged = read_journal(journal);
+    publish(output, campaign, merged.members, merged.sessions, merged.calibrations);
+}
+
+}  // namespace floes

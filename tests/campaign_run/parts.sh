@@ -1,0 +1,33 @@
+# A campaign in parts, one of them unfinished, merged: what is missing is said, then computed, and the file is that of an
+# undisturbed campaign.
+source "$(dirname "$0")/common.sh"
+
+SHORT=(--set analysis.window_s=3.0)
+expect 0 whole "$FLOES" run campaign.toml -o whole.h5 "${SHORT[@]}"
+expect 0 first "$FLOES" run campaign.toml -o first.h5 --part 1/3 "${SHORT[@]}"
+said first "part 1 of 3: 4 of them"
+said first "4 of 4 done, 0 failed"
+expect 0 second "$FLOES" run campaign.toml -o second.h5 --part 2/3 "${SHORT[@]}"
+
+expect 1 two "$FLOES" merge first.h5 second.h5 -o two.h5
+said two "6 of 8 members done, 0 failed, 2 in no part"
+expect 0 completed "$FLOES" run campaign.toml -o two.h5 --resume "${SHORT[@]}"
+said completed "6 members reused, 2 to compute"
+same whole.h5 two.h5
+
+expect 0 third "${MPIRUN[@]}" -n 2 "$FLOES" run campaign.toml -o third.h5 --part 3/3 "${SHORT[@]}"
+expect 0 three "$FLOES" merge third.h5 second.h5 first.h5 first.h5 -o three.h5
+same whole.h5 three.h5
+[ ! -e three.journal.tmp ] || fail "merging left a file behind"
+
+before=$(sha256sum three.h5 three.journal)
+expect 2 exists "$FLOES" merge first.h5 second.h5 -o three.h5
+expect 2 itself "$FLOES" merge first.h5 three.h5 -o three.h5 --overwrite
+said itself "into itself"
+expect 0 other "$FLOES" run campaign.toml -o other.h5 --part 4/4 "${SHORT[@]}" --set general.iterations=20
+expect 2 mixed "$FLOES" merge first.h5 other.h5 -o three.h5 --overwrite
+said mixed "general.iterations"
+[ "$before" = "$(sha256sum three.h5 three.journal)" ] || fail "a refused merge changed the files"
+for part in 0/2 3/2 1/5 1 1/2x; do
+    expect 2 "no_part" "$FLOES" run campaign.toml -o none.h5 --part "$part" "${SHORT[@]}"
+done
