@@ -88,13 +88,13 @@ MPIRUN = ["mpirun", "--oversubscribe", "--bind-to", "none"]
 FUTURES = """
 import os, subprocess, sys
 from mpi4py.futures import MPIPoolExecutor
-def run(part):
+def run(command):
     environment = {n: v for n, v in os.environ.items() if not n.startswith(("OMPI_", "PMIX_", "PRTE_"))}
-    subprocess.run([*sys.argv[2:], f"--part={part}/{sys.argv[1]}", "-o", f"m{part}.h5"], env=environment, check=True,
-                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    subprocess.run(command, env=environment, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 if __name__ == "__main__":
+    members, command = int(sys.argv[1]), sys.argv[2:]
     with MPIPoolExecutor() as executor:
-        list(executor.map(run, range(1, int(sys.argv[1]) + 1)))
+        list(executor.map(run, [[*command, f"--part={k}/{members}", "-o", f"m{k}.h5"] for k in range(1, members + 1)]))
 """
 
 
@@ -124,11 +124,11 @@ def ways(run, options, folder):
 
 def window_for(floes, seconds, folder):
     """The window that makes the quicker of two members take a little more than `seconds` of processor time."""
-    window = 20.0
+    window = 21  # s, like all of them in three equal segments
     trial = [floes, "run", str(CONFIG), *settings_of(2, window), "--threads=1", "-o", str(folder / "trial.h5")]
     subprocess.run(trial, check=True, env=own_environment(), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     per_second = cpu_times([folder / "trial.h5"]).min() / (STEADY_START + window)
-    return max(1.0, round(1.3 * seconds / per_second - STEADY_START))
+    return max(3, 3 * round((1.3 * seconds / per_second - STEADY_START) / 3))
 
 
 def main():

@@ -167,6 +167,8 @@ start_cluster() {
     chmod 755 "$CLUSTER" "$CLUSTER/munge"
     start_munge
     write_configuration
+    # shellcheck disable=SC2034  # a test asks
+    CONTROLLER_START=$SECONDS
     as_daemon slurmctld slurmctld -D -f "$SLURM_CONF"
     until_true 20 controller_answers || fail "slurmctld did not start; its log is above"
     for node in $NODES; do start_node "$node"; done
