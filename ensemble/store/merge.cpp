@@ -40,13 +40,23 @@ void check_part(const Campaign& first, const JournalContents& contents, const fs
                                  fmt::join(differences(first, campaign), "; ")));
 }
 
-/// The whole records of `part` as they stand there: sessions, attempts and their order mean something.
-void copy_records(const FileDescriptor& out, const fs::path& out_path, const fs::path& part,
-                  const JournalContents& contents) {
+/// Where the records of a journal begin.
+std::uint64_t begin_of_records(const FileDescriptor& file, const fs::path& path) {
+    Bytes fixed(journal_format::fixed_header_bytes);
+    read_at(file, path, 0, fixed);
+    ByteReader in(fixed);
+    in.u64();  // magic
+    in.u32();  // schema
+    return journal_format::fixed_header_bytes + in.u64() + journal_format::crc_bytes;
+}
+
+/// The first `good_bytes` of `part` without the header, as they stand there: sessions, attempts and their order mean
+/// something.
+void copy_records(const FileDescriptor& out, const fs::path& out_path, const fs::path& part, std::uint64_t good_bytes) {
     const FileDescriptor file = open_file(part, O_RDONLY);
     constexpr std::uint64_t piece = 1 << 20;
-    for (std::uint64_t at = journal_format::header(contents.campaign_text).size(); at < contents.good_bytes;) {
-        Bytes bytes(std::min(piece, contents.good_bytes - at));
+    for (std::uint64_t at = begin_of_records(file, part); at < good_bytes;) {
+        Bytes bytes(std::min(piece, good_bytes - at));
         if (!read_at(file, part, at, bytes))
             throw RunError(fmt::format("{} became shorter while it was read", part.string()));
         write_all(out, out_path, bytes);
@@ -70,7 +80,7 @@ void merge_campaigns(std::span<const fs::path> parts, const fs::path& output, bo
             const fs::path path = journal_path(part);
             const JournalContents contents = read_journal(path);
             check_part(campaign, contents, path);
-            copy_records(out, aside, path, contents);
+            copy_records(out, aside, path, contents.good_bytes);
         }
         sync_data(out, aside);
     } catch (...) {
