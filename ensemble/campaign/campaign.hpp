@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "campaign/stop_rule.hpp"
 #include "scenario/scenario.hpp"
 
 namespace floes {
@@ -20,8 +21,9 @@ struct Case {
 struct Campaign {
     std::string name;         ///< the config file's stem
     std::uint64_t seed = 1;   ///< of all randomness
-    int arrangements = 1;     ///< per case
+    int arrangements = 1;     ///< per case; the most where a stop rule may end the campaign sooner
     std::vector<Case> cases;  ///< at least one, names unique
+    StopRule stop = {};       ///< when fewer arrangements are enough
 };
 
 /// Which simulation a member is: arrangement-major, so that more arrangements only add members at the end.

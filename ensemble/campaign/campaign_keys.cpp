@@ -8,8 +8,9 @@ namespace floes {
 namespace {
 
 /// Keys of a campaign's tables, [campaign] first.
-Keys describe_all(CampaignHead& head, Scenario& scenario) {
+Keys describe_all(CampaignHead& head, StopRule& stop, Scenario& scenario) {
     Keys keys = describe(head);
+    for (Key& key : describe(stop)) keys.push_back(std::move(key));
     for (Key& key : describe(scenario)) keys.push_back(std::move(key));
     return keys;
 }
@@ -52,6 +53,35 @@ Keys describe(CampaignHead& head) {
     return keys;
 }
 
+Keys describe(StopRule& stop) {
+    const std::string source = "Hoad, Robinson and Davies 2010";
+    Keys keys;
+    keys.push_back(
+        number_key("stop.half_width_percent", stop.half_width, unit::percent, at_least(0).below(100), "off",
+                   "The campaign ends when the 95 % interval of the mean over arrangements is no wider than so "
+                   "much of it to either side; campaign.arrangements is then the most that are run. 0: all are "
+                   "run. Only arrangements in index order count, whatever finishes first."));
+    keys.push_back(word_key("stop.of", stop.of,
+                            {"mean_load", "sd_load", "maximum_load", "mean_maximum", "failure_ratio"},
+                            "the first of Table 3", "Which figure of a member."));
+    keys.push_back(text_key("stop.case", stop.case_name, "every case",
+                            "Case whose interval is asked for: \"all\", \"none\", or the name of one."));
+    keys.push_back(text_key("stop.contrast", stop.contrast, "none",
+                            "Paired difference whose interval is asked for, in percent of the case that is subtracted: "
+                            "\"none\", \"all\", or two cases as in \"E200 - E60\"."));
+    keys.push_back(
+        integer_key("stop.minimum", stop.minimum, 2, 1000000, "trials",
+                    "Fewest arrangements before the rule is asked: with fewer the spread itself is unsure."));
+    keys.push_back(
+        integer_key("stop.look_ahead", stop.look_ahead, 0, 1000000, source,
+                    "Further arrangements for which the rule must go on holding, so that it does not stop by "
+                    "chance."));
+    keys.push_back(integer_key("stop.batch", stop.batch, 1, 1000000, "a few per core",
+                               "Arrangements that are handed out, longest members first, before any later one. Less is "
+                               "computed in vain when it is small, and cores idle less when it is large."));
+    return keys;
+}
+
 Keys describe(Case& one) {
     Keys keys;
     keys.push_back(text_key("name", one.name, "", "Name of the case."));
@@ -75,26 +105,30 @@ std::string full_path(const std::string& path) {
 TableTitles titles() {
     TableTitles all = scenario_titles();
     all["campaign"] = "Which simulations: each case with each arrangement.";
+    all["stop"] = "When there are enough of them.";
     return all;
 }
 
 std::string default_configuration() {
     CampaignHead head;
+    StopRule stop;
     Scenario scenario;
-    return about_files + write_tables(describe_all(head, scenario), titles(), Comments::all) + about_cases;
+    return about_files + write_tables(describe_all(head, stop, scenario), titles(), Comments::all) + about_cases;
 }
 
 std::string reference_markdown() {
     CampaignHead head;
+    StopRule stop;
     Scenario scenario;
-    return reference_markdown(describe_all(head, scenario), titles());
+    return reference_markdown(describe_all(head, stop, scenario), titles());
 }
 
 std::vector<KeyDescription> reference() {
     CampaignHead head;
+    StopRule stop;
     Scenario scenario;
     std::vector<KeyDescription> lines;
-    for (const Key& key : describe_all(head, scenario)) {
+    for (const Key& key : describe_all(head, stop, scenario)) {
         lines.push_back({key.path, literal(key), allowed(key), key.doc, key.source});
     }
     return lines;

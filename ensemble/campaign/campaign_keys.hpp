@@ -21,6 +21,9 @@ struct CampaignHead {
 /// The keys of [campaign], bound to `head`.
 Keys describe(CampaignHead& head);
 
+/// The keys of [stop].
+Keys describe(StopRule& stop);
+
 /// The keys that a [[case]] takes: name, the shorthands cfm and elastic_modulus_MPa, and every key of a scenario.
 Keys describe(Case& one);
 

@@ -44,7 +44,7 @@ class Reader {
         for (const Block& block : blocks) names.push_back(case_name(block, names));
         refuse_strangers(names);
         if (head_.name.empty()) head_.name = std::filesystem::path(source_.file).stem().string();
-        Campaign campaign{head_.name, head_.seed, head_.arrangements, {}};
+        Campaign campaign{head_.name, head_.seed, head_.arrangements, {}, stop_};
         for (std::size_t i = 0; i < blocks.size(); ++i) campaign.cases.push_back(read_case(blocks[i], names, i));
         return campaign;
     }
@@ -53,6 +53,7 @@ class Reader {
     /// The tables and the overrides that are not for one case.
     void read_tables() {
         Keys keys = describe(head_);
+        for (Key& key : describe(stop_)) keys.push_back(std::move(key));
         for (Key& key : describe(base_)) keys.push_back(std::move(key));
         for (const Entry& entry : document_.entries) {
             if (is_case_path(entry.path)) {
@@ -175,9 +176,10 @@ class Reader {
     }
 
     static void refuse_campaign_key(const Entry& entry) {
-        if (!entry.path.starts_with("campaign")) return;
-        throw InputError(fmt::format("{}: {} = {} is for all cases; write it in [campaign]", entry.where, entry.path,
-                                     to_text(entry.value)));
+        const std::string table = entry.path.substr(0, entry.path.find('.'));
+        if (table != "campaign" && table != "stop") return;
+        throw InputError(fmt::format("{}: {} = {} is for all cases; write it in [{}]", entry.where, entry.path,
+                                     to_text(entry.value), table));
     }
 
     /// Loads arrangement.file into the poses.
@@ -215,6 +217,7 @@ class Reader {
     Document document_;
     std::vector<Entry> overrides_;
     CampaignHead head_;
+    StopRule stop_;
     Scenario base_;
     Origins origins_;
 };

@@ -34,7 +34,9 @@ std::string write_campaign(const Campaign& campaign) {
     CampaignHead head{campaign.name, campaign.seed, campaign.arrangements};
     std::vector<Case> cases = campaign.cases;
     const std::set<std::string> varying = varying_paths(cases);
+    StopRule stop = campaign.stop;
     Keys tables = describe(head);
+    for (Key& key : describe(stop)) tables.push_back(std::move(key));
     for (Key& key : describe(cases.front().scenario)) {
         if (!varying.contains(key.path)) tables.push_back(std::move(key));
     }

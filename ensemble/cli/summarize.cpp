@@ -21,26 +21,34 @@ struct SummarizeOptions {
     std::string reference;
     std::vector<std::string> parts;
     double resolve_percent = 10;
+    std::string window = "given";
 };
 
 /// What is shown unless parts are named: all of a table's and JSON's, and the one CSV that most want.
 std::vector<std::string> default_parts(const std::string& format) {
     if (format == "csv") return {"cases"};
-    return {"cases", "pairs"};
+    return {"cases", "pairs", "extremes"};
 }
 
 Findings find(const SummarizeOptions& options) {
-    const CampaignTable table = read_campaign_file(options.file);
     Findings findings;
-    findings.summary = summarise(table);
-    if (!options.reference.empty()) findings.reference = case_index(findings.summary, options.reference);
+    findings.table = read_campaign_file(options.file);
     const std::vector<std::string> parts = options.parts.empty() ? default_parts(options.format) : options.parts;
     const auto wanted = [&](const char* part) { return std::ranges::find(parts, part) != parts.end(); };
+    const bool automatic = options.window == "auto";
+    if (automatic || wanted("steady")) findings.steady = find_steady(options.file, findings.table);
+    if (automatic) findings.table = with_automatic_window(options.file, findings.table, *findings.steady);
+    findings.summary = summarise(findings.table);
+    if (!options.reference.empty()) findings.reference = case_index(findings.summary, options.reference);
     findings.show_cases = wanted("cases");
     if (wanted("pairs")) {
         findings.pair_options = {findings.reference, options.resolve_percent * unit::percent};
-        findings.pairs = compare_pairs(table, findings.pair_options);
+        findings.pairs = compare_pairs(findings.table, findings.pair_options);
     }
+    findings.show_extremes = wanted("extremes");
+    findings.exceedance = wanted("exceedance");
+    if (findings.show_extremes || findings.exceedance) findings.extremes = find_extremes(findings.table);
+    if (!wanted("steady")) findings.steady.reset();
     return findings;
 }
 
@@ -60,12 +68,20 @@ void add_summarize(CLI::App& program, int& exit_status) {
         ->check(CLI::IsMember({"table", "json", "csv"}))
         ->capture_default_str();
     verb->add_option("--reference", options->reference, "Case that the others are compared with, in percent");
-    verb->add_option("--parts", options->parts, "What to show: cases, pairs; with commas between")
+    verb->add_option("--parts", options->parts,
+                     "What to show: cases, pairs, extremes, exceedance, steady; with commas between")
         ->delimiter(',')
-        ->check(CLI::IsMember({"cases", "pairs"}));
+        ->allow_extra_args(false)
+        ->check(CLI::IsMember({"cases", "pairs", "extremes", "exceedance", "steady"}));
     verb->add_option("--resolve", options->resolve_percent,
                      "Difference of a pair, in percent of the first case, whose arrangements are told")
         ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    verb->add_option(
+            "--window", options->window,
+            "Where the load is measured: given (as the members were), or auto (from the histories, when it has "
+            "become steady)")
+        ->check(CLI::IsMember({"given", "auto"}))
         ->capture_default_str();
     verb->callback([options, &exit_status] {
         std::fputs(text_of(find(*options), options->format).c_str(), stdout);

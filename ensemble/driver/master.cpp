@@ -89,12 +89,17 @@ void Master::receive(const Message& message) {
 
 void Master::finished(int worker, int number, const MemberRecord& record) {
     handle(MemberFinished{worker, number, record.attempt}, &record);
+    end_when_precise();
 }
 
 void Master::request_stop(const std::string& reason) {
     if (scheduler_.stopping()) return;
     stop_reason_ = reason;
     handle(StopRequested{});
+}
+
+void Master::end_when_precise() {
+    if (recorder_.precise() && !scheduler_.stopping()) handle(StopRequested{});
 }
 
 void Master::handle(const Event& event, const MemberRecord* record) {
@@ -139,6 +144,11 @@ ProgressState Master::state() const {
     state.done = recorder_.done();
     state.failed = recorder_.failed();
     state.running = scheduler_.running();
+    if (const auto& precision = recorder_.precision()) {
+        state.half_width = precision->achieved();
+        state.half_width_target = precision->target();
+        state.in_order = precision->arrangements();
+    }
     state.finished_now = scheduler_.done();
     state.elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
     state.finished_cost = scheduler_.done_cost();

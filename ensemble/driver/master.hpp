@@ -37,6 +37,7 @@ class Master {
     void receive(const Message& message);
     void finished(int worker, int number, const MemberRecord& record);
     void request_stop(const std::string& reason);
+    void end_when_precise();
     void handle(const Event& event, const MemberRecord* record = nullptr);
     void obey(const Assign& command);
     void obey(const Dismiss& command);

@@ -43,6 +43,13 @@ std::string progress_text(const ProgressState& state) {
     if (state.finished_now > 0 && state.elapsed > 0) {
         text += ", " + rate_text(state.finished_now / state.elapsed);
     }
+    if (state.half_width_target > 0) {
+        if (std::isfinite(state.half_width)) {
+            text += fmt::format(", half-width {:.1f} % after {} arrangements, {:g} % wanted", 100 * state.half_width,
+                                state.in_order, 100 * state.half_width_target);
+        }
+        return text;
+    }
     if (state.remaining_cost > 0 && state.time_left() >= 0) text += ", " + duration_text(state.time_left()) + " left";
     return text;
 }

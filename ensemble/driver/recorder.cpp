@@ -1,6 +1,8 @@
 #include "driver/recorder.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -30,6 +32,30 @@ std::vector<std::string> case_fingerprints(const Campaign& campaign) {
     std::vector<std::string> keys;
     for (int k = 0; k < static_cast<int>(campaign.cases.size()); ++k) keys.push_back(case_fingerprint(campaign, k));
     return keys;
+}
+
+/// None of a part: it has no arrangements in a row, and is run whole.
+std::optional<PrecisionStop> precision_of(const Campaign& campaign, const Part& part) {
+    if (!campaign.stop.active() || part.of > 1) return {};
+    std::vector<std::string> names;
+    for (const Case& one : campaign.cases) names.push_back(one.name);
+    return PrecisionStop(campaign.stop, names);
+}
+
+double stop_value(StopQuantity of, const MemberResult& result) {
+    switch (of) {
+        case StopQuantity::mean_load:
+            return result.load.mean;
+        case StopQuantity::sd_load:
+            return result.load.sd;
+        case StopQuantity::maximum_load:
+            return result.load.maximum;
+        case StopQuantity::mean_maximum:
+            return result.load.mean_maximum;
+        case StopQuantity::failure_ratio:
+            return result.failure_ratio;
+    }
+    throw std::logic_error("a stop rule of no known quantity");
 }
 
 MemberRecord failure_by_loss(const MemberIdentity& member, int attempts) {
@@ -71,6 +97,7 @@ Recorder::Recorder(const Campaign& campaign, Places places)
     : campaign_(campaign),
       places_(std::move(places)),
       case_keys_(case_fingerprints(campaign)),
+      precision_(precision_of(campaign, places_.part)),
       journal_(open(campaign_, places_)),
       next_publish_(std::chrono::steady_clock::now() + places_.publish_every) {
     take_stock();
@@ -80,10 +107,12 @@ void Recorder::take_stock() {
     const auto kept = match_records(campaign_, journal_.records());
     for (int number = 0; number < member_count(campaign_); ++number) {
         const MemberRecord* record = kept[static_cast<std::size_t>(number)];
+        const MemberKey key = member_key(campaign_, number);
         if (record != nullptr && record->result.status == MemberStatus::done) {
             ++total_;
             ++reused_;
             ++done_;
+            tell_precision(key.arrangement, key.case_index, &record->result);
             continue;
         }
         if (!places_.part.has(member_key(campaign_, number).arrangement)) continue;
@@ -91,15 +120,39 @@ void Recorder::take_stock() {
         const int lost = journal_.attempts().lost(identity_of(number));
         const int failures = record == nullptr || places_.retry_failed ? 0 : record->attempt;
         if (failures + lost < places_.attempts) {
-            tasks_.push_back({number, expected_cost(campaign_, number), 0, failures + lost});
+            tasks_.push_back({number, expected_cost(campaign_, number),
+                              precision_ ? key.arrangement / campaign_.stop.batch : 0, failures + lost});
             if (record != nullptr || lost > 0) ++retried_;
         } else if (lost == 0) {
             ++reused_;
-            ++failed_;
+            failed_.push_back(key.arrangement);
+            tell_precision(key.arrangement, key.case_index, nullptr);
         } else {
             lost_too_often_.push_back(failure_by_loss(identity_of(number), failures + lost));
         }
     }
+    if (precise()) {
+        tasks_.clear();
+        retried_ = 0;
+    }
+}
+
+void Recorder::tell_precision(int arrangement, int case_index, const MemberResult* result) {
+    if (!precision_) return;
+    precision_->put(
+        arrangement, case_index,
+        result != nullptr ? stop_value(campaign_.stop.of, *result) : std::numeric_limits<double>::quiet_NaN());
+}
+
+int Recorder::failed() const {
+    const int last = precise() ? precision_->arrangements() : campaign_.arrangements;
+    return static_cast<int>(std::ranges::count_if(failed_, [last](int arrangement) { return arrangement < last; }));
+}
+
+Campaign Recorder::published() const {
+    Campaign campaign = campaign_;
+    if (precise()) campaign.arrangements = precision_->arrangements();
+    return campaign;
 }
 
 MemberIdentity Recorder::identity_of(int number) const {
@@ -125,7 +178,15 @@ void Recorder::started(int number, int attempt) {
 void Recorder::keep(const MemberRecord& record) {
     journal_.append(record);
     const bool done = record.result.status == MemberStatus::done;
-    ++(done ? done_ : failed_);
+    if (done) {
+        ++done_;
+    } else {
+        failed_.push_back(record.arrangement);
+    }
+    for (std::size_t k = 0; k < case_keys_.size(); ++k) {
+        if (case_keys_[k] != record.case_key) continue;
+        tell_precision(record.arrangement, static_cast<int>(k), done ? &record.result : nullptr);
+    }
     ++(done ? computed_ : set_aside_);
     synced_ = false;
     published_ = false;
@@ -167,7 +228,7 @@ void Recorder::finish(const std::string& outcome) {
 }
 
 void Recorder::publish_now() {
-    publish(places_.campaign_file, campaign_, journal_.records(), journal_.sessions(), journal_.calibrations());
+    publish(places_.campaign_file, published(), journal_.records(), journal_.sessions(), journal_.calibrations());
     published_ = true;
 }
 

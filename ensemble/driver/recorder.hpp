@@ -4,9 +4,11 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "inference/precision_stop.hpp"
 #include "schedule/events.hpp"
 #include "store/journal.hpp"
 
@@ -46,13 +48,20 @@ class Recorder {
     std::vector<MemberTask> tasks() const { return tasks_; }
     int total() const { return total_; }    ///< members of the part, and others that the journal has
     int done() const { return done_; }      ///< members with a result, of this session and before
-    int failed() const { return failed_; }  ///< members set aside as failed, likewise
+    int failed() const;                     ///< members set aside as failed, likewise; of published() alone
     int reused() const { return reused_; }  ///< of both, those from before
     bool resumed() const { return journal_.sessions().size() > 1; }  ///< of begin() on: there was a session before
     /// Of the tasks, those that failed or were lost before; of members, those set aside in this session.
     int retried() const { return retried_; }
     int set_aside() const { return set_aside_; }
     int computed() const { return computed_; }  ///< members done in this session
+
+    /// The campaign's stop rule on the members known so far; none where there is no rule.
+    const std::optional<PrecisionStop>& precision() const { return precision_; }
+    /// The rule holds: no more members are wanted, and what is published ends with the arrangement it stopped after.
+    bool precise() const { return precision_ && precision_->met(); }
+    /// The campaign that is published.
+    Campaign published() const;
 
     /// Notes that a session begins now. Returns what has changed since the session before it, see changed_software();
     /// empty when there are no members from before. Sets members aside that took their process down too often.
@@ -81,17 +90,19 @@ class Recorder {
   private:
     void take_stock();
     MemberIdentity identity_of(int number) const;
+    void tell_precision(int arrangement, int case_index, const MemberResult* result);
     void publish_now();
 
     const Campaign& campaign_;
     Places places_;
     std::vector<std::string> case_keys_;
+    std::optional<PrecisionStop> precision_;
     Journal journal_;
     std::vector<MemberTask> tasks_;
     std::vector<MemberRecord> lost_too_often_;
     int total_ = 0;
     int done_ = 0;
-    int failed_ = 0;
+    std::vector<int> failed_;  ///< arrangement of each member set aside
     int reused_ = 0;
     int retried_ = 0;
     int set_aside_ = 0;

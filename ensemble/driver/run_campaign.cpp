@@ -50,10 +50,16 @@ Session session_of(int ranks, int cores) {
 }
 
 /// The last words, and the exit status that goes with them.
-int conclude(const RunOptions& options, Recorder& recorder, Progress& progress, const std::string& stopped_by) {
+int conclude(const Campaign& campaign, const RunOptions& options, Recorder& recorder, Progress& progress,
+             const std::string& stopped_by) {
     const std::string file = options.places.campaign_file.string();
-    const int total = recorder.total();
-    if (!stopped_by.empty()) {
+    const int total = recorder.precise() ? member_count(recorder.published()) : recorder.total();
+    if (recorder.precise()) {
+        const PrecisionStop& precision = *recorder.precision();
+        progress.say(fmt::format(
+            "precise enough after {} of at most {} arrangements: half-width {:.1f} %, {:g} % wanted",
+            precision.arrangements(), campaign.arrangements, 100 * precision.achieved(), 100 * precision.target()));
+    } else if (!stopped_by.empty()) {
         recorder.sync();  // before anything that takes time: the batch system may not wait
         if (recorder.resumed()) progress.say(harvest(recorder));
         progress.say(fmt::format("stopped by {} with {} of {} members done and on the disk; to go on: {}", stopped_by,
@@ -63,6 +69,12 @@ int conclude(const RunOptions& options, Recorder& recorder, Progress& progress, 
     }
     if (recorder.resumed()) progress.say(harvest(recorder));
     recorder.finish(recorder.failed() > 0 ? "complete, members failed" : "complete");
+    if (const auto& precision = recorder.precision(); precision && !recorder.precise()) {
+        progress.say(
+            fmt::format("all {} arrangements are done and the half-width is {:.1f} %, {:g} % wanted; raise "
+                        "campaign.arrangements and --resume for more",
+                        campaign.arrangements, 100 * precision->achieved(), 100 * precision->target()));
+    }
     if (recorder.failed() > 0) {
         progress.say(fmt::format("{} of {} members failed and stand as missing in {}; floes status {} has the reasons",
                                  recorder.failed(), total, file, file));
@@ -94,7 +106,7 @@ int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link
         recorder.give_up();
         throw;
     }
-    return conclude(options, recorder, progress, master.stopped_by());
+    return conclude(campaign, options, recorder, progress, master.stopped_by());
 }
 
 int lead_ranks(Link& link, std::ostream& errors, const std::function<int()>& body) {

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cmath>
 #include <utility>
 
 #include "core/units.hpp"
 #include "report/conditions.hpp"
+#include "report/figures.hpp"
 #include "report/formats.hpp"
 
 namespace floes {
@@ -14,10 +14,6 @@ namespace {
 
 // One line of the file as (column, value): header and lines come from the same list and cannot drift apart.
 using Cells = std::vector<std::pair<std::string, std::string>>;
-
-std::string number(double value) {
-    return std::isfinite(value) ? fmt::format("{}", value) : std::string{};
-}
 
 // RFC 4180: quoted where a comma, a quote or a line end would be misread.
 std::string quoted(const std::string& text) {
@@ -28,20 +24,20 @@ std::string quoted(const std::string& text) {
 }
 
 void add_interval(std::string_view key, const Estimate& interval, Cells& cells) {
-    cells.emplace_back(key, number(interval.estimate));
-    cells.emplace_back(fmt::format("{}_low", key), number(interval.low));
-    cells.emplace_back(fmt::format("{}_high", key), number(interval.high));
-    cells.emplace_back(fmt::format("{}_bca_low", key), number(interval.bca.low));
-    cells.emplace_back(fmt::format("{}_bca_high", key), number(interval.bca.high));
-    cells.emplace_back(fmt::format("{}_prediction_low", key), number(interval.prediction_low));
-    cells.emplace_back(fmt::format("{}_prediction_high", key), number(interval.prediction_high));
+    cells.emplace_back(key, csv_number(interval.estimate));
+    cells.emplace_back(fmt::format("{}_low", key), csv_number(interval.low));
+    cells.emplace_back(fmt::format("{}_high", key), csv_number(interval.high));
+    cells.emplace_back(fmt::format("{}_bca_low", key), csv_number(interval.bca.low));
+    cells.emplace_back(fmt::format("{}_bca_high", key), csv_number(interval.bca.high));
+    cells.emplace_back(fmt::format("{}_prediction_low", key), csv_number(interval.prediction_low));
+    cells.emplace_back(fmt::format("{}_prediction_high", key), csv_number(interval.prediction_high));
 }
 
 Cells case_cells(const Summary& summary, std::size_t index, Reference reference) {
     const CaseSummary& row = summary.cases[index];
     Cells cells{{"name", quoted(row.about.name)},
-                {"cfm", number(row.about.cfm)},
-                {"elastic_modulus_MPa", number(row.about.elastic_modulus / unit::megapascal)},
+                {"cfm", csv_number(row.about.cfm)},
+                {"elastic_modulus_MPa", csv_number(row.about.elastic_modulus / unit::megapascal)},
                 {"members", fmt::format("{}", row.members)},
                 {"failed_members", fmt::format("{}", row.failed_members)},
                 {"missing_members", fmt::format("{}", row.missing_members)},
@@ -50,7 +46,7 @@ Cells case_cells(const Summary& summary, std::size_t index, Reference reference)
         add_interval(quantity.key, row.*quantity.interval, cells);
         if (reference) {
             cells.emplace_back(fmt::format("{}_difference_percent", quantity.key),
-                               number(difference_percent(summary, index, *reference, quantity)));
+                               csv_number(difference_percent(summary, index, *reference, quantity)));
         }
     }
     const auto failures = [&](std::int64_t FailureCounts::*mode) {
@@ -61,9 +57,9 @@ Cells case_cells(const Summary& summary, std::size_t index, Reference reference)
     cells.emplace_back("failures_compression", failures(&FailureCounts::compression));
     cells.emplace_back("structure_wall", quoted(wall_words(row.about.profile)));
     cells.emplace_back("far_end", far_end_key(row.about.far_end));
-    cells.emplace_back("contact_erp", number(row.about.contact_erp));
-    cells.emplace_back("steady_start_s", number(row.about.analysis.steady_start));
-    cells.emplace_back("window_s", number(row.about.analysis.window));
+    cells.emplace_back("contact_erp", csv_number(row.about.contact_erp));
+    cells.emplace_back("steady_start_s", csv_number(row.about.analysis.steady_start));
+    cells.emplace_back("window_s", csv_number(row.about.analysis.window));
     cells.emplace_back("segments", fmt::format("{}", row.about.analysis.segments));
     return cells;
 }

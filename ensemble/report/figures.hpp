@@ -26,6 +26,11 @@ inline std::string bracket(const Limits& limits, int decimals, double factor = 1
     return fmt::format("[{}, {}]", fixed(limits.low * factor, decimals), fixed(limits.high * factor, decimals));
 }
 
+/// All digits, for CSV; empty where undefined.
+inline std::string csv_number(double value) {
+    return std::isfinite(value) ? fmt::format("{}", value) : std::string{};
+}
+
 /// "0.034", "<0.001"; "–" where undefined.
 inline std::string p_text(double p) {
     return !std::isfinite(p) ? "–" : p < 0.001 ? "<0.001" : fmt::format("{:.3f}", p);

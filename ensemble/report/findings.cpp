@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "report/extremes_text.hpp"
 #include "report/json.hpp"
 #include "report/pairs_text.hpp"
 
@@ -20,12 +21,18 @@ std::string findings_table(const Findings& findings, int width) {
     std::vector<std::string> parts;
     if (findings.show_cases) parts.push_back(summary_table(findings.summary, width, findings.reference));
     if (findings.pairs) parts.push_back(pairs_table(findings.summary, *findings.pairs, findings.pair_options, width));
+    if (findings.extremes && findings.show_extremes)
+        parts.push_back(extremes_table(findings.summary, *findings.extremes, width));
+    if (findings.steady) parts.push_back(steady_table(findings.summary, *findings.steady, width));
     return joined(parts);
 }
 
 std::string findings_json(const Findings& findings) {
     Json json = summary_as_json(findings.summary, findings.reference);
     if (findings.pairs) json["pairs"] = pairs_as_json(findings.summary, *findings.pairs, findings.pair_options);
+    if (findings.extremes)
+        json["extremes"] = extremes_as_json(findings.summary, *findings.extremes, findings.exceedance);
+    if (findings.steady) json["steady"] = steady_as_json(findings.summary, *findings.steady);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -33,6 +40,10 @@ std::string findings_csv(const Findings& findings) {
     std::vector<std::string> parts;
     if (findings.show_cases) parts.push_back(summary_csv(findings.summary, findings.reference));
     if (findings.pairs) parts.push_back(pairs_csv(findings.summary, *findings.pairs));
+    if (findings.extremes && findings.show_extremes)
+        parts.push_back(extremes_csv(findings.summary, *findings.extremes));
+    if (findings.exceedance) parts.push_back(exceedance_csv(findings.summary, *findings.extremes));
+    if (findings.steady) parts.push_back(steady_csv(findings.summary, findings.table, *findings.steady));
     return joined(parts);
 }
 

@@ -6,21 +6,28 @@
 #include <string>
 #include <vector>
 
+#include "report/extremes.hpp"
 #include "report/formats.hpp"
 #include "report/pairs.hpp"
+#include "report/steady.hpp"
 #include "report/summary.hpp"
 
 namespace floes {
 
 struct Findings {
-    Summary summary;
+    CampaignTable table;
+    Summary summary;  ///< of the table
     Reference reference;
     bool show_cases = true;  ///< the summary's figures in table and CSV; JSON always has them
     std::optional<std::vector<PairRow>> pairs;
     PairOptions pair_options;
+    std::optional<std::vector<CaseExtremes>> extremes;
+    bool show_extremes = true;  ///< fits and return levels; the exceedance curve alone where not
+    bool exceedance = false;    ///< the curve too; in a table it is too long
+    std::optional<SteadyReport> steady;
 };
 
-/// For people, no line wider than `width` where that can be: cases, then pairs.
+/// For people, no line wider than `width` where that can be: cases, pairs, extremes, steady states.
 std::string findings_table(const Findings& findings, int width);
 
 /// For programs: summary_json() with "pairs" and so on beside "cases".

@@ -22,7 +22,14 @@ std::string needed_text(int arrangements) {
 }
 
 std::string percent(double part) {
-    return std::isfinite(part) ? fmt::format("{:.0f} %", part / unit::percent) : "–";
+    // 0.0 added: no "-0".
+    return std::isfinite(part) ? fmt::format("{:.0f} %", std::round(part / unit::percent) + 0.0) : "–";
+}
+
+/// Three of Table 3's quantities say most; JSON and CSV have all.
+bool in_table(std::size_t quantity) {
+    const auto of = quantities[quantity].interval;
+    return of == &CaseSummary::mean || of == &CaseSummary::mean_maximum || of == &CaseSummary::failure_ratio;
 }
 
 std::vector<std::string> line(const Summary& summary, const PairRow& row) {
@@ -50,18 +57,22 @@ std::string pairs_table(const Summary& summary, const std::vector<PairRow>& rows
     std::vector<std::vector<std::string>> lines{{"pair", "n", "difference", "95 %", "of first", "p t", "p Wilcoxon",
                                                  "saved", "n for it",
                                                  fmt::format("n for {:g} %", options.resolve / unit::percent)}};
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (i == 0 || rows[i].quantity != rows[i - 1].quantity) {
+    std::size_t last_quantity = quantities.size();
+    for (const PairRow& row : rows) {
+        if (!in_table(row.quantity)) continue;
+        if (row.quantity != last_quantity) {
             lines.push_back(std::vector<std::string>(lines.front().size()));
-            lines.back().front() = std::string{quantities[rows[i].quantity].label};
+            lines.back().front() = std::string{quantities[row.quantity].label};
+            last_quantity = row.quantity;
         }
-        lines.push_back(line(summary, rows[i]));
+        lines.push_back(line(summary, row));
     }
     return "Pairs over the same arrangements\n\n" + columns(lines, width) +
            fmt::format(
                "\np: two-sided, paired t and Wilcoxon's signed ranks, Holm over the {} of a quantity. Saved: variance "
                "of the difference that\npairing took away. n for it: arrangements with which a true difference as "
-               "large as the one seen, or of {:g} % of the first\ncase, is found with a probability of {:g} %.\n",
+               "large as the one seen, or of {:g} % of the first\ncase, is found with a probability of {:g} %.\nThe "
+               "other quantities of Table 3: --format csv --parts pairs.\n",
                rows.size() / table3_quantities.size() == 1
                    ? std::string{"one pair"}
                    : fmt::format("{} pairs", rows.size() / table3_quantities.size()),
@@ -69,7 +80,6 @@ std::string pairs_table(const Summary& summary, const std::vector<PairRow>& rows
 }
 
 std::string pairs_csv(const Summary& summary, const std::vector<PairRow>& rows) {
-    const auto number = [](double value) { return std::isfinite(value) ? fmt::format("{}", value) : std::string{}; };
     std::string text =
         "quantity,first,second,arrangements,difference,low,high,bca_low,bca_high,sd,t,t_p,t_p_holm,rank_sum,wilcoxon_p,"
         "wilcoxon_p_holm,wilcoxon_exact,variance_saved,to_resolve_observed,to_resolve_wished\n";
@@ -80,9 +90,9 @@ std::string pairs_csv(const Summary& summary, const std::vector<PairRow>& rows) 
         for (const double value :
              {found.difference, found.t_interval.low, found.t_interval.high, found.bca.low, found.bca.high, found.sd,
               found.t, found.t_p, row.t_p_holm, found.rank_sum, found.wilcoxon_p, row.wilcoxon_p_holm}) {
-            text += "," + number(value);
+            text += "," + csv_number(value);
         }
-        text += fmt::format(",{},{},{},{}\n", found.wilcoxon_exact ? 1 : 0, number(found.variance_saved),
+        text += fmt::format(",{},{},{},{}\n", found.wilcoxon_exact ? 1 : 0, csv_number(found.variance_saved),
                             row.to_resolve_observed, row.to_resolve_wished);
     }
     return text;

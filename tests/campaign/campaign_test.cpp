@@ -227,8 +227,10 @@ TEST(Configurations, ReferenceNamesEveryKeyOnce) {
         EXPECT_TRUE(keys.insert(line.key).second) << line.key;
         EXPECT_NE(reference_markdown().find("| `" + line.key + "` |"), std::string::npos) << line.key;
     }
+    CampaignHead head;
+    StopRule stop;
     Scenario scenario;
-    EXPECT_EQ(keys.size(), describe(scenario).size() + 3);
+    EXPECT_EQ(keys.size(), describe(scenario).size() + describe(head).size() + describe(stop).size());
 }
 
 }  // namespace

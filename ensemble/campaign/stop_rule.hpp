@@ -1,0 +1,24 @@
+#pragma once
+// When a campaign has enough arrangements: the [stop] table.
+
+#include <string>
+
+namespace floes {
+
+/// What the precision is asked of.
+enum class StopQuantity { mean_load, sd_load, maximum_load, mean_maximum, failure_ratio };
+
+struct StopRule {
+    double half_width = 0;  ///< of the 95 % interval over the mean, a part of 1; 0: all arrangements are run
+    StopQuantity of = StopQuantity::mean_load;
+    std::string case_name = "all";  ///< or "none", or the name of one case
+    std::string contrast = "none";  ///< or "all", or "B - A" for the paired difference of two cases
+    int minimum = 20;               ///< fewest arrangements before the rule is asked
+    int look_ahead = 5;             ///< further arrangements for which it must go on holding
+    int batch = 10;                 ///< arrangements handed out before any later one
+
+    bool active() const { return half_width > 0; }
+    friend bool operator==(const StopRule&, const StopRule&) = default;
+};
+
+}  // namespace floes

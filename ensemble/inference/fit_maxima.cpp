@@ -1,0 +1,206 @@
+// Fits of Gumbel and GEV to maxima, and how well they suit.
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_multimin.h>
+#include <gsl/gsl_vector.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/math/constants/constants.hpp>
+#include <boost/math/tools/roots.hpp>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numeric>
+
+#include "core/random.hpp"
+#include "inference/extremes.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+constexpr ExtremeFit no_fit{undefined, undefined, undefined, undefined};
+constexpr double impossible = 1e300;  // of the simplex: outside the range of the parameters
+constexpr int most_steps = 2000;
+constexpr int most_fits = 999;
+constexpr double fit_budget = 1e5;  // maxima fitted in all samples of a goodness of fit, at least 199 samples
+
+/// λ1, λ2, λ3 from unbiased probability-weighted moments.
+std::array<double, 3> l_moments(std::span<const double> values) {
+    std::vector<double> sorted(values.begin(), values.end());
+    std::ranges::sort(sorted);
+    const double n = static_cast<double>(sorted.size());
+    double b0 = 0;
+    double b1 = 0;
+    double b2 = 0;
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+        const double place = static_cast<double>(i);
+        b0 += sorted[i] / n;
+        b1 += sorted[i] * place / (n - 1) / n;
+        b2 += sorted[i] * place * (place - 1) / ((n - 1) * (n - 2)) / n;
+    }
+    return {b0, 2 * b1 - b0, 6 * b2 - 6 * b1 + b0};
+}
+
+/// Root of the likelihood equation s = mean(x) - Σ x e^(-x/s) / Σ e^(-x/s); the location follows from it.
+ExtremeFit fit_gumbel(std::span<const double> maxima, double first_scale) {
+    const double count = static_cast<double>(maxima.size());
+    const double mean = std::accumulate(maxima.begin(), maxima.end(), 0.0) / count;
+    const double least = std::ranges::min(maxima);
+    const auto sums = [&](double scale) {
+        double weights = 0;
+        double weighted = 0;
+        for (const double x : maxima) {
+            const double weight = std::exp(-(x - least) / scale);
+            weights += weight;
+            weighted += weight * x;
+        }
+        return std::pair(weights, weighted / weights);
+    };
+    const auto equation = [&](double scale) { return scale - mean + sums(scale).second; };
+    // The equation rises from below 0 (scale -> 0: least - mean) without bound.
+    double low = first_scale;
+    double high = first_scale;
+    while (equation(low) > 0) low /= 2;
+    while (equation(high) < 0) high *= 2;
+    std::uintmax_t steps = 200;
+    const auto bracket =
+        boost::math::tools::toms748_solve(equation, low, high, boost::math::tools::eps_tolerance<double>(50), steps);
+    ExtremeFit fit{0, 0.5 * (bracket.first + bracket.second), 0, 0};
+    fit.location = least - fit.scale * std::log(sums(fit.scale).first / count);
+    fit.log_likelihood = log_likelihood(fit, maxima);
+    return fit;
+}
+
+struct VectorDeleter {
+    void operator()(gsl_vector* vector) const { gsl_vector_free(vector); }
+};
+struct MinimizerDeleter {
+    void operator()(gsl_multimin_fminimizer* minimizer) const { gsl_multimin_fminimizer_free(minimizer); }
+};
+
+/// GSL ends the program on errors unless told otherwise; ours are seen in what it returns.
+class QuietGsl {
+  public:
+    QuietGsl() : before_(gsl_set_error_handler_off()) {}
+    QuietGsl(const QuietGsl&) = delete;
+    QuietGsl& operator=(const QuietGsl&) = delete;
+    ~QuietGsl() { gsl_set_error_handler(before_); }
+
+  private:
+    gsl_error_handler_t* before_;
+};
+
+// Coordinates of the simplex in units of the start's scale: (location, log scale, shape), so that one size fits all.
+struct Problem {
+    std::span<const double> maxima;
+    ExtremeFit start;
+
+    ExtremeFit at(const gsl_vector* point) const {
+        return {start.location + start.scale * gsl_vector_get(point, 0),
+                start.scale * std::exp(gsl_vector_get(point, 1)), gsl_vector_get(point, 2), 0};
+    }
+    static double cost(const gsl_vector* point, void* self) {
+        const auto& problem = *static_cast<const Problem*>(self);
+        const ExtremeFit fit = problem.at(point);
+        if (!(std::abs(fit.shape) < 1)) return impossible;
+        const double found = log_likelihood(fit, problem.maxima);
+        return std::isfinite(found) ? -found : impossible;
+    }
+};
+
+ExtremeFit walk_simplex(std::span<const double> maxima, const ExtremeFit& start, double size, double small_enough) {
+    const QuietGsl quiet;
+    Problem problem{maxima, start};
+    gsl_multimin_function cost{&Problem::cost, 3, &problem};
+    const std::unique_ptr<gsl_vector, VectorDeleter> point(gsl_vector_calloc(3));
+    const std::unique_ptr<gsl_vector, VectorDeleter> steps(gsl_vector_alloc(3));
+    gsl_vector_set_all(steps.get(), size);
+    gsl_vector_set(point.get(), 2, start.shape);
+    const std::unique_ptr<gsl_multimin_fminimizer, MinimizerDeleter> simplex(
+        gsl_multimin_fminimizer_alloc(gsl_multimin_fminimizer_nmsimplex2, 3));
+    gsl_multimin_fminimizer_set(simplex.get(), &cost, point.get(), steps.get());
+    for (int step = 0; step < most_steps; ++step) {
+        if (gsl_multimin_fminimizer_iterate(simplex.get()) != GSL_SUCCESS) break;
+        if (gsl_multimin_fminimizer_size(simplex.get()) < small_enough) break;
+    }
+    if (simplex->fval >= impossible) return no_fit;
+    ExtremeFit fit = problem.at(simplex->x);
+    fit.log_likelihood = -simplex->fval;
+    return fit;
+}
+
+/// A start inside the range of the data: Gumbel's, whose likelihood is finite anywhere, where L-moments' is not.
+ExtremeFit gev_start(std::span<const double> maxima) {
+    const ExtremeFit by_moments = fit_by_l_moments(maxima, ExtremeKind::gev);
+    if (by_moments.valid() && std::abs(by_moments.shape) < 1 && std::isfinite(by_moments.log_likelihood))
+        return by_moments;
+    return fit_by_l_moments(maxima, ExtremeKind::gumbel);
+}
+
+}  // namespace
+
+ExtremeFit fit_by_l_moments(std::span<const double> maxima, ExtremeKind kind) {
+    using boost::math::constants::euler;
+    if (maxima.size() < 3) return no_fit;
+    const auto [mean, spread, third] = l_moments(maxima);
+    if (!(spread > 0)) return no_fit;
+    ExtremeFit fit;
+    if (kind == ExtremeKind::gumbel) {
+        fit.scale = spread / std::log(2.0);
+        fit.location = mean - euler<double>() * fit.scale;
+    } else {
+        const double c = 2 / (3 + third / spread) - std::log(2.0) / std::log(3.0);
+        const double k = 7.8590 * c + 2.9554 * c * c;  // = -ξ
+        if (!(k > -1) || std::abs(k) < 1e-6) return fit_by_l_moments(maxima, ExtremeKind::gumbel);
+        const double gamma = std::tgamma(1 + k);
+        fit.shape = -k;
+        fit.scale = spread * k / ((1 - std::pow(2, -k)) * gamma);
+        fit.location = mean - fit.scale * (1 - gamma) / k;
+    }
+    fit.log_likelihood = log_likelihood(fit, maxima);
+    return fit;
+}
+
+ExtremeFit fit_maxima(std::span<const double> maxima, ExtremeKind kind, const ExtremeFit* start) {
+    if (maxima.size() < fewest_maxima) return no_fit;
+    const ExtremeFit gumbel = fit_by_l_moments(maxima, ExtremeKind::gumbel);
+    if (!gumbel.valid()) return no_fit;
+    if (kind == ExtremeKind::gumbel) return fit_gumbel(maxima, gumbel.scale);
+    // A resample's fit is near that of the data and wants fewer digits than its own spread.
+    if (start != nullptr && std::isfinite(log_likelihood(*start, maxima)))
+        return walk_simplex(maxima, *start, 0.1, 1e-4);
+    // Twice: a second simplex gets out of where the first may have collapsed.
+    const ExtremeFit first = walk_simplex(maxima, gev_start(maxima), 0.2, 1e-6);
+    return first.valid() ? walk_simplex(maxima, first, 0.05, 1e-9) : no_fit;
+}
+
+GoodnessOfFit goodness_of_fit(const ExtremeFit& fit, ExtremeKind kind, std::span<const double> maxima, int samples) {
+    GoodnessOfFit result{{undefined, undefined}, undefined, undefined};
+    if (!fit.valid()) return result;
+    result.found = distances(fit, maxima);
+    if (samples == 0) {
+        const double affordable = fit_budget / static_cast<double>(maxima.size());
+        samples = static_cast<int>(std::clamp(affordable, 199.0, double{most_fits}));
+    }
+    RandomStream random{0, static_cast<std::uint32_t>(kind), StreamId::goodness_of_fit, maxima.size()};
+    std::vector<double> drawn(maxima.size());
+    int farther_a = 0;
+    int farther_d = 0;
+    for (int sample = 0; sample < samples; ++sample) {
+        for (double& x : drawn) x = extreme_quantile(fit, random.uniform(1e-16, 1));
+        const ExtremeFit own = fit_maxima(drawn, kind, &fit);
+        if (!own.valid()) continue;
+        const Distances other = distances(own, drawn);
+        farther_a += other.anderson_darling >= result.found.anderson_darling;
+        farther_d += other.kolmogorov_smirnov >= result.found.kolmogorov_smirnov;
+    }
+    // The data are one more sample: p is never 0.
+    result.anderson_darling_p = (farther_a + 1.0) / (samples + 1.0);
+    result.kolmogorov_smirnov_p = (farther_d + 1.0) / (samples + 1.0);
+    return result;
+}
+
+}  // namespace floes

@@ -1,0 +1,121 @@
+#include "inference/precision_stop.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+constexpr double normal_half = 1.959963984540054;  // no t is smaller: what this does not pass, t does not
+
+int index_of(const std::string& name, const std::vector<std::string>& cases, const char* key) {
+    const auto found = std::ranges::find(cases, name);
+    if (found == cases.end()) {
+        throw InputError(
+            fmt::format("stop.{} names the case '{}', and the cases are {}.", key, name, fmt::join(cases, ", ")));
+    }
+    return static_cast<int>(found - cases.begin());
+}
+
+double student_t(int count) {
+    const boost::math::students_t distribution(static_cast<double>(count - 1));
+    return boost::math::quantile(boost::math::complement(distribution, 0.025));
+}
+
+}  // namespace
+
+PrecisionStop::PrecisionStop(const StopRule& rule, const std::vector<std::string>& cases)
+    : rule_(rule), cases_(cases.size()) {
+    const int count = static_cast<int>(cases.size());
+    if (rule.case_name == "all") {
+        for (int one = 0; one < count; ++one) targets_.push_back({.case_index = one, .minus = {}});
+    } else if (rule.case_name != "none") {
+        targets_.push_back({.case_index = index_of(rule.case_name, cases, "case"), .minus = {}});
+    }
+    if (rule.contrast == "all") {
+        for (int one = 0; one < count; ++one) {
+            for (int other = one + 1; other < count; ++other) targets_.push_back({.case_index = other, .minus = one});
+        }
+    } else if (rule.contrast != "none") {
+        const std::size_t minus = rule.contrast.find(" - ");
+        if (minus == std::string::npos) {
+            throw InputError(fmt::format(
+                "stop.contrast = \"{}\" is no contrast; write \"none\", \"all\", or two cases as in \"{} - {}\".",
+                rule.contrast, cases.back(), cases.front()));
+        }
+        targets_.push_back({.case_index = index_of(rule.contrast.substr(0, minus), cases, "contrast"),
+                            .minus = index_of(rule.contrast.substr(minus + 3), cases, "contrast")});
+    }
+    if (targets_.empty()) {
+        throw InputError(
+            "stop.half_width_percent is given, but neither stop.case nor stop.contrast says of what; write "
+            "stop.case = \"all\".");
+    }
+}
+
+void PrecisionStop::put(int arrangement, int case_index, double value) {
+    if (met_ || arrangement < arrangements_) return;
+    Waiting& row = waiting_[arrangement];
+    row.values.resize(cases_, undefined);
+    row.known.resize(cases_, false);
+    const auto place = static_cast<std::size_t>(case_index);
+    if (row.known[place]) return;
+    row.values[place] = value;
+    row.known[place] = true;
+    const auto whole = [](const Waiting& one) { return std::ranges::find(one.known, false) == one.known.end(); };
+    while (!met_ && !waiting_.empty() && waiting_.begin()->first == arrangements_ && whole(waiting_.begin()->second)) {
+        take(waiting_.begin()->second.values);
+        waiting_.erase(waiting_.begin());
+    }
+}
+
+void PrecisionStop::take(const std::vector<double>& values) {
+    for (Target& target : targets_) target.add(values);
+    ++arrangements_;
+    if (arrangements_ < rule_.minimum) return;
+    const bool holds = std::ranges::all_of(targets_, [&](const Target& target) {
+        if (target.count < 2) return false;
+        const double by_normal = normal_half * std::sqrt(target.squares / (target.count - 1) / target.count);
+        return by_normal <= rule_.half_width * std::abs(target.base_mean) &&
+               target.half_width_over_mean() <= rule_.half_width;
+    });
+    held_for_ = holds ? held_for_ + 1 : 0;
+    met_ = held_for_ > rule_.look_ahead;
+}
+
+double PrecisionStop::achieved() const {
+    double largest = 0;
+    for (const Target& target : targets_) {
+        const double one = target.half_width_over_mean();
+        if (std::isnan(one)) return undefined;
+        largest = std::max(largest, one);
+    }
+    return largest;
+}
+
+void PrecisionStop::Target::add(const std::vector<double>& values) {
+    const double own = values[static_cast<std::size_t>(case_index)];
+    const double base = minus ? values[static_cast<std::size_t>(*minus)] : own;
+    const double value = minus ? own - base : own;
+    if (std::isnan(value)) return;
+    ++count;
+    const double before = value - mean;
+    mean += before / count;
+    squares += before * (value - mean);
+    base_mean += (base - base_mean) / count;
+}
+
+double PrecisionStop::Target::half_width_over_mean() const {
+    if (count < 2) return undefined;
+    return student_t(count) * std::sqrt(squares / (count - 1) / count) / std::abs(base_mean);
+}
+
+}  // namespace floes

@@ -1,0 +1,120 @@
+#include "report/steady.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "inference/bootstrap.hpp"
+#include "statistics/load_statistics.hpp"
+#include "statistics/steady_state.hpp"
+#include "store/read_history.hpp"
+
+namespace floes {
+
+namespace {
+
+double median(std::vector<double> values) {
+    std::erase_if(values, [](double value) { return !std::isfinite(value); });
+    if (values.empty()) return std::nan("");
+    std::ranges::sort(values);
+    return quantile_of_sorted(values, 0.5);
+}
+
+/// Samples of the window, which ends the run.
+std::size_t samples(const Analysis& analysis, double time_step) {
+    return static_cast<std::size_t>(std::llround(analysis.window / time_step));
+}
+
+std::span<const double> last(std::span<const double> history, std::size_t count) {
+    return history.last(std::min(count, history.size()));
+}
+
+struct MeanHistory {
+    std::vector<double> sum;
+    double time_step = 0;
+
+    void add(const SurgeHistory& history) {
+        time_step = history.time_step;
+        sum.resize(std::max(sum.size(), history.surge.size()));
+        for (std::size_t i = 0; i < history.surge.size(); ++i) sum[i] += history.surge[i];
+    }
+};
+
+CaseSteady case_steady(const CampaignTable& table, std::size_t index, const std::vector<MemberSteady>& members,
+                       const MeanHistory& mean) {
+    CaseSteady found;
+    // The sum is as steady as the mean.
+    if (const auto start = steady_start(mean.sum)) found.start = static_cast<double>(*start) * mean.time_step;
+    std::vector<double> starts;
+    std::vector<double> times;
+    std::vector<double> effective;
+    for (const MemberSteady& member : members) {
+        if (table.members[static_cast<std::size_t>(member.member)].case_index != static_cast<int>(index)) continue;
+        if (member.start) starts.push_back(*member.start);
+        found.without_start += member.start ? 0 : 1;
+        times.push_back(member.decorrelation_time);
+        effective.push_back(member.effective_samples);
+    }
+    if (!starts.empty()) found.median_start = median(starts);
+    found.median_decorrelation_time = median(times);
+    found.median_effective_samples = median(effective);
+    return found;
+}
+
+void measure(MemberRow& row, const SurgeHistory& history, const Analysis& analysis) {
+    const LoadStatistics load = load_statistics(last(history.surge, samples(analysis, history.time_step)),
+                                                history.time_step, analysis.segments);
+    row.mean_load = load.mean;
+    row.sd_load = load.sd;
+    row.maximum_load = load.maximum;
+    row.segment_maximum = load.segment_maximum;
+    row.mean_maximum = load.mean_maximum;
+    row.sd_maximum = load.sd_maximum;
+    row.trend = load.trend;
+    row.trend_p = load.trend_p;
+    row.steady = load.steady;
+}
+
+}  // namespace
+
+SteadyReport find_steady(const std::filesystem::path& path, const CampaignTable& table) {
+    SteadyReport report;
+    std::vector<MeanHistory> means(table.cases.size());
+    for_each_history(path, [&](const SurgeHistory& history) {
+        const auto of_case =
+            static_cast<std::size_t>(table.members.at(static_cast<std::size_t>(history.member)).case_index);
+        means.at(of_case).add(history);
+        MemberSteady member{history.member, {}, 0, 0};
+        if (const auto start = steady_start(history.surge))
+            member.start = static_cast<double>(*start) * history.time_step;
+        const Autocorrelation found = autocorrelation(
+            last(history.surge, samples(table.cases[of_case].analysis, history.time_step)), history.time_step);
+        member.decorrelation_time = found.time;
+        member.effective_samples = found.effective_samples;
+        report.members.push_back(member);
+    });
+    for (std::size_t index = 0; index < table.cases.size(); ++index) {
+        report.cases.push_back(case_steady(table, index, report.members, means[index]));
+    }
+    return report;
+}
+
+CampaignTable with_automatic_window(const std::filesystem::path& path, CampaignTable table,
+                                    const SteadyReport& steady) {
+    for (std::size_t index = 0; index < table.cases.size(); ++index) {
+        Analysis& analysis = table.cases[index].analysis;
+        const double end = analysis.steady_start + analysis.window;
+        const double segment = analysis.window / analysis.segments;
+        if (!steady.cases[index].start) continue;
+        // A start that misses a whole segment by rounding alone still has it.
+        const int segments = static_cast<int>(std::floor((end - *steady.cases[index].start) / segment + 1e-9));
+        if (segments < 1) continue;
+        analysis = {end - segments * segment, segments * segment, segments};
+    }
+    for_each_history(path, [&](const SurgeHistory& history) {
+        MemberRow& row = table.members.at(static_cast<std::size_t>(history.member));
+        measure(row, history, table.cases.at(static_cast<std::size_t>(row.case_index)).analysis);
+    });
+    return table;
+}
+
+}  // namespace floes

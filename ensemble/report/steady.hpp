@@ -1,0 +1,40 @@
+#pragma once
+// When the load of each case became steady, as its histories tell, and the campaign as it looks in that window.
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "store/campaign_file.hpp"
+
+namespace floes {
+
+struct MemberSteady {
+    int member = 0;
+    std::optional<double> start;    ///< s after the tow began, by MSER-5; none: no steady part seen
+    double decorrelation_time = 0;  ///< s, in the window of the case
+    double effective_samples = 0;   ///< of that window
+};
+
+struct CaseSteady {
+    std::optional<double> start;           ///< s, by MSER-5 of the mean over the members' histories
+    std::optional<double> median_start;    ///< s, of the members that have one
+    int without_start = 0;                 ///< members that have none
+    double median_decorrelation_time = 0;  ///< s
+    double median_effective_samples = 0;
+};
+
+struct SteadyReport {
+    std::vector<CaseSteady> cases;
+    std::vector<MemberSteady> members;  ///< those with a history
+};
+
+/// Reads the histories of the file that `table` is of.
+SteadyReport find_steady(const std::filesystem::path& path, const CampaignTable& table);
+
+/// The table with every done member's load measured anew: in the whole segments, each as long as before, that fit
+/// between the start found for its case and the end of the run, counted from the end. A case without a start, or in
+/// which no segment fits, keeps its window. The failure ratio and what else is not of the load stay.
+CampaignTable with_automatic_window(const std::filesystem::path& path, CampaignTable table, const SteadyReport& steady);
+
+}  // namespace floes

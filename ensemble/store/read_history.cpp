@@ -1,0 +1,42 @@
+#include "store/read_history.hpp"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "store/campaign_file.hpp"
+#include "store/hdf5_read.hpp"
+
+namespace floes {
+
+void for_each_history(const std::filesystem::path& path, const std::function<void(const SurgeHistory&)>& use) {
+    const hdf5::QuietErrors quiet;
+    const hdf5::Handle file = hdf5::open_for_reading(path);
+    if (H5Lexists(file.id(), "history", H5P_DEFAULT) <= 0) return;
+    const auto time_steps = hdf5::read_values<double>(file.id(), "cases/time_step");
+    const auto cases = hdf5::read_values<std::int32_t>(file.id(), "members/case");
+    const auto status = hdf5::read_values<std::int8_t>(file.id(), "members/status");
+    const char* name = "history/surge_load";
+    const hdf5::Handle dataset(H5Dopen2(file.id(), name, H5P_DEFAULT), H5Dclose, "H5Dopen", name);
+    const hdf5::Handle space(H5Dget_space(dataset.id()), H5Sclose, "H5Dget_space", name);
+    std::array<hsize_t, 2> size{};
+    hdf5::check(H5Sget_simple_extent_dims(space.id(), size.data(), nullptr), "H5Sget_simple_extent_dims", name);
+    const hdf5::Handle row_space(H5Screate_simple(1, &size[1], nullptr), H5Sclose, "H5Screate_simple", name);
+    std::vector<double> row(size[1]);
+    for (std::size_t member = 0; member < status.size(); ++member) {
+        if (static_cast<RowStatus>(status[member]) != RowStatus::done) continue;
+        const std::array<hsize_t, 2> start{member, 0};
+        const std::array<hsize_t, 2> count{1, size[1]};
+        hdf5::check(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
+                    "H5Sselect_hyperslab", name);
+        hdf5::check(
+            H5Dread(dataset.id(), hdf5::native_type<double>(), row_space.id(), space.id(), H5P_DEFAULT, row.data()),
+            "H5Dread", name);
+        std::size_t length = row.size();
+        while (length > 0 && std::isnan(row[length - 1])) --length;  // rows are as long as the longest case
+        const auto of_case = static_cast<std::size_t>(cases[member]);
+        if (length > 0) use({static_cast<int>(member), time_steps.at(of_case), std::span(row).first(length)});
+    }
+}
+
+}  // namespace floes

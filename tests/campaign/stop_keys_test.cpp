@@ -1,0 +1,47 @@
+// The [stop] table: read, written, and no part of what a member is.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "campaign/campaign.hpp"
+#include "core/error.hpp"
+
+namespace floes {
+namespace {
+
+Campaign read(const std::string& text, std::vector<std::string> overrides = {}) {
+    return read_campaign({text, "a.toml", std::move(overrides)}, nullptr);
+}
+
+TEST(StopKeys, AreReadAndWritten) {
+    const Campaign campaign = read(
+        "[stop]\nhalf_width_percent = 5\nof = \"mean_maximum\"\ncase = \"none\"\ncontrast = \"B - A\"\nminimum = 30\n"
+        "look_ahead = 4\nbatch = 7\n[[case]]\nname = \"A\"\n[[case]]\nname = \"B\"\njoint.cfm = 0.01\n");
+    StopRule wanted{0.05, StopQuantity::mean_maximum, "none", "B - A", 30, 4, 7};
+    EXPECT_EQ(campaign.stop, wanted);
+    EXPECT_EQ(read(write_campaign(campaign)).stop, wanted);
+}
+
+TEST(StopKeys, AreOffUnlessAsked) {
+    EXPECT_FALSE(read("").stop.active());
+    EXPECT_TRUE(read("", {"stop.half_width_percent=5"}).stop.active());
+}
+
+TEST(StopKeys, ChangeNoMember) {
+    const Campaign without = read("");
+    const Campaign with = read("[stop]\nhalf_width_percent = 5\n");
+    EXPECT_EQ(fingerprint(without), fingerprint(with));
+    EXPECT_TRUE(differences(without, with).empty());
+}
+
+TEST(StopKeys, AreForAllCases) {
+    try {
+        read("[[case]]\nname = \"A\"\nstop.minimum = 3\n");
+        FAIL() << "a case has its own stop rule";
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("stop.minimum = 3 is for all cases; write it in [stop]"));
+    }
+}
+
+}  // namespace
+}  // namespace floes

@@ -1,0 +1,68 @@
+// Campaigns that end when they are precise enough: after the same arrangement whatever finishes first.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "driver/fakes.hpp"
+#include "store/campaign_file.hpp"
+
+namespace floes {
+namespace {
+
+using testing::HasSubstr;
+
+/// Loads rise with the member's number: n arrangements have a spread of 0.58 of their mean, whatever n.
+Campaign campaign(double half_width) {
+    Campaign made = synthetic::campaign(60);
+    made.stop.half_width = half_width;
+    made.stop.minimum = 10;
+    made.stop.look_ahead = 2;
+    made.stop.batch = 4;
+    return made;
+}
+
+/// 0.577 t / √n is at most 0.25 from 23 on, and was for two more.
+constexpr int enough_for_a_quarter = 25;
+
+TEST(Precision, EndsTheCampaignAfterTheSameArrangementOnAnyThreads) {
+    for (const int threads : {1, 2, 5}) {
+        TemporaryFolder folder;
+        fake::Run run(folder / "a.h5", campaign(0.25));
+        EXPECT_EQ(run(fake::compute_out_of_order, Existing::refuse, threads), 0) << run.said;
+        EXPECT_THAT(run.said, HasSubstr("precise enough after 25 of at most 60 arrangements: half-width 2"));
+        const CampaignTable table = read_campaign_file(run.file);
+        ASSERT_EQ(table.members.size(), 3u * enough_for_a_quarter);
+        for (const MemberRow& row : table.members) EXPECT_EQ(row.status, RowStatus::done);
+    }
+}
+
+TEST(Precision, GoesOnWhenMoreIsAsked) {
+    TemporaryFolder folder;
+    fake::Run run(folder / "a.h5", campaign(0.25));
+    run(fake::compute);
+    EXPECT_EQ(run(fake::wait_for_stop, Existing::resume), 0) << run.said;  // nothing is left to compute
+    EXPECT_EQ(read_campaign_file(run.file).members.size(), 3u * enough_for_a_quarter);
+    run.campaign.stop.half_width = 0.2;
+    EXPECT_EQ(run(fake::compute, Existing::resume), 0) << run.said;
+    EXPECT_GT(read_campaign_file(run.file).members.size(), 3u * enough_for_a_quarter);
+}
+
+TEST(Precision, SaysWhatWasReachedWhenArrangementsRunOut) {
+    TemporaryFolder folder;
+    fake::Run run(folder / "a.h5", campaign(0.01));
+    EXPECT_EQ(run(fake::compute), 0) << run.said;
+    EXPECT_THAT(run.said, HasSubstr("all 60 arrangements are done and the half-width is 14."));
+    EXPECT_THAT(run.said, HasSubstr("% after 60 arrangements, 1 % wanted"));
+    EXPECT_EQ(read_campaign_file(run.file).members.size(), 180u);
+}
+
+TEST(Precision, RefusesARuleOfNoCase) {
+    TemporaryFolder folder;
+    fake::Run run(folder / "a.h5", campaign(0.25));
+    run.campaign.stop.case_name = "E61";
+    EXPECT_THROW(run(fake::compute), InputError);
+    EXPECT_FALSE(std::filesystem::exists(run.file));
+}
+
+}  // namespace
+}  // namespace floes
