@@ -1,7 +1,6 @@
 #include "inference/extremes.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
 

@@ -6,6 +6,7 @@
 #include "report/extremes_text.hpp"
 #include "report/json.hpp"
 #include "report/pairs_text.hpp"
+#include "report/steady_text.hpp"
 
 namespace floes {
 

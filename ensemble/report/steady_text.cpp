@@ -1,7 +1,8 @@
 // Steady states as a table, JSON and CSV.
 
+#include "report/steady_text.hpp"
+
 #include "report/columns.hpp"
-#include "report/extremes_text.hpp"
 #include "report/figures.hpp"
 #include "report/json.hpp"
 

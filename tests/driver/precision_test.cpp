@@ -21,15 +21,15 @@ Campaign campaign(double half_width) {
     return made;
 }
 
-/// 0.577 t / √n is at most 0.25 from 23 on, and was for two more.
-constexpr int enough_for_a_quarter = 25;
+/// Of the first case 3 √(n (n + 1) / 12) / (1.5 (n - 1) + 1) · t / √n is at most 0.25 from 25 on; and for two more.
+constexpr int enough_for_a_quarter = 27;
 
 TEST(Precision, EndsTheCampaignAfterTheSameArrangementOnAnyThreads) {
     for (const int threads : {1, 2, 5}) {
         TemporaryFolder folder;
         fake::Run run(folder / "a.h5", campaign(0.25));
         EXPECT_EQ(run(fake::compute_out_of_order, Existing::refuse, threads), 0) << run.said;
-        EXPECT_THAT(run.said, HasSubstr("precise enough after 25 of at most 60 arrangements: half-width 2"));
+        EXPECT_THAT(run.said, HasSubstr("precise enough after 27 of at most 60 arrangements: half-width 23.5 %"));
         const CampaignTable table = read_campaign_file(run.file);
         ASSERT_EQ(table.members.size(), 3u * enough_for_a_quarter);
         for (const MemberRow& row : table.members) EXPECT_EQ(row.status, RowStatus::done);
@@ -51,7 +51,7 @@ TEST(Precision, SaysWhatWasReachedWhenArrangementsRunOut) {
     TemporaryFolder folder;
     fake::Run run(folder / "a.h5", campaign(0.01));
     EXPECT_EQ(run(fake::compute), 0) << run.said;
-    EXPECT_THAT(run.said, HasSubstr("all 60 arrangements are done and the half-width is 14."));
+    EXPECT_THAT(run.said, HasSubstr("all 60 arrangements are done and the half-width is 15.1 %"));
     EXPECT_THAT(run.said, HasSubstr("% after 60 arrangements, 1 % wanted"));
     EXPECT_EQ(read_campaign_file(run.file).members.size(), 180u);
 }

@@ -20,12 +20,13 @@ struct Door {
     std::string_view room;
 };
 
-const std::array<Door, 4>& doors() {
-    static const std::array<Door, 4> all{{
+const std::array<Door, 5>& doors() {
+    static const std::array<Door, 5> all{{
         {"Bullet", std::regex{R"((bt[A-Z]|Bullet|LinearMath/).*)"}, "world"},
         {"toml++", std::regex{R"(toml(\+\+|\.hpp).*)"}, "keys"},
         {"MPI", std::regex{R"((mpi|openmpi/).*)"}, "wire"},
         {"HDF5", std::regex{R"((hdf5|H5).*)"}, "store"},
+        {"GSL", std::regex{R"(gsl/.*)"}, "inference"},
     }};
     return all;
 }

@@ -1,4 +1,4 @@
-// Fits of maxima: recovered parameters, closed forms; against scipy: tests/inference/against_scipy.py.
+// Fits of maxima: recovered parameters, closed forms; against scipy: tests/inference/summarize_against_scipy.py.
 
 #include "inference/extremes.hpp"
 
@@ -61,6 +61,23 @@ TEST(Extremes, TheFitIsTheMostLikely) {
         EXPECT_LT(log_likelihood({gumbel.location + 20 * step, gumbel.scale, 0}, maxima), gumbel.log_likelihood);
         EXPECT_LT(log_likelihood({gumbel.location, gumbel.scale * (1 + step), 0}, maxima), gumbel.log_likelihood);
     }
+}
+
+// python3: x = np.array([…]); stats.gumbel_r.fit(x); stats.genextreme.fit(x) sharpened by minimize(…,
+// method="Nelder-Mead", options=dict(xatol=1e-10, fatol=1e-12)); stats.anderson(x, "gumbel_r").statistic. scipy 1.10.1
+TEST(Extremes, AgreeWithScipy) {
+    const std::vector<double> maxima{93.4, 106.6, 46.8,  126.8, 117.9,  88.2,  143.1, 161.3, 101.2, 79.5,
+                                     95.7, 134.0, 112.4, 70.9,  121.38, 152.6, 84.3,  99.9,  108.8, 187.5};
+    const ExtremeFit gumbel = fit_maxima(maxima, ExtremeKind::gumbel);
+    EXPECT_NEAR(gumbel.location, 96.04681478869419, 1e-6);
+    EXPECT_NEAR(gumbel.scale, 29.436488177023854, 1e-6);
+    EXPECT_NEAR(gumbel.log_likelihood, -98.22149509627528, 1e-9);
+    EXPECT_NEAR(distances(gumbel, maxima).anderson_darling, 0.19449467392598407, 1e-7);
+    const ExtremeFit gev = fit_maxima(maxima, ExtremeKind::gev);
+    EXPECT_NEAR(gev.location, 98.919614, 1e-4);
+    EXPECT_NEAR(gev.scale, 30.106112, 1e-4);
+    EXPECT_NEAR(gev.shape, -0.1825112, 1e-5);
+    EXPECT_NEAR(gev.log_likelihood, -97.5683070036179, 1e-9);
 }
 
 TEST(Extremes, FollowTheUnit) {

@@ -1,4 +1,4 @@
-// Paired comparisons in closed form and by counting; against scipy: tests/inference/against_scipy.py.
+// Paired comparisons in closed form and by counting; against scipy: tests/inference/summarize_against_scipy.py.
 
 #include "inference/paired.hpp"
 
@@ -51,6 +51,23 @@ TEST(Wilcoxon, CountsSignsWithTiesAndZeros) {
     EXPECT_EQ(found.rank_sum, 1.5);
     EXPECT_EQ(found.p, 6.0 / 8);
     EXPECT_TRUE(std::isnan(wilcoxon_signed_rank(std::vector<double>{0, 0}).p));
+}
+
+// python3: stats.wilcoxon(d, mode="exact"), stats.ttest_1samp(d, 0); and with ties stats.wilcoxon(d[d != 0],
+// mode="approx") of d = [((k * 37) % 61 - 25) / 3 for k in range(1, 61)]. scipy 1.10.1
+TEST(Wilcoxon, AgreesWithScipy) {
+    const std::vector<double> differences{1.2, -0.4, 3.1, 2.2, -1.1, 0.7, 4.0, -2.5, 0.3, 1.9};
+    const SignedRank exact = wilcoxon_signed_rank(differences);
+    EXPECT_EQ(exact.rank_sum, 14);
+    EXPECT_NEAR(exact.p, 0.193359375, 1e-12);
+    const PairedComparison pair = compare_paired(std::vector<double>(10, 0.0), differences);
+    EXPECT_NEAR(pair.t, 1.5102905391415482, 1e-12);
+    EXPECT_NEAR(pair.t_p, 0.16525164106848822, 1e-12);
+    std::vector<double> many;
+    for (int k = 1; k <= 60; ++k) many.push_back(((k * 37) % 61 - 25) / 3.0);
+    const SignedRank normal = wilcoxon_signed_rank(many);
+    EXPECT_EQ(normal.rank_sum, 588);
+    EXPECT_NEAR(normal.p, 0.024965220366753117, 1e-12);
 }
 
 TEST(Wilcoxon, LargeSamplesMeetTheExactOnes) {

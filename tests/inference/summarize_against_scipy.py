@@ -1,0 +1,232 @@
+#!/usr/bin/python3
+"""summarize_against_scipy.py FLOES CONFIG: runs the campaign of CONFIG, reads its file with h5py, computes with scipy what
+`floes summarize --format json` prints, and compares. Nothing here knows how floes computes.
+
+    summarize_against_scipy.py FLOES --file CAMPAIGN.h5     the same for a campaign that has been run"""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import h5py
+import numpy as np
+from scipy import stats
+
+QUANTITIES = {
+    "mean_N": "mean_load",
+    "sd_N": "sd_load",
+    "maximum_N": "maximum_load",
+    "mean_maximum_N": "mean_maximum",
+    "sd_maximum_N": "sd_maximum",
+    "failure_ratio": "failure_ratio",
+    "failures_bending_per_run": "failures_bending",
+    "failures_shear_per_run": "failures_shear",
+    "failures_compression_per_run": "failures_compression",
+}
+LEAST = {"mean_N": -np.inf, "maximum_N": -np.inf, "mean_maximum_N": -np.inf}
+MOST = {"failure_ratio": 1}
+TIGHT = 1e-9
+FLOES = sys.argv[1]
+
+
+def close(a, b, tolerance=TIGHT):
+    return abs(a - b) <= tolerance * max(1, abs(a), abs(b))
+
+
+def mser5(load):
+    means = load[: len(load) // 5 * 5].reshape(-1, 5).mean(axis=1)
+    errors = [np.sum((means[d:] - means[d:].mean()) ** 2) / (len(means) - d) ** 2 for d in range(len(means) // 2 + 1)]
+    best = int(np.argmin(errors))
+    return None if best == len(means) // 2 else 5 * best
+
+
+def effective_samples(load):
+    means = load[: len(load) // 5 * 5].reshape(-1, 5).mean(axis=1)
+    deviations = means - means.mean()
+    tau = 1
+    for lag in range(1, len(means)):
+        tau += 2 * np.dot(deviations[:-lag], deviations[lag:]) / np.dot(deviations, deviations)
+        if lag >= 5 * tau:
+            break
+    return len(means) * load.var() / (means.var() * tau)
+
+
+class Summarize(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        if sys.argv[2] == "--file":
+            cls.path = sys.argv[3]
+        else:
+            cls.path = os.path.join(cls.folder.name, "campaign.h5")
+            subprocess.run([FLOES, "run", sys.argv[2], "-o", cls.path], check=True, stdout=subprocess.DEVNULL)
+        cls.summary = cls.summarize("--parts", "cases,pairs,extremes,exceedance,steady")
+        with h5py.File(cls.path) as file:
+            cls.members = {name: file["members"][name][:] for name in file["members"]}
+            cls.names = [name.decode() for name in file["cases/name"][:]]
+            cls.time_step = file["cases/time_step"][:]
+            cls.window = file["cases/window"][:]
+            cls.surge = file["history/surge_load"][:]
+        cls.done = cls.members["status"] == 0
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    @classmethod
+    def summarize(cls, *arguments):
+        run = [FLOES, "summarize", cls.path, "--format", "json", *arguments]
+        return json.loads(subprocess.run(run, check=True, stdout=subprocess.PIPE).stdout)
+
+    def values(self, case, column):
+        chosen = self.done & (self.members["case"] == case)
+        order = np.argsort(self.members["arrangement"][chosen])
+        return self.members["arrangement"][chosen][order], self.members[column][chosen][order]
+
+    def test_moments_and_intervals(self):
+        for case, row in enumerate(self.summary["cases"]):
+            for key, column in QUANTITIES.items():
+                _, x = self.values(case, column)
+                n, mean, s = len(x), x.mean(), x.std(ddof=1)
+                cut = lambda value: min(max(value, LEAST.get(key, 0)), MOST.get(key, np.inf))
+                t = stats.t.ppf(0.975, n - 1)
+                expected = {
+                    "estimate": mean,
+                    "low": cut(mean - t * s / np.sqrt(n)),
+                    "high": cut(mean + t * s / np.sqrt(n)),
+                    "prediction_low": cut(mean - t * s * np.sqrt(1 + 1 / n)),
+                    "prediction_high": cut(mean + t * s * np.sqrt(1 + 1 / n)),
+                }
+                for part, value in expected.items():
+                    with self.subTest(case=self.names[case], key=key, part=part):
+                        self.assertTrue(close(row[key][part], value), f"{row[key][part]} is not {value}")
+
+    def test_bca(self):
+        for case, row in enumerate(self.summary["cases"]):
+            for key in ("mean_N", "mean_maximum_N"):
+                _, x = self.values(case, QUANTITIES[key])
+                found = stats.bootstrap((x,), np.mean, n_resamples=9999, method="BCa", random_state=1)
+                # Monte-Carlo error of a limit: that of a quantile of 9999 draws, seen as the spread of repetitions.
+                again = [
+                    stats.bootstrap((x,), np.mean, n_resamples=9999, method="BCa", random_state=seed).confidence_interval
+                    for seed in range(2, 8)
+                ]
+                for part, end in (("bca_low", 0), ("bca_high", 1)):
+                    draws = [interval[end] for interval in again] + [found.confidence_interval[end]]
+                    error = max(6 * np.std(draws, ddof=1), 0.02 * x.std(ddof=1) / np.sqrt(len(x)))
+                    with self.subTest(case=self.names[case], key=key, part=part):
+                        self.assertLess(abs(row[key][part] - np.mean(draws)), error)
+
+    def test_pairs(self):
+        self.assertGreater(len(self.summary["pairs"]), 0)
+        t_p = {}
+        for row in self.summary["pairs"]:
+            a, x = self.values(self.names.index(row["first"]), QUANTITIES[row["quantity"]])
+            b, y = self.values(self.names.index(row["second"]), QUANTITIES[row["quantity"]])
+            shared, i, j = np.intersect1d(a, b, return_indices=True)
+            x, y = x[i], y[j]
+            with self.subTest(**{key: row[key] for key in ("quantity", "first", "second")}):
+                self.assertEqual(row["arrangements"], len(shared))
+                self.assertTrue(close(row["difference"], np.mean(y - x)))
+                if np.ptp(y - x) == 0:
+                    continue
+                test = stats.ttest_rel(y, x)
+                self.assertTrue(close(row["t"], test.statistic))
+                self.assertTrue(close(row["t_p"], test.pvalue))
+                t_p.setdefault(row["quantity"], []).append((test.pvalue, row["t_p_holm"]))
+                d = y - x
+                if np.all(d != 0) and len(np.unique(np.abs(d))) == len(d) and len(d) <= 50:
+                    self.assertTrue(close(row["wilcoxon_p"], stats.wilcoxon(d, mode="exact").pvalue))
+                saved = 1 - np.var(y - x, ddof=1) / (np.var(x, ddof=1) + np.var(y, ddof=1))
+                self.assertTrue(close(row["variance_saved"], saved))
+                self.assertEqual(row["arrangements_for_observed"], self.needed(np.mean(d), d.std(ddof=1)))
+                self.assertEqual(row["arrangements_for_resolve"], self.needed(0.1 * x.mean(), d.std(ddof=1)))
+        for pairs in t_p.values():
+            p = sorted(pairs)
+            expected = np.minimum(1, np.maximum.accumulate([(len(p) - i) * one[0] for i, one in enumerate(p)]))
+            np.testing.assert_allclose([one[1] for one in p], expected, rtol=1e-9)
+
+    @staticmethod
+    def needed(difference, sd):
+        def power(n):
+            limit = stats.t.ppf(0.975, n - 1)
+            shift = abs(difference) / sd * np.sqrt(n)
+            return stats.nct.sf(limit, n - 1, shift) + stats.nct.cdf(-limit, n - 1, shift)
+
+        low, high = 1, 2
+        while not power(high) >= 0.8:
+            if high >= 10**6:
+                return 10**6
+            low, high = high, min(2 * high, 10**6)
+        while high - low > 1:
+            middle = (low + high) // 2
+            low, high = (low, middle) if power(middle) >= 0.8 else (middle, high)
+        return high
+
+    def test_extremes(self):
+        for case, row in enumerate(self.summary["extremes"]):
+            maxima = self.members["segment_maximum"][self.done & (self.members["case"] == case)].ravel()
+            self.assertEqual(row["maxima"], len(maxima))
+            curve = sorted(maxima)
+            for i, point in enumerate(row["exceedance"]):
+                self.assertEqual(point["load_N"], curve[i])
+                self.assertTrue(close(point["probability"], (len(curve) - i) / (len(curve) + 1)))
+            for kind, scipys in (("gumbel", stats.gumbel_r), ("gev", stats.genextreme)):
+                fit = row[kind]
+                shape = (-fit["shape"],) if kind == "gev" else ()
+                own = scipys(*shape, fit["location_N"], fit["scale_N"])
+                with self.subTest(case=row["case"], kind=kind):
+                    self.assertTrue(close(fit["log_likelihood"], own.logpdf(maxima).sum(), 1e-9))
+                    guess = (0.0,) if kind == "gev" else ()
+                    theirs = scipys(*scipys.fit(maxima, *guess, loc=fit["location_N"], scale=fit["scale_N"]))
+                    self.assertGreater(fit["log_likelihood"], theirs.logpdf(maxima).sum() - 1e-6 * len(maxima))
+                    self.assertTrue(close(fit["kolmogorov_smirnov"], stats.kstest(maxima, own.cdf).statistic))
+                    for level in fit["return_levels"]:
+                        self.assertTrue(close(level["level_N"], own.isf(1 / level["segments"])))
+                        self.assertLess(level["interval"]["low"], level["interval"]["high"])
+
+    def test_steady(self):
+        steady = self.summary["steady"]
+        self.assertEqual([row["member"] for row in steady["members"]], list(np.flatnonzero(self.done)))
+        for row in steady["members"]:
+            case = self.members["case"][row["member"]]
+            load = self.surge[row["member"]]
+            load = load[~np.isnan(load)]
+            start = mser5(load)
+            window = load[-int(round(self.window[case] / self.time_step[case])) :]
+            with self.subTest(member=row["member"]):
+                if start is None:
+                    self.assertIsNone(row["steady_start_s"])
+                else:
+                    self.assertTrue(close(row["steady_start_s"], start * self.time_step[case]))
+                self.assertTrue(close(row["effective_samples"], effective_samples(window), 1e-7))
+        for case, row in enumerate(steady["cases"]):
+            histories = self.surge[self.done & (self.members["case"] == case)]
+            start = mser5(np.nanmean(histories, axis=0)[~np.all(np.isnan(histories), axis=0)])
+            found = row["steady_start_s"]
+            self.assertTrue(found is None if start is None else close(found, start * self.time_step[case]))
+
+    def test_automatic_window(self):
+        automatic = self.summarize("--window", "auto", "--parts", "cases")
+        for case, row in enumerate(automatic["cases"]):
+            conditions = row["conditions"]
+            count = int(round(conditions["window_s"] / self.time_step[case]))
+            means = [
+                load[~np.isnan(load)][-count:].mean()
+                for load in self.surge[self.done & (self.members["case"] == case)]
+            ]
+            self.assertTrue(close(row["mean_N"]["estimate"], np.mean(means)))
+            given = self.summary["cases"][case]["conditions"]
+            self.assertTrue(
+                close(conditions["window_s"] / conditions["segments"], given["window_s"] / given["segments"])
+            )
+            start = self.summary["steady"]["cases"][case]["steady_start_s"]
+            if start is not None and conditions != given:
+                self.assertGreaterEqual(conditions["steady_start_s"], start - 1e-6)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,123 @@
+// The parts of what is found, as table, JSON and CSV.
+
+#include "report/findings.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "report/columns.hpp"
+#include "report/example.hpp"
+
+namespace floes {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+/// Twelve arrangements of the example's cases; E60 is E30 and 4 N, but for 0.5 N to and fro.
+Findings findings() {
+    Findings made;
+    made.table = example::campaign();
+    made.table.members.clear();
+    for (int arrangement = 0; arrangement < 12; ++arrangement) {
+        const double load = 20 + (arrangement * 5) % 12;
+        for (int one = 0; one < 3; ++one) {
+            const double own = one == 0 ? load : one == 1 ? load + 4 + (arrangement % 2 - 0.5) : 50 - load;
+            MemberRow row = example::done(one, arrangement, own, 0.01 * arrangement, arrangement);
+            row.segment_maximum = {2 * own, 3 * own + arrangement, 4 * own};
+            made.table.members.push_back(row);
+        }
+    }
+    made.summary = summarise(made.table);
+    made.pairs = compare_pairs(made.table);
+    made.extremes = find_extremes(made.table);
+    return made;
+}
+
+TEST(Pairs, ShareArrangements) {
+    const Findings found = findings();
+    ASSERT_EQ(found.pairs->size(), 3 * table3_quantities.size());
+    const PairRow& first = found.pairs->front();
+    EXPECT_EQ(first.found.arrangements, 12);
+    EXPECT_DOUBLE_EQ(first.found.difference, 4);
+    EXPECT_GT(first.found.variance_saved, 0.95);
+    EXPECT_LT(first.t_p_holm, 1e-6);
+    EXPECT_LT(found.pairs->at(1).found.variance_saved, -0.9);  // E200 goes against E30
+    EXPECT_LE(first.to_resolve_observed, 4);
+}
+
+TEST(Pairs, PutTheReferenceFirst) {
+    const std::vector<PairRow> rows = compare_pairs(findings().table, {.reference = 1});
+    EXPECT_EQ(rows[0].first, 1u);
+    EXPECT_EQ(rows[0].second, 0u);
+    EXPECT_DOUBLE_EQ(rows[0].found.difference, -4);
+    EXPECT_EQ(rows[1].first, 0u);
+}
+
+// Members that failed or are missing leave two arrangements to E30 and E60, and E60 and E200.
+TEST(Pairs, LeaveOutWhatOneOfThemDoesNotHave) {
+    const std::vector<PairRow> rows = compare_pairs(example::campaign());
+    ASSERT_EQ(rows.size(), 3 * table3_quantities.size());
+    EXPECT_EQ(rows[0].found.arrangements, 2);
+    EXPECT_EQ(rows[1].found.arrangements, 4);
+}
+
+TEST(Pairs, AreNotMadeOfDifferentFields) {
+    CampaignTable table = example::campaign();
+    for (MemberRow& row : table.members) row.arrangement = 3 * row.arrangement + row.case_index;
+    EXPECT_TRUE(compare_pairs(table).empty());
+}
+
+TEST(Extremes, TakeTheSegmentsOfEveryDoneMember) {
+    const CaseExtremes& soft = findings().extremes->front();
+    EXPECT_EQ(soft.maxima, 36u);
+    EXPECT_EQ(soft.segment, 50);
+    EXPECT_TRUE(soft.gumbel.fit.valid());
+    ASSERT_EQ(soft.gev.levels.size(), 3u);
+    for (const ReturnLevel& level : soft.gumbel.levels) {
+        EXPECT_LT(level.interval.low, level.level);
+        EXPECT_GT(level.interval.high, level.level);
+    }
+    EXPECT_EQ(soft.exceedance.size(), 36u);
+}
+
+TEST(Findings, ComeInOrderAsATable) {
+    const std::string text = findings_table(findings(), 120);
+    EXPECT_LT(text.find("Campaign example"), text.find("Pairs over the same arrangements"));
+    EXPECT_LT(text.find("Pairs over the same arrangements"), text.find("Extremes\n"));
+    EXPECT_THAT(text, testing::ContainsRegex("E60 - E30 +12 +4\\.00 \\[3\\.67, 4\\.33\\] +16 % +<0\\.001"));
+    EXPECT_THAT(text, HasSubstr("E30, 36 maxima"));
+    EXPECT_THAT(text, Not(HasSubstr("nan")));
+}
+
+TEST(Findings, HaveEveryPartInJson) {
+    Findings found = findings();
+    found.exceedance = true;
+    const json parsed = json::parse(findings_json(found));
+    EXPECT_EQ(parsed.at("cases").size(), 3u);
+    EXPECT_EQ(parsed.at("pairs").size(), 18u);
+    EXPECT_EQ(parsed.at("pairs").at(0).at("quantity"), "mean_N");
+    EXPECT_EQ(parsed.at("extremes").at(2).at("exceedance").size(), 36u);
+    EXPECT_FALSE(parsed.contains("steady"));
+}
+
+TEST(Findings, AreOneTableAPartInCsv) {
+    Findings found = findings();
+    found.show_cases = false;
+    found.extremes.reset();
+    const std::string text = findings_csv(found);
+    EXPECT_TRUE(text.starts_with("quantity,first,second,arrangements,"));
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 19);
+}
+
+TEST(Columns, PutBelowWhatDoesNotFit) {
+    const std::vector<std::vector<std::string>> rows{{"name", "one", "two"}, {"ξ", "1", "22222"}};
+    EXPECT_EQ(columns(rows, 80), "name  one    two\n----------------\nξ       1  22222\n");
+    EXPECT_EQ(columns(rows, 10), "name  one\n---------\nξ       1\n\nname    two\n-----------\nξ     22222\n");
+}
+
+}  // namespace
+}  // namespace floes
