@@ -35,8 +35,7 @@ std::vector<std::string> line(const CaseExtremes& one, const FittedExtreme& fitt
                                    one.gumbel.fit.valid() && &fitted == &one.gev ? fixed(fitted.fit.shape, 2) : "",
                                    p_text(fitted.goodness.anderson_darling_p)};
     for (const ReturnLevel& level : fitted.levels) {
-        cells.push_back(fixed(level.level, decimals));
-        cells.push_back(bracket(level.interval, decimals));
+        cells.push_back(fmt::format("{} {}", fixed(level.level, decimals), bracket(level.interval, decimals)));
     }
     return cells;
 }
@@ -68,7 +67,6 @@ std::string extremes_table(const Summary& summary, const std::vector<CaseExtreme
     std::vector<std::vector<std::string>> lines{{"segment maxima, N", "location", "scale", "ξ", "p A²"}};
     for (const double period : return_periods) {
         lines.front().push_back(fmt::format("1 in {:g}", period));
-        lines.front().emplace_back("95 %");
     }
     std::string lengths;
     for (const CaseExtremes& one : extremes) {

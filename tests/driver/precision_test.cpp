@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/error.hpp"
 #include "driver/fakes.hpp"
 #include "store/campaign_file.hpp"
 

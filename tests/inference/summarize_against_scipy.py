@@ -29,6 +29,7 @@ QUANTITIES = {
 LEAST = {"mean_N": -np.inf, "maximum_N": -np.inf, "mean_maximum_N": -np.inf}
 MOST = {"failure_ratio": 1}
 TIGHT = 1e-9
+np.seterr(all="ignore")  # of scipy's noncentral t at sizes far from the answer
 FLOES = sys.argv[1]
 
 
