@@ -1,0 +1,77 @@
+// floes report: a finished or unfinished campaign as one HTML page.
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+
+#include "cli/commands.hpp"
+#include "core/error.hpp"
+#include "report/page.hpp"
+
+namespace floes {
+namespace {
+
+constexpr double tested_cfm[]{vanishing_cfm, 0.003, 0.008, 0.016, 0.03, 0.06};
+constexpr int sheet_elements = 13;  // as the paper's smaller sheet, to a whole number
+
+struct ReportOptions {
+    std::string file;
+    std::string output;
+    bool skip_plate_tests = false;
+};
+
+std::vector<CurvePoint> measured_curve(const Scenario& scenario) {
+    const PlateTest test{.sheet = sheet_elements * scenario.floe.element};
+    std::vector<CurvePoint> curve(std::size(tested_cfm));
+    tbb::parallel_for(std::size_t{0}, curve.size(), [&](std::size_t i) {
+        Scenario one = scenario;
+        one.joint.cfm = tested_cfm[i];
+        curve[i] = measure_curve_point(one, test);
+    });
+    return curve;
+}
+
+void write_page(const std::filesystem::path& path, const std::string& page) {
+    std::ofstream file(path, std::ios::binary);
+    file << page;
+    file.close();
+    if (!file)
+        throw RunError(fmt::format("{} cannot be written ({}); is there such a folder, and room in it?", path.string(),
+                                   std::strerror(errno)));
+}
+
+void report(const ReportOptions& options) {
+    const std::filesystem::path file = options.file;
+    const std::filesystem::path output =
+        options.output.empty() ? std::filesystem::path(file.stem().string() + ".html") : options.output;
+    ReportData data = read_report_data(file);
+    if (!options.skip_plate_tests) data.curve = measured_curve(data.campaign.cases.front().scenario);
+    data.command = fmt::format("./floes run {0}.toml -o {0}.h5", data.findings.summary.title);
+    write_page(output, report_page(data));
+    std::printf("%s\n", output.string().c_str());
+}
+
+}  // namespace
+
+void add_report(CLI::App& program, int& exit_status) {
+    auto options = std::make_shared<ReportOptions>();
+    CLI::App* verb = program.add_subcommand(
+        "report", "One HTML page to defend a design load with: tables and figures, nothing loaded from elsewhere");
+    verb->add_option("campaign", options->file, "The campaign file (CAMPAIGN.h5)")->required();
+    verb->add_option("-o,--output", options->output, "The page; CAMPAIGN.html in this folder when not given");
+    verb->add_flag("--no-plate-tests", options->skip_plate_tests,
+                   "Leave out the E-Σ curve of this ice, whose plate tests take some seconds");
+    verb->callback([options, &exit_status] {
+        report(*options);
+        exit_status = 0;
+    });
+}
+
+}  // namespace floes

@@ -1,0 +1,37 @@
+#pragma once
+// The style sheet of the report: light and dark, screen and paper. Colours of cases are those of Okabe and Ito, which
+// people with any colour vision tell apart. For this room only.
+
+namespace floes {
+
+inline constexpr const char* page_style = R"(
+:root{color-scheme:light dark;--ink:#1b1f24;--soft:#57606a;--ground:#fff;--grid:#e4e7ea;--ice:#d7e6f2;--water:#e8f1f8;
+--c0:#0072b2;--c1:#d55e00;--c2:#009e73;--c3:#cc79a7;--c4:#b58900;--c5:#56b4e9}
+@media(prefers-color-scheme:dark){:root{--ink:#e6e9ec;--soft:#9aa4ae;--ground:#14181c;--grid:#2b3239;--ice:#31485c;
+--water:#1b2935;--c0:#4ba3dc;--c1:#f08a4b;--c2:#3cc79d;--c3:#e3a3c4;--c4:#d9b13b;--c5:#8fd0f5}}
+@media print{:root{--ink:#000;--ground:#fff}figure,table{break-inside:avoid}}
+body{font:16px/1.5 system-ui,sans-serif;color:var(--ink);background:var(--ground);max-width:46rem;margin:2rem auto;
+padding:0 1rem}
+h1{font-size:1.7rem;line-height:1.2}h2{font-size:1.2rem;margin-top:2.4rem;border-bottom:1px solid var(--grid)}
+figure{margin:1rem 0}figcaption,.note{color:var(--soft);font-size:.9rem}
+svg{max-width:100%;height:auto;font:12px system-ui,sans-serif}
+svg text{fill:var(--ink)}svg .label{fill:var(--soft)}svg .grid{stroke:var(--grid);fill:none}
+svg .frame{stroke:var(--soft);fill:none}svg .line{fill:none;stroke:var(--ink);stroke-width:1.5}
+svg .thin{stroke-width:.6}svg .thick{stroke-width:3}svg .dashed{stroke-dasharray:6 4}svg .dotted{stroke-dasharray:1.5 3}
+svg .dot{fill:var(--ink)}svg .faint{fill-opacity:.45}svg .area{stroke:none}svg .veil{fill-opacity:.15}
+svg .ice{fill:var(--ice);stroke:var(--soft);stroke-width:.6}svg .sheet{fill:var(--soft);fill-opacity:.35}
+svg .broken{fill:var(--c1);fill-opacity:.7}svg .water{fill:var(--water)}
+svg .structure{fill:var(--c4);stroke:var(--ink);stroke-width:.8}
+svg .line.c0{stroke:var(--c0)}svg .line.c1{stroke:var(--c1)}svg .line.c2{stroke:var(--c2)}
+svg .line.c3{stroke:var(--c3)}svg .line.c4{stroke:var(--c4)}svg .line.c5{stroke:var(--c5)}
+svg .dot.c0,svg .area.c0,svg text.c0{fill:var(--c0)}svg .dot.c1,svg .area.c1,svg text.c1{fill:var(--c1)}
+svg .dot.c2,svg .area.c2,svg text.c2{fill:var(--c2)}svg .dot.c3,svg .area.c3,svg text.c3{fill:var(--c3)}
+svg .dot.c4,svg .area.c4,svg text.c4{fill:var(--c4)}svg .dot.c5,svg .area.c5,svg text.c5{fill:var(--c5)}
+svg .key{font-weight:600}
+table{border-collapse:collapse;font-size:.88rem;font-variant-numeric:tabular-nums}
+.wide{overflow-x:auto}th,td{padding:.2rem .55rem;text-align:right;border-bottom:1px solid var(--grid);vertical-align:top}
+th:first-child,td:first-child{text-align:left}td small{color:var(--soft);white-space:nowrap}
+pre{overflow-x:auto;background:var(--water);padding:.7rem;font-size:.8rem}code{font-size:.9em}
+)";
+
+}  // namespace floes

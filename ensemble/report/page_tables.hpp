@@ -1,0 +1,14 @@
+#pragma once
+// The tables of the report as HTML. For this room only.
+
+#include <string>
+
+#include "report/page.hpp"
+
+namespace floes {
+
+std::string table3(const ReportData& data);  ///< this campaign, the paper, the experiment
+std::string pairs_table_html(const ReportData& data);
+std::string return_levels_table(const ReportData& data);
+
+}  // namespace floes

@@ -1,0 +1,70 @@
+#pragma once
+// One diagram as SVG: axes with units, lines, dots, whiskers, bars. Colours are classes of the page's style sheet, so
+// that a figure is right on light and on dark ground and on paper. For this room only.
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace floes {
+
+/// Text in which <, >, &, and quotes mean themselves.
+std::string html_escaped(std::string_view text);
+
+/// One axis: what it shows, with its unit, and from where to where (low < high; logarithmic: 0 < low).
+struct Axis {
+    std::string label;
+    double low = 0;
+    double high = 1;
+    bool logarithmic = false;
+    std::vector<std::string> names = {};  ///< in place of numbers: name i stands at i + 0.5
+};
+
+/// An axis with some air round `values` that are finite; with `with_zero` it begins or ends at 0 at least.
+Axis axis_around(std::string label, std::span<const double> values, bool with_zero);
+
+/// "1", "2", "5" times a power of ten from low to high, at most about `most`; of a logarithmic axis the decades.
+std::vector<double> ticks(const Axis& axis, int most);
+
+struct Size {
+    double width = 720;
+    double height = 320;
+};
+
+class Plot {
+  public:
+    using Points = std::vector<std::pair<double, double>>;
+
+    /// `description`: what a reader who does not see it is told.
+    Plot(std::string description, Axis x, Axis y, Size size = {});
+
+    /// All in the units of the axes; what is not finite is left out. `style`: classes such as "c0 thin".
+    void line(const Points& points, std::string_view style);
+    void area(const Points& outline, std::string_view style);
+    void dot(double x, double y, std::string_view style, double radius = 3.5);
+    void cross(double x, double y, std::string_view style, double radius = 4);
+    void text(double x, double y, std::string_view words, std::string_view anchor, std::string_view style = {});
+    void upright(double x, std::string_view style);  ///< a line across the whole diagram
+    void level(double y, std::string_view style);
+
+    /// A column of coloured names at the upper right.
+    void legend(const std::vector<std::pair<std::string, std::string>>& style_and_name);
+
+    std::string svg() const;
+
+  private:
+    double at_x(double value) const;
+    double at_y(double value) const;
+    void draw_axes();
+    std::string path(const Points& points, bool closed) const;
+
+    std::string description_;
+    Axis x_;
+    Axis y_;
+    Size size_;
+    std::string body_;
+};
+
+}  // namespace floes
