@@ -49,8 +49,7 @@ void write_page(const std::filesystem::path& path, const std::string& page) {
 
 void report(const ReportOptions& options) {
     const std::filesystem::path file = options.file;
-    const std::filesystem::path output =
-        options.output.empty() ? std::filesystem::path(file.stem().string() + ".html") : options.output;
+    const std::filesystem::path output = options.output.empty() ? file.stem().string() + ".html" : options.output;
     ReportData data = read_report_data(file);
     if (!options.skip_plate_tests) data.curve = measured_curve(data.campaign.cases.front().scenario);
     data.command = fmt::format("./floes run {0}.toml -o {0}.h5", data.findings.summary.title);

@@ -15,7 +15,7 @@ namespace floes {
 namespace {
 
 constexpr double margin_x = 80;  // what axes and labels take of a figure
-constexpr double margin_y = 58;
+constexpr double margin_y = 74;
 
 /// A figure in which a metre is as long along both axes.
 Size to_scale(double width_m, double height_m, double widest) {
@@ -56,6 +56,12 @@ std::string joint_figure(const Scenario& scenario) {
             const double x = (i + 0.5) * side;
             const double z = (k + 0.5) * side;
             plot.area(square({x, z, 0}, 0.97 * side, 0.97 * side), "ice");
+        }
+    }
+    for (int i = 0; i < floe.elements_long(); ++i) {
+        for (int k = 0; k < floe.elements_broad(); ++k) {
+            const double x = (i + 0.5) * side;
+            const double z = (k + 0.5) * side;
             if (i + 1 < floe.elements_long()) plot.dot(x + side / 2, z, "c1", 4);
             if (k + 1 < floe.elements_broad()) plot.dot(x, z + side / 2, "c1", 4);
         }
@@ -176,11 +182,11 @@ std::string hybrid_figure(const ReportData& data) {
     }
     for (const PaperRow& row : paper_table3) plot.cross(row.elastic_modulus_mpa, row.mean, "c3", 5);
     plot.dot(60, Experiment{}.mean, "c4", 4.5);
-    plot.legend({{"c0", "R_LS, Lindqvist × concentration"},
-                 {"c1", "R_LM, KPR (k1 set by the crossing)"},
-                 {"ink", "hybrid: the smaller"},
-                 {"c2", "this campaign, 95 % interval"},
-                 {"c3", "the paper's runs ×"},
+    plot.legend({{"c0", "Lindqvist × IC"},
+                 {"c1", "KPR"},
+                 {"ink", "hybrid"},
+                 {"c2", "this campaign"},
+                 {"c3", "the paper ×"},
                  {"c4", "experiment"}});
     return plot.svg();
 }

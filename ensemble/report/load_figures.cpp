@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
 
 #include "report/paper_table3.hpp"
 #include "report/plot.hpp"
@@ -41,6 +40,12 @@ std::vector<const MemberRow*> done_members(const ReportData& data, std::size_t o
             members.push_back(&member);
     }
     return members;
+}
+
+/// The first name is to stand at the top.
+std::vector<std::string> from_the_bottom(std::vector<std::string> names) {
+    std::ranges::reverse(names);
+    return names;
 }
 
 double height_for(std::size_t rows) {
@@ -88,9 +93,10 @@ std::string strips_figure(const ReportData& data, const Quantity& quantity, doub
     }
     Plot plot(fmt::format("{} of every arrangement, with the mean of each case", quantity.label),
               axis_around(std::string(quantity.label), values, true),
-              {"case", 0, static_cast<double>(cases.size()), false, case_names(data)}, {720, height_for(cases.size())});
+              {"", 0, static_cast<double>(cases.size()), false, from_the_bottom(case_names(data))},
+              {720, height_for(cases.size())});
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        const double middle = static_cast<double>(i) + 0.5;
+        const double middle = static_cast<double>(cases.size() - i) - 0.5;
         const Estimate& estimate = cases[i].*quantity.interval;
         plot.line(
             {{factor * estimate.prediction_low, middle - 0.28}, {factor * estimate.prediction_high, middle - 0.28}},
@@ -123,10 +129,10 @@ std::string pairs_figure(const ReportData& data, std::size_t quantity, double fa
         fmt::format("Paired differences of {}", quantities[quantity].label),
         axis_around(fmt::format("difference of {} within an arrangement, 95 % interval", quantities[quantity].label),
                     values, false),
-        {"", 0, static_cast<double>(rows.size()), false, labels}, {720, height_for(rows.size())});
+        {"", 0, static_cast<double>(rows.size()), false, from_the_bottom(labels)}, {720, height_for(rows.size())});
     plot.upright(0, "dashed");
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const double at = static_cast<double>(i) + 0.5;
+        const double at = static_cast<double>(rows.size() - i) - 0.5;
         plot.line({{factor * rows[i]->found.t_interval.low, at}, {factor * rows[i]->found.t_interval.high, at}},
                   "thick");
         plot.dot(factor * rows[i]->found.difference, at, "ink", 4.5);
@@ -233,7 +239,7 @@ std::string failures_figure(const ReportData& data) {
         }
     }
     Plot plot("Failed joints over time by mode, mean over arrangements", {"time since the tow began, s", 0, end},
-              axis_around("failed joints a run: bending –, shear - -, compression ···", counts, true));
+              axis_around("failed joints a run", counts, true));
     for (const auto& [style, points] : curves) plot.line(points, style);
     plot.legend(case_legend(data));
     return plot.svg();

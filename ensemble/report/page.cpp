@@ -65,7 +65,7 @@ std::string loads(const ReportData& data) {
         "further arrangement falls. The paper's figures are one run each, and the experiment's maximum is one value.");
     body +=
         figure(strips_figure(data, quantities[0], 1),
-               "Each dot is one arrangement. Above the dots: mean, its 95 % interval (thick), and where one further "
+               "Each dot is one arrangement. Below the dots: mean, its 95 % interval (thick), and where one further "
                "run falls with 95 % (dashed).");
     body += figure(strips_figure(data, quantities[3], 1), "The same for the mean of the segments' maxima.");
     body += figure(strips_figure(data, quantities[5], 1 / unit::percent), "The same for the share of broken floes.");
@@ -100,7 +100,10 @@ std::string extremes(const ReportData& data) {
 
 std::string failures(const ReportData& data) {
     if (data.breaks.empty()) return section("Broken floes", paragraph("No joint failed in any member."));
-    return section("Broken floes", figure(failures_figure(data), "Failed joints so far, mean over arrangements."));
+    return section("Broken floes",
+                   figure(failures_figure(data),
+                          "Failed joints so far, mean over arrangements: full line bending, dashed shear, "
+                          "dotted compression."));
 }
 
 std::string largest(const ReportData& data) {
@@ -131,7 +134,8 @@ std::string theory(const ReportData& data) {
 std::string provenance(const ReportData& data) {
     std::string rows;
     for (const auto& [name, value] : data.origin.facts)
-        rows += fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", html_escaped(name), html_escaped(value));
+        rows +=
+            fmt::format("<tr><td>{}</td><td class=\"words\">{}</td></tr>\n", html_escaped(name), html_escaped(value));
     return section("Where it comes from",
                    fmt::format("<p>To repeat it, save the configuration below as <code>{}.toml</code> and run</p>\n"
                                "<pre>{}</pre>\n<div class=\"wide\"><table>{}</table></div>\n"

@@ -30,7 +30,7 @@ svg .dot.c4,svg .area.c4,svg text.c4{fill:var(--c4)}svg .dot.c5,svg .area.c5,svg
 svg .key{font-weight:600}
 table{border-collapse:collapse;font-size:.88rem;font-variant-numeric:tabular-nums}
 .wide{overflow-x:auto}th,td{padding:.2rem .55rem;text-align:right;border-bottom:1px solid var(--grid);vertical-align:top}
-th:first-child,td:first-child{text-align:left}td small{color:var(--soft);white-space:nowrap}
+th:first-child,td:first-child{text-align:left}td small{color:var(--soft)}td{white-space:nowrap}td.words{white-space:normal;text-align:left}
 pre{overflow-x:auto;background:var(--water);padding:.7rem;font-size:.8rem}code{font-size:.9em}
 )";
 

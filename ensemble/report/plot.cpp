@@ -9,10 +9,18 @@
 namespace floes {
 namespace {
 
-constexpr double left = 64;
 constexpr double right = 16;
-constexpr double top = 12;
+constexpr double top = 28;  // the legend's row
 constexpr double bottom = 46;
+constexpr double letter = 7;  // about how wide one is
+
+std::size_t letters(std::string_view text) {  // UTF-8 continuation bytes take no place
+    return static_cast<std::size_t>(std::ranges::count_if(text, [](unsigned char c) { return (c & 0xC0) != 0x80; }));
+}
+
+double width_of(std::string_view text) {
+    return letter * static_cast<double>(letters(text));
+}
 
 std::string tick_text(double value) {
     return fmt::format("{:.6g}", std::abs(value) < 1e-12 ? 0.0 : value);
@@ -86,13 +94,14 @@ std::vector<double> ticks(const Axis& axis, int most) {
 
 Plot::Plot(std::string description, Axis x, Axis y, Size size)
     : description_(std::move(description)), x_(std::move(x)), y_(std::move(y)), size_(size) {
+    for (const std::string& name : y_.names) left_ = std::max(left_, 24 + width_of(name));
     draw_axes();
 }
 
 double Plot::at_x(double value) const {
     const double share =
         x_.logarithmic ? std::log(value / x_.low) / std::log(x_.high / x_.low) : (value - x_.low) / (x_.high - x_.low);
-    return left + share * (size_.width - left - right);
+    return left_ + share * (size_.width - left_ - right);
 }
 
 double Plot::at_y(double value) const {
@@ -104,25 +113,23 @@ double Plot::at_y(double value) const {
 void Plot::draw_axes() {
     const double floor = size_.height - bottom;
     const double end = size_.width - right;
-    const auto column = [&](double x, const std::string& words, bool grid) {
-        if (grid) body_ += fmt::format("<path class=\"grid\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>", at_x(x), floor, top);
+    const auto column = [&](double x, const std::string& words) {
+        body_ += fmt::format("<path class=\"grid\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>", at_x(x), floor, top);
         body_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>", at_x(x), floor + 16,
                              html_escaped(words));
     };
     const auto row = [&](double y, const std::string& words, bool grid) {
-        if (grid) body_ += fmt::format("<path class=\"grid\" d=\"M{:.1f} {:.1f}H{:.1f}\"/>", left, at_y(y), end);
-        body_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", left - 6, at_y(y) + 4,
+        if (grid) body_ += fmt::format("<path class=\"grid\" d=\"M{:.1f} {:.1f}H{:.1f}\"/>", left_, at_y(y), end);
+        body_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", left_ - 6, at_y(y) + 4,
                              html_escaped(words));
     };
-    for (std::size_t i = 0; i < x_.names.size(); ++i) column(static_cast<double>(i) + 0.5, x_.names[i], false);
     for (std::size_t i = 0; i < y_.names.size(); ++i) row(static_cast<double>(i) + 0.5, y_.names[i], false);
-    if (x_.names.empty())
-        for (const double x : ticks(x_, std::max(2, static_cast<int>(size_.width / 90)))) column(x, tick_text(x), true);
+    for (const double x : ticks(x_, std::max(2, static_cast<int>(size_.width / 90)))) column(x, tick_text(x));
     if (y_.names.empty())
         for (const double y : ticks(y_, std::max(2, static_cast<int>(size_.height / 50)))) row(y, tick_text(y), true);
-    body_ += fmt::format("<path class=\"frame\" d=\"M{:.1f} {:.1f}V{:.1f}H{:.1f}\"/>", left, top, floor, end);
+    body_ += fmt::format("<path class=\"frame\" d=\"M{:.1f} {:.1f}V{:.1f}H{:.1f}\"/>", left_, top, floor, end);
     body_ += fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>",
-                         (left + end) / 2, size_.height - 8, html_escaped(x_.label));
+                         (left_ + end) / 2, size_.height - 8, html_escaped(x_.label));
     body_ += fmt::format(
         "<text class=\"label\" transform=\"translate(14 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
         (top + floor) / 2, html_escaped(y_.label));
@@ -180,11 +187,11 @@ void Plot::level(double y, std::string_view style) {
 }
 
 void Plot::legend(const std::vector<std::pair<std::string, std::string>>& style_and_name) {
-    double y = top + 12;
+    double x = left_ + 4;
     for (const auto& [style, name] : style_and_name) {
-        body_ += fmt::format("<text class=\"key {}\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", style,
-                             size_.width - right - 4, y, html_escaped(name));
-        y += 15;
+        body_ += fmt::format("<text class=\"key {}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", style, x, top - 12,
+                             html_escaped(name));
+        x += width_of(name) + 3 * letter;
     }
 }
 

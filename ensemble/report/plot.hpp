@@ -19,7 +19,7 @@ struct Axis {
     double low = 0;
     double high = 1;
     bool logarithmic = false;
-    std::vector<std::string> names = {};  ///< in place of numbers: name i stands at i + 0.5
+    std::vector<std::string> names = {};  ///< of an upright axis, in place of numbers: name i stands at i + 0.5
 };
 
 /// An axis with some air round `values` that are finite; with `with_zero` it begins or ends at 0 at least.
@@ -49,7 +49,7 @@ class Plot {
     void upright(double x, std::string_view style);  ///< a line across the whole diagram
     void level(double y, std::string_view style);
 
-    /// A column of coloured names at the upper right.
+    /// Coloured names in a row above the diagram.
     void legend(const std::vector<std::pair<std::string, std::string>>& style_and_name);
 
     std::string svg() const;
@@ -64,6 +64,7 @@ class Plot {
     Axis x_;
     Axis y_;
     Size size_;
+    double left_ = 64;  // wider where names need it
     std::string body_;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/error.hpp"
 #include "core/units.hpp"
 #include "report/page.hpp"
 #include "store/read_history.hpp"
