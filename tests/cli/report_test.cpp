@@ -1,0 +1,80 @@
+// floes report, from a campaign file on the disk to a page.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "cli/commands.hpp"
+#include "core/error.hpp"
+#include "store/campaign_file.hpp"
+#include "store/synthetic.hpp"
+#include "store/temporary_folder.hpp"
+
+namespace floes {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::string content(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+class Report : public testing::Test {
+  protected:
+    void run(const std::string& arguments) {
+        CLI::App program{"floes"};
+        int status = -1;
+        add_report(program, status);
+        testing::internal::CaptureStdout();
+        try {
+            program.parse("report " + arguments);
+        } catch (...) {
+            testing::internal::GetCapturedStdout();
+            throw;
+        }
+        EXPECT_EQ(testing::internal::GetCapturedStdout(), page_.string() + "\n");
+        EXPECT_EQ(status, 0);
+    }
+
+    TemporaryFolder folder_;
+    std::filesystem::path file_ = folder_ / "synthetic.h5";
+    std::filesystem::path page_ = folder_ / "page.html";
+};
+
+TEST_F(Report, TellsOfEveryCaseAndHowToRepeatIt) {
+    const Campaign campaign = synthetic::campaign();
+    const std::vector<Session> sessions{synthetic::session()};
+    publish(file_, campaign, synthetic::records(campaign), sessions);
+    run(file_.string() + " -o " + page_.string());
+    const std::string page = content(page_);
+    for (const Case& one : campaign.cases) EXPECT_THAT(page, HasSubstr("<td>" + one.name + "</td>"));
+    EXPECT_THAT(page, HasSubstr("./floes run synthetic.toml -o synthetic.h5"));
+    EXPECT_THAT(page, HasSubstr("name = &quot;stiff&quot;"));  // the configuration
+    EXPECT_THAT(page, Not(HasSubstr("nan")));
+    EXPECT_THAT(page, HasSubstr("1 set aside as failed"));
+}
+
+TEST_F(Report, TellsOfACampaignWithoutAnyResult) {
+    const Campaign campaign = synthetic::campaign();
+    const std::vector<Session> sessions{synthetic::session()};
+    publish(file_, campaign, {}, sessions);
+    run(file_.string() + " --no-plate-tests -o " + page_.string());
+    EXPECT_THAT(content(page_), HasSubstr("0 simulations done"));
+}
+
+TEST_F(Report, SaysWhatItCannotReadOrWrite) {
+    EXPECT_THROW(run(file_.string()), InputError);
+    const Campaign campaign = synthetic::campaign();
+    const std::vector<Session> sessions{synthetic::session()};
+    publish(file_, campaign, synthetic::records(campaign), sessions);
+    EXPECT_THROW(run(file_.string() + " --no-plate-tests -o " + (folder_ / "no/such/folder.html").string()),
+                 RunError);
+}
+
+}  // namespace
+}  // namespace floes

@@ -1,0 +1,81 @@
+#!/usr/bin/python3
+"""The report of a real campaign, opened in headless Chromium: no word on the console, nothing asked of the network,
+every figure has a size, axes and words, and nothing sticks out of it.
+
+Usage: page_in_browser.py FLOES CONFIG.toml
+"""
+import html
+import json
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+PROBE = """
+<script>
+const found = [...document.querySelectorAll('svg')].map(svg => {
+  const box = svg.getBoundingClientRect();
+  const texts = [...svg.querySelectorAll('text')];
+  const out = texts.map(t => [t.textContent, t.getBoundingClientRect()])
+                   .filter(([w, b]) => b.left < box.left - 1 || b.right > box.right + 1 || b.top < box.top - 1 ||
+                                       b.bottom > box.bottom + 1).map(([w]) => w);
+  return {name: svg.getAttribute('aria-label'), width: box.width, height: box.height, outside: out,
+          texts: texts.length, labels: [...svg.querySelectorAll('text.label')].map(t => t.textContent),
+          marks: svg.querySelectorAll('.line,.area,.dot').length};
+});
+document.body.dataset.found = JSON.stringify(found);
+document.body.dataset.width = JSON.stringify([document.documentElement.scrollWidth, innerWidth]);
+</script>
+"""
+
+
+def opened(page):
+    """The document after its load, and what the browser wrote on its console."""
+    with tempfile.TemporaryDirectory() as profile:
+        run = subprocess.run(
+            ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+             "--window-size=900,2000", f"--user-data-dir={profile}", "--enable-logging=stderr", "--dump-dom",
+             page.as_uri()], capture_output=True, text=True, timeout=120, check=True)
+    return run.stdout, [line for line in run.stderr.splitlines() if "CONSOLE" in line]
+
+
+def main(floes, config):
+    with tempfile.TemporaryDirectory() as folder:
+        folder = Path(folder)
+        campaign = folder / "smoke.h5"
+        page = folder / "smoke.html"
+        subprocess.run([floes, "run", config, "-o", campaign, "--set", "campaign.arrangements=3"], check=True,
+                       stdout=subprocess.DEVNULL)
+        subprocess.run([floes, "report", campaign, "-o", page], check=True)
+        text = page.read_text()
+        for foreign in re.findall(r"(?:src|href)=\"(?!data:)[^\"]*\"|url\([^)]*\)|@import|<script", text):
+            sys.exit(f"the page asks for something from elsewhere: {foreign}")
+        page.write_text(text.replace("</body>", PROBE + "</body>"))
+        document, console = opened(page)
+    if console:
+        sys.exit("the browser's console says:\n" + "\n".join(console))
+    data = {key: json.loads(html.unescape(value))
+            for key, value in re.findall(r"data-(found|width)=\"([^\"]*)\"", document)}
+    if data["width"][0] > data["width"][1]:
+        sys.exit(f"the page is wider than the window: {data['width']}")
+    figures = data["found"]
+    if len(figures) < 12:
+        sys.exit(f"only {len(figures)} figures: {[figure['name'] for figure in figures]}")
+    for figure in figures:
+        name = figure["name"]
+        if figure["width"] < 250 or figure["height"] < 120:
+            sys.exit(f"figure without size: {figure}")
+        if not name or figure["texts"] < 4 or len(figure["labels"]) != 2 or not figure["labels"][0]:
+            sys.exit(f"figure without words: {figure}")
+        if figure["marks"] < 2:
+            sys.exit(f"figure without content: {figure}")
+        if figure["outside"]:
+            sys.exit(f"words stick out of the figure {name}: {figure['outside']}")
+    print(f"{len(figures)} figures, all with size and words")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    main(sys.argv[1], sys.argv[2])
