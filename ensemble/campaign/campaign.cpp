@@ -40,11 +40,15 @@ std::string case_text(const Case& one) {
     return canonical_text(one.scenario) + (one.calibrate ? "joint.cfm is to be calibrated\n" : "");
 }
 
-/// The lines of each case; a line that all cases share is given once, without naming them.
+/// The lines of each case that both have; a line that all cases share is given once, without naming them.
 std::vector<std::string> case_differences(const Campaign& there, const Campaign& here) {
     std::vector<std::vector<std::string>> of_case;
-    for (std::size_t i = 0; i < there.cases.size(); ++i) {
-        of_case.push_back(differences_of(there.cases[i], here.cases[i]));
+    std::vector<std::string> names;
+    for (const Case& one : there.cases) {
+        const auto same = std::ranges::find(here.cases, one.name, &Case::name);
+        if (same == here.cases.end()) continue;
+        of_case.push_back(differences_of(one, *same));
+        names.push_back(one.name);
     }
     const auto shared = [&](const std::string& line) {
         for (const std::vector<std::string>& lines : of_case) {
@@ -56,7 +60,7 @@ std::vector<std::string> case_differences(const Campaign& there, const Campaign&
     for (std::size_t i = 0; i < of_case.size(); ++i) {
         for (const std::string& line : of_case[i]) {
             if (!shared(line)) {
-                all.push_back(fmt::format("case {}: {}", there.cases[i].name, line));
+                all.push_back(fmt::format("case {}: {}", names[i], line));
             } else if (i == 0) {
                 all.push_back(line);
             }
@@ -104,7 +108,6 @@ std::vector<std::string> differences(const Campaign& there, const Campaign& here
     if (names_there != names_here) {
         lines.push_back(
             fmt::format("cases: {} there, {} here", fmt::join(names_there, ", "), fmt::join(names_here, ", ")));
-        return lines;
     }
     for (std::string& line : case_differences(there, here)) lines.push_back(std::move(line));
     return lines;

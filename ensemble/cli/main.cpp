@@ -1,11 +1,38 @@
 // floes: the one program. Verbs live in their own files; this one only picks.
 
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <sstream>
+#include <string_view>
 
 #include "cli/commands.hpp"
 #include "core/error.hpp"
 
+namespace {
+
+/// Under mpirun every rank reads the same command line: what is wrong with it is said once.
+bool speaks() {
+    for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
+        if (const char* rank = std::getenv(name)) return std::string_view(rank) == "0";
+    return true;
+}
+
+int refuse(const CLI::App& program, const CLI::ParseError& error) {
+    std::ostringstream out;
+    std::ostringstream errors;
+    const bool asked_for_help = program.exit(error, out, errors) == 0;
+    if (speaks()) {
+        std::fputs(out.str().c_str(), stdout);
+        std::fputs(errors.str().c_str(), stderr);
+    }
+    return asked_for_help ? 0 : 2;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error to report, like a full disk
     CLI::App program{"floes: the load that managed ice floes put on a structure, over many random arrangements"};
     program.require_subcommand(1);
     int exit_status = 0;
@@ -22,7 +49,7 @@ int main(int argc, char** argv) {
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return program.exit(error) == 0 ? 0 : 2;
+        return refuse(program, error);
     } catch (const floes::InputError& error) {
         std::fprintf(stderr, "floes: %s\n", error.what());
         return 2;

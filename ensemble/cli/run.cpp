@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -53,9 +54,12 @@ std::filesystem::path output_of(const RunVerb& verb) {
 }
 
 std::string resume_command(const RunVerb& verb, const std::string& program, int ranks) {
-    std::string command = ranks > 1 ? fmt::format("mpirun -n {} ", ranks) : "";
-    command +=
-        fmt::format("{} run {} -o {} --resume", quoted(program), quoted(verb.config), quoted(output_of(verb).string()));
+    const char* launcher = std::getenv("FLOES_LAUNCHER");  // the script that starts the ranks, where there is one
+    std::string command = ranks > 1 && launcher == nullptr ? fmt::format("mpirun -n {} ", ranks) : "";
+    command += fmt::format("{} run ", quoted(launcher != nullptr ? launcher : program));
+    if (ranks > 1 && launcher != nullptr) command += fmt::format("--ranks {} ", ranks);
+    command += fmt::format("{} -o {} --resume", quoted(verb.config), quoted(output_of(verb).string()));
+    if (verb.retry_failed) command += " --retry-failed";
     if (!verb.part.empty()) command += " --part " + verb.part;
     if (verb.threads > 0) command += fmt::format(" --threads {}", verb.threads);
     for (const std::string& setting : verb.overrides) command += " --set " + quoted(setting);
@@ -99,8 +103,11 @@ int lead(const RunVerb& verb, const std::string& program, Link& link) {
         Progress progress(std::cerr, style_of_standard_error());
         for (const std::string& sentence : advice(campaign)) progress.say(sentence);
         Recorder::check(options.places);  // before the calibration, which takes a minute
-        options.places.calibrations =
-            calibrate_campaign(campaign, kept_calibrations(options.places), threads_of(link, verb.threads), progress);
+        {
+            const LeaveOnSignals leave;  // nothing is begun yet that would have to be ended
+            options.places.calibrations = calibrate_campaign(campaign, kept_calibrations(options.places),
+                                                             threads_of(link, verb.threads), progress);
+        }
         status = run_campaign(campaign, options, link, compute_member, progress);
     }
     if (status != exit_stopped) {

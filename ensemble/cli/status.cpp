@@ -1,8 +1,13 @@
 // floes status: what of a campaign is done, failed and still to go. Works while a run is going on, and changes nothing.
 
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <thread>
 
 #include "cli/commands.hpp"
 #include "cli/status_text.hpp"
@@ -14,7 +19,31 @@ namespace {
 struct StatusOptions {
     std::string file;
     std::string format = "table";
+    bool watch = false;
 };
+
+constexpr const char* clear_screen = "\033[H\033[2J";
+constexpr std::chrono::seconds watch_interval{2};
+constexpr int least_pause_per_look = 10;  // of a large campaign a look takes seconds
+
+/// Shows the status and says whether a run is at work.
+bool show(const StatusOptions& options) {
+    const CampaignStatus status = read_status(options.file);
+    if (options.watch && options.format == "table" && ::isatty(STDOUT_FILENO) == 1) std::fputs(clear_screen, stdout);
+    std::fputs((options.format == "json" ? status_json(status) : status_table(status)).c_str(), stdout);
+    std::fflush(stdout);
+    return status.at_work;
+}
+
+void watch(const StatusOptions& options) {
+    using Clock = std::chrono::steady_clock;
+    while (true) {
+        const auto begin = Clock::now();
+        if (!show(options)) return;
+        std::this_thread::sleep_for(
+            std::max<Clock::duration>(watch_interval, least_pause_per_look * (Clock::now() - begin)));
+    }
+}
 
 }  // namespace
 
@@ -26,9 +55,13 @@ void add_status(CLI::App& program, int& exit_status) {
     verb->add_option("--format", options->format, "table or json")
         ->check(CLI::IsMember({"table", "json"}))
         ->capture_default_str();
+    verb->add_flag("--watch", options->watch, "Again every few seconds, until no run is at work");
     verb->callback([options, &exit_status] {
-        const CampaignStatus status = read_status(options->file);
-        std::fputs((options->format == "json" ? status_json(status) : status_table(status)).c_str(), stdout);
+        if (options->watch) {
+            watch(*options);
+        } else {
+            show(*options);
+        }
         exit_status = 0;
     });
 }

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "driver/progress.hpp"
+
 namespace floes {
 namespace {
 
@@ -26,26 +28,48 @@ std::string counted(int count, const char* word) {
     return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
 }
 
-std::string duration(double seconds) {
-    if (seconds < 90) return fmt::format("{:.0f} s", seconds);
-    if (seconds < 90 * 60) return fmt::format("{:.0f} min", seconds / 60);
-    return fmt::format("{:.1f} h", seconds / 3600);
-}
-
 std::string work_line(const CampaignStatus& status, int missing) {
     if (status.sessions.empty()) return missing > 0 ? "Continue it with floes run --resume.\n" : "";
     const Session& last = status.sessions.back();
     if (status.at_work)
-        return fmt::format("At work: {}, {} from {} since {}{}.\n", counted(last.ranks, "rank"),
+        return fmt::format("At work: {}, {} from {} since {}{}{}.\n", counted(last.ranks, "rank"),
                            counted(last.threads, "thread"), last.host, last.started,
-                           status.seconds_left ? ", about " + duration(*status.seconds_left) + " left" : "");
+                           status.rate ? ", " + rate_text(*status.rate) : "",
+                           status.seconds_left ? ", about " + duration_text(*status.seconds_left) + " left" : "");
     if (missing == 0) return fmt::format("Ended {}.\n", last.ended.empty() ? "without a word" : last.ended);
+    if (last.ended.empty() && status.heartbeat)
+        return fmt::format(
+            "The run begun on {} at {} (process {}) has not been heard of for {}: it was killed; continue it with "
+            "floes "
+            "run --resume.\n",
+            last.host, last.started, status.heartbeat->process, duration_text(age_of(*status.heartbeat)));
     if (last.ended.empty())
         return fmt::format(
             "The run begun on {} at {} was killed, or is at work on another machine; if killed, continue "
             "it with floes run --resume.\n",
             last.host, last.started);
     return fmt::format("Ended {} ({}); continue it with floes run --resume.\n", last.ended, last.outcome);
+}
+
+std::string timed_text(const char* title, const std::vector<TimedMember>& members) {
+    if (members.empty()) return {};
+    std::string text = fmt::format("\n{}\n", title);
+    for (const TimedMember& one : members)
+        text +=
+            fmt::format("  member {} (case {}, arrangement {}{}): {}\n", one.number, one.case_name, one.arrangement,
+                        one.attempt > 1 ? fmt::format(", attempt {}", one.attempt) : "", duration_text(one.seconds));
+    return text;
+}
+
+nlohmann::ordered_json timed_json(const std::vector<TimedMember>& members) {
+    auto json = nlohmann::ordered_json::array();
+    for (const TimedMember& one : members)
+        json.push_back({{"member", one.number},
+                        {"case", one.case_name},
+                        {"arrangement", one.arrangement},
+                        {"attempt", one.attempt},
+                        {"seconds", one.seconds}});
+    return json;
 }
 
 nlohmann::ordered_json counts_json(const CaseStatus& one) {
@@ -69,6 +93,8 @@ std::string status_table(const CampaignStatus& status) {
     for (const FailedMember& one : status.failures)
         text += fmt::format("  member {} (case {}, arrangement {}): {}\n", one.number, one.case_name, one.arrangement,
                             one.reason);
+    text += timed_text("under way", status.under_way);
+    text += timed_text("slowest", status.slowest);
     return text;
 }
 
@@ -89,6 +115,15 @@ std::string status_json(const CampaignStatus& status) {
                                     {"case", one.case_name},
                                     {"arrangement", one.arrangement},
                                     {"reason", one.reason}});
+    json["members_per_second"] = status.rate ? nlohmann::ordered_json(*status.rate) : nullptr;
+    json["heartbeat"] = nullptr;
+    if (status.heartbeat)
+        json["heartbeat"] = {{"host", status.heartbeat->host},
+                             {"process", status.heartbeat->process},
+                             {"age_s", age_of(*status.heartbeat)},
+                             {"stale", !status.at_work}};
+    json["under_way"] = timed_json(status.under_way);
+    json["slowest"] = timed_json(status.slowest);
     json["sessions"] = nlohmann::ordered_json::array();
     for (const Session& one : status.sessions)
         json["sessions"].push_back({{"started", one.started},
@@ -97,7 +132,11 @@ std::string status_json(const CampaignStatus& status) {
                                     {"host", one.host},
                                     {"job", one.job},
                                     {"ranks", one.ranks},
-                                    {"threads", one.threads}});
+                                    {"threads", one.threads},
+                                    {"reused", one.reused},
+                                    {"computed", one.computed},
+                                    {"retried", one.retried},
+                                    {"set_aside", one.set_aside}});
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

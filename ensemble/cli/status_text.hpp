@@ -10,8 +10,9 @@ namespace floes {
 /// For people: a sentence, who is at work, a line a case, and the failures with their reasons.
 std::string status_table(const CampaignStatus& status);
 
-/// For programs: one JSON object with `title`, `done`, `failed`, `missing`, `total`, `at_work`, `seconds_left` (null
-/// when unknown), `cases`, `failures`, `sessions`.
+/// For programs: one JSON object with `title`, `done`, `failed`, `missing`, `total`, `at_work`, `seconds_left` and
+/// `members_per_second` (null when unknown), `heartbeat` (null where there is none), `cases`, `failures`, `under_way`,
+/// `slowest`, `sessions`.
 std::string status_json(const CampaignStatus& status);
 
 }  // namespace floes

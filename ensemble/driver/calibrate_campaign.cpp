@@ -80,7 +80,7 @@ std::vector<CalibrationRecord> kept_calibrations(const Recorder::Places& places)
     const std::filesystem::path journal = journal_path(places.campaign_file);
     if (places.existing != Existing::resume || !std::filesystem::exists(journal)) return {};
     try {
-        return read_journal(journal).calibrations;
+        return read_journal(journal, Histories::leave).calibrations;
     } catch (const InputError&) {
         return {};  // nothing to be had from it; whether one can go on with it, opening it decides and says
     }

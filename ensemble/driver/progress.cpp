@@ -14,17 +14,17 @@ constexpr std::chrono::milliseconds live_interval{500};
 constexpr std::chrono::milliseconds plain_interval{60'000};
 constexpr const char* erase_line = "\r\033[K";
 
-std::string rate_text(double per_second) {
-    if (per_second >= 1) return fmt::format("{:.1f} members/s", per_second);
-    if (per_second * 60 >= 1) return fmt::format("{:.1f} members/min", per_second * 60);
-    return fmt::format("{:.1f} members/h", per_second * 3600);
-}
-
 }  // namespace
 
 double ProgressState::time_left() const {
     if (finished_cost <= 0 || elapsed <= 0) return -1;
     return remaining_cost / (finished_cost / elapsed);
+}
+
+std::string rate_text(double per_second) {
+    if (per_second >= 1) return fmt::format("{:.1f} members/s", per_second);
+    if (per_second * 60 >= 1) return fmt::format("{:.1f} members/min", per_second * 60);
+    return fmt::format("{:.1f} members/h", per_second * 3600);
 }
 
 std::string duration_text(double seconds) {

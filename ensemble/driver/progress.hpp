@@ -29,6 +29,9 @@ struct ProgressState {
 /// "40 s", "12 min", "3 h 05 min", "2 d 4 h".
 std::string duration_text(double seconds);
 
+/// "3.1 members/s", "4.2 members/min", "0.5 members/h".
+std::string rate_text(double per_second);
+
 /// "12 of 36 done, 1 failed, 2 running, 4.2 members/min, 5 min left"; with a stop rule there is no telling how long,
 /// and in its place stands "half-width 7.1 % after 20 arrangements, 5 % wanted".
 std::string progress_text(const ProgressState& state);

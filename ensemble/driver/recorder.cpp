@@ -1,6 +1,7 @@
 #include "driver/recorder.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <tuple>
@@ -10,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "store/campaign_file.hpp"
+#include "store/heartbeat.hpp"
 
 namespace floes {
 
@@ -18,7 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::chrono::milliseconds sync_interval{900};  // "within a second", with room for the disk
-constexpr int least_work_per_publishing = 20;            // publishing takes at most a twentieth of the time
+constexpr std::chrono::seconds heartbeat_interval{5};
+constexpr std::size_t most_told = 20;
+constexpr int least_work_per_publishing = 20;  // publishing takes at most a twentieth of the time
 
 /// Opens the journal of the campaign file, having seen that nothing is overwritten or mixed up unasked.
 Journal open(const Campaign& campaign, const Recorder::Places& places) {
@@ -58,17 +62,17 @@ double stop_value(StopQuantity of, const MemberResult& result) {
     throw std::logic_error("a stop rule of no known quantity");
 }
 
-MemberRecord failure_by_loss(const MemberIdentity& member, int attempts) {
+MemberRecord failure_by_loss(const MemberIdentity& member, int attempts, int lost) {
     MemberRecord record;
     std::tie(record.case_key, record.arrangement) = member;
     record.attempt = attempts;
     record.rank = -1;
     record.result.status = MemberStatus::failed;
-    record.result.reason = fmt::format(
-        "It was begun {} and each time the run was killed or crashed before it ended; --retry-failed tries it again.",
-        attempts == 1   ? "once,"
-        : attempts == 2 ? "twice,"
-                        : fmt::format("{} times,", attempts));
+    record.result.reason =
+        fmt::format("The run was killed or crashed {} while this member was under way; --retry-failed tries it again.",
+                    lost == 1   ? "once"
+                    : lost == 2 ? "twice"
+                                : fmt::format("{} times", lost));
     return record;
 }
 
@@ -122,17 +126,19 @@ void Recorder::take_stock() {
         if (failures + lost < places_.attempts) {
             tasks_.push_back({number, expected_cost(campaign_, number),
                               precision_ ? key.arrangement / campaign_.stop.batch : 0, failures + lost});
+            tasks_cost_ += tasks_.back().cost;
             if (record != nullptr || lost > 0) ++retried_;
         } else if (lost == 0) {
             ++reused_;
             failed_.push_back(key.arrangement);
             tell_precision(key.arrangement, key.case_index, nullptr);
         } else {
-            lost_too_often_.push_back(failure_by_loss(identity_of(number), failures + lost));
+            lost_too_often_.push_back(failure_by_loss(identity_of(number), failures + lost, lost));
         }
     }
     if (precise()) {
         tasks_.clear();
+        tasks_cost_ = 0;
         retried_ = 0;
     }
 }
@@ -172,11 +178,16 @@ std::vector<std::string> Recorder::begin(Session session) {
 }
 
 void Recorder::started(int number, int attempt) {
-    journal_.started(identity_of(number), attempt);
+    const MemberIdentity member = identity_of(number);
+    journal_.started(member, attempt);
+    under_way_[member] = {number, attempt, std::chrono::steady_clock::now()};
 }
 
 void Recorder::keep(const MemberRecord& record) {
     journal_.append(record);
+    under_way_.erase(identity(record));
+    const auto known = std::ranges::find(case_keys_, record.case_key);
+    finished_cost_ += expected_cost(campaign_, static_cast<int>(known - case_keys_.begin()));
     const bool done = record.result.status == MemberStatus::done;
     if (done) {
         ++done_;
@@ -194,6 +205,10 @@ void Recorder::keep(const MemberRecord& record) {
 
 std::string Recorder::tend(Time now) {
     if (now - last_sync_ >= sync_interval) sync();
+    if (now >= next_heartbeat_) {
+        tell(now);
+        next_heartbeat_ = now + heartbeat_interval;
+    }
     if (published_ || now < next_publish_) return {};
     std::string trouble;
     try {
@@ -207,6 +222,20 @@ std::string Recorder::tend(Time now) {
     return trouble;
 }
 
+void Recorder::tell(Time now) const {
+    const auto seconds = [now](Time since) { return std::chrono::duration<double>(now - since).count(); };
+    Heartbeat heartbeat;
+    heartbeat.elapsed = seconds(begin_);
+    heartbeat.finished = computed_ + set_aside_;
+    heartbeat.finished_cost = finished_cost_;
+    heartbeat.remaining_cost = std::max(0.0, tasks_cost_ - finished_cost_);
+    for (const auto& [member, one] : under_way_)
+        heartbeat.under_way.push_back({one.number, one.attempt, seconds(one.since)});
+    std::ranges::sort(heartbeat.under_way, std::greater(), &Heartbeat::UnderWay::seconds);
+    if (heartbeat.under_way.size() > most_told) heartbeat.under_way.resize(most_told);
+    write_heartbeat(heartbeat_path(places_.campaign_file), std::move(heartbeat));
+}
+
 void Recorder::sync() {
     if (!synced_) journal_.sync();
     synced_ = true;
@@ -215,6 +244,8 @@ void Recorder::sync() {
 
 void Recorder::give_up() noexcept {
     try {
+        std::error_code ignored;
+        fs::remove(heartbeat_path(places_.campaign_file), ignored);
         journal_.end_session("failed");
     } catch (const std::exception&) {
         // The error that brought us here is the one to tell.
@@ -225,10 +256,13 @@ void Recorder::finish(const std::string& outcome) {
     sync();
     journal_.end_session(outcome);
     publish_now();
+    std::error_code ignored;
+    fs::remove(heartbeat_path(places_.campaign_file), ignored);
 }
 
 void Recorder::publish_now() {
-    publish(places_.campaign_file, published(), journal_.records(), journal_.sessions(), journal_.calibrations());
+    publish(places_.campaign_file, published(), journal_.records(), journal_.sessions(), journal_.calibrations(),
+            [this](const MemberRecord& record) { return journal_.history(record); });
     published_ = true;
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 // Keeps the results of a campaign: into the journal at once, onto the disk within a second, into the campaign file now
-// and then and at the end.
+// and then and at the end; and tells others every few seconds that the run is alive.
 
 #include <chrono>
 #include <filesystem>
 #include <optional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,8 @@ class Recorder {
     bool precise() const { return precision_ && precision_->met(); }
     /// The campaign that is published.
     Campaign published() const;
+    /// In what the campaign has grown since the sessions before, one line a key; empty when it has not.
+    const std::vector<std::string>& extension() const { return journal_.extension(); }
 
     /// Notes that a session begins now. Returns what has changed since the session before it, see changed_software();
     /// empty when there are no members from before. Sets members aside that took their process down too often.
@@ -88,7 +91,14 @@ class Recorder {
     void finish(const std::string& outcome);
 
   private:
+    struct UnderWay {
+        int number = 0;
+        int attempt = 1;
+        Time since{};
+    };
+
     void take_stock();
+    void tell(Time now) const;
     MemberIdentity identity_of(int number) const;
     void tell_precision(int arrangement, int case_index, const MemberResult* result);
     void publish_now();
@@ -101,6 +111,9 @@ class Recorder {
     std::vector<MemberTask> tasks_;
     std::vector<MemberRecord> lost_too_often_;
     int total_ = 0;
+    std::map<MemberIdentity, UnderWay> under_way_;
+    double finished_cost_ = 0;
+    double tasks_cost_ = 0;
     int done_ = 0;
     std::vector<int> failed_;  ///< arrangement of each member set aside
     int reused_ = 0;
@@ -109,6 +122,8 @@ class Recorder {
     int computed_ = 0;
     bool synced_ = true;
     bool published_ = true;
+    Time begin_ = std::chrono::steady_clock::now();
+    Time next_heartbeat_ = begin_;
     Time last_sync_ = std::chrono::steady_clock::now();
     Time next_publish_;
 };

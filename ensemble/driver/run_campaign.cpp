@@ -94,6 +94,9 @@ int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link
     progress.say(opening(campaign, options, link.size(), mustered.cores()));
     if (options.places.part.of > 1) progress.say(part_text(options.places.part, recorder));
     if (const std::string remark = binding_remark(link.topology()); !remark.empty()) progress.say(remark);
+    for (const std::string& line : recorder.extension()) {
+        progress.say(fmt::format("the campaign is extended, what is there stays: {}", line));
+    }
     for (const std::string& change : recorder.begin(session_of(link.size(), mustered.cores()))) {
         progress.say(fmt::format(
             "the members from before may differ in their last bits from what this run would give; {}", change));

@@ -38,20 +38,44 @@ void on_signal(int signal) {
     ::_exit(exit_stopped);
 }
 
+void leave(int) {
+    constexpr std::string_view parting = "\nfloes: stopped before the first member; the same command begins again\n";
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, parting.data(), parting.size());
+    ::_exit(exit_stopped);
+}
+
+using Former = std::array<struct sigaction, stop_signals.size()>;
+
+void catch_all(void (*handler)(int), Former& former) {
+    struct sigaction action {};
+    action.sa_handler = handler;
+    ::sigemptyset(&action.sa_mask);
+    action.sa_flags = SA_RESTART;
+    for (std::size_t i = 0; i < stop_signals.size(); ++i) ::sigaction(stop_signals[i], &action, &former[i]);
+}
+
+void give_back(const Former& former) {
+    for (std::size_t i = 0; i < stop_signals.size(); ++i) ::sigaction(stop_signals[i], &former[i], nullptr);
+}
+
 }  // namespace
 
 StopSignals::StopSignals() {
     first_signal = 0;
     first_time = 0;
-    struct sigaction action {};
-    action.sa_handler = on_signal;
-    ::sigemptyset(&action.sa_mask);
-    action.sa_flags = SA_RESTART;
-    for (std::size_t i = 0; i < caught.size(); ++i) ::sigaction(caught[i], &action, &former_[i]);
+    catch_all(on_signal, former_);
 }
 
 StopSignals::~StopSignals() {
-    for (std::size_t i = 0; i < caught.size(); ++i) ::sigaction(caught[i], &former_[i], nullptr);
+    give_back(former_);
+}
+
+LeaveOnSignals::LeaveOnSignals() {
+    catch_all(leave, former_);
+}
+
+LeaveOnSignals::~LeaveOnSignals() {
+    give_back(former_);
 }
 
 int StopSignals::received() const {

@@ -11,6 +11,8 @@ namespace floes {
 /// Exit status of a run that was stopped on request and can be resumed.
 inline constexpr int exit_stopped = 85;
 
+inline constexpr std::array stop_signals{SIGINT, SIGTERM, SIGUSR1};
+
 /// Catches the signals as long as it lives; one at a time in a process.
 class StopSignals {
   public:
@@ -23,8 +25,20 @@ class StopSignals {
     int received() const;
 
   private:
-    static constexpr std::array caught{SIGINT, SIGTERM, SIGUSR1};
-    std::array<struct sigaction, caught.size()> former_{};
+    std::array<struct sigaction, stop_signals.size()> former_{};
+};
+
+/// As long as it lives the first of these signals ends the process with exit_stopped: for work that leaves nothing to
+/// publish. One at a time in a process, and not beside StopSignals.
+class LeaveOnSignals {
+  public:
+    LeaveOnSignals();
+    LeaveOnSignals(const LeaveOnSignals&) = delete;
+    LeaveOnSignals& operator=(const LeaveOnSignals&) = delete;
+    ~LeaveOnSignals();
+
+  private:
+    std::array<struct sigaction, stop_signals.size()> former_{};
 };
 
 /// "SIGTERM" and so on.

@@ -13,7 +13,7 @@ using MemberIdentity = std::pair<std::string, int>;
 
 class AttemptBook {
   public:
-    void started(const MemberIdentity& member) { ++entries_[member].open; }
+    void started(const MemberIdentity& member) { entries_[member].open = true; }
     /// A result is there; the account of the member begins anew.
     void finished(const MemberIdentity& member) { entries_.erase(member); }
     /// The session ended by itself: no member is to blame for what was under way.
@@ -21,12 +21,12 @@ class AttemptBook {
     /// A session begins, or somebody asks who knows that none is at work: what is still under way was lost.
     void close_session();
 
-    /// Attempts lost with their process since the last result of the member, if it has one.
+    /// Sessions that were lost while the member was under way, since its last result if it has one.
     int lost(const MemberIdentity& member) const;
 
   private:
     struct Entry {
-        int open = 0;
+        bool open = false;
         int lost = 0;
     };
     std::map<MemberIdentity, Entry> entries_;

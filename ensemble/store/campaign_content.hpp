@@ -55,7 +55,8 @@ hdf5::Scale write_index_scale(hid_t parent, const char* name, const char* long_n
 void write_members(hid_t file, CampaignContent& content, const CampaignScales& scales);
 void write_cases(hid_t file, const CampaignContent& content, const CampaignScales& scales);
 void write_arrangements(hid_t file, const CampaignContent& content, const CampaignScales& scales);
-void write_history(hid_t file, const CampaignContent& content, const CampaignScales& scales);
+void write_history(hid_t file, const CampaignContent& content, const CampaignScales& scales,
+                   const HistoryOf& history_of);
 void write_breaks(hid_t file, const CampaignContent& content, const CampaignScales& scales);
 /// Nothing where no case was calibrated.
 void write_calibration(hid_t file, const CampaignContent& content, std::span<const CalibrationRecord> calibrations);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,13 +20,21 @@ namespace floes {
 inline constexpr std::array<int, 2> campaign_file_version{1, 2};
 inline constexpr const char* campaign_filetype = "floes campaign";
 
+/// Gives the load history of a record whose own was left in the journal.
+using HistoryOf = std::function<LoadHistory(const MemberRecord&)>;
+
+inline LoadHistory own_history(const MemberRecord& record) {
+    return record.result.history;
+}
+
 /// Writes the file aside, brings it to the disk, and renames it into place: at every moment `path` is the old file or
 /// the new one, whole. Members without a record stand as missing. Outside /provenance the values depend on the campaign
 /// and the results alone, not on the order or origin of `records`. `sessions`: the last one is the publishing one.
-/// `calibrations`: those that gave cases of the campaign their Σ stand in /calibration.
-/// Throws RunError naming the call that failed.
+/// `calibrations`: those that gave cases of the campaign their Σ stand in /calibration. `history_of` is asked for one
+/// done member after another. Throws RunError naming the call that failed.
 void publish(const std::filesystem::path& path, const Campaign& campaign, std::span<const MemberRecord> records,
-             std::span<const Session> sessions, std::span<const CalibrationRecord> calibrations = {});
+             std::span<const Session> sessions, std::span<const CalibrationRecord> calibrations = {},
+             const HistoryOf& history_of = own_history);
 
 enum class RowStatus : std::int8_t { missing = -1, done = 0, failed = 1 };
 

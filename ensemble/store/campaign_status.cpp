@@ -1,5 +1,8 @@
 #include "store/campaign_status.hpp"
 
+#include <algorithm>
+#include <functional>
+
 #include <fmt/format.h>
 
 #include "core/error.hpp"
@@ -53,14 +56,46 @@ std::optional<double> seconds_left(const Campaign& campaign, const CampaignStatu
     return cost_left * wall_time_per_cost / done / threads;
 }
 
+TimedMember timed(const Campaign& campaign, int number, int attempt, double seconds) {
+    const MemberKey key = member_key(campaign, number);
+    return {number, campaign.cases[static_cast<std::size_t>(key.case_index)].name, key.arrangement, attempt, seconds};
+}
+
+std::vector<TimedMember> slowest(const Campaign& campaign, const std::vector<const MemberRecord*>& records) {
+    std::vector<TimedMember> members;
+    for (std::size_t k = 0; k < records.size(); ++k)
+        if (records[k] != nullptr && records[k]->result.status == MemberStatus::done)
+            members.push_back(timed(campaign, static_cast<int>(k), records[k]->attempt, records[k]->result.wall_time));
+    std::ranges::stable_sort(members, std::greater(), &TimedMember::seconds);
+    if (members.size() > 5) members.resize(5);
+    return members;
+}
+
+/// A heartbeat that is stale, or of a session that ended, says nothing about the present.
+void add_heartbeat(CampaignStatus& status, const Campaign& campaign, std::optional<Heartbeat> heartbeat) {
+    if (!heartbeat) return;
+    if (!is_stale(*heartbeat)) status.at_work = true;
+    if (status.at_work && heartbeat->elapsed > 0 && heartbeat->finished > 0) {
+        status.rate = heartbeat->finished / heartbeat->elapsed;
+        status.seconds_left = heartbeat->remaining_cost / (heartbeat->finished_cost / heartbeat->elapsed);
+    }
+    for (const Heartbeat::UnderWay& one : heartbeat->under_way)
+        if (status.at_work && one.number >= 0 && one.number < member_count(campaign))
+            status.under_way.push_back(timed(campaign, one.number, one.attempt, one.seconds));
+    status.heartbeat = std::move(heartbeat);
+}
+
 CampaignStatus status_of_journal(const std::filesystem::path& path) {
-    const JournalContents contents = read_journal(path);
+    const JournalContents contents = read_journal(path, Histories::leave);
     const Campaign campaign = read_stored_campaign(contents, path);
     CampaignStatus status = status_of(campaign_table(campaign, contents.members));
     status.sessions = contents.sessions;
+    const std::vector<const MemberRecord*> records = match_records(campaign, contents.members);
+    status.slowest = slowest(campaign, records);
     status.at_work = is_being_written(path);
     const int threads = contents.sessions.empty() ? 0 : contents.sessions.back().threads;
-    status.seconds_left = seconds_left(campaign, status, match_records(campaign, contents.members), threads);
+    add_heartbeat(status, campaign, read_heartbeat(heartbeat_path(path)));
+    if (!status.seconds_left) status.seconds_left = seconds_left(campaign, status, records, threads);
     return status;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "store/heartbeat.hpp"
 #include "store/session.hpp"
 
 namespace floes {
@@ -24,12 +25,25 @@ struct FailedMember {
     std::string reason;
 };
 
+/// A member under way, or one that took long.
+struct TimedMember {
+    int number = 0;
+    std::string case_name;
+    int arrangement = 0;  ///< arrangement number
+    int attempt = 1;
+    double seconds = 0;
+};
+
 struct CampaignStatus {
     std::string title;
     std::vector<CaseStatus> cases;
     std::vector<FailedMember> failures;  ///< in member order
     std::vector<Session> sessions;       ///< in order of time; of a campaign file alone, none
-    bool at_work = false;                ///< a run writes the journal now, as far as the file system tells
+    bool at_work = false;                ///< a run writes the journal now, as far as its lock or heartbeat tell
+    std::optional<Heartbeat> heartbeat;  ///< of a run at work, or of one that did not end
+    std::optional<double> rate;          ///< members finished a second in the present run
+    std::vector<TimedMember> under_way;  ///< in the present run, longest first
+    std::vector<TimedMember> slowest;    ///< of the done, at most five; of a campaign file alone, none
     /// Wall time until the last member if the present run goes on as it does, s; none when nobody is at work or no
     /// member is done yet.
     std::optional<double> seconds_left;

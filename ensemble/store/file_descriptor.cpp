@@ -68,6 +68,14 @@ void sync_data(const FileDescriptor& file, const std::filesystem::path& path) {
     if (::fdatasync(file.get()) != 0) refuse("fdatasync", path, errno);
 }
 
+bool is_named(const FileDescriptor& file, const std::filesystem::path& path) {
+    struct stat here {};
+    struct stat there {};
+    if (::fstat(file.get(), &here) != 0) refuse("fstat", path, errno);
+    if (::stat(path.c_str(), &there) != 0) return false;
+    return here.st_dev == there.st_dev && here.st_ino == there.st_ino;
+}
+
 void sync_folder_of(const std::filesystem::path& path) {
     const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
     const FileDescriptor opened = open_file(folder, O_RDONLY | O_DIRECTORY);

@@ -43,6 +43,8 @@ void write_all(const FileDescriptor& file, const std::filesystem::path& path, st
 void truncate_file(const FileDescriptor& file, const std::filesystem::path& path, std::uint64_t size);
 /// fdatasync(2): contents and size are on the disk on return.
 void sync_data(const FileDescriptor& file, const std::filesystem::path& path);
+/// True while `path` leads to this file.
+bool is_named(const FileDescriptor& file, const std::filesystem::path& path);
 /// fsync(2) of the folder that holds `path`: the name is on the disk on return.
 void sync_folder_of(const std::filesystem::path& path);
 

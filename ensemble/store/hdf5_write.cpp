@@ -203,31 +203,46 @@ void write_text(hid_t parent, const Label& label, const std::string& text) {
     write_texts(parent, label, {}, std::span(&text, 1));
 }
 
-void write_rows(hid_t parent, const Label& label, const Scale& rows, const Scale& columns,
-                const std::function<std::span<const double>(std::size_t)>& row_values) {
-    const std::array<hsize_t, 2> sizes{rows.size(), columns.size()};
-    const std::array<hsize_t, 2> chunk{1, std::max<hsize_t>(columns.size(), 1)};
+namespace {
+
+Handle create_rows(hid_t parent, const Label& label, const std::array<hsize_t, 2>& sizes) {
+    const std::array<hsize_t, 2> chunk{1, std::max<hsize_t>(sizes[1], 1)};
     const Handle properties = creation_properties(H5P_DATASET_CREATE);
     check(H5Pset_chunk(properties.id(), 2, chunk.data()), "H5Pset_chunk", label.name);
     check(H5Pset_shuffle(properties.id()), "H5Pset_shuffle", label.name);
     check(H5Pset_deflate(properties.id(), compression_level), "H5Pset_deflate", label.name);
     check(H5Pset_fill_value(properties.id(), native_type<double>(), &nan), "H5Pset_fill_value", label.name);
-    const Handle dataset = create_dataset(parent, label, stored_type<double>(), sizes, properties);
+    Handle dataset = create_dataset(parent, label, stored_type<double>(), sizes, properties);
     const std::array<hsize_t, 1> one{1};
     write_attribute_of(dataset.id(), "_FillValue", one, stored_type<double>(), native_type<double>(), &nan);
-    const Handle space = simple_space(sizes);
-    for (std::size_t row = 0; row < rows.size(); ++row) {
-        const std::span<const double> values = row_values(row);
-        const std::array<hsize_t, 2> first{row, 0};
-        const std::array<hsize_t, 2> count{1, std::min<hsize_t>(values.size(), columns.size())};
-        if (count[1] == 0) continue;
-        check(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr),
-              "H5Sselect_hyperslab", label.name);
-        const Handle memory = simple_space(std::span(count).last(1));
-        check(H5Dwrite(dataset.id(), native_type<double>(), memory.id(), space.id(), H5P_DEFAULT, values.data()),
-              "H5Dwrite", label.name);
-    }
-    attach(dataset, {rows, columns}, label.name);
+    return dataset;
+}
+
+}  // namespace
+
+Rows::Rows(hid_t parent, const Label& label, const Scale& rows, const Scale& columns)
+    : name_(label.name),
+      width_(columns.size()),
+      dataset_(create_rows(parent, label, {rows.size(), columns.size()})),
+      space_(simple_space(std::array{rows.size(), columns.size()})) {
+    attach(dataset_, {rows, columns}, name_);
+}
+
+void Rows::write(std::size_t row, std::span<const double> values) {
+    const std::array<hsize_t, 2> first{row, 0};
+    const std::array<hsize_t, 2> count{1, std::min<hsize_t>(values.size(), width_)};
+    if (count[1] == 0) return;
+    check(H5Sselect_hyperslab(space_.id(), H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr),
+          "H5Sselect_hyperslab", name_);
+    const Handle memory = simple_space(std::span(count).last(1));
+    check(H5Dwrite(dataset_.id(), native_type<double>(), memory.id(), space_.id(), H5P_DEFAULT, values.data()),
+          "H5Dwrite", name_);
+}
+
+void write_rows(hid_t parent, const Label& label, const Scale& rows, const Scale& columns,
+                const std::function<std::span<const double>(std::size_t)>& row_values) {
+    Rows table(parent, label, rows, columns);
+    for (std::size_t row = 0; row < rows.size(); ++row) table.write(row, row_values(row));
 }
 
 }  // namespace floes::hdf5

@@ -70,8 +70,21 @@ void write_values(hid_t parent, const Label& label, const Dimensions& dimensions
 /// One text, without dimensions.
 void write_text(hid_t parent, const Label& label, const std::string& text);
 
-/// A compressed table, a chunk a row, whose rows are given one at a time; row `k` may be shorter than the second
-/// dimension and the rest is NaN.
+/// A compressed table of doubles, a chunk a row, whose rows are written one at a time.
+class Rows {
+  public:
+    Rows(hid_t parent, const Label& label, const Scale& rows, const Scale& columns);
+    /// A row may be shorter than the table is wide; the rest is NaN, as is a row that is never written.
+    void write(std::size_t row, std::span<const double> values);
+
+  private:
+    std::string name_;
+    hsize_t width_;
+    Handle dataset_;
+    Handle space_;
+};
+
+/// Such a table whose rows are at hand.
 void write_rows(hid_t parent, const Label& label, const Scale& rows, const Scale& columns,
                 const std::function<std::span<const double>(std::size_t row)>& row_values);
 

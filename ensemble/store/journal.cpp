@@ -4,6 +4,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -43,6 +44,15 @@ Campaign read_text(const std::string& campaign_text, const std::filesystem::path
     return read_campaign({campaign_text, path.string(), {}}, load_nothing);
 }
 
+/// True when every member of `part` is one of `whole`. Names of cases do not matter, nor does their order.
+bool is_part_of(const Campaign& part, const Campaign& whole) {
+    std::set<std::string> keys;
+    for (int k = 0; k < static_cast<int>(whole.cases.size()); ++k) keys.insert(case_fingerprint(whole, k));
+    for (int k = 0; k < static_cast<int>(part.cases.size()); ++k)
+        if (!keys.contains(case_fingerprint(part, k))) return false;
+    return part.arrangements <= whole.arrangements;
+}
+
 }  // namespace
 
 std::filesystem::path journal_path(const std::filesystem::path& campaign_file) {
@@ -56,7 +66,7 @@ Journal open_journal(const std::filesystem::path& path, const std::string& campa
     FileDescriptor file = open_file(path, O_RDWR | O_CREAT | O_APPEND);
     lock_for_writing(file, path);
     if (existing != Existing::replace) {
-        journal_format::Reading reading = journal_format::read(file, path);
+        journal_format::Reading reading = journal_format::read(file, path, Histories::leave);
         if (reading.begun) {
             if (existing == Existing::refuse)
                 throw InputError(
@@ -85,10 +95,28 @@ Journal open_journal(const std::filesystem::path& path, const Campaign& campaign
     if (journal.campaign_text() == here) return journal;
     const Campaign there = read_text(journal.campaign_text(), path);
     if (fingerprint(there) == fingerprint(campaign)) return journal;
+    if (is_part_of(there, campaign)) {
+        journal.extend(there, campaign);
+        return journal;
+    }
+    if (is_part_of(campaign, there))
+        throw InputError(fmt::format(
+            "{} has more members than this configuration asks for: {}. A campaign may grow and never shrinks: ask for "
+            "at least as much, or choose another output file with -o.",
+            path.string(), fmt::join(differences(there, campaign), "; ")));
     throw InputError(
         fmt::format("{} belongs to another campaign: {}. Give the configuration it was begun with, choose "
                     "another output file with -o, or begin anew with --overwrite.",
                     path.string(), fmt::join(differences(there, campaign), "; ")));
+}
+
+void Journal::extend(const Campaign& there, const Campaign& here) {
+    ByteWriter payload;
+    payload.text(write_campaign(here));
+    write_record(static_cast<std::uint32_t>(RecordType::campaign), payload.bytes());
+    sync();
+    contents_.campaign_text = write_campaign(here);
+    extension_ = differences(there, here);
 }
 
 void Journal::write_record(std::uint32_t type, std::span<const std::byte> payload) {
@@ -104,8 +132,14 @@ void Journal::write_record(std::uint32_t type, std::span<const std::byte> payloa
 }
 
 void Journal::append(const MemberRecord& record) {
+    const std::uint64_t offset = contents_.good_bytes;
     write_record(static_cast<std::uint32_t>(RecordType::member), encode(record));
-    journal_format::take_member(contents_, record);
+    journal_format::take_member(contents_, record, {offset, contents_.good_bytes - offset}, Histories::leave);
+}
+
+LoadHistory Journal::history(const MemberRecord& record) const {
+    const auto index = static_cast<std::size_t>(&record - contents_.members.data());
+    return journal_format::read_member(file_, path_, contents_.places.at(index)).result.history;
 }
 
 void Journal::append(const CalibrationRecord& record) {
@@ -125,6 +159,10 @@ void Journal::started(const MemberIdentity& member, int attempt) {
 
 void Journal::sync() {
     sync_data(file_, path_);
+    // A file without a name takes everything and gives nothing back.
+    if (!is_named(file_, path_))
+        throw RunError(
+            fmt::format("{} is gone: its folder was deleted, moved or replaced during the run.", path_.string()));
 }
 
 void Journal::begin_session(const Session& session) {
@@ -146,9 +184,9 @@ void Journal::end_session(const std::string& outcome) {
     sync();
 }
 
-JournalContents read_journal(const std::filesystem::path& path) {
+JournalContents read_journal(const std::filesystem::path& path, Histories histories) {
     const FileDescriptor file = open_file(path, O_RDONLY);
-    journal_format::Reading reading = journal_format::read(file, path);
+    journal_format::Reading reading = journal_format::read(file, path, histories);
     if (!reading.begun) throw InputError(fmt::format("{} holds nothing yet.", path.string()));
     return std::move(reading.contents);
 }

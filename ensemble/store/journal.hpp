@@ -27,10 +27,20 @@ namespace floes {
 /// What to do about a journal that is already there.
 enum class Existing { refuse, replace, resume };
 
+/// Whether the load histories of members, nearly all that a journal holds, are kept in memory or left in the file.
+enum class Histories { keep, leave };
+
 /// All that a journal holds.
 struct JournalContents {
+    /// Where the record of a member stands in the file.
+    struct Place {
+        std::uint64_t offset = 0;
+        std::uint64_t size = 0;
+    };
+
     std::string campaign_text;          ///< resolved configuration, TOML
     std::vector<MemberRecord> members;  ///< in order of arrival
+    std::vector<Place> places;          ///< of the members
     std::vector<Session> sessions;      ///< in order of time
     std::vector<CalibrationRecord> calibrations;
     AttemptBook attempts;
@@ -47,30 +57,39 @@ class Journal {
     void append(const CalibrationRecord& record);
     /// Notes that an attempt at the member begins. Not worth a sync(): a lost note costs one attempt more.
     void started(const MemberIdentity& member, int attempt);
-    /// Everything appended so far is on the disk on return. Throws RunError when the disk refuses.
+    /// Everything appended so far is on the disk on return. Throws RunError when the disk refuses, or when the file is
+    /// no longer there under its name.
     void sync();
     /// Records the start of a session, and syncs.
     void begin_session(const Session& session);
     /// Records that the session begun last has ended now, and syncs.
     void end_session(const std::string& outcome);
 
+    /// All members, without their load histories.
     const std::vector<MemberRecord>& records() const { return contents_.members; }
+    /// The load history of one of records(), from the file. Throws RunError when it cannot be read back.
+    LoadHistory history(const MemberRecord& record) const;
     const std::vector<Session>& sessions() const { return contents_.sessions; }
     const std::vector<CalibrationRecord>& calibrations() const { return contents_.calibrations; }
     /// Attempts that earlier sessions began and that were lost with them are lost() here.
     const AttemptBook& attempts() const { return contents_.attempts; }
     const std::string& campaign_text() const { return contents_.campaign_text; }
+    /// In what the campaign has become larger since the journal was begun or opened last, see differences().
+    const std::vector<std::string>& extension() const { return extension_; }
     /// Bytes of torn tail that were cut off when the journal was opened.
     std::uint64_t cut_bytes() const { return contents_.torn_bytes; }
 
   private:
     friend Journal open_journal(const std::filesystem::path&, const std::string&, Existing);
+    friend Journal open_journal(const std::filesystem::path&, const Campaign&, Existing);
     Journal(std::filesystem::path path, FileDescriptor file, JournalContents contents);
+    void extend(const Campaign& there, const Campaign& here);
     void write_record(std::uint32_t type, std::span<const std::byte> payload);
 
     std::filesystem::path path_;
     FileDescriptor file_;
     JournalContents contents_;
+    std::vector<std::string> extension_;
 };
 
 /// `a.h5` -> `a.journal`, in the same folder.
@@ -82,11 +101,12 @@ std::filesystem::path journal_path(const std::filesystem::path& campaign_file);
 /// the file system refuses.
 Journal open_journal(const std::filesystem::path& path, const std::string& campaign_text, Existing existing);
 
-/// As above for a campaign; resuming another campaign is refused (InputError) with the differing keys named.
+/// As above for a campaign. One that has all members of the journal's and more extends it; resuming any other one is
+/// refused (InputError) with the differing keys named.
 Journal open_journal(const std::filesystem::path& path, const Campaign& campaign, Existing existing);
 
 /// Reads without locking or changing anything, also while a run is going on. Throws as open_journal() does.
-JournalContents read_journal(const std::filesystem::path& path);
+JournalContents read_journal(const std::filesystem::path& path, Histories histories = Histories::keep);
 
 /// The campaign that a journal belongs to. Throws InputError when this program does not accept its configuration.
 Campaign read_stored_campaign(const JournalContents& contents, const std::filesystem::path& path);

@@ -66,10 +66,11 @@ std::uint64_t check_fixed_header(std::span<const std::byte> bytes, const std::fi
     return length;
 }
 
-void take_record(JournalContents& contents, std::uint32_t type, std::span<const std::byte> payload) {
+void take_record(JournalContents& contents, std::uint32_t type, std::span<const std::byte> payload,
+                 JournalContents::Place place, Histories histories) {
     switch (static_cast<RecordType>(type)) {
         case RecordType::member:
-            take_member(contents, decode_member_record(payload));
+            take_member(contents, decode_member_record(payload), place, histories);
             break;
         case RecordType::session_begin:
             contents.attempts.close_session();
@@ -92,6 +93,9 @@ void take_record(JournalContents& contents, std::uint32_t type, std::span<const 
             contents.attempts.started({case_key, in.i32()});
             break;
         }
+        case RecordType::campaign:
+            contents.campaign_text = ByteReader(payload).text();
+            break;
     }
 }
 
@@ -106,13 +110,26 @@ std::uint32_t crc32c(std::span<const std::byte> bytes) {
     return crc.checksum();
 }
 
-void take_member(JournalContents& contents, MemberRecord record) {
+void take_member(JournalContents& contents, MemberRecord record, JournalContents::Place place, Histories histories) {
     contents.attempts.finished(identity(record));
     if (!contents.sessions.empty()) {
         Session& session = contents.sessions.back();
         ++(record.result.status == MemberStatus::done ? session.computed : session.set_aside);
     }
+    if (histories == Histories::leave) record.result.history = {};
     contents.members.push_back(std::move(record));
+    contents.places.push_back(place);
+}
+
+MemberRecord read_member(const FileDescriptor& file, const std::filesystem::path& path, JournalContents::Place place) {
+    Bytes bytes(place.size);
+    if (!read_at(file, path, place.offset, bytes) || !crc_is_right(bytes))
+        throw RunError(
+            fmt::format("{} was changed or damaged at byte {} while it was in use; --resume goes on with what is "
+                        "whole.",
+                        path.string(), place.offset));
+    return decode_member_record(
+        std::span(bytes).subspan(record_head_bytes).first(place.size - record_head_bytes - crc_bytes));
 }
 
 Bytes header(std::string_view text) {
@@ -139,7 +156,7 @@ Bytes record(RecordType type, std::span<const std::byte> payload) {
     return bytes;
 }
 
-Reading read(const FileDescriptor& file, const std::filesystem::path& path) {
+Reading read(const FileDescriptor& file, const std::filesystem::path& path, Histories histories) {
     Reading reading;
     // The size is taken once: what a live writer adds meanwhile is for the next reader.
     const std::uint64_t size = file_size(file, path);
@@ -169,7 +186,8 @@ Reading read(const FileDescriptor& file, const std::filesystem::path& path) {
         if (payload > size - contents.good_bytes - record_head_bytes - crc_bytes) break;
         bytes.resize(record_head_bytes + payload + crc_bytes);
         if (!read_at(file, path, contents.good_bytes, bytes) || !crc_is_right(bytes)) break;
-        take_record(contents, type, std::span(bytes).subspan(record_head_bytes, payload));
+        take_record(contents, type, std::span(bytes).subspan(record_head_bytes, payload),
+                    {contents.good_bytes, bytes.size()}, histories);
         contents.good_bytes += bytes.size();
     }
     contents.torn_bytes = size - contents.good_bytes;

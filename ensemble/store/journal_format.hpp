@@ -27,7 +27,8 @@ enum class RecordType : std::uint32_t {
     session_begin = 2,
     session_end = 3,
     calibration = 4,
-    attempt_started = 5
+    attempt_started = 5,
+    campaign = 6
 };
 
 std::uint32_t crc32c(std::span<const std::byte> bytes);
@@ -35,7 +36,9 @@ Bytes header(std::string_view text);
 Bytes record(RecordType type, std::span<const std::byte> payload);
 
 /// Enters a member into the contents: what appending and reading have in common.
-void take_member(JournalContents& contents, MemberRecord record);
+void take_member(JournalContents& contents, MemberRecord record, JournalContents::Place place, Histories histories);
+/// The member whose record stands at `place`. Throws RunError when it is damaged.
+MemberRecord read_member(const FileDescriptor& file, const std::filesystem::path& path, JournalContents::Place place);
 
 /// What a file that was opened for reading holds. `begun` is false when it ends inside the header: a journal whose
 /// writer was stopped before it could keep anything. Throws InputError when the file is no readable journal.
@@ -43,6 +46,6 @@ struct Reading {
     bool begun = false;
     JournalContents contents;
 };
-Reading read(const FileDescriptor& file, const std::filesystem::path& path);
+Reading read(const FileDescriptor& file, const std::filesystem::path& path, Histories histories);
 
 }  // namespace floes::journal_format

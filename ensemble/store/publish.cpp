@@ -25,7 +25,7 @@ void write_root(hid_t file, const Campaign& campaign) {
 }
 
 void write_file(const std::filesystem::path& path, CampaignContent& content, std::span<const Session> sessions,
-                std::span<const CalibrationRecord> calibrations) {
+                std::span<const CalibrationRecord> calibrations, const HistoryOf& history_of) {
     const hdf5::QuietErrors quiet;
     hdf5::Handle file = hdf5::create_file(path);
     {
@@ -35,7 +35,7 @@ void write_file(const std::filesystem::path& path, CampaignContent& content, std
         write_members(file.id(), content, scales);
         write_cases(file.id(), content, scales);
         write_arrangements(file.id(), content, scales);
-        write_history(file.id(), content, scales);
+        write_history(file.id(), content, scales, history_of);
         write_breaks(file.id(), content, scales);
         write_calibration(file.id(), content, calibrations);
         write_provenance(file.id(), content, sessions);
@@ -46,11 +46,18 @@ void write_file(const std::filesystem::path& path, CampaignContent& content, std
 }  // namespace
 
 void publish(const std::filesystem::path& path, const Campaign& campaign, std::span<const MemberRecord> records,
-             std::span<const Session> sessions, std::span<const CalibrationRecord> calibrations) {
+             std::span<const Session> sessions, std::span<const CalibrationRecord> calibrations,
+             const HistoryOf& history_of) {
     CampaignContent content(campaign, records);
     const std::filesystem::path aside = path.string() + ".tmp";
-    write_file(aside, content, sessions, calibrations);
-    sync_data(open_file(aside, O_RDWR), aside);
+    try {
+        write_file(aside, content, sessions, calibrations, history_of);
+        sync_data(open_file(aside, O_RDWR), aside);
+    } catch (const RunError&) {
+        std::error_code ignored;
+        std::filesystem::remove(aside, ignored);  // on a full disk the journal needs the room
+        throw;
+    }
     std::error_code error;
     std::filesystem::rename(aside, path, error);
     if (error)

@@ -2,18 +2,22 @@
 
 namespace floes {
 
-void write_history(hid_t file, const CampaignContent& content, const CampaignScales& scales) {
+void write_history(hid_t file, const CampaignContent& content, const CampaignScales& scales,
+                   const HistoryOf& history_of) {
     const hdf5::Handle group = hdf5::create_group(file, "history");
-    const auto write = [&](const char* name, const char* long_name, std::vector<double> LoadHistory::*field) {
-        hdf5::write_rows(
-            group.id(), {name, "N", long_name}, scales.member, scales.time, [&content, field](std::size_t member) {
-                const MemberResult* result = content.done(member);
-                return result != nullptr ? std::span<const double>(result->history.*field) : std::span<const double>();
-            });
+    const auto table = [&](const char* name, const char* long_name) {
+        return hdf5::Rows(group.id(), {name, "N", long_name}, scales.member, scales.time);
     };
-    write("surge_load", "contact force on the structure against the tow", &LoadHistory::surge);
-    write("sway_load", "contact force on the structure towards +z", &LoadHistory::sway);
-    write("heave_load", "contact force on the structure upwards", &LoadHistory::heave);
+    hdf5::Rows surge = table("surge_load", "contact force on the structure against the tow");
+    hdf5::Rows sway = table("sway_load", "contact force on the structure towards +z");
+    hdf5::Rows heave = table("heave_load", "contact force on the structure upwards");
+    for (std::size_t member = 0; member < content.records.size(); ++member) {
+        if (content.done(member) == nullptr) continue;
+        const LoadHistory history = history_of(*content.records[member]);
+        surge.write(member, history.surge);
+        sway.write(member, history.sway);
+        heave.write(member, history.heave);
+    }
 }
 
 void write_breaks(hid_t file, const CampaignContent& content, const CampaignScales& scales) {

@@ -133,6 +133,15 @@ TEST(Differences, OtherCasesAreNamed) {
     EXPECT_EQ(differences(sample(), here), std::vector<std::string>{"cases: E30, E60, E200 there, E30, E60 here"});
 }
 
+TEST(Differences, OfCommonCasesAreNamedBesideOtherCases) {
+    Campaign here = sample();
+    here.cases.erase(here.cases.begin());
+    here.cases[1].scenario.general.iterations = 20;
+    const std::vector<std::string> expected{"cases: E30, E60, E200 there, E60, E200 here",
+                                            "case E200: general.iterations: 50 there, 20 here"};
+    EXPECT_EQ(differences(sample(), here), expected);
+}
+
 TEST(WriteCampaign, ReadsBackEqual) {
     Campaign written = sample();
     written.cases[1].scenario.structure.profile = {{-1.0 / 3, 0.1}, {0.0, 0.5}, {0.0, 0.6}, {0.2, 0.7}};

@@ -19,6 +19,15 @@ said again "from the journal"
 said again "4 members reused, 0 to compute"
 same alone.h5 ranks.h5
 
+# A stop before the first member: nothing is there yet, and the same command begins again.
+"$FLOES" run campaign.toml -o early.h5 > early.log 2>&1 &
+for _ in $(seq 200); do grep -q "calibrating" early.log && break; sleep 0.02; done
+kill -TERM $!
+status=0
+wait $! || status=$?
+[ "$status" -eq 85 ] || fail "SIGTERM during the calibration ended with $status instead of 85"
+[ ! -e early.journal ] || fail "a run that was stopped before its first member left a journal"
+
 expect 2 another "$FLOES" run campaign.toml -o alone.h5 --resume "${COARSE[@]}" --set case.E200.elastic_modulus_MPa=150
 said another "elastic_modulus_MPa"
 expect 2 ceiling "$FLOES" run campaign.toml -o ceiling.h5 "${COARSE[@]}" --set case.E200.elastic_modulus_MPa=50000

@@ -8,6 +8,9 @@ said no_file "nowhere.toml"
 expect 2 no_file_ranks "${MPIRUN[@]}" -n 2 "$FLOES" run nowhere.toml
 expect 2 both "$FLOES" run campaign.toml --resume --overwrite
 expect 2 threads "$FLOES" run campaign.toml --threads 0
+expect 2 threads_ranks "${MPIRUN[@]}" -n 3 "$FLOES" run campaign.toml --threads 0
+[ "$(grep -c -- "--threads" threads_ranks.log)" = "$(grep -c -- "--threads" threads.log)" ] ||
+    fail "a wrong command line is reported by every rank"
 expect 2 key "$FLOES" run campaign.toml --set ice.thicknes_m=0.03
 said key "ice.thickness_m"
 [ ! -e campaign.h5 ] || fail "a refused run left a file"

@@ -1,4 +1,6 @@
 #include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
@@ -58,6 +60,48 @@ TEST(Status, IsReadFromTheJournalDuringARunAndAfterIt) {
     EXPECT_FALSE(killed.at_work);
     EXPECT_FALSE(killed.seconds_left.has_value());
     EXPECT_THAT(status_table(killed), HasSubstr("--resume"));
+}
+
+TEST(Status, TellsFromTheHeartbeatWhatIsUnderWay) {
+    const TemporaryFolder folder;
+    const Campaign campaign = synthetic::campaign();
+    Heartbeat heartbeat;
+    heartbeat.elapsed = 60;
+    heartbeat.finished = 6;
+    heartbeat.finished_cost = 10;
+    heartbeat.remaining_cost = 30;
+    heartbeat.under_way = {{5, 2, 33.0}};
+    write_heartbeat(folder / "a.alive", heartbeat);
+    {
+        Journal journal = open_journal(journal_path(folder / "a.h5"), campaign, Existing::refuse);
+        journal.begin_session(synthetic::session(0));
+        for (const MemberRecord& record : some_records(campaign)) journal.append(record);
+        const CampaignStatus live = read_status(folder / "a.h5");
+        EXPECT_DOUBLE_EQ(*live.rate, 0.1);
+        EXPECT_DOUBLE_EQ(*live.seconds_left, 180);
+        const std::string text = status_table(live);
+        EXPECT_THAT(text, HasSubstr(", 6.0 members/min, about 3 min left"));
+        EXPECT_THAT(text, HasSubstr("under way\n  member 5 (case open, arrangement 1, attempt 2): 33 s\n"));
+        EXPECT_THAT(text, HasSubstr("slowest\n  member 9 (case soft, arrangement 3, attempt 2): 22 s\n"));
+        const auto json = nlohmann::json::parse(status_json(live));
+        EXPECT_EQ(json["heartbeat"]["stale"], false);
+        EXPECT_EQ(json["under_way"][0]["member"], 5);
+        EXPECT_EQ(json["slowest"].size(), 5u);
+        EXPECT_EQ(json["sessions"][0]["computed"], 8);
+    }
+    // The run was killed: no lock, and no process.
+    const pid_t child = fork();
+    if (child == 0) {
+        write_heartbeat(folder / "a.alive", heartbeat);
+        _exit(0);
+    }
+    waitpid(child, nullptr, 0);
+    const CampaignStatus killed = read_status(folder / "a.h5");
+    EXPECT_FALSE(killed.at_work);
+    EXPECT_FALSE(killed.rate.has_value());
+    EXPECT_TRUE(killed.under_way.empty());
+    EXPECT_THAT(status_table(killed), HasSubstr("has not been heard of for"));
+    EXPECT_EQ(nlohmann::json::parse(status_json(killed))["heartbeat"]["stale"], true);
 }
 
 TEST(Status, IsReadFromTheCampaignFileAlone) {

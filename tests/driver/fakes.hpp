@@ -1,6 +1,7 @@
 #pragma once
 // Member functions that stand in for the physics: fast, slow, broken. What they give depends on the member alone.
 
+#include <algorithm>
 #include <chrono>
 #include <sstream>
 #include <stdexcept>
@@ -16,6 +17,17 @@ namespace floes::fake {
 
 inline MemberResult compute(const Campaign& campaign, int number, std::stop_token) {
     return synthetic::record(campaign, number).result;
+}
+
+/// As a real member, what it gives depends on its case and arrangement, not on its number in the campaign.
+inline MemberResult compute_by_identity(const Campaign& campaign, int number, std::stop_token) {
+    const MemberKey key = member_key(campaign, number);
+    const std::string& name = campaign.cases[static_cast<std::size_t>(key.case_index)].name;
+    const Campaign whole = synthetic::campaign(key.arrangement + 1);
+    const auto same = std::ranges::find(whole.cases, name, &Case::name);
+    const int place =
+        key.arrangement * static_cast<int>(whole.cases.size()) + static_cast<int>(same - whole.cases.begin());
+    return synthetic::record(whole, place).result;
 }
 
 /// Takes a while, a different one for each member, so that members finish in another order than they begin.

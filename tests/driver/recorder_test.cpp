@@ -63,7 +63,7 @@ TEST_F(Sessions, MemberThatWasLostTwiceIsSetAsideWithItsReason) {
     }
     const CampaignTable table = published();
     EXPECT_EQ(table.members[5].status, RowStatus::failed);
-    EXPECT_THAT(table.members[5].reason, HasSubstr("begun twice, and each time the run was killed or crashed"));
+    EXPECT_THAT(table.members[5].reason, HasSubstr("The run was killed or crashed twice while this member was under way"));
     EXPECT_EQ(open().set_aside(), 0) << "it is set aside once";
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 
 #include "core/error.hpp"
@@ -107,6 +108,28 @@ TEST(RunCampaign, ResumingAFinishedCampaignComputesNothing) {
     };
     EXPECT_EQ(run(never, Existing::resume), 0);
     EXPECT_TRUE(std::filesystem::exists(run.file));
+}
+
+TEST(RunCampaign, ExtendedCampaignEqualsOneMadeAtOnce) {
+    const TemporaryFolder folder;
+    Campaign small = synthetic::campaign(2);
+    small.cases.erase(small.cases.begin());
+    fake::Run first(folder / "grown.h5", small);
+    ASSERT_EQ(first(fake::compute_by_identity), 0);
+    fake::Run grown(folder / "grown.h5", synthetic::campaign(4));
+    std::atomic<int> calls = 0;
+    const MemberFunction counted = [&](const Campaign& campaign, int number, std::stop_token stop) {
+        ++calls;
+        return fake::compute_by_identity(campaign, number, std::move(stop));
+    };
+    EXPECT_EQ(grown(counted, Existing::resume), 0);
+    EXPECT_EQ(calls, 12 - 4);
+    EXPECT_THAT(grown.said, HasSubstr("the campaign is extended, what is there stays: campaign.arrangements: 2 there"));
+    EXPECT_THAT(grown.said, HasSubstr("4 members reused, 8 computed, 0 retried, 0 set aside"));
+    fake::Run whole(folder / "whole.h5");
+    ASSERT_EQ(whole(fake::compute_by_identity), 0);
+    const std::string compare = "h5diff --exclude-path /provenance " + grown.file.string() + " " + whole.file.string();
+    EXPECT_EQ(std::system(compare.c_str()), 0);
 }
 
 TEST(RunCampaign, NeverOverwritesUnasked) {

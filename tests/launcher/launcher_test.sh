@@ -63,7 +63,7 @@ else
     [[ -e $STAGE/slow_build ]] && sleep 0.5
     rm "$STAGE/in_build"
     if [[ -e $STAGE/broken_build ]]; then echo "no such header"; exit 1; fi
-    printf '#!/bin/bash\nprintf "program"; printf " <%%s>" "$@"; echo; exit ${PROGRAM_STATUS-0}\n' >"$2/floes"
+    printf '#!/bin/bash\nprintf "program"; printf " <%%s>" "$@"; echo; echo "launcher $FLOES_LAUNCHER" >"$STAGE/launcher"; exit ${PROGRAM_STATUS-0}\n' >"$2/floes"
     chmod +x "$2/floes"
 fi
 STUB
@@ -91,6 +91,7 @@ calls() { cat "$stage/calls"; }
 # -- builds once, hands the arguments over unchanged, and the program's status back
 machine
 PROGRAM_STATUS=85 launch run "a b.toml" '' --set 'x=*'
+check "the program knows its launcher" "launcher $home/floes" "$(cat "$stage/launcher")"
 check "arguments" "program <run> <a b.toml> <> <--set> <x=*>" "$out"
 check "status of the program" 85 "$status"
 check "first build" "cmake --preset release

@@ -11,6 +11,7 @@
 #include "store/campaign_columns.hpp"
 #include "store/file_bytes.hpp"
 #include "store/hdf5_write.hpp"
+#include "store/journal.hpp"
 #include "store/synthetic.hpp"
 #include "store/temporary_folder.hpp"
 
@@ -144,6 +145,18 @@ TEST(CampaignFile, SameMembersGiveTheSameValuesWhateverTheirOrderAndOrigin) {
     records[0].result.history.heave.back() += 1e-12;
     publish(folder / "c.h5", campaign, records, two);
     EXPECT_EQ(compare(folder / "a.h5", folder / "c.h5"), 1) << "the comparison must see a difference";
+}
+
+TEST(CampaignFile, TakesHistoriesFromTheJournal) {
+    const TemporaryFolder folder;
+    const Campaign campaign = synthetic::campaign();
+    const auto records = synthetic::records(campaign);
+    publish(folder / "a.h5", campaign, records, {});
+    Journal journal = open_journal(folder / "b.journal", campaign, Existing::refuse);
+    for (const MemberRecord& record : records) journal.append(record);
+    publish(folder / "b.h5", campaign, journal.records(), {}, {},
+            [&](const MemberRecord& record) { return journal.history(record); });
+    EXPECT_EQ(compare(folder / "a.h5", folder / "b.h5"), 0);
 }
 
 TEST(CampaignFile, RefusesWhatIsNoCampaignFile) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <csignal>
 
 #include "core/error.hpp"
@@ -10,6 +11,7 @@
 #include "store/journal_format.hpp"
 #include "store/synthetic.hpp"
 #include "store/temporary_folder.hpp"
+#include "store/whole_records.hpp"
 
 namespace floes {
 namespace {
@@ -65,6 +67,10 @@ struct SmallJournal {
 void expect_small_records(const std::vector<MemberRecord>& records, std::size_t count) {
     ASSERT_EQ(records.size(), count);
     for (std::size_t k = 0; k < count; ++k) EXPECT_EQ(encode(records[k]), encode(small_record(static_cast<int>(k))));
+}
+
+void expect_small_records(const Journal& journal, std::size_t count) {
+    expect_small_records(whole_records(journal), count);
 }
 
 TEST(Journal, StandsBesideTheCampaignFile) {
@@ -160,7 +166,7 @@ TEST(Journal, CutAtEveryByteKeepsEveryWholeRecordAndGoesOn) {
         }
         {
             Journal journal = open_journal(torn, "name = \"small\"\n", Existing::resume);
-            expect_small_records(journal.records(), kept);
+            expect_small_records(journal, kept);
             EXPECT_EQ(journal.cut_bytes(), size >= small.ends[0] ? size - small.ends[kept] : 0);
             journal.append(small_record(static_cast<int>(kept)));
         }
@@ -209,7 +215,7 @@ TEST(Journal, PassesOverRecordsOfAnUnknownType) {
     bytes.insert(bytes.end(), unknown.begin(), unknown.end());
     write_file_bytes(small.path, bytes);
     EXPECT_EQ(read_journal(small.path).torn_bytes, 0u);
-    expect_small_records(open_journal(small.path, "", Existing::resume).records(), 3);
+    expect_small_records(open_journal(small.path, "", Existing::resume), 3);
 }
 
 TEST(Journal, ChecksumIsCrc32c) {
@@ -260,7 +266,69 @@ TEST(Journal, AdmitsOneWriter) {
         expect_small_records(read_journal(small.path).members, 3);
     }
     EXPECT_FALSE(is_being_written(small.path));
-    expect_small_records(open_journal(small.path, "", Existing::resume).records(), 3);
+    expect_small_records(open_journal(small.path, "", Existing::resume), 3);
+}
+
+TEST(Journal, LeavesHistoriesInTheFile) {
+    const SmallJournal small;
+    Journal journal = open_journal(small.path, "", Existing::resume);
+    journal.append(small_record(3));
+    for (const MemberRecord& record : journal.records()) EXPECT_TRUE(record.result.history.surge.empty());
+    expect_small_records(journal, 4);
+    Bytes bytes = file_bytes(small.path);
+    bytes[small.ends[1] + 40] ^= std::byte{1};
+    write_file_bytes(small.path, bytes);  // as if the disk lost a bit during the run
+    EXPECT_THROW(journal.history(journal.records()[1]), RunError);
+    EXPECT_EQ(journal.history(journal.records()[2]).surge, small_record(2).result.history.surge);
+}
+
+TEST(Journal, SaysWhenItsFolderIsGone) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "run");
+    Journal journal = open_journal(folder / "run/a.journal", "", Existing::refuse);
+    journal.append(small_record(0));
+    journal.sync();
+    std::filesystem::rename(folder / "run", folder / "moved");
+    journal.append(small_record(1));
+    EXPECT_THROW(journal.sync(), RunError);
+    expect_small_records(read_journal(folder / "moved/a.journal").members, 2);
+    std::filesystem::remove_all(folder / "moved");
+    EXPECT_THROW(journal.sync(), RunError);
+}
+
+TEST(Journal, GrowsWithItsCampaignAndNeverShrinks) {
+    const TemporaryFolder folder;
+    const auto path = folder / "a.journal";
+    Campaign small = synthetic::campaign(2);
+    small.cases.pop_back();
+    {
+        Journal journal = open_journal(path, small, Existing::refuse);
+        for (int number = 0; number < 4; ++number) journal.append(synthetic::record(small, number));
+        EXPECT_TRUE(journal.extension().empty());
+    }
+    Campaign large = synthetic::campaign(3);
+    std::swap(large.cases[0], large.cases[2]);
+    {
+        const Journal journal = open_journal(path, large, Existing::resume);
+        EXPECT_THAT(journal.extension(), testing::ElementsAre("campaign.arrangements: 2 there, 3 here",
+                                                              "cases: soft, stiff there, open, stiff, soft here"));
+        // The members have other numbers now, and are found all the same.
+        const auto known = match_records(large, journal.records());
+        for (const int number : {1, 2, 4, 5}) EXPECT_NE(known[static_cast<std::size_t>(number)], nullptr) << number;
+        EXPECT_EQ(std::ranges::count(known, nullptr), 5);
+    }
+    EXPECT_TRUE(open_journal(path, large, Existing::resume).extension().empty())
+        << "the journal is of the large one now";
+    EXPECT_EQ(fingerprint(read_stored_campaign(read_journal(path), path)), fingerprint(large));
+    const std::uint64_t size = std::filesystem::file_size(path);
+    const std::string message = refusal([&] { open_journal(path, small, Existing::resume); });
+    EXPECT_THAT(message, HasSubstr("campaign.arrangements: 3 there, 2 here"));
+    EXPECT_THAT(message, HasSubstr("may grow and never shrinks"));
+    large.cases[1].scenario.general.iterations = 20;
+    large.arrangements = 9;
+    EXPECT_THAT(refusal([&] { open_journal(path, large, Existing::resume); }),
+                testing::AllOf(HasSubstr("another campaign"), HasSubstr("case stiff: general.iterations")));
+    EXPECT_EQ(std::filesystem::file_size(path), size);
 }
 
 TEST(Journal, OfAnotherCampaignIsRefusedWithTheDifferenceNamed) {
