@@ -174,6 +174,8 @@ std::vector<std::string> Recorder::begin(Session session) {
     session.retried = retried_;
     journal_.begin_session(session);
     for (const MemberRecord& record : std::exchange(lost_too_often_, {})) keep(record);
+    finished_ = 0;
+    finished_cost_ = 0;  // those cost this session nothing
     return changes;
 }
 
@@ -186,6 +188,7 @@ void Recorder::started(int number, int attempt) {
 void Recorder::keep(const MemberRecord& record) {
     journal_.append(record);
     under_way_.erase(identity(record));
+    ++finished_;
     const auto known = std::ranges::find(case_keys_, record.case_key);
     finished_cost_ += expected_cost(campaign_, static_cast<int>(known - case_keys_.begin()));
     const bool done = record.result.status == MemberStatus::done;
@@ -226,7 +229,7 @@ void Recorder::tell(Time now) const {
     const auto seconds = [now](Time since) { return std::chrono::duration<double>(now - since).count(); };
     Heartbeat heartbeat;
     heartbeat.elapsed = seconds(begin_);
-    heartbeat.finished = computed_ + set_aside_;
+    heartbeat.finished = finished_;
     heartbeat.finished_cost = finished_cost_;
     heartbeat.remaining_cost = std::max(0.0, tasks_cost_ - finished_cost_);
     for (const auto& [member, one] : under_way_)

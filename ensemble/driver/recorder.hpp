@@ -66,6 +66,9 @@ class Recorder {
     /// In what the campaign has grown since the sessions before, one line a key; empty when it has not.
     const std::vector<std::string>& extension() const { return journal_.extension(); }
 
+    /// Bytes of the journal that the disk has damaged; their members are among the tasks.
+    std::uint64_t damaged_bytes() const { return journal_.damaged_bytes(); }
+
     /// Notes that a session begins now. Returns what has changed since the session before it, see changed_software();
     /// empty when there are no members from before. Sets members aside that took their process down too often.
     std::vector<std::string> begin(Session session);
@@ -112,6 +115,7 @@ class Recorder {
     std::vector<MemberRecord> lost_too_often_;
     int total_ = 0;
     std::map<MemberIdentity, UnderWay> under_way_;
+    int finished_ = 0;
     double finished_cost_ = 0;
     double tasks_cost_ = 0;
     int done_ = 0;

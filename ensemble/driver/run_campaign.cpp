@@ -94,6 +94,12 @@ int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link
     progress.say(opening(campaign, options, link.size(), mustered.cores()));
     if (options.places.part.of > 1) progress.say(part_text(options.places.part, recorder));
     if (const std::string remark = binding_remark(link.topology()); !remark.empty()) progress.say(remark);
+    if (recorder.damaged_bytes() > 0) {
+        progress.say(
+            fmt::format("{} bytes of the journal are damaged and were passed over; what they held is computed "
+                        "again. Is the disk all right?",
+                        recorder.damaged_bytes()));
+    }
     for (const std::string& line : recorder.extension()) {
         progress.say(fmt::format("the campaign is extended, what is there stays: {}", line));
     }

@@ -71,9 +71,9 @@ std::vector<TimedMember> slowest(const Campaign& campaign, const std::vector<con
     return members;
 }
 
-/// A heartbeat that is stale, or of a session that ended, says nothing about the present.
+/// The lock on the journal may not be seen from another machine; a fresh heartbeat is.
 void add_heartbeat(CampaignStatus& status, const Campaign& campaign, std::optional<Heartbeat> heartbeat) {
-    if (!heartbeat) return;
+    if (!heartbeat || (status.at_work && is_stale(*heartbeat))) return;  // of the run before
     if (!is_stale(*heartbeat)) status.at_work = true;
     if (status.at_work && heartbeat->elapsed > 0 && heartbeat->finished > 0) {
         status.rate = heartbeat->finished / heartbeat->elapsed;

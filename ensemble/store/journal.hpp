@@ -44,8 +44,9 @@ struct JournalContents {
     std::vector<Session> sessions;      ///< in order of time
     std::vector<CalibrationRecord> calibrations;
     AttemptBook attempts;
-    std::uint64_t good_bytes = 0;  ///< up to the end of the last whole record
-    std::uint64_t torn_bytes = 0;  ///< after that: a torn or damaged tail, or a record just being written
+    std::uint64_t good_bytes = 0;     ///< up to the end of the last whole record
+    std::uint64_t damaged_bytes = 0;  ///< of these, those that belong to no whole record and were passed over
+    std::uint64_t torn_bytes = 0;     ///< after that: a torn or damaged tail, or a record just being written
 };
 
 /// A journal open for writing, locked against a second writer as long as the object lives.
@@ -76,6 +77,8 @@ class Journal {
     const std::string& campaign_text() const { return contents_.campaign_text; }
     /// In what the campaign has become larger since the journal was begun or opened last, see differences().
     const std::vector<std::string>& extension() const { return extension_; }
+    /// Bytes inside the journal that are damaged and were passed over; what they held is computed again.
+    std::uint64_t damaged_bytes() const { return contents_.damaged_bytes; }
     /// Bytes of torn tail that were cut off when the journal was opened.
     std::uint64_t cut_bytes() const { return contents_.torn_bytes; }
 

@@ -66,6 +66,42 @@ std::uint64_t check_fixed_header(std::span<const std::byte> bytes, const std::fi
     return length;
 }
 
+/// Reads the record at `at`; false when there is none that is whole.
+bool read_record(const FileDescriptor& file, const std::filesystem::path& path, std::uint64_t at, std::uint64_t size,
+                 Bytes& bytes) {
+    if (size - at < record_head_bytes + crc_bytes) return false;
+    bytes.resize(record_head_bytes);
+    if (!read_at(file, path, at, bytes)) return false;
+    const std::uint64_t payload = ByteReader(bytes).u64();
+    // Only a length that fits the file is believed, so a damaged one cannot ask for memory.
+    if (payload > size - at - record_head_bytes - crc_bytes) return false;
+    bytes.resize(record_head_bytes + payload + crc_bytes);
+    return read_at(file, path, at, bytes) && crc_is_right(bytes);
+}
+
+/// Where the next whole record begins, from `at` on; `size` when there is none. What follows a damaged record was
+/// acknowledged as well and is not given up.
+std::uint64_t next_record(const FileDescriptor& file, const std::filesystem::path& path, std::uint64_t at,
+                          std::uint64_t size) {
+    constexpr std::uint64_t window_bytes = 1 << 20;
+    constexpr std::uint32_t types = 256;  // a filter: more than there will be
+    Bytes bytes;
+    for (Bytes window; size > at && size - at >= record_head_bytes + crc_bytes;) {
+        window.resize(std::min(window_bytes, size - at));
+        if (!read_at(file, path, at, window)) break;
+        const std::uint64_t heads = window.size() - record_head_bytes + 1;
+        for (std::uint64_t k = 0; k < heads; ++k) {
+            ByteReader head{std::span<const std::byte>(window).subspan(k, record_head_bytes)};
+            const std::uint64_t payload = head.u64();
+            const std::uint32_t type = head.u32();
+            if (payload < size && type > 0 && type < types && read_record(file, path, at + k, size, bytes))
+                return at + k;
+        }
+        at += heads;
+    }
+    return size;
+}
+
 void take_record(JournalContents& contents, std::uint32_t type, std::span<const std::byte> payload,
                  JournalContents::Place place, Histories histories) {
     switch (static_cast<RecordType>(type)) {
@@ -176,19 +212,21 @@ Reading read(const FileDescriptor& file, const std::filesystem::path& path, Hist
     contents.campaign_text.assign(reinterpret_cast<const char*>(text.data()), length);
     contents.good_bytes = fixed_header_bytes + length + crc_bytes;
 
-    for (Bytes bytes; size - contents.good_bytes >= record_head_bytes + crc_bytes;) {
-        bytes.resize(record_head_bytes);
-        if (!read_at(file, path, contents.good_bytes, bytes)) break;
-        ByteReader head(bytes);
-        const std::uint64_t payload = head.u64();
-        const std::uint32_t type = head.u32();
-        // Only a length that fits the file is believed, so a damaged one cannot ask for memory.
-        if (payload > size - contents.good_bytes - record_head_bytes - crc_bytes) break;
-        bytes.resize(record_head_bytes + payload + crc_bytes);
-        if (!read_at(file, path, contents.good_bytes, bytes) || !crc_is_right(bytes)) break;
-        take_record(contents, type, std::span(bytes).subspan(record_head_bytes, payload),
-                    {contents.good_bytes, bytes.size()}, histories);
-        contents.good_bytes += bytes.size();
+    std::uint64_t at = contents.good_bytes;
+    for (Bytes bytes; true;) {
+        if (!read_record(file, path, at, size, bytes)) {
+            const std::uint64_t next = next_record(file, path, at + 1, size);
+            if (next == size) break;
+            contents.damaged_bytes += next - at;
+            at = next;
+            continue;
+        }
+        const std::uint64_t payload = bytes.size() - record_head_bytes - crc_bytes;
+        const std::uint32_t type = ByteReader(std::span(bytes).subspan(8)).u32();
+        take_record(contents, type, std::span(bytes).subspan(record_head_bytes, payload), {at, bytes.size()},
+                    histories);
+        at += bytes.size();
+        contents.good_bytes = at;
     }
     contents.torn_bytes = size - contents.good_bytes;
     return reading;

@@ -7,6 +7,8 @@ MPIEXEC=$2
 MPIRUN=("$MPIEXEC" --allow-run-as-root --oversubscribe --bind-to none)
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 
+unset FLOES_LAUNCHER
+
 FOLDER=$(mktemp -d)
 trap 'rm -rf "$FOLDER"' EXIT
 cd "$FOLDER"

@@ -1,77 +1,19 @@
 #include "store/journal.hpp"
 
 #include <gmock/gmock.h>
-#include <sys/resource.h>
 
 #include <algorithm>
-#include <csignal>
 
 #include "core/error.hpp"
 #include "store/file_bytes.hpp"
 #include "store/journal_format.hpp"
+#include "store/small_journal.hpp"
 #include "store/synthetic.hpp"
-#include "store/temporary_folder.hpp"
-#include "store/whole_records.hpp"
 
 namespace floes {
 namespace {
 
 using testing::HasSubstr;
-
-// Runs the action and gives the message of the InputError that it must throw.
-template <class Action>
-std::string refusal(const Action& action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    ADD_FAILURE() << "not refused";
-    return {};
-}
-
-// A record of a few hundred bytes, so that every byte can be damaged in turn.
-MemberRecord small_record(int number) {
-    MemberRecord record;
-    record.case_key = "case";
-    record.arrangement = number;
-    record.host = "node";
-    record.result.load.mean = 0.1 * number;
-    record.result.history.surge = {1.0 * number, 2.0, 3.0};
-    record.result.breaks = {{0.02, number, 1, FailureMode::shear}};
-    return record;
-}
-
-struct SmallJournal {
-    TemporaryFolder folder;
-    std::filesystem::path path = folder / "small.journal";
-    std::vector<std::uint64_t> ends;  // of the header, and of each record
-
-    SmallJournal() {
-        Journal journal = open_journal(path, "name = \"small\"\n", Existing::refuse);
-        ends.push_back(std::filesystem::file_size(path));
-        for (int k = 0; k < 3; ++k) {
-            journal.append(small_record(k));
-            ends.push_back(std::filesystem::file_size(path));
-        }
-    }
-
-    // Whole records in the first `size` bytes.
-    std::size_t whole_records(std::uint64_t size) const {
-        std::size_t count = 0;
-        while (count + 1 < ends.size() && ends[count + 1] <= size) ++count;
-        return count;
-    }
-};
-
-void expect_small_records(const std::vector<MemberRecord>& records, std::size_t count) {
-    ASSERT_EQ(records.size(), count);
-    for (std::size_t k = 0; k < count; ++k) EXPECT_EQ(encode(records[k]), encode(small_record(static_cast<int>(k))));
-}
-
-void expect_small_records(const Journal& journal, std::size_t count) {
-    expect_small_records(whole_records(journal), count);
-}
 
 TEST(Journal, StandsBesideTheCampaignFile) {
     EXPECT_EQ(journal_path("folder/a.h5"), "folder/a.journal");
@@ -148,66 +90,6 @@ TEST(Journal, KnowsTheAttemptsThatNeverEnded) {
     EXPECT_EQ(read_journal(path).attempts.lost(lost), 0) << "a result begins the account anew";
 }
 
-TEST(Journal, CutAtEveryByteKeepsEveryWholeRecordAndGoesOn) {
-    const SmallJournal small;
-    const Bytes whole = file_bytes(small.path);
-    const auto torn = small.folder / "torn.journal";
-    for (std::size_t size = 0; size <= whole.size(); ++size) {
-        SCOPED_TRACE(size);
-        write_file_bytes(torn, std::span(whole).first(size));
-        const std::size_t kept = small.whole_records(size);
-        if (size >= small.ends[0]) {
-            const JournalContents contents = read_journal(torn);
-            expect_small_records(contents.members, kept);
-            EXPECT_EQ(contents.torn_bytes, size - small.ends[kept]);
-            EXPECT_EQ(std::filesystem::file_size(torn), size) << "reading must not change the file";
-        } else {
-            EXPECT_THAT(refusal([&] { read_journal(torn); }), HasSubstr("holds nothing yet"));
-        }
-        {
-            Journal journal = open_journal(torn, "name = \"small\"\n", Existing::resume);
-            expect_small_records(journal, kept);
-            EXPECT_EQ(journal.cut_bytes(), size >= small.ends[0] ? size - small.ends[kept] : 0);
-            journal.append(small_record(static_cast<int>(kept)));
-        }
-        expect_small_records(read_journal(torn).members, kept + 1);
-        EXPECT_EQ(read_journal(torn).torn_bytes, 0u);
-    }
-}
-
-TEST(Journal, FlippedBitAtEveryByteNeverGivesAFalseRecord) {
-    const SmallJournal small;
-    const Bytes whole = file_bytes(small.path);
-    const auto damaged = small.folder / "damaged.journal";
-    for (std::size_t k = 0; k < whole.size(); ++k) {
-        for (int bit = 0; bit < 8; ++bit) {
-            SCOPED_TRACE(testing::Message() << "byte " << k << " bit " << bit);
-            Bytes bytes = whole;
-            bytes[k] ^= std::byte{1} << bit;
-            write_file_bytes(damaged, bytes);
-            if (k < small.ends[0]) {
-                EXPECT_THROW(read_journal(damaged), InputError);
-                EXPECT_THROW(open_journal(damaged, "", Existing::resume), InputError);
-                EXPECT_EQ(file_bytes(damaged), bytes) << "what cannot be read must not be cut";
-            } else {
-                expect_small_records(read_journal(damaged).members, small.whole_records(k));
-            }
-        }
-    }
-}
-
-TEST(Journal, GarbageLengthAsksForNoMemory) {
-    const SmallJournal small;
-    Bytes bytes = file_bytes(small.path);
-    ByteWriter garbage;
-    garbage.u64(0x7fffffffffffffff);
-    for (int k = 0; k < 20; ++k) garbage.u32(1);
-    bytes.insert(bytes.end(), garbage.bytes().begin(), garbage.bytes().end());
-    write_file_bytes(small.path, bytes);
-    expect_small_records(read_journal(small.path).members, 3);
-    EXPECT_EQ(read_journal(small.path).torn_bytes, 88u);
-}
-
 TEST(Journal, PassesOverRecordsOfAnUnknownType) {
     const SmallJournal small;
     Bytes bytes = file_bytes(small.path);
@@ -253,47 +135,6 @@ TEST(Journal, NeverBeginsAnewUnlessToldTo) {
     expect_small_records(read_journal(small.path).members, 3);
     EXPECT_EQ(open_journal(small.path, "other", Existing::replace).records().size(), 0u);
     EXPECT_EQ(read_journal(small.path).campaign_text, "other");
-}
-
-TEST(Journal, AdmitsOneWriter) {
-    const SmallJournal small;
-    EXPECT_FALSE(is_being_written(small.path));
-    {
-        const Journal first = open_journal(small.path, "", Existing::resume);
-        EXPECT_TRUE(is_being_written(small.path));
-        for (const Existing existing : {Existing::resume, Existing::replace, Existing::refuse})
-            EXPECT_THAT(refusal([&] { open_journal(small.path, "", existing); }), HasSubstr("written by another run"));
-        expect_small_records(read_journal(small.path).members, 3);
-    }
-    EXPECT_FALSE(is_being_written(small.path));
-    expect_small_records(open_journal(small.path, "", Existing::resume), 3);
-}
-
-TEST(Journal, LeavesHistoriesInTheFile) {
-    const SmallJournal small;
-    Journal journal = open_journal(small.path, "", Existing::resume);
-    journal.append(small_record(3));
-    for (const MemberRecord& record : journal.records()) EXPECT_TRUE(record.result.history.surge.empty());
-    expect_small_records(journal, 4);
-    Bytes bytes = file_bytes(small.path);
-    bytes[small.ends[1] + 40] ^= std::byte{1};
-    write_file_bytes(small.path, bytes);  // as if the disk lost a bit during the run
-    EXPECT_THROW(journal.history(journal.records()[1]), RunError);
-    EXPECT_EQ(journal.history(journal.records()[2]).surge, small_record(2).result.history.surge);
-}
-
-TEST(Journal, SaysWhenItsFolderIsGone) {
-    const TemporaryFolder folder;
-    std::filesystem::create_directory(folder / "run");
-    Journal journal = open_journal(folder / "run/a.journal", "", Existing::refuse);
-    journal.append(small_record(0));
-    journal.sync();
-    std::filesystem::rename(folder / "run", folder / "moved");
-    journal.append(small_record(1));
-    EXPECT_THROW(journal.sync(), RunError);
-    expect_small_records(read_journal(folder / "moved/a.journal").members, 2);
-    std::filesystem::remove_all(folder / "moved");
-    EXPECT_THROW(journal.sync(), RunError);
 }
 
 TEST(Journal, GrowsWithItsCampaignAndNeverShrinks) {
@@ -348,21 +189,6 @@ TEST(Journal, OfAnotherCampaignIsRefusedWithTheDifferenceNamed) {
 }
 
 // A limit on the size of files stands for a full disk: the write that does not fit is undone.
-TEST(Journal, StaysWholeWhenTheDiskIsFull) {
-    const SmallJournal small;
-    Journal journal = open_journal(small.path, "", Existing::resume);
-    rlimit before{};
-    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
-    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit full{small.ends[3] + 20, before.rlim_max};
-    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &full), 0);
-    EXPECT_THROW(journal.append(small_record(3)), RunError);
-    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
-    std::signal(SIGXFSZ, handler);
-    EXPECT_EQ(std::filesystem::file_size(small.path), small.ends[3]);
-    journal.append(small_record(3));
-    expect_small_records(read_journal(small.path).members, 4);
-}
 
 }  // namespace
 }  // namespace floes
