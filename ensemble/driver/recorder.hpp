@@ -4,8 +4,8 @@
 
 #include <chrono>
 #include <filesystem>
-#include <optional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,6 +63,7 @@ class Recorder {
     bool precise() const { return precision_ && precision_->met(); }
     /// The campaign that is published.
     Campaign published() const;
+
     /// In what the campaign has grown since the sessions before, one line a key; empty when it has not.
     const std::vector<std::string>& extension() const { return journal_.extension(); }
 
