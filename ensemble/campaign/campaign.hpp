@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "campaign/run_rules.hpp"
 #include "campaign/stop_rule.hpp"
 #include "scenario/scenario.hpp"
 
@@ -24,6 +25,7 @@ struct Campaign {
     int arrangements = 1;     ///< per case; the most where a stop rule may end the campaign sooner
     std::vector<Case> cases;  ///< at least one, names unique
     StopRule stop = {};       ///< when fewer arrangements are enough
+    RunRules run = {};
 };
 
 /// Which simulation a member is: arrangement-major, so that more arrangements only add members at the end.

@@ -7,10 +7,13 @@
 namespace floes {
 namespace {
 
+constexpr double mebibyte = 1024.0 * 1024.0;
+
 /// Keys of a campaign's tables, [campaign] first.
-Keys describe_all(CampaignHead& head, StopRule& stop, Scenario& scenario) {
+Keys describe_all(CampaignHead& head, StopRule& stop, RunRules& rules, Scenario& scenario) {
     Keys keys = describe(head);
     for (Key& key : describe(stop)) keys.push_back(std::move(key));
+    for (Key& key : describe(rules)) keys.push_back(std::move(key));
     for (Key& key : describe(scenario)) keys.push_back(std::move(key));
     return keys;
 }
@@ -82,6 +85,22 @@ Keys describe(StopRule& stop) {
     return keys;
 }
 
+Keys describe(RunRules& rules) {
+    Keys keys;
+    keys.push_back(word_key("run.isolation", rules.isolation, {"none", "process"}, "none is faster for short members",
+                            "Where a member is computed: in the process of its rank, or in a process of its own, which "
+                            "may crash, hang or run away with memory without harm to others."));
+    keys.push_back(number_key("run.member_deadline_s", rules.member_deadline, 1, at_least(0),
+                              "many times a long member",
+                              "Wall clock after which an attempt at a member is ended as failed; 0: never."));
+    keys.push_back(number_key("run.member_memory_MiB", rules.member_memory, mebibyte, at_least(0),
+                              "many times a large member",
+                              "Memory that a member in a process of its own may take; 0: no limit."));
+    keys.push_back(integer_key("run.attempts", rules.attempts, 1, 100, "one more than none",
+                               "Attempts at a member that fails, before it is set aside as failed."));
+    return keys;
+}
+
 Keys describe(Case& one) {
     Keys keys;
     keys.push_back(text_key("name", one.name, "", "Name of the case."));
@@ -104,6 +123,7 @@ std::string full_path(const std::string& path) {
 
 TableTitles titles() {
     TableTitles all = scenario_titles();
+    all["run"] = "How members are run. Nothing here changes a result, so --resume may come with other values.";
     all["campaign"] = "Which simulations: each case with each arrangement.";
     all["stop"] = "When there are enough of them.";
     return all;
@@ -112,23 +132,26 @@ TableTitles titles() {
 std::string default_configuration() {
     CampaignHead head;
     StopRule stop;
+    RunRules rules;
     Scenario scenario;
-    return about_files + write_tables(describe_all(head, stop, scenario), titles(), Comments::all) + about_cases;
+    return about_files + write_tables(describe_all(head, stop, rules, scenario), titles(), Comments::all) + about_cases;
 }
 
 std::string reference_markdown() {
     CampaignHead head;
     StopRule stop;
+    RunRules rules;
     Scenario scenario;
-    return reference_markdown(describe_all(head, stop, scenario), titles());
+    return reference_markdown(describe_all(head, stop, rules, scenario), titles());
 }
 
 std::vector<KeyDescription> reference() {
     CampaignHead head;
     StopRule stop;
+    RunRules rules;
     Scenario scenario;
     std::vector<KeyDescription> lines;
-    for (const Key& key : describe_all(head, stop, scenario)) {
+    for (const Key& key : describe_all(head, stop, rules, scenario)) {
         lines.push_back({key.path, literal(key), allowed(key), key.doc, key.source});
     }
     return lines;

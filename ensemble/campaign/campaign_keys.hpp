@@ -24,6 +24,9 @@ Keys describe(CampaignHead& head);
 /// The keys of [stop].
 Keys describe(StopRule& stop);
 
+/// The keys of [run], bound to `rules`.
+Keys describe(RunRules& rules);
+
 /// The keys that a [[case]] takes: name, the shorthands cfm and elastic_modulus_MPa, and every key of a scenario.
 Keys describe(Case& one);
 

@@ -44,7 +44,7 @@ class Reader {
         for (const Block& block : blocks) names.push_back(case_name(block, names));
         refuse_strangers(names);
         if (head_.name.empty()) head_.name = std::filesystem::path(source_.file).stem().string();
-        Campaign campaign{head_.name, head_.seed, head_.arrangements, {}, stop_};
+        Campaign campaign{head_.name, head_.seed, head_.arrangements, {}, stop_, rules_};
         for (std::size_t i = 0; i < blocks.size(); ++i) campaign.cases.push_back(read_case(blocks[i], names, i));
         return campaign;
     }
@@ -54,6 +54,7 @@ class Reader {
     void read_tables() {
         Keys keys = describe(head_);
         for (Key& key : describe(stop_)) keys.push_back(std::move(key));
+        for (Key& key : describe(rules_)) keys.push_back(std::move(key));
         for (Key& key : describe(base_)) keys.push_back(std::move(key));
         for (const Entry& entry : document_.entries) {
             if (is_case_path(entry.path)) {
@@ -218,6 +219,7 @@ class Reader {
     std::vector<Entry> overrides_;
     CampaignHead head_;
     StopRule stop_;
+    RunRules rules_;
     Scenario base_;
     Origins origins_;
 };

@@ -35,8 +35,10 @@ std::string write_campaign(const Campaign& campaign) {
     std::vector<Case> cases = campaign.cases;
     const std::set<std::string> varying = varying_paths(cases);
     StopRule stop = campaign.stop;
+    RunRules rules = campaign.run;
     Keys tables = describe(head);
     for (Key& key : describe(stop)) tables.push_back(std::move(key));
+    for (Key& key : describe(rules)) tables.push_back(std::move(key));
     for (Key& key : describe(cases.front().scenario)) {
         if (!varying.contains(key.path)) tables.push_back(std::move(key));
     }

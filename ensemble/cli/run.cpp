@@ -34,6 +34,8 @@ struct RunVerb {
     bool retry_failed = false;
     int threads = 0;
     std::string part;
+    std::string isolation;
+    double time_left = 0;
     std::vector<std::string> overrides;
 };
 
@@ -90,14 +92,16 @@ MemberResult compute_member(const Campaign& campaign, int number, std::stop_toke
     return run_member(scenario, campaign.seed, static_cast<std::uint32_t>(key.arrangement), std::move(stop));
 }
 
-int lead(const RunVerb& verb, const std::string& program, Link& link) {
+int lead(const RunVerb& verb, const std::string& program, Link& link, Helper& helper) {
+    const Walltime walltime(find_time_left(verb.time_left));
     Campaign campaign = load_campaign(verb.config, verb.overrides);
     RunOptions options{.places = {.campaign_file = output_of(verb),
                                   .existing = existing_of(verb),
                                   .part = part_of(verb, campaign),
                                   .retry_failed = verb.retry_failed},
                        .threads = verb.threads,
-                       .resume_command = resume_command(verb, program, link.size())};
+                       .resume_command = resume_command(verb, program, link.size()),
+                       .walltime = walltime};
     int status = 0;
     {
         Progress progress(std::cerr, style_of_standard_error());
@@ -108,7 +112,7 @@ int lead(const RunVerb& verb, const std::string& program, Link& link) {
             options.places.calibrations = calibrate_campaign(campaign, kept_calibrations(options.places),
                                                              threads_of(link, verb.threads), progress);
         }
-        status = run_campaign(campaign, options, link, compute_member, progress);
+        status = run_campaign(campaign, options, link, compute_member, progress, &helper);
     }
     if (status != exit_stopped) {
         const Summary summary = summarise(read_campaign_file(options.places.campaign_file));
@@ -118,9 +122,10 @@ int lead(const RunVerb& verb, const std::string& program, Link& link) {
 }
 
 int run(const RunVerb& verb, const std::string& program) {
+    Helper helper(compute_member);  // before MPI and the first thread
     const std::unique_ptr<Link> link = open_link();
-    if (link->rank() != 0) return serve_campaign(*link, verb.threads, compute_member);
-    return lead_ranks(*link, std::cerr, [&] { return lead(verb, program, *link); });
+    if (link->rank() != 0) return serve_campaign(*link, verb.threads, compute_member, &helper);
+    return lead_ranks(*link, std::cerr, [&] { return lead(verb, program, *link, helper); });
 }
 
 }  // namespace
@@ -139,8 +144,18 @@ void add_run(CLI::App& program, int& exit_status) {
         ->check(CLI::Range(1, 4096));
     verb->add_option("--part", options->part,
                      "K/N: of the arrangements only part K of N, with a file of its own; floes merge joins the parts");
+    verb->add_option("--isolation", options->isolation,
+                     "Where members are computed, as --set run.isolation=…: none or process")
+        ->check(CLI::IsMember({"none", "process"}))
+        ->take_last();  // slurm/ gives one, the user may give another
+    verb->add_option("--time-left", options->time_left,
+                     "Seconds until the run must have ended; inside a Slurm job what Slurm says, when not given")
+        ->check(CLI::PositiveNumber);
     add_overrides(*verb, options->overrides);
-    verb->callback([options, &program, &exit_status] { exit_status = run(*options, program.get_name()); });
+    verb->callback([options, &program, &exit_status] {
+        if (!options->isolation.empty()) options->overrides.push_back("run.isolation=" + options->isolation);
+        exit_status = run(*options, program.get_name());
+    });
 }
 
 }  // namespace floes

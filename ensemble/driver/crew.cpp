@@ -1,7 +1,8 @@
 #include "driver/crew.hpp"
 
-#include <exception>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace floes {
 
@@ -9,20 +10,17 @@ namespace {
 
 constexpr unsigned slots_for_the_owner = 0;  // the owner waits and never computes
 
-MemberResult failure(std::string reason) {
-    MemberResult result;
-    result.status = MemberStatus::failed;
-    result.reason = std::move(reason);
-    return result;
-}
-
 }  // namespace
 
-Crew::Crew(const Campaign& campaign, MemberFunction compute, int threads)
+Crew::Crew(const Campaign& campaign, MemberFunction compute, int threads, Helper* helper)
     : campaign_(campaign),
       compute_(std::move(compute)),
+      helper_(helper),
+      limits_(limits_of(campaign.run)),
       limit_(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads) + 1),
-      arena_(threads, slots_for_the_owner) {}
+      arena_(threads, slots_for_the_owner) {
+    if (helper_ != nullptr) helper_->prepare(campaign);
+}
 
 Crew::~Crew() {
     stop_.request_stop();
@@ -53,20 +51,45 @@ void Crew::execute_next() {
     changed_.notify_all();
 }
 
-Outcome Crew::execute(Assignment assignment) const {
-    if (stop_.stop_requested()) return {assignment, std::nullopt};
+Outcome Crew::execute(Assignment assignment) {
+    if (stop_.stop_requested()) return {assignment, std::nullopt, 0};
     const auto begin = std::chrono::steady_clock::now();
-    MemberResult result;
-    try {
-        result = compute_(campaign_, assignment.number, stop_.get_token());
-    } catch (const std::exception& error) {
-        if (stop_.stop_requested()) return {assignment, std::nullopt};
-        result = failure(error.what());
-    } catch (...) {
-        result = failure("The member ended with an error that says nothing.");
+    Attempted made = attempt(assignment);
+    if (made.result) {
+        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+        made.result->wall_time = taken.count();
     }
-    result.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    return {assignment, std::move(result)};
+    return {assignment, std::move(made.result), made.peak_memory};
+}
+
+Attempted Crew::attempt(Assignment assignment) {
+    const bool apart = assignment.apart || campaign_.run.isolation == Isolation::process;
+    if (helper_ != nullptr && apart) {
+        try {
+            return helper_->run(assignment.number, limits_, stop_.get_token());
+        } catch (const HelperLost& lost) {
+            give_up({lost.what(), false});
+            return {};
+        }
+    }
+    const auto stuck = [this, assignment] {
+        give_up({fmt::format("Member {} is {:.0f} s past its deadline and cannot be ended in this process.",
+                             assignment.number, limits_.grace),
+                 true});
+    };
+    return attempt_here(compute_, campaign_, assignment.number, limits_, stop_.get_token(), stuck);
+}
+
+void Crew::give_up(CrewTrouble trouble) {
+    stop_.request_stop();
+    const std::lock_guard lock(mutex_);
+    if (!trouble_) trouble_ = std::move(trouble);
+    changed_.notify_all();
+}
+
+std::optional<CrewTrouble> Crew::trouble() const {
+    const std::lock_guard lock(mutex_);
+    return trouble_;
 }
 
 void Crew::abandon() {

@@ -13,7 +13,8 @@
 #include <stop_token>
 #include <vector>
 
-#include "driver/member_function.hpp"
+#include "attempt/attempt_here.hpp"
+#include "attempt/helper.hpp"
 
 namespace floes {
 
@@ -21,18 +22,27 @@ namespace floes {
 struct Assignment {
     int number = 0;
     int attempt = 1;
+    bool apart = false;  ///< in a process of its own, whatever the campaign's rule
 };
 
 /// How it ended. No result: abandoned, to be done again another time.
 struct Outcome {
     Assignment assignment;
     std::optional<MemberResult> result;
+    std::uint64_t peak_memory = 0;  ///< of the process that computed it, bytes
+};
+
+/// Why a crew cannot go on.
+struct CrewTrouble {
+    std::string sentence;
+    bool stuck = false;  ///< a thread is lost in its member for good: the crew cannot even end
 };
 
 class Crew {
   public:
-    /// `campaign` must outlive the crew. threads >= 1.
-    Crew(const Campaign& campaign, MemberFunction compute, int threads);
+    /// `campaign` and `helper` must outlive the crew. threads >= 1. Members follow campaign.run; without a helper all
+    /// are computed in this process.
+    Crew(const Campaign& campaign, MemberFunction compute, int threads, Helper* helper = nullptr);
     Crew(const Crew&) = delete;
     Crew& operator=(const Crew&) = delete;
     /// Abandons everything and waits until the threads have let go.
@@ -50,23 +60,31 @@ class Crew {
     /// Sleeps until there is an outcome to take or the time is over.
     void wait(std::chrono::microseconds longest);
 
+    /// Since when there is some, nothing more is computed here, and what is held is abandoned.
+    std::optional<CrewTrouble> trouble() const;
+
     /// Assignments begun whose outcome has not been taken.
     int held() const { return held_; }
 
   private:
     void execute_next();
-    Outcome execute(Assignment assignment) const;
+    Outcome execute(Assignment assignment);
+    Attempted attempt(Assignment assignment);
+    void give_up(CrewTrouble trouble);
 
     const Campaign& campaign_;
     MemberFunction compute_;
+    Helper* helper_;
+    AttemptLimits limits_;
     std::stop_source stop_;
     int held_ = 0;
 
-    std::mutex mutex_;  // guards the four below
+    mutable std::mutex mutex_;  // guards the five below
     std::condition_variable changed_;
     std::deque<Assignment> waiting_;
     std::vector<Outcome> outcomes_;
     int unfinished_ = 0;
+    std::optional<CrewTrouble> trouble_;
 
     tbb::global_control limit_;  // TBB would otherwise never start more threads than there are cores
     tbb::task_arena arena_;

@@ -1,5 +1,12 @@
 #include "driver/master.hpp"
 
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,22 +19,52 @@ namespace {
 
 constexpr int self = 0;
 
+// A process by its descriptor: its number may be another's by the time it is needed. (The wrappers of glibc 2.36 lack
+// their linkage in C++.)
+Descriptor open_process(int pid) {
+    return Descriptor(static_cast<int>(::syscall(SYS_pidfd_open, pid, 0)));
+}
+
+void kill_process(const Descriptor& process) {
+    ::syscall(SYS_pidfd_send_signal, process.get(), SIGKILL, nullptr, 0);
+}
+
+/// The reasons of all attempts, in order; the same one several times is said once.
+std::string reason_of_all(std::span<const std::string> reasons) {
+    if (reasons.size() == 1) return reasons[0];
+    const bool all_equal =
+        std::ranges::all_of(reasons, [&](const std::string& reason) { return reason == reasons[0]; });
+    if (all_equal) return fmt::format("{} ({} attempts)", reasons[0], reasons.size());
+    std::string all;
+    for (std::size_t i = 0; i < reasons.size(); ++i) {
+        all += fmt::format("{}attempt {}: {}", i == 0 ? "" : " ", i + 1, reasons[i]);
+    }
+    return all;
+}
+
 }  // namespace
 
-Master::Master(const Campaign& campaign, Link& link, Recorder& recorder, Progress& progress, const StopSignals& signals,
-               const MemberFunction& compute, const Muster& mustered)
+Master::Master(const Campaign& campaign, const RunOptions& options, Link& link, Recorder& recorder, Progress& progress,
+               const StopSignals& signals, const MemberFunction& compute, Helper* helper, const Muster& mustered)
     : campaign_(campaign),
+      options_(options),
       link_(link),
       recorder_(recorder),
       progress_(progress),
       signals_(signals),
-      scheduler_(recorder.tasks()),
+      scheduler_(recorder.tasks(), campaign.run.attempts),
       scribe_(campaign, self),
-      crew_(campaign, compute, mustered.hellos.at(self).cores),
-      pause_(pause_between_polls(link.size())) {
+      crew_(campaign, compute, mustered.hellos.at(self).cores, helper),
+      pause_(pause_between_polls(link.size())),
+      silence_(link.size(), std::chrono::steady_clock::now()),
+      pace_(recorder.pace()) {
     if (mustered.stop_requested) request_stop("another rank");
+    tell_time_left();
+    const std::string& here = mustered.hellos.at(self).host;
     for (int rank = 0; rank < link.size(); ++rank) {
-        const int cores = mustered.hellos.at(static_cast<std::size_t>(rank)).cores;
+        const Hello& hello = mustered.hellos.at(static_cast<std::size_t>(rank));
+        if (rank != self && hello.host == here) ranks_.emplace(rank, open_process(hello.pid));
+        const int cores = hello.cores;
         handle(WorkerJoined{rank, cores, cores});  // one ahead for each core
     }
 }
@@ -47,20 +84,25 @@ std::string Master::stopped_by() const {
 void Master::advance() {
     bool something = link_.moving();
     while (const auto message = link_.poll()) {
+        silence_.heard(message->from);
         receive(*message);
         something = true;
     }
     for (Outcome& outcome : crew_.take()) {
         const int number = outcome.assignment.number;
-        if (outcome.result) finished(self, number, scribe_.record(outcome.assignment, std::move(*outcome.result)));
+        if (outcome.result) finished(self, number, scribe_.record(std::move(outcome)));
         something = true;
     }
+    if (const auto trouble = crew_.trouble(); trouble && !dismissed_) give_up(*trouble);
     if (dismissed_ && !left_ && crew_.held() == 0) {
         left_ = true;
-        handle(WorkerLost{self});
+        handle(WorkerLeft{self});
     }
+    if (scheduler_.workers() == 0) request_stop("the loss of all that compute");
     if (signals_.received() != 0) request_stop(signal_name(signals_.received()));
     const auto now = std::chrono::steady_clock::now();
+    watch_ranks(now);
+    watch_time(now);
     if (const std::string trouble = recorder_.tend(now); !trouble.empty()) progress_.say(trouble);
     progress_.show(state(), now);
     if (something) pause_.something_happened();
@@ -69,12 +111,14 @@ void Master::advance() {
 void Master::receive(const Message& message) {
     switch (message.tag) {
         case Tag::answer: {
-            const Answer answer = decode_answer(message.bytes);
-            finished(message.from, answer.number, answer.record);
+            Answer answer = decode_answer(message.bytes);
+            finished(message.from, answer.number, std::move(answer.record));
             return;
         }
         case Tag::farewell:
-            handle(WorkerLost{message.from});
+            handle(WorkerLeft{message.from});
+            return;
+        case Tag::alive:
             return;
         case Tag::stop_request:
             request_stop(fmt::format("a signal to rank {}", message.from));
@@ -87,9 +131,64 @@ void Master::receive(const Message& message) {
     }
 }
 
-void Master::finished(int worker, int number, const MemberRecord& record) {
-    handle(MemberFinished{worker, number, record.attempt}, &record);
+void Master::finished(int worker, int number, MemberRecord record) {
+    const auto end = record.result.status == MemberStatus::done ? AttemptEnd::done : AttemptEnd::failed;
+    if (end == AttemptEnd::done) pace_ = std::max(pace_, record.result.wall_time / expected_cost(campaign_, number));
+    tell_time_left();
+    handle(MemberFinished{worker, number, record.attempt, end}, &record);
     end_when_precise();
+}
+
+void Master::tell_time_left() {
+    const std::optional<double> left = options_.walltime.left(std::chrono::steady_clock::now());
+    if (left && pace_ > 0) handle(TimeLeft{*left / pace_});
+}
+
+void Master::watch_ranks(std::chrono::steady_clock::time_point now) {
+    silence_.listened(now);
+    if (silence_.total() < next_sign_) return;
+    next_sign_ = silence_.total() + options_.patience.sign_of_life;
+    for (int rank = 1; rank < link_.size(); ++rank) {
+        if (lost_.contains(rank)) continue;
+        link_.send(rank, Tag::alive, {});
+        if (silence_.of(rank) < options_.patience.with_a_worker) continue;
+        progress_.say(
+            fmt::format("rank {} has been silent for {:.0f} s: others compute its members", rank, silence_.of(rank)));
+        lost_.insert(rank);
+        link_.abandon(rank);
+        handle(WorkerLost{rank});
+    }
+}
+
+void Master::watch_time(std::chrono::steady_clock::time_point now) {
+    const std::optional<double> left = options_.walltime.left(now);
+    if (!left) return;
+    if (*left <= 0) request_stop("the end of the time limit");
+    if (scheduler_.assigned() == 0 && scheduler_.pending() > 0) {
+        request_stop("the end of the time limit, in which no other member could be done,");
+    }
+}
+
+void Master::part() {
+    if (lost_.empty()) return;
+    for (const int rank : lost_) {
+        if (const auto found = ranks_.find(rank); found != ranks_.end()) {
+            kill_process(found->second);
+        }
+    }
+    for (int rank = 1; rank < link_.size(); ++rank) link_.send(rank, Tag::part, {});
+}
+
+void Master::give_up(const CrewTrouble& trouble) {
+    if (trouble.stuck) {
+        recorder_.sync();
+        progress_.say(fmt::format("{} The run leaves at once; --resume computes that member in a process of its own",
+                                  trouble.sentence));
+        std::_Exit(exit_stopped);
+    }
+    progress_.say(fmt::format("rank 0 computes no more: {}", trouble.sentence));
+    crew_.abandon();
+    dismissed_ = true;
 }
 
 void Master::request_stop(const std::string& reason) {
@@ -102,19 +201,18 @@ void Master::end_when_precise() {
     if (recorder_.precise() && !scheduler_.stopping()) handle(StopRequested{});
 }
 
-void Master::handle(const Event& event, const MemberRecord* record) {
+void Master::handle(const Event& event, MemberRecord* record) {
     for (const Command& command : scheduler_.handle(event)) {
         if (const auto* assign = std::get_if<Assign>(&command)) obey(*assign);
         if (const auto* dismiss = std::get_if<Dismiss>(&command)) obey(*dismiss);
-        if (const auto* keep = std::get_if<Record>(&command)) {
-            recorder_.keep(*record);
-            if (record->result.status == MemberStatus::failed) report_failure(keep->number, *record);
-        }
+        if (const auto* retry = std::get_if<Retry>(&command)) note_failure(*retry, *record);
+        if (const auto* kept = std::get_if<Record>(&command)) keep(kept->number, *record);
     }
 }
 
 void Master::obey(const Assign& command) {
-    const Assignment assignment{command.number, command.attempt};
+    const Assignment assignment{command.number, command.attempt, command.apart};
+    recorder_.started(command.number, command.attempt);
     if (command.worker == self) {
         crew_.begin(assignment);
     } else {
@@ -131,11 +229,26 @@ void Master::obey(const Dismiss& command) {
     }
 }
 
-void Master::report_failure(int number, const MemberRecord& record) {
+std::string Master::name_of(int number) const {
     const MemberKey key = member_key(campaign_, number);
     const std::string& name = campaign_.cases[static_cast<std::size_t>(key.case_index)].name;
-    progress_.say(fmt::format("member {} (case {}, arrangement {}) failed and is set aside: {}", number, name,
-                              key.arrangement, record.result.reason));
+    return fmt::format("member {} (case {}, arrangement {})", number, name, key.arrangement);
+}
+
+void Master::note_failure(const Retry& retry, const MemberRecord& record) {
+    failures_[retry.number].push_back(record.result.reason);
+    progress_.say(fmt::format("{} failed and is tried again: {}", name_of(retry.number), record.result.reason));
+}
+
+void Master::keep(int number, MemberRecord& record) {
+    if (record.result.status == MemberStatus::failed) {
+        std::vector<std::string> reasons = failures_[number];
+        reasons.push_back(record.result.reason);
+        record.result.reason = reason_of_all(reasons);
+        progress_.say(fmt::format("{} failed and is set aside: {}", name_of(number), record.result.reason));
+    }
+    failures_.erase(number);
+    recorder_.keep(record);
 }
 
 ProgressState Master::state() const {

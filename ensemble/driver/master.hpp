@@ -3,6 +3,7 @@
 // progress. Its own cores work like any other rank's; only this thread sleeps.
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,10 @@
 #include "driver/pause.hpp"
 #include "driver/progress.hpp"
 #include "driver/recorder.hpp"
+#include "driver/run_campaign.hpp"
 #include "driver/scribe.hpp"
 #include "driver/signals.hpp"
+#include "driver/silence.hpp"
 #include "schedule/scheduler.hpp"
 #include "wire/link.hpp"
 
@@ -22,12 +25,16 @@ namespace floes {
 class Master {
   public:
     /// All references must outlive the master. `mustered`: of muster().
-    Master(const Campaign& campaign, Link& link, Recorder& recorder, Progress& progress, const StopSignals& signals,
-           const MemberFunction& compute, const Muster& mustered);
+    Master(const Campaign& campaign, const RunOptions& options, Link& link, Recorder& recorder, Progress& progress,
+           const StopSignals& signals, const MemberFunction& compute, Helper* helper, const Muster& mustered);
 
-    /// Until every member has an answer or the run was stopped, and every worker has said farewell. Throws RunError
-    /// when a rank is in trouble or the journal cannot be written.
+    /// Until every member has an answer or the run was stopped, and every worker has said farewell. A run that nobody
+    /// is left to compute for stops. Throws RunError when a rank is in trouble or the journal cannot be written.
     void run();
+
+    /// Ends the ranks of this machine that were lost without being dead, which mpirun would wait for, and lets the
+    /// others leave without them. To be called when all is on the disk; does nothing when no rank was lost.
+    void part();
 
     /// Who asked for the stop, e.g. "SIGTERM"; empty when nobody did or all was done all the same.
     std::string stopped_by() const;
@@ -35,16 +42,23 @@ class Master {
   private:
     void advance();
     void receive(const Message& message);
-    void finished(int worker, int number, const MemberRecord& record);
+    void finished(int worker, int number, MemberRecord record);
+    void give_up(const CrewTrouble& trouble);
+    void tell_time_left();
+    void watch_ranks(std::chrono::steady_clock::time_point now);
+    void watch_time(std::chrono::steady_clock::time_point now);
     void request_stop(const std::string& reason);
     void end_when_precise();
-    void handle(const Event& event, const MemberRecord* record = nullptr);
+    void handle(const Event& event, MemberRecord* record = nullptr);
+    void keep(int number, MemberRecord& record);
+    void note_failure(const Retry& retry, const MemberRecord& record);
     void obey(const Assign& command);
     void obey(const Dismiss& command);
-    void report_failure(int number, const MemberRecord& record);
+    std::string name_of(int number) const;
     ProgressState state() const;
 
     const Campaign& campaign_;
+    const RunOptions& options_;
     Link& link_;
     Recorder& recorder_;
     Progress& progress_;
@@ -54,6 +68,12 @@ class Master {
     Crew crew_;
     Pause pause_;
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+    std::map<int, std::vector<std::string>> failures_;  // reasons by member, of attempts that are made again
+    Silence silence_;
+    double next_sign_ = 0;             // of life, in time listened
+    std::map<int, Descriptor> ranks_;  // of this machine, as the system knows them for good
+    std::set<int> lost_;
+    double pace_;  // s a unit of cost, of the slowest member so far; 0: not known
     std::string stop_reason_;
     bool dismissed_ = false;  // the crew of this rank
     bool left_ = false;

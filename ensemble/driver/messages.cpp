@@ -7,6 +7,7 @@ Bytes encode(const Hello& hello) {
     writer.i32(hello.cores);
     writer.text(hello.host);
     writer.text(hello.fingerprint);
+    writer.i32(hello.pid);
     return writer.take();
 }
 
@@ -14,6 +15,7 @@ Bytes encode(const Assignment& assignment) {
     ByteWriter writer;
     writer.i32(assignment.number);
     writer.i32(assignment.attempt);
+    writer.u8(assignment.apart ? 1 : 0);
     return writer.take();
 }
 
@@ -44,6 +46,7 @@ Hello decode_hello(const Bytes& bytes) {
     hello.cores = reader.i32();
     hello.host = reader.text();
     hello.fingerprint = reader.text();
+    hello.pid = reader.i32();
     return hello;
 }
 
@@ -52,6 +55,7 @@ Assignment decode_assignment(const Bytes& bytes) {
     Assignment assignment;
     assignment.number = reader.i32();
     assignment.attempt = reader.i32();
+    assignment.apart = reader.u8() != 0;
     return assignment;
 }
 

@@ -16,6 +16,7 @@ struct Hello {
     int cores = 1;  ///< members it computes at a time
     std::string host;
     std::string fingerprint;  ///< of the campaign as it understood it
+    int pid = 0;              ///< of its process
 };
 
 /// A finished member.

@@ -4,7 +4,6 @@
 #include <functional>
 #include <limits>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -62,20 +61,6 @@ double stop_value(StopQuantity of, const MemberResult& result) {
     throw std::logic_error("a stop rule of no known quantity");
 }
 
-MemberRecord failure_by_loss(const MemberIdentity& member, int attempts, int lost) {
-    MemberRecord record;
-    std::tie(record.case_key, record.arrangement) = member;
-    record.attempt = attempts;
-    record.rank = -1;
-    record.result.status = MemberStatus::failed;
-    record.result.reason =
-        fmt::format("The run was killed or crashed {} while this member was under way; --retry-failed tries it again.",
-                    lost == 1   ? "once"
-                    : lost == 2 ? "twice"
-                                : fmt::format("{} times", lost));
-    return record;
-}
-
 }  // namespace
 
 void Recorder::check(const Places& places) {
@@ -117,24 +102,27 @@ void Recorder::take_stock() {
             ++reused_;
             ++done_;
             tell_precision(key.arrangement, key.case_index, &record->result);
+            pace_ = std::max(pace_, record->result.wall_time / expected_cost(campaign_, number));
             continue;
         }
         if (!places_.part.has(member_key(campaign_, number).arrangement)) continue;
         ++total_;
         const int lost = journal_.attempts().lost(identity_of(number));
         const int failures = record == nullptr || places_.retry_failed ? 0 : record->attempt;
-        if (failures + lost < places_.attempts) {
-            tasks_.push_back({number, expected_cost(campaign_, number),
-                              precision_ ? key.arrangement / campaign_.stop.batch : 0, failures + lost});
-            tasks_cost_ += tasks_.back().cost;
-            if (record != nullptr || lost > 0) ++retried_;
-        } else if (lost == 0) {
+        if (failures >= campaign_.run.attempts) {
             ++reused_;
             failed_.push_back(key.arrangement);
             tell_precision(key.arrangement, key.case_index, nullptr);
-        } else {
-            lost_too_often_.push_back(failure_by_loss(identity_of(number), failures + lost, lost));
+            continue;
         }
+        tasks_.push_back({.number = number,
+                          .cost = expected_cost(campaign_, number),
+                          .batch = precision_ ? key.arrangement / campaign_.stop.batch : 0,
+                          .attempts_made = failures + lost,
+                          .failures = failures,
+                          .suspect = lost > 0});
+        tasks_cost_ += tasks_.back().cost;
+        if (record != nullptr || lost > 0) ++retried_;
     }
     if (precise()) {
         tasks_.clear();
@@ -173,9 +161,6 @@ std::vector<std::string> Recorder::begin(Session session) {
     session.reused = reused_;
     session.retried = retried_;
     journal_.begin_session(session);
-    for (const MemberRecord& record : std::exchange(lost_too_often_, {})) keep(record);
-    finished_ = 0;
-    finished_cost_ = 0;  // those cost this session nothing
     return changes;
 }
 

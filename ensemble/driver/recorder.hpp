@@ -32,7 +32,6 @@ class Recorder {
         Existing existing = Existing::refuse;
         std::chrono::seconds publish_every{300};
         std::vector<CalibrationRecord> calibrations = {};  ///< that gave cases their Σ, to be kept beside the members
-        int attempts = 2;           ///< of a member that fails or takes its process down, >= 1; then it is set aside
         Part part = {};             ///< what is to be computed; the whole campaign when not given
         bool retry_failed = false;  ///< give members that were set aside before as many attempts again
     };
@@ -44,10 +43,13 @@ class Recorder {
     /// does, when the journal is another campaign's, or when somebody writes it.
     Recorder(const Campaign& campaign, Places places);
 
-    /// What is still to be computed. `attempts_made` has those that count against Places::attempts: failures, and
-    /// attempts that were started() and neither answered nor ended by the end of their session.
+    /// What is still to be computed: members without a result, and failed ones with attempts of campaign.run left. An
+    /// attempt that was started() and neither answered nor ended by the end of its session makes a suspect of its
+    /// member: it, or one beside it, or nobody, took the process down.
     std::vector<MemberTask> tasks() const { return tasks_; }
-    int total() const { return total_; }    ///< members of the part, and others that the journal has
+    int total() const { return total_; }  ///< members of the part, and others that the journal has
+    /// Seconds that a unit of expected cost took in the slowest member that has a result; 0 when there is none.
+    double pace() const { return pace_; }
     int done() const { return done_; }      ///< members with a result, of this session and before
     int failed() const;                     ///< members set aside as failed, likewise; of published() alone
     int reused() const { return reused_; }  ///< of both, those from before
@@ -71,7 +73,7 @@ class Recorder {
     std::uint64_t damaged_bytes() const { return journal_.damaged_bytes(); }
 
     /// Notes that a session begins now. Returns what has changed since the session before it, see changed_software();
-    /// empty when there are no members from before. Sets members aside that took their process down too often.
+    /// empty when there are no members from before.
     std::vector<std::string> begin(Session session);
 
     /// Notes that an attempt at the member begins, so that a later session knows when it never ended.
@@ -113,12 +115,12 @@ class Recorder {
     std::optional<PrecisionStop> precision_;
     Journal journal_;
     std::vector<MemberTask> tasks_;
-    std::vector<MemberRecord> lost_too_often_;
     int total_ = 0;
     std::map<MemberIdentity, UnderWay> under_way_;
     int finished_ = 0;
     double finished_cost_ = 0;
     double tasks_cost_ = 0;
+    double pace_ = 0;
     int done_ = 0;
     std::vector<int> failed_;  ///< arrangement of each member set aside
     int reused_ = 0;

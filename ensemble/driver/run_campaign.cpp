@@ -1,5 +1,7 @@
 #include "driver/run_campaign.hpp"
 
+#include <unistd.h>
+
 #include <array>
 #include <exception>
 
@@ -30,13 +32,10 @@ std::string part_text(const Part& part, const Recorder& recorder) {
 
 /// What was found of earlier sessions; empty when there is nothing.
 std::string stock(const Recorder& recorder) {
-    if (recorder.reused() + recorder.retried() + recorder.set_aside() == 0) return {};
+    if (recorder.reused() + recorder.retried() == 0) return {};
     const std::size_t tasks = recorder.tasks().size();
-    return fmt::format("resumed: {} reused, {} to compute{}{}", count(recorder.reused(), "member"), tasks,
-                       recorder.retried() > 0 ? fmt::format(", {} of them again", recorder.retried()) : "",
-                       recorder.set_aside() > 0 ? fmt::format(", {} set aside since it took its process down too often",
-                                                              recorder.set_aside())
-                                                : "");
+    return fmt::format("resumed: {} reused, {} to compute{}", count(recorder.reused(), "member"), tasks,
+                       recorder.retried() > 0 ? fmt::format(", {} of them again", recorder.retried()) : "");
 }
 
 /// What this session did.
@@ -86,10 +85,10 @@ int conclude(const Campaign& campaign, const RunOptions& options, Recorder& reco
 }  // namespace
 
 int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link, const MemberFunction& compute,
-                 Progress& progress) {
+                 Progress& progress, Helper* helper) {
     const StopSignals signals;
     Recorder recorder(campaign, options.places);
-    const Hello own{threads_of(link, options.threads), host_name(), fingerprint(campaign)};
+    const Hello own{threads_of(link, options.threads), host_name(), fingerprint(campaign), ::getpid()};
     const Muster mustered = muster(link, campaign, own);
     progress.say(opening(campaign, options, link.size(), mustered.cores()));
     if (options.places.part.of > 1) progress.say(part_text(options.places.part, recorder));
@@ -108,14 +107,16 @@ int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link
             "the members from before may differ in their last bits from what this run would give; {}", change));
     }
     if (const std::string text = stock(recorder); !text.empty()) progress.say(text);
-    Master master(campaign, link, recorder, progress, signals, compute, mustered);
+    Master master(campaign, options, link, recorder, progress, signals, compute, helper, mustered);
     try {
         master.run();
     } catch (...) {
         recorder.give_up();
         throw;
     }
-    return conclude(campaign, options, recorder, progress, master.stopped_by());
+    const int status = conclude(campaign, options, recorder, progress, master.stopped_by());
+    master.part();
+    return status;
 }
 
 int lead_ranks(Link& link, std::ostream& errors, const std::function<int()>& body) {

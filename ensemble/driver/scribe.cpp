@@ -1,6 +1,5 @@
 #include "driver/scribe.hpp"
 
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <array>
@@ -20,18 +19,16 @@ Scribe::Scribe(const Campaign& campaign, int rank) : campaign_(campaign), rank_(
     }
 }
 
-MemberRecord Scribe::record(Assignment assignment, MemberResult result) const {
-    const MemberKey key = member_key(campaign_, assignment.number);
-    rusage usage{};
-    ::getrusage(RUSAGE_SELF, &usage);
+MemberRecord Scribe::record(Outcome outcome) const {
+    const MemberKey key = member_key(campaign_, outcome.assignment.number);
     MemberRecord record;
     record.case_key = case_keys_[static_cast<std::size_t>(key.case_index)];
     record.arrangement = key.arrangement;
-    record.attempt = assignment.attempt;
+    record.attempt = outcome.assignment.attempt;
     record.rank = rank_;
     record.host = host_;
-    record.peak_memory = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
-    record.result = std::move(result);
+    record.peak_memory = outcome.peak_memory;
+    record.result = std::move(*outcome.result);
     return record;
 }
 

@@ -16,7 +16,8 @@ class Scribe {
     /// `campaign` must outlive the scribe.
     Scribe(const Campaign& campaign, int rank);
 
-    MemberRecord record(Assignment assignment, MemberResult result) const;
+    /// Of an outcome that has a result.
+    MemberRecord record(Outcome outcome) const;
 
   private:
     const Campaign& campaign_;

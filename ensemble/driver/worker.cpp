@@ -1,5 +1,9 @@
 #include "driver/worker.hpp"
 
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <optional>
 #include <string>
@@ -36,9 +40,14 @@ Message wait_for_message(Link& link) {
 /// One worker at work: members between hello and leave.
 class Worker {
   public:
-    Worker(Link& link, const Campaign& campaign, int threads, const MemberFunction& compute, const StopSignals& signals)
-        : link_(link), signals_(signals), scribe_(campaign, link.rank()), crew_(campaign, compute, threads) {
-        link_.send(master, Tag::hello, encode(Hello{threads, host_name(), fingerprint(campaign)}));
+    Worker(Link& link, const Campaign& campaign, int threads, const MemberFunction& compute, Helper* helper,
+           const Patience& patience, const StopSignals& signals)
+        : link_(link),
+          patience_(patience),
+          signals_(signals),
+          scribe_(campaign, link.rank()),
+          crew_(campaign, compute, threads, helper) {
+        link_.send(master, Tag::hello, encode(Hello{threads, host_name(), fingerprint(campaign), ::getpid()}));
     }
 
     int run() {
@@ -54,13 +63,15 @@ class Worker {
     bool advance() {
         bool something = link_.moving();
         while (const auto message = link_.poll()) {
+            silence_.heard(master);
             obey(*message);
             something = true;
         }
         for (Outcome& outcome : crew_.take()) {
-            if (outcome.result) answer(outcome.assignment, std::move(*outcome.result));
+            if (outcome.result) answer(std::move(outcome));
             something = true;
         }
+        if (const auto trouble = crew_.trouble(); trouble && !dismissed_) give_up(*trouble);
         if (dismissed_ && !said_farewell_ && crew_.held() == 0) {
             link_.send(master, Tag::farewell, {});
             said_farewell_ = true;
@@ -69,7 +80,21 @@ class Worker {
             link_.send(master, Tag::stop_request, {});
             passed_signal_ = true;
         }
+        watch_master();
         return something;
+    }
+
+    void watch_master() {
+        silence_.listened(std::chrono::steady_clock::now());
+        if (silence_.total() < next_sign_) return;
+        next_sign_ = silence_.total() + patience_.sign_of_life;
+        link_.send(master, Tag::alive, {});
+        if (silence_.of(master) < patience_.with_the_master) return;
+        fmt::print(stderr,
+                   "floes: rank {} leaves, since the master has been silent for {:.0f} s; go on with --resume\n",
+                   link_.rank(), silence_.of(master));
+        link_.abandon(master);
+        exit_status_ = 1;
     }
 
     void obey(const Message& message) {
@@ -81,7 +106,13 @@ class Worker {
                 crew_.abandon();
                 dismissed_ = true;
                 return;
+            case Tag::alive:
+                return;
+            case Tag::part:
+                ranks_are_missing_ = true;
+                return;
             case Tag::leave:
+                if (ranks_are_missing_) link_.abandon(master);
                 exit_status_ = decode_status(message.bytes);
                 return;
             default:
@@ -89,28 +120,41 @@ class Worker {
         }
     }
 
-    void answer(Assignment assignment, MemberResult result) {
-        link_.send(master, Tag::answer,
-                   encode(Answer{assignment.number, scribe_.record(assignment, std::move(result))}));
+    void answer(Outcome outcome) {
+        const int number = outcome.assignment.number;
+        link_.send(master, Tag::answer, encode(Answer{number, scribe_.record(std::move(outcome))}));
+    }
+
+    /// This rank can compute no more: it leaves the members to the others.
+    void give_up(const CrewTrouble& trouble) {
+        fmt::print(stderr, "floes: rank {} leaves. {}\n", link_.rank(), trouble.sentence);
+        if (trouble.stuck) std::_Exit(exit_stopped);
+        crew_.abandon();
+        dismissed_ = true;
     }
 
     Link& link_;
+    const Patience& patience_;
     const StopSignals& signals_;
+    Silence silence_{1, std::chrono::steady_clock::now()};  // of the master
+    double next_sign_ = patience_.sign_of_life;             // of life, in time listened
     Scribe scribe_;
     Crew crew_;
     Pause pause_ = pause_between_polls(2);
     bool dismissed_ = false;
+    bool ranks_are_missing_ = false;
     bool said_farewell_ = false;
     bool passed_signal_ = false;
     std::optional<int> exit_status_;
 };
 
-int serve(Link& link, int threads, const MemberFunction& compute, const StopSignals& signals) {
+int serve(Link& link, int threads, const MemberFunction& compute, Helper* helper, const Patience& patience,
+          const StopSignals& signals) {
     const Message first = wait_for_message(link);
     if (first.tag == Tag::leave) return decode_status(first.bytes);  // the run ended before it began
     if (first.tag != Tag::campaign) throw RunError("A worker must get the campaign before anything else.");
     const Campaign campaign = read_campaign({decode_text(first.bytes), "campaign of the master", {}}, no_file);
-    return Worker(link, campaign, threads_of(link, threads), compute, signals).run();
+    return Worker(link, campaign, threads_of(link, threads), compute, helper, patience, signals).run();
 }
 
 }  // namespace
@@ -119,10 +163,10 @@ int threads_of(const Link& link, int asked) {
     return asked > 0 ? asked : link.topology().cores;
 }
 
-int serve_campaign(Link& link, int threads, const MemberFunction& compute) {
+int serve_campaign(Link& link, int threads, const MemberFunction& compute, Helper* helper, const Patience& patience) {
     const StopSignals signals;
     try {
-        return serve(link, threads, compute, signals);
+        return serve(link, threads, compute, helper, patience, signals);
     } catch (const std::exception& error) {
         link.send(master, Tag::trouble, encode_text(error.what()));
     }

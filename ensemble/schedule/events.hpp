@@ -13,6 +13,8 @@ struct MemberTask {
     double cost = 0;        ///< expected run time in any unit, > 0
     int batch = 0;          ///< all of an earlier batch is handed out before any of a later one
     int attempts_made = 0;  ///< in earlier runs; the next attempt is this + 1
+    int failures = 0;       ///< of these, those that ended as failed
+    bool suspect = false;   ///< its process was lost during an attempt: from now on it is computed apart
 };
 
 // -- events
@@ -25,14 +27,22 @@ struct WorkerJoined {
     int prefetch = 0;
 };
 
-/// The answer to an assignment has arrived, whether the member is done or failed.
+enum class AttemptEnd { done, failed };
+
+/// The answer to an assignment has arrived.
 struct MemberFinished {
     int worker = 0;
     int number = 0;
     int attempt = 0;
+    AttemptEnd end = AttemptEnd::done;
 };
 
-/// A worker is gone: it said farewell, or was given up. What it held is to be done again.
+/// A worker said farewell. What it held is to be done again.
+struct WorkerLeft {
+    int worker = 0;
+};
+
+/// A worker is gone without a word. What it held is to be done again, and one of that may have been the cause.
 struct WorkerLost {
     int worker = 0;
 };
@@ -40,7 +50,12 @@ struct WorkerLost {
 /// The user or the batch system wants the run to end: nothing new is handed out.
 struct StopRequested {};
 
-using Event = std::variant<WorkerJoined, MemberFinished, WorkerLost, StopRequested>;
+/// What begins now must not cost more than this to be done in time.
+struct TimeLeft {
+    double cost = 0;
+};
+
+using Event = std::variant<WorkerJoined, MemberFinished, WorkerLeft, WorkerLost, StopRequested, TimeLeft>;
 
 // -- commands
 
@@ -49,14 +64,23 @@ struct Assign {
     int worker = 0;
     int number = 0;
     int attempt = 0;
+    bool apart = false;  ///< in a process of its own, whatever the others do
     friend bool operator==(const Assign&, const Assign&) = default;
 };
 
-/// Keep the answer of this attempt: it is the first valid one of its member. A late answer gets no such command.
+/// Keep the answer of this attempt, the first valid one of its member or its last allowed failure. A late answer gets
+/// no such command.
 struct Record {
     int number = 0;
     int attempt = 0;
     friend bool operator==(const Record&, const Record&) = default;
+};
+
+/// The attempt failed, and is not the last one: remember why.
+struct Retry {
+    int number = 0;
+    int attempt = 0;
+    friend bool operator==(const Retry&, const Retry&) = default;
 };
 
 /// Tell the worker to abandon what it holds and say farewell; nothing more will come. Once a worker.
@@ -65,6 +89,6 @@ struct Dismiss {
     friend bool operator==(const Dismiss&, const Dismiss&) = default;
 };
 
-using Command = std::variant<Assign, Record, Dismiss>;
+using Command = std::variant<Assign, Record, Retry, Dismiss>;
 
 }  // namespace floes

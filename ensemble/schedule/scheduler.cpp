@@ -17,7 +17,8 @@ void require(bool holds, const char* what, int which) {
 
 }  // namespace
 
-Scheduler::Scheduler(std::vector<MemberTask> tasks) {
+Scheduler::Scheduler(std::vector<MemberTask> tasks, int most_failures) : most_failures_(most_failures) {
+    require(most_failures >= 1, "a member must be attempted at least once", most_failures);
     std::sort(tasks.begin(), tasks.end(), [](const MemberTask& a, const MemberTask& b) {
         return std::tuple(a.batch, -a.cost, a.number) < std::tuple(b.batch, -b.cost, b.number);
     });
@@ -25,11 +26,12 @@ Scheduler::Scheduler(std::vector<MemberTask> tasks) {
     for (const MemberTask& task : tasks) {
         require(std::isfinite(task.cost) && task.cost > 0, "the cost of a member must be positive and finite",
                 task.number);
+        require(task.failures < most_failures, "a member that failed too often is no task", task.number);
         const bool is_new = index_of_.emplace(task.number, tasks_.size()).second;
         require(is_new, "a member comes twice", task.number);
         pending_.insert(pending_.end(), tasks_.size());
         total_cost_ += task.cost;
-        tasks_.push_back({task, task.attempts_made, std::nullopt, false});
+        tasks_.push_back({task, task.attempts_made, task.failures, task.suspect, std::nullopt, false});
     }
 }
 
@@ -37,8 +39,10 @@ std::vector<Command> Scheduler::handle(const Event& event) {
     std::vector<Command> commands;
     if (const auto* joined = std::get_if<WorkerJoined>(&event)) take(*joined);
     if (const auto* answer = std::get_if<MemberFinished>(&event)) take(*answer, commands);
-    if (const auto* lost = std::get_if<WorkerLost>(&event)) take(*lost);
+    if (const auto* left = std::get_if<WorkerLeft>(&event)) remove(left->worker, Leave::farewell);
+    if (const auto* lost = std::get_if<WorkerLost>(&event)) remove(lost->worker, Leave::lost);
     if (std::holds_alternative<StopRequested>(event)) stopping_ = true;
+    if (const auto* left = std::get_if<TimeLeft>(&event)) affordable_ = left->cost;
     // While workers join, one after the other, members given ahead would be missing on those still to come.
     hand_out(commands, std::holds_alternative<WorkerJoined>(event) ? Ahead::no : Ahead::yes);
     dismiss_when_over(commands);
@@ -65,24 +69,35 @@ void Scheduler::take(const MemberFinished& event, std::vector<Command>& commands
     workers_.at(event.worker).held.erase(found->second);
     offer(event.worker);
     entry.worker.reset();
-    entry.done = true;
     --assigned_;
+    if (event.end == AttemptEnd::failed && ++entry.failures < most_failures_) {
+        pending_.insert(found->second);
+        commands.push_back(Retry{event.number, event.attempt});
+        return;
+    }
+    entry.done = true;
     ++done_;
     done_cost_ += entry.task.cost;
     commands.push_back(Record{event.number, event.attempt});
 }
 
-void Scheduler::take(const WorkerLost& event) {
-    const auto found = workers_.find(event.worker);
+void Scheduler::remove(int worker, Leave how) {
+    const auto found = workers_.find(worker);
     if (found == workers_.end()) return;  // given up before its farewell came
-    withdraw(event.worker);
+    withdraw(worker);
     for (const Index index : found->second.held) {
         tasks_[index].worker.reset();
+        if (how == Leave::lost) tasks_[index].suspect = true;
         pending_.insert(index);
         --assigned_;
     }
     cores_ -= found->second.cores;
     workers_.erase(found);
+}
+
+std::set<Scheduler::Index>::iterator Scheduler::next(Ahead ahead) const {
+    const double longest = ahead == Ahead::yes ? affordable_ / 2 : affordable_;
+    return std::ranges::find_if(pending_, [&](Index index) { return tasks_[index].task.cost <= longest; });
 }
 
 void Scheduler::hand_out(std::vector<Command>& commands, Ahead ahead) {
@@ -91,16 +106,18 @@ void Scheduler::hand_out(std::vector<Command>& commands, Ahead ahead) {
         const auto [load, number] = *room_.begin();
         const bool ahead_of_cores = load >= 0;
         if (ahead_of_cores && (ahead == Ahead::no || pending() < 2 * cores_)) return;
+        const auto chosen = next(ahead_of_cores ? Ahead::yes : Ahead::no);
+        if (chosen == pending_.end()) return;
         withdraw(number);
-        const Index index = *pending_.begin();
-        pending_.erase(pending_.begin());
+        const Index index = *chosen;
+        pending_.erase(chosen);
         Entry& entry = tasks_[index];
         entry.worker = number;
         ++entry.attempts;
         ++assigned_;
         workers_.at(number).held.insert(index);
         offer(number);
-        commands.push_back(Assign{number, entry.task.number, entry.attempts});
+        commands.push_back(Assign{number, entry.task.number, entry.attempts, entry.suspect});
     }
 }
 
@@ -146,6 +163,10 @@ void Scheduler::check_invariants() const {
                 "an assigned member must be held by its worker", number);
         require(pending_.contains(i) || entry.attempts > entry.task.attempts_made,
                 "a member that left the queue must have been attempted", number);
+        require(entry.done || entry.failures < most_failures_, "a member that failed too often must be set aside",
+                number);
+        require(entry.attempts - entry.task.attempts_made >= entry.failures - entry.task.failures,
+                "a failure must have been attempted", number);
         done += entry.done ? 1 : 0;
         assigned += entry.worker ? 1 : 0;
     }
@@ -155,8 +176,8 @@ void Scheduler::check_invariants() const {
         const bool has_room = worker.load() < worker.prefetch;
         require(worker.load() <= worker.prefetch, "a worker holds more than it may", number);
         require(room_.contains({worker.load(), number}) == has_room, "the list of workers with room is wrong", number);
-        require(stopping_ || pending_.empty() || worker.load() >= 0, "a core is idle though a member is pending",
-                number);
+        require(stopping_ || next(Ahead::no) == pending_.end() || worker.load() >= 0,
+                "a core is idle though a member could be computed", number);
         held += static_cast<int>(worker.held.size());
         running += worker.running();
         cores += worker.cores;

@@ -3,15 +3,18 @@
 //
 // Order: batch, then longest expected cost first, ties by member number. (Longest first keeps the last members short:
 // 0.93 instead of 0.68 of the ideal speed for 192 members on 64 workers, 20 % error in the expectation.)
-// A member goes to the worker with the most idle cores. A worker is given members ahead of its cores only while at
-// least two for every core are pending, so that near the end no member waits behind a busy core while another is idle;
-// and not before the first answer, so that at the beginning none waits while a worker has yet to join.
+// Of a TimeLeft only members that can be done in it are handed out; one that is given ahead begins when another ends,
+// so it counts twice. A member goes to the worker with the most idle cores. A worker is given members ahead of its
+// cores only while at least two for every core are pending, so that near the end no member waits behind a busy core
+// while another is idle; and not before the first answer, so that at the beginning none waits while a worker has yet to
+// join.
 //
 //     Scheduler scheduler(tasks);
 //     while (!scheduler.finished())
 //         for (const Command& command : scheduler.handle(next_event())) obey(command);
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -24,8 +27,11 @@ namespace floes {
 
 class Scheduler {
   public:
-    /// Throws std::logic_error if a number comes twice or a cost is not positive and finite.
-    explicit Scheduler(std::vector<MemberTask> tasks);
+    /// A member whose attempts failed `most_failures` times, >= 1, is set aside: that answer is kept. Attempts that
+    /// were lost with their process do not count, since most of them only stood beside the cause; such a member is
+    /// computed apart from then on, where it can harm nobody and its own end is seen. Throws std::logic_error if a
+    /// number comes twice or a cost is not positive and finite.
+    explicit Scheduler(std::vector<MemberTask> tasks, int most_failures = 1);
 
     /// Takes the event in and returns what to do, in order. Throws std::logic_error on an event that cannot be: a
     /// worker that joins twice or without cores. An answer that nobody waits for is no error: see late_answers().
@@ -38,8 +44,9 @@ class Scheduler {
     int done() const { return done_; }
     int assigned() const { return assigned_; }  ///< handed out and not answered
     int pending() const { return static_cast<int>(pending_.size()); }
-    int running() const { return running_; }            ///< of the assigned, those that have a core
-    int late_answers() const { return late_answers_; }  ///< answers of attempts that had been given up
+    int running() const { return running_; }                           ///< of the assigned, those that have a core
+    int workers() const { return static_cast<int>(workers_.size()); }  ///< that have not left and are not lost
+    int late_answers() const { return late_answers_; }                 ///< answers of attempts that had been given up
     bool stopping() const { return stopping_; }
     double done_cost() const { return done_cost_; }  ///< sum over done members
     double remaining_cost() const;                   ///< sum over all others
@@ -53,6 +60,8 @@ class Scheduler {
     struct Entry {
         MemberTask task;
         int attempts = 0;
+        int failures = 0;  // of these
+        bool suspect = false;
         std::optional<int> worker;  // who holds it
         bool done = false;
     };
@@ -68,13 +77,16 @@ class Scheduler {
 
     void take(const WorkerJoined& event);
     void take(const MemberFinished& event, std::vector<Command>& commands);
-    void take(const WorkerLost& event);
+    enum class Leave { farewell, lost };
+    void remove(int worker, Leave how);
     enum class Ahead { no, yes };  // of the cores
+    std::set<Index>::iterator next(Ahead ahead) const;
     void hand_out(std::vector<Command>& commands, Ahead ahead);
     void dismiss_when_over(std::vector<Command>& commands);
     void offer(int worker);     // counts what the worker runs, and enters it among those with room
     void withdraw(int worker);  // takes both back, before its load changes
 
+    int most_failures_;
     std::vector<Entry> tasks_;
     std::map<int, Index> index_of_;
     std::set<Index> pending_;
@@ -87,6 +99,7 @@ class Scheduler {
     int late_answers_ = 0;
     double total_cost_ = 0;
     double done_cost_ = 0;
+    double affordable_ = std::numeric_limits<double>::infinity();
     bool stopping_ = false;
 };
 

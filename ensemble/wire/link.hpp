@@ -40,6 +40,10 @@ class Link {
     /// The next message that has arrived whole; nothing when there is none yet. Never waits.
     virtual std::optional<Message> poll() = 0;
 
+    /// The rank is lost, or leaves without this one: nothing more is sent to it, and this process does not wait for it
+    /// when it ends.
+    virtual void abandon(int rank) = 0;
+
     /// Bytes are on their way, in or out: it is worth polling again soon.
     virtual bool moving() const = 0;
 };

@@ -16,6 +16,7 @@ class LocalLink final : public Link {
     const Topology& topology() const override { return topology_; }
     void send(int to, Tag tag, std::vector<std::byte> bytes) override;
     std::optional<Message> poll() override;
+    void abandon(int) override {}  // there are no others
     bool moving() const override { return !waiting_.empty(); }
 
   private:

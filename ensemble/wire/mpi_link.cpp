@@ -4,9 +4,12 @@
 
 #include "wire/mpi_link.hpp"
 
+#include <unistd.h>
+
 #include <chrono>
 #include <climits>
 #include <exception>
+#include <iterator>
 #include <set>
 #include <thread>
 #include <utility>
@@ -21,6 +24,7 @@ namespace {
 
 constexpr std::size_t most_receives_at_once = 256;  // bounds the memory of a master that many ranks answer at once
 constexpr std::chrono::seconds longest_parting{10};
+constexpr unsigned longest_finalize = 60;  // s
 
 /// Quotes the call that failed.
 void check(int code, const char* call) {
@@ -88,15 +92,30 @@ MpiLink::~MpiLink() {
     } catch (const RunError&) {
         return;  // MPI itself is broken: its finalization would only hang
     }
-    if (outgoing_.empty()) MPI_Finalize();
+    if (!outgoing_.empty() || !abandoned_.empty()) return;
+    // It waits for every rank, and one may be stopped just now. All is said and stored: better to end by SIGALRM.
+    ::alarm(longest_finalize);
+    MPI_Finalize();
+    ::alarm(0);
 }
 
 void MpiLink::send(int to, Tag tag, std::vector<std::byte> bytes) {
     if (bytes.size() > INT_MAX) throw RunError(fmt::format("A message of {} bytes is too long for MPI.", bytes.size()));
+    if (abandoned_.contains(to)) return;
     Transfer& transfer = outgoing_.emplace_back(Transfer{{to, tag, std::move(bytes)}, MPI_REQUEST_NULL});
     const auto& payload = transfer.message.bytes;
     FLOES_MPI(MPI_Isend(payload.data(), static_cast<int>(payload.size()), MPI_BYTE, to, static_cast<int>(tag),
                         MPI_COMM_WORLD, &transfer.request));
+}
+
+void MpiLink::abandon(int rank) {
+    abandoned_.insert(rank);
+    // What is on its way to it may never arrive, and belongs to MPI until it does.
+    std::list<Transfer>::iterator next;
+    for (auto it = outgoing_.begin(); it != outgoing_.end(); it = next) {
+        next = std::next(it);
+        if (it->message.from == rank) stranded_.splice(stranded_.end(), outgoing_, it);
+    }
 }
 
 std::optional<Message> MpiLink::poll() {

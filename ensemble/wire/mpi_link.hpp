@@ -3,6 +3,7 @@
 // it from the thread that made it.
 
 #include <list>
+#include <set>
 
 #include "wire/link.hpp"
 
@@ -15,7 +16,8 @@ class MpiLink final : public Link {
 
     /// Waits (asleep, and not for ever) until what was sent has left, then ends MPI. When an exception is under way the
     /// other ranks may never come to MPI_Finalize, so it is not called: mpirun then sees an improper exit and ends
-    /// them all, which beats waiting for ever.
+    /// them all, which beats waiting for ever. Nor is it called when a rank was abandoned, which may never come either.
+    /// Where a rank hangs there for a minute, SIGALRM ends this process.
     ~MpiLink() override;
 
     int rank() const override { return rank_; }
@@ -23,6 +25,7 @@ class MpiLink final : public Link {
     const Topology& topology() const override { return topology_; }
     void send(int to, Tag tag, std::vector<std::byte> bytes) override;
     std::optional<Message> poll() override;
+    void abandon(int rank) override;
     bool moving() const override { return !outgoing_.empty() || !incoming_.empty(); }
 
   private:
@@ -36,7 +39,9 @@ class MpiLink final : public Link {
     int size_ = 1;
     int exceptions_ = 0;  // under way at construction
     Topology topology_;
+    std::set<int> abandoned_;
     std::list<Transfer> outgoing_;
+    std::list<Transfer> stranded_;  // sent to ranks that were abandoned since
     std::list<Transfer> incoming_;  // in the order in which they were matched
 };
 

@@ -15,7 +15,7 @@ namespace floes {
 namespace {
 
 Campaign sample() {
-    Campaign campaign{"sample", 7, 4, {{"E30", {}}, {"E60", {}}, {"E200", {}}}};
+    Campaign campaign{"sample", 7, 4, {{"E30", {}}, {"E60", {}}, {"E200", {}}}, {}};
     campaign.cases[0].scenario.joint.cfm = 0.03;
     campaign.cases[0].scenario.ice.elastic_modulus = 30e6;
     campaign.cases[2].scenario.joint.cfm = 1e-10;
@@ -161,7 +161,7 @@ TEST(WriteCampaign, GivenPosesReadBackBitForBit) {
     scenario.field.floes = 9;
     scenario.field.concentration = 0.05;
     for (int i = 0; i < 9; ++i) scenario.arrangement.poses.push_back({7.0 + 0.7 * i, 0.1 * i, 1.1 * i * unit::degree});
-    const Campaign written{"poses", 1, 1, {{"one", scenario}}};
+    const Campaign written{"poses", 1, 1, {{"one", scenario}}, {}};
     const Campaign read_back = read_campaign({write_campaign(written), "f.toml", {}}, nullptr);
     EXPECT_EQ(fingerprint(read_back), fingerprint(written));
 }
@@ -239,7 +239,9 @@ TEST(Configurations, ReferenceNamesEveryKeyOnce) {
     CampaignHead head;
     StopRule stop;
     Scenario scenario;
-    EXPECT_EQ(keys.size(), describe(scenario).size() + describe(head).size() + describe(stop).size());
+    RunRules rules;
+    EXPECT_EQ(keys.size(),
+              describe(scenario).size() + describe(head).size() + describe(stop).size() + describe(rules).size());
 }
 
 }  // namespace

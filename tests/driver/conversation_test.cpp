@@ -103,6 +103,26 @@ TEST(WorkerConversation, TellsTheMasterWhatItDoesNotUnderstand) {
     link.finish();
 }
 
+TEST(WorkerConversation, LeavesAMasterThatIsSilentForTooLong) {
+    FakeLink link(1, 2);
+    link.deliver(0, Tag::campaign, text_of(two_members()));
+    link.expect(0, Tag::hello);
+    EXPECT_EQ(serve_campaign(link, 1, fake::compute, nullptr, {.sign_of_life = 0.02, .with_the_master = 0.2}), 1);
+    EXPECT_EQ(link.abandoned, (std::vector<int>{0}));
+    link.finish();
+}
+
+TEST(WorkerConversation, DoesNotWaitForOthersWhenRanksAreMissing) {
+    FakeLink link(1, 2);
+    link.deliver(0, Tag::campaign, text_of(two_members()));
+    link.expect(0, Tag::hello);
+    link.deliver(0, Tag::part);
+    link.deliver(0, Tag::leave, encode_status(0));
+    EXPECT_EQ(serve_campaign(link, 1, fake::compute), 0);
+    EXPECT_EQ(link.abandoned, (std::vector<int>{0}));
+    link.finish();
+}
+
 TEST(WorkerConversation, PassesASignalOn) {
     FakeLink link(1, 2);
     link.deliver(0, Tag::campaign, text_of(two_members()));
@@ -169,6 +189,22 @@ TEST(MasterConversation, DoesAgainWhatALeavingWorkerHeld) {
     const auto members = read_journal(journal_path(run.file)).members;
     ASSERT_EQ(members.size(), 2u);
     EXPECT_EQ(members[1].attempt, 2);
+}
+
+TEST(MasterConversation, GivesTheMembersOfASilentWorkerToOthersAndLeavesWithoutIt) {
+    const TemporaryFolder folder;
+    fake::Run run(folder / "a.h5", two_members());
+    run.patience = {.sign_of_life = 0.02, .with_a_worker = 0.2};
+    FakeLink link(0, 2);
+    link.expect(1, Tag::campaign);
+    link.deliver(1, Tag::hello, hello_of(run.campaign));
+    link.expect(1, Tag::assign);  // and never a word again
+    link.expect(1, Tag::part);
+    EXPECT_EQ(run.on(link, fake::compute, Existing::refuse, 1), 0);
+    EXPECT_EQ(link.abandoned, (std::vector<int>{1}));
+    link.finish();
+    EXPECT_THAT(run.said, HasSubstr("rank 1 has been silent"));
+    EXPECT_EQ(read_journal(journal_path(run.file)).members.back().attempt, 2);
 }
 
 TEST(MasterConversation, StopsEverybodyWhenAWorkerGetsASignal) {

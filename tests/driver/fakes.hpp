@@ -53,12 +53,13 @@ class Run {
         return on(link, compute, existing, threads);
     }
 
-    int on(Link& link, const MemberFunction& compute, Existing existing = Existing::refuse, int threads = 2) {
+    int on(Link& link, const MemberFunction& compute, Existing existing = Existing::refuse, int threads = 2,
+           Helper* helper = nullptr) {
         std::ostringstream out;
-        const RunOptions options{{file, existing}, threads, "RESUME COMMAND"};
+        const RunOptions options{{file, existing}, threads, "RESUME COMMAND", walltime, patience};
         try {
             Progress progress(out, Progress::Style::plain);
-            const int status = run_campaign(campaign, options, link, compute, progress);
+            const int status = run_campaign(campaign, options, link, compute, progress, helper);
             said = out.str();
             return status;
         } catch (...) {
@@ -88,6 +89,8 @@ class Run {
     Campaign campaign;
     std::filesystem::path file;
     std::string said;
+    Walltime walltime;
+    Patience patience;
 };
 
 }  // namespace floes::fake

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -69,11 +70,13 @@ TEST(RunCampaign, SetsFailedMembersAsideAndGoesOn) {
     };
     EXPECT_EQ(run(broken), 1);
     EXPECT_EQ(finished(run), 12);
-    EXPECT_THAT(run.said, HasSubstr("member 5 (case open, arrangement 1) failed and is set aside: the ice melted"));
+    EXPECT_THAT(run.said, HasSubstr("member 5 (case open, arrangement 1) failed and is tried again: the ice melted"));
+    EXPECT_THAT(run.said,
+                HasSubstr("member 5 (case open, arrangement 1) failed and is set aside: the ice melted (2 attempts)"));
     EXPECT_THAT(run.said, HasSubstr("1 of 12 members failed"));
     const CampaignTable table = read_campaign_file(run.file);
     EXPECT_EQ(table.members[5].status, RowStatus::failed);
-    EXPECT_EQ(table.members[5].reason, "the ice melted");
+    EXPECT_EQ(table.members[5].reason, "the ice melted (2 attempts)");
 }
 
 TEST(RunCampaign, StopsOnASignalPublishesAndCanBeResumed) {
@@ -95,6 +98,48 @@ TEST(RunCampaign, StopsOnASignalPublishesAndCanBeResumed) {
     EXPECT_THAT(run.said, HasSubstr("reused, " + std::to_string(12 - kept) + " computed, 0 retried, 0 set aside"));
     EXPECT_EQ(run.results(), whole.results());
     EXPECT_EQ(read_journal(journal_path(run.file)).sessions.size(), 2u);
+}
+
+TEST(RunCampaign, StopsWhenTheTimeIsOverOrNoMemberCouldBeDoneInIt) {
+    const TemporaryFolder folder;
+    fake::Run over(folder / "over.h5");
+    over.walltime = Walltime(0.0);
+    EXPECT_EQ(over(fake::wait_for_stop), 85);
+    EXPECT_THAT(over.said, HasSubstr("stopped by the end of the time limit with 0 of 12"));
+
+    Campaign equal_members = synthetic::campaign();
+    equal_members.cases.resize(1);
+    fake::Run run(folder / "a.h5", equal_members);
+    const MemberFunction a_second = [](const Campaign& campaign, int number, std::stop_token stop) {
+        std::this_thread::sleep_for(std::chrono::seconds(1));
+        return fake::compute(campaign, number, std::move(stop));
+    };
+    run.walltime = Walltime(1.9);
+    EXPECT_EQ(run(a_second), 85);
+    EXPECT_THAT(run.said, HasSubstr("in which no other member could be done, with 2 of 4"));
+    run.walltime = Walltime();
+    EXPECT_EQ(run(fake::compute, Existing::resume), 0);
+}
+
+TEST(RunCampaign, LosesNothingWhenItsHelperIsKilled) {
+    const TemporaryFolder folder;
+    fake::Run whole(folder / "whole.h5");
+    ASSERT_EQ(whole(fake::compute), 0);
+    fake::Run run(folder / "a.h5");
+    run.campaign.run.isolation = Isolation::process;
+    const MemberFunction kills_its_helper = [](const Campaign& campaign, int number, std::stop_token stop) {
+        if (number == 6) ::kill(::getppid(), SIGKILL);
+        return fake::compute(campaign, number, std::move(stop));
+    };
+    LocalLink link;
+    {
+        Helper helper(kills_its_helper);
+        EXPECT_EQ(run.on(link, fake::compute, Existing::refuse, 2, &helper), 85);
+    }
+    EXPECT_THAT(run.said, HasSubstr("stopped by the loss of all that compute"));
+    Helper helper(fake::compute);
+    EXPECT_EQ(run.on(link, fake::compute, Existing::resume, 2, &helper), 0);
+    EXPECT_EQ(run.results(), whole.results());
 }
 
 TEST(RunCampaign, ResumingAFinishedCampaignComputesNothing) {

@@ -1,6 +1,7 @@
 // Random orders of events against the scheduler. Whatever joins, answers, dies, comes late or asks to stop:
 //   the invariants hold after every event; no member is recorded twice; an attempt number is never given twice;
-//   without a stop every member is recorded; after a stop nothing is assigned.
+//   without a stop every member is recorded; after a stop nothing is assigned; a member is recorded as failed exactly
+//   when its failures are as many as allowed; once lost with its worker, it is only computed apart.
 
 #include <algorithm>
 #include <map>
@@ -18,7 +19,11 @@ namespace {
 class Surroundings {
   public:
     explicit Surroundings(unsigned seed)
-        : random_(seed), members_(below(40)), stop_(below(4) == 0), scheduler_(tasks()) {}
+        : random_(seed),
+          members_(below(40)),
+          stop_(below(4) == 0),
+          most_failures_(1 + below(3)),
+          scheduler_(tasks(), most_failures_) {}
 
     void run() {
         join();
@@ -35,7 +40,11 @@ class Surroundings {
 
     std::vector<MemberTask> tasks() {
         std::vector<MemberTask> result;
-        for (int i = 0; i < members_; ++i) result.push_back({i, 1.0 + below(5), below(2), below(3)});
+        for (int i = 0; i < members_; ++i) {
+            result.push_back({i, 1.0 + below(5), below(2), below(3), below(most_failures_), below(5) == 0});
+            failures_[i] = result.back().failures;
+            if (result.back().suspect) suspects_.insert(i);
+        }
         std::shuffle(result.begin(), result.end(), random_);
         return result;
     }
@@ -55,7 +64,8 @@ class Surroundings {
         if (!held_.empty()) {
             auto chosen = held_.begin();
             std::advance(chosen, below(static_cast<int>(held_.size())));
-            answer({chosen->second, chosen->first.first, chosen->first.second});
+            const auto end = below(4) == 0 ? AttemptEnd::failed : AttemptEnd::done;
+            answer({chosen->second, chosen->first.first, chosen->first.second, end});
         }
     }
 
@@ -68,10 +78,15 @@ class Surroundings {
     void lose() {
         auto chosen = present_.begin();
         std::advance(chosen, below(static_cast<int>(present_.size())));
-        leave(*chosen);
+        for (const auto& [held, worker] : held_) {
+            if (worker == *chosen) suspects_.insert(held.first);
+        }
+        remove(*chosen, WorkerLost{*chosen});
     }
 
-    void leave(int worker) {
+    void leave(int worker) { remove(worker, WorkerLeft{worker}); }
+
+    void remove(int worker, const Event& event) {
         for (auto it = held_.begin(); it != held_.end();) {
             if (it->second != worker) {
                 ++it;
@@ -82,11 +97,12 @@ class Surroundings {
         }
         present_.erase(worker);
         dismissed_.erase(worker);
-        send(WorkerLost{worker});
+        send(event);
     }
 
     void answer(MemberFinished event) {
-        held_.erase({event.number, event.attempt});
+        const bool awaited = held_.erase({event.number, event.attempt}) > 0;
+        if (awaited && event.end == AttemptEnd::failed) ++failures_[event.number];
         late_.push_back(event);  // the network may say it again
         send(event);
     }
@@ -102,10 +118,14 @@ class Surroundings {
                 EXPECT_FALSE(recorded_.contains(assign->number));
                 EXPECT_GT(assign->attempt, attempts_[assign->number]) << "an attempt number is given twice";
                 attempts_[assign->number] = assign->attempt;
+                EXPECT_EQ(assign->apart, suspects_.contains(assign->number));
                 held_[{assign->number, assign->attempt}] = assign->worker;
             } else if (const auto* record = std::get_if<Record>(&command)) {
                 EXPECT_TRUE(recorded_.insert(record->number).second)
                     << "member " << record->number << " is recorded twice";
+                EXPECT_LE(failures_[record->number], most_failures_);
+            } else if (const auto* retry = std::get_if<Retry>(&command)) {
+                EXPECT_LT(failures_[retry->number], most_failures_);
             } else {
                 EXPECT_TRUE(dismissed_.insert(std::get<Dismiss>(command).worker).second) << "dismissed twice";
             }
@@ -116,6 +136,9 @@ class Surroundings {
     int members_;
     bool stop_;
     bool stopped_ = false;
+    int most_failures_;
+    std::set<int> suspects_;
+    std::map<int, int> failures_;
     Scheduler scheduler_;
     int next_worker_ = 0;
     std::set<int> present_;

@@ -30,7 +30,7 @@ TEST(Scheduler, ServesTheWorkerWithTheMostIdleCores) {
     handle(scheduler, WorkerJoined{0, 3, 0});
     handle(scheduler, WorkerJoined{1, 3, 0});  // takes the last two: nothing is pending
     EXPECT_EQ(scheduler.pending(), 0);
-    EXPECT_EQ(handle(scheduler, WorkerLost{0}), (std::vector<Command>{Assign{1, 0, 2}}));
+    EXPECT_EQ(handle(scheduler, WorkerLeft{0}), (std::vector<Command>{Assign{1, 0, 2}}));
     EXPECT_EQ(handle(scheduler, WorkerJoined{2, 3, 0}), (std::vector<Command>{Assign{2, 1, 2}, Assign{2, 2, 2}}));
 }
 
@@ -75,7 +75,7 @@ TEST(Scheduler, RecognisesTheLateAnswerOfALostWorker) {
     Scheduler scheduler({{7, 1.0}});
     handle(scheduler, WorkerJoined{1, 1, 0});
     EXPECT_TRUE(handle(scheduler, WorkerLost{1}).empty());
-    EXPECT_EQ(handle(scheduler, WorkerJoined{2, 1, 0}), (std::vector<Command>{Assign{2, 7, 2}}));
+    EXPECT_EQ(handle(scheduler, WorkerJoined{2, 1, 0}), (std::vector<Command>{Assign{2, 7, 2, true}}));
     EXPECT_TRUE(handle(scheduler, MemberFinished{1, 7, 1}).empty());
     EXPECT_TRUE(handle(scheduler, MemberFinished{2, 7, 1}).empty());
     EXPECT_EQ(scheduler.late_answers(), 2);
@@ -85,6 +85,33 @@ TEST(Scheduler, RecognisesTheLateAnswerOfALostWorker) {
 TEST(Scheduler, CountsAttemptsOfEarlierRuns) {
     Scheduler scheduler({{7, 1.0, 0, 3}});
     EXPECT_EQ(handle(scheduler, WorkerJoined{0, 1, 0}), (std::vector<Command>{Assign{0, 7, 4}}));
+}
+
+TEST(Scheduler, TriesAFailedMemberAgainUntilItHasFailedTooOften) {
+    Scheduler scheduler({{7, 1.0}}, 2);
+    handle(scheduler, WorkerJoined{0, 1, 0});
+    EXPECT_EQ(handle(scheduler, MemberFinished{0, 7, 1, AttemptEnd::failed}),
+              (std::vector<Command>{Retry{7, 1}, Assign{0, 7, 2}}));
+    EXPECT_EQ(handle(scheduler, MemberFinished{0, 7, 2, AttemptEnd::failed}),
+              (std::vector<Command>{Record{7, 2}, Dismiss{0}}));
+}
+
+TEST(Scheduler, CountsFailuresOfEarlierRunsButNotLosses) {
+    Scheduler scheduler({{.number = 7, .cost = 1.0, .attempts_made = 4, .failures = 1, .suspect = true}}, 2);
+    EXPECT_EQ(handle(scheduler, WorkerJoined{0, 1, 0}), (std::vector<Command>{Assign{0, 7, 5, true}}));
+    EXPECT_EQ(handle(scheduler, MemberFinished{0, 7, 5, AttemptEnd::failed}),
+              (std::vector<Command>{Record{7, 5}, Dismiss{0}}));
+}
+
+TEST(Scheduler, BeginsNoMemberThatCannotBeDoneInTheTimeLeft) {
+    Scheduler scheduler({{0, 9.0}, {1, 4.0}, {2, 3.0}, {3, 1.0}});
+    handle(scheduler, TimeLeft{4.0});
+    EXPECT_EQ(handle(scheduler, WorkerJoined{0, 1, 0}), (std::vector<Command>{Assign{0, 1, 1}}));
+    handle(scheduler, TimeLeft{1.5});
+    EXPECT_EQ(handle(scheduler, MemberFinished{0, 1, 1}), (std::vector<Command>{Record{1, 1}, Assign{0, 3, 1}}));
+    EXPECT_EQ(handle(scheduler, MemberFinished{0, 3, 1}), (std::vector<Command>{Record{3, 1}}));
+    EXPECT_EQ(scheduler.assigned(), 0);
+    EXPECT_EQ(scheduler.pending(), 2);
 }
 
 TEST(Scheduler, HandsOutNothingNewAfterAStop) {

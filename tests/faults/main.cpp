@@ -1,0 +1,93 @@
+// A floes run whose members are made up and break in a chosen way: what tests/faults/matrix.py runs.
+//
+//     faulty FOLDER NAME.h5 ISOLATION THREADS [WAY MEMBER]
+//
+// FOLDER gets the process numbers of every rank and its helper. With a WAY, the MEMBER breaks so the first time it is
+// computed, and whenever it is with "always_" before the way. Goes on with what is there.
+
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <limits>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "attempt/helper.hpp"
+#include "driver/run_campaign.hpp"
+#include "driver/worker.hpp"
+#include "store/synthetic.hpp"
+
+namespace {
+
+using namespace floes;
+
+struct Fault {
+    std::filesystem::path mark;  // is there when the member broke already
+    std::string way;
+    int member = -1;
+
+    bool due() const {
+        if (way.starts_with("always_")) return true;
+        if (std::filesystem::exists(mark)) return false;
+        std::ofstream(mark) << way;
+        return true;
+    }
+};
+
+void break_down(const std::string& way, MemberResult& result) {
+    if (way.ends_with("segv")) ::raise(SIGSEGV);
+    if (way.ends_with("abort")) std::abort();
+    if (way.ends_with("kill")) ::raise(SIGKILL);
+    if (way.ends_with("stop")) ::raise(SIGSTOP);
+    if (way.ends_with("hang")) {
+        while (true) ::pause();
+    }
+    if (way.ends_with("memory")) {
+        for (std::vector<std::vector<char>> eaten; true;) eaten.emplace_back(1 << 20, 'x');
+    }
+    if (way.ends_with("nan")) result.load.mean = std::numeric_limits<double>::quiet_NaN();
+    if (way.ends_with("throw")) throw std::runtime_error("the ice melted");
+}
+
+MemberFunction computing(const Fault& fault) {
+    return [fault](const Campaign& campaign, int number, const std::stop_token&) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10 + 7 * (number % 5)));
+        MemberResult result = synthetic::record(campaign, number).result;
+        if (number == fault.member && fault.due()) break_down(fault.way, result);
+        return result;
+    };
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    const std::filesystem::path folder = words.at(0);
+    const int threads = std::stoi(words.at(3));
+    Fault fault{folder / "broke", "", -1};
+    if (words.size() > 5) fault = {folder / "broke", words[4], std::stoi(words[5])};
+    const MemberFunction compute = computing(fault);
+    const Patience patience{.sign_of_life = 0.1, .with_a_worker = 1, .with_the_master = 2};
+    Helper helper(compute);
+    const std::unique_ptr<Link> link = open_link();
+    std::ofstream(folder / ("rank" + std::to_string(link->rank()))) << ::getpid() << " " << helper.pid() << "\n";
+    if (link->rank() != 0) return serve_campaign(*link, threads, compute, &helper, patience);
+    return lead_ranks(*link, std::cerr, [&] {
+        Campaign campaign = synthetic::campaign(10);
+        campaign.run = {.isolation = words.at(2) == "process" ? Isolation::process : Isolation::none,
+                        .member_deadline = 1,
+                        .member_memory = 64.0 * 1024 * 1024};
+        const RunOptions options{.places = {.campaign_file = folder / words.at(1), .existing = Existing::resume},
+                                 .threads = threads,
+                                 .resume_command = "the same",
+                                 .patience = patience};
+        Progress progress(std::cerr, Progress::Style::plain);
+        return run_campaign(campaign, options, *link, compute, progress, &helper);
+    });
+}
