@@ -22,7 +22,7 @@ double record_bytes(const Scenario& scenario) {
     MemberRecord record;
     record.case_key = std::string(32, '0');
     record.host = "node0000";
-    const auto steps = static_cast<std::size_t>(scenario.step_count());
+    const auto steps = static_cast<std::size_t>(scenario.analysis.keep_history ? scenario.step_count() : 0);
     record.result.load.segment_maximum.resize(static_cast<std::size_t>(scenario.analysis.segments));
     record.result.history.surge.resize(steps);
     record.result.history.sway.resize(steps);

@@ -108,7 +108,9 @@ CampaignTable with_automatic_window(const std::filesystem::path& path, CampaignT
         // A start that misses a whole segment by rounding alone still has it.
         const int segments = static_cast<int>(std::floor((end - *steady.cases[index].start) / segment + 1e-9));
         if (segments < 1) continue;
-        analysis = {end - segments * segment, segments * segment, segments};
+        analysis.steady_start = end - segments * segment;
+        analysis.window = segments * segment;
+        analysis.segments = segments;
     }
     for_each_history(path, [&](const SurgeHistory& history) {
         MemberRow& row = table.members.at(static_cast<std::size_t>(history.member));

@@ -43,7 +43,7 @@ std::vector<CaseRow> read_cases(hid_t file) {
         row.elastic_modulus = modulus.at(k);
         row.far_end = static_cast<FarEnd>(far_end.at(k));
         row.contact_erp = contact_erp.at(k);
-        row.analysis = {steady_start.at(k), window.at(k), segments.at(k)};
+        row.analysis = {.steady_start = steady_start.at(k), .window = window.at(k), .segments = segments.at(k)};
         for (std::size_t p = k * points; p < (k + 1) * points; ++p)
             if (!std::isnan(heights.at(p))) row.profile.push_back({heights.at(p), radii.at(p)});
     }

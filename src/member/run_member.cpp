@@ -92,6 +92,7 @@ MemberResult run_member(const Scenario& scenario, std::uint64_t seed, std::uint3
         }
         take_record(result, simulation);
         take_statistics(result, scenario, simulation);
+        if (!scenario.analysis.keep_history) result.history = {};
     } catch (const MemberFailure& failure) {
         take_record(result, simulation);
         set_aside(result, scenario, failure.what());

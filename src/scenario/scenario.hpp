@@ -118,6 +118,7 @@ struct Analysis {
     double steady_start = 80.0;  ///< s after the tow begins
     double window = 150.0;       ///< s
     int segments = 3;            ///< equal parts of the window, one maximum each
+    bool keep_history = true;    ///< a member keeps its load of every step, not only the statistics of it
 };
 
 struct Scenario {

@@ -136,6 +136,9 @@ void add_analysis(Keys& keys, Analysis& analysis) {
                               "the paper, Results", "Length of the window. A longer one needs a longer field."));
     keys.push_back(integer_key("analysis.segments", analysis.segments, 1, 10000, "the paper, Results",
                                "Equal parts of the window; mean_maximum is the mean of the maximum of each."));
+    keys.push_back(switch_key("analysis.keep_history", analysis.keep_history, "none",
+                              "Keep the load of every step in the campaign file. Without it a member takes some kB "
+                              "instead of some hundred, and keeps its statistics and breaks."));
 }
 
 }  // namespace floes

@@ -96,9 +96,22 @@ TEST(RunMember, GivesTheSameBitsAgainAfterAnotherAndInThreads) {
     expect_same_bits(right, first);
 }
 
+TEST(RunMember, KeepsItsStatisticsWithoutItsHistory) {
+    Scenario scenario = jam();
+    scenario.analysis.keep_history = false;
+    const MemberResult without = run_member(scenario, 7, 1);
+    EXPECT_TRUE(without.history.surge.empty());
+    EXPECT_TRUE(without.history.sway.empty());
+    EXPECT_TRUE(without.history.heave.empty());
+    MemberResult with = run_member(jam(), 7, 1);
+    ASSERT_FALSE(with.history.surge.empty());
+    with.history = {};
+    expect_same_bits(without, with);
+}
+
 TEST(RunMember, CasesShareArrangements) {
     Scenario softer = jam(0.03);
-    softer.analysis = {0.2, 0.2, 5};
+    softer.analysis = {.steady_start = 0.2, .window = 0.2, .segments = 5};
     Scenario stiffer = softer;
     stiffer.joint.cfm = 1e-10;
     const MemberResult a = run_member(softer, 7, 3);

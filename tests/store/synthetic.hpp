@@ -19,7 +19,7 @@ inline Campaign campaign(int arrangements = 4) {
     scenario.field.floes = 6;
     scenario.field.concentration = 0.3;
     scenario.structure.speed = 1.75;
-    scenario.analysis = {1.0, 1.2, 3};
+    scenario.analysis = {.steady_start = 1.0, .window = 1.2, .segments = 3};
     Campaign made;
     made.name = "synthetic";
     made.seed = 7;
@@ -32,7 +32,7 @@ inline Campaign campaign(int arrangements = 4) {
     scenario.field.far_end = FarEnd::open;
     scenario.structure.profile = {{-0.443, 0.3}, {0.0, 0.6}, {0.122, 0.736}};
     scenario.contact.erp = 0.8;
-    scenario.analysis = {1.2, 0.8, 2};
+    scenario.analysis = {.steady_start = 1.2, .window = 0.8, .segments = 2};
     made.cases.push_back({"open", scenario});
     return made;
 }
