@@ -8,6 +8,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
+#include "core/error.hpp"
 #include "core/units.hpp"
 #include "report/findings.hpp"
 
@@ -49,6 +50,9 @@ Findings find(const SummarizeOptions& options) {
     findings.exceedance = wanted("exceedance");
     if (findings.show_extremes || findings.exceedance) findings.extremes = find_extremes(findings.table);
     if (!wanted("steady")) findings.steady.reset();
+    findings.members = wanted("members");
+    if (findings.members && options.format != "csv")
+        throw InputError("--parts members, a line for each member, is for --format csv.");
     return findings;
 }
 
@@ -68,11 +72,12 @@ void add_summarize(CLI::App& program, int& exit_status) {
         ->check(CLI::IsMember({"table", "json", "csv"}))
         ->capture_default_str();
     verb->add_option("--reference", options->reference, "Case that the others are compared with, in percent");
-    verb->add_option("--parts", options->parts,
-                     "What to show: cases, pairs, extremes, exceedance, steady; with commas between")
+    verb->add_option(
+            "--parts", options->parts,
+            "What to show: cases, pairs, extremes, exceedance, steady, members (CSV alone); with commas between")
         ->delimiter(',')
         ->allow_extra_args(false)
-        ->check(CLI::IsMember({"cases", "pairs", "extremes", "exceedance", "steady"}));
+        ->check(CLI::IsMember({"cases", "pairs", "extremes", "exceedance", "steady", "members"}));
     verb->add_option("--resolve", options->resolve_percent,
                      "Difference of a pair, in percent of the first case, whose arrangements are told")
         ->check(CLI::PositiveNumber)

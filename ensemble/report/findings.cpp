@@ -5,6 +5,7 @@
 
 #include "report/extremes_text.hpp"
 #include "report/json.hpp"
+#include "report/members_text.hpp"
 #include "report/pairs_text.hpp"
 #include "report/steady_text.hpp"
 
@@ -45,6 +46,7 @@ std::string findings_csv(const Findings& findings) {
         parts.push_back(extremes_csv(findings.summary, *findings.extremes));
     if (findings.exceedance) parts.push_back(exceedance_csv(findings.summary, *findings.extremes));
     if (findings.steady) parts.push_back(steady_csv(findings.summary, findings.table, *findings.steady));
+    if (findings.members) parts.push_back(members_csv(findings.table));
     return joined(parts);
 }
 

@@ -25,6 +25,7 @@ struct Findings {
     bool show_extremes = true;  ///< fits and return levels; the exceedance curve alone where not
     bool exceedance = false;    ///< the curve too; in a table it is too long
     std::optional<SteadyReport> steady;
+    bool members = false;  ///< a line for each member; CSV alone
 };
 
 /// For people, no line wider than `width` where that can be: cases, pairs, extremes, steady states.

@@ -2,6 +2,7 @@
 
 #include "report/findings.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -111,6 +112,22 @@ TEST(Findings, AreOneTableAPartInCsv) {
     const std::string text = findings_csv(found);
     EXPECT_TRUE(text.starts_with("quantity,first,second,arrangements,"));
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 19);
+}
+
+TEST(Findings, HaveALineAMemberInCsv) {
+    Findings found;
+    found.table = example::campaign();
+    found.summary = summarise(found.table);
+    found.show_cases = false;
+    found.members = true;
+    const std::string text = findings_csv(found);
+    EXPECT_TRUE(text.starts_with("member,case,arrangement,status,mean_N,sd_N,maximum_N,mean_maximum_N,"));
+    EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')), found.table.members.size() + 1);
+    const MemberRow& first = found.table.members.front();
+    EXPECT_THAT(text, HasSubstr(fmt::format("\n0,{},{},done,{},", found.table.cases[0].name, first.arrangement,
+                                            first.mean_load)));
+    EXPECT_THAT(text, HasSubstr(",failed,,,,,,,,,,\n"));
+    EXPECT_THAT(text, HasSubstr(",missing,,,,,,,,,,\n"));
 }
 
 TEST(Columns, PutBelowWhatDoesNotFit) {
