@@ -3,8 +3,10 @@
 //     bench/dispatch.py build/bench/bench/floes_dispatch dispatch.json
 //
 // on two cores of a virtual machine (Intel Xeon, family 6 model 207; Open MPI 4.1.4, HDF5 1.10.8) that was busy with
-// other work (load average 14 to 31): processor times, the least of two rounds. The run times of members:
-// configs/table3.toml, three members, 181 s of processor time; the stock solver by the ratio in docs/performance.md.
+// other work: processor times, the least of two rounds. On the same machine idle the plan made of them agrees with real
+// runs within 20 % (docs/scaling.md). Not measured but taken from experience: start_up_per_rank, publish, latency,
+// transfer_per_byte, and the variation of members. The run times of members: configs/table3.toml, three members, 181 s
+// of processor time; the stock solver by the ratio in docs/performance.md.
 
 #include "forecast/driver_costs.hpp"
 #include "forecast/member_costs.hpp"

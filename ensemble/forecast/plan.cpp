@@ -18,11 +18,11 @@ namespace {
 constexpr int cores_of_a_node = 64;
 
 /// The bytes of a done member's record: those of one with as many numbers in it.
-double record_bytes(const Scenario& scenario) {
+double record_bytes(const Scenario& scenario, bool with_history) {
     MemberRecord record;
     record.case_key = std::string(32, '0');
     record.host = "node0000";
-    const auto steps = static_cast<std::size_t>(scenario.analysis.keep_history ? scenario.step_count() : 0);
+    const auto steps = static_cast<std::size_t>(with_history ? scenario.step_count() : 0);
     record.result.load.segment_maximum.resize(static_cast<std::size_t>(scenario.analysis.segments));
     record.result.history.surge.resize(steps);
     record.result.history.sway.resize(steps);
@@ -47,12 +47,17 @@ double scatter(const std::array<double, 2>& uniform, double variation) {
 
 std::vector<SimulatedMember> members_of(const Campaign& campaign, double file_per_record_byte) {
     std::vector<double> bytes;
-    for (const Case& one : campaign.cases) bytes.push_back(record_bytes(one.scenario));
+    std::vector<double> memory;  // the master leaves histories in the journal
+    for (const Case& one : campaign.cases) {
+        bytes.push_back(record_bytes(one.scenario, one.scenario.analysis.keep_history));
+        memory.push_back(record_bytes(one.scenario, false));
+    }
     std::vector<SimulatedMember> members;
     members.reserve(static_cast<std::size_t>(member_count(campaign)));
     for (int number = 0; number < member_count(campaign); ++number) {
-        const double record = bytes[static_cast<std::size_t>(member_key(campaign, number).case_index)];
-        members.push_back({0, expected_cost(campaign, number), record, file_per_record_byte * record});
+        const auto of_case = static_cast<std::size_t>(member_key(campaign, number).case_index);
+        const double record = bytes[of_case];
+        members.push_back({0, expected_cost(campaign, number), record, file_per_record_byte * record, memory[of_case]});
     }
     return members;
 }
@@ -120,6 +125,7 @@ void set_record_bytes(PlannedMembers& planned, double bytes) {
     for (SimulatedMember& member : planned.members) {
         member.file_bytes *= bytes / member.record_bytes;
         member.record_bytes = bytes;
+        member.memory_bytes = std::min(member.memory_bytes, bytes);
     }
 }
 
@@ -129,7 +135,7 @@ int usual_ranks(int cores) {
 
 PlanRow plan_row(std::span<const SimulatedMember> members, int cores, int ranks, const DriverCosts& costs) {
     PlanRow row{cores, ranks, simulate(members, machine_of(cores, ranks), costs), 0};
-    row.master_memory = row.forecast.journal_bytes;
+    for (const SimulatedMember& member : members) row.master_memory += member.memory_bytes;
     return row;
 }
 

@@ -36,7 +36,7 @@ struct PlanRow {
     int cores = 1;
     int ranks = 1;
     Forecast forecast;
-    double master_memory = 0;  ///< bytes: it holds every record of the run
+    double master_memory = 0;  ///< bytes: it holds every record of the run but its history
 };
 
 /// Ranks of so many cores when nothing is said: one for each node of up to 64.

@@ -18,6 +18,7 @@ struct SimulatedMember {
     double expected_cost = 1;  ///< what the scheduler goes by, any unit, > 0
     double record_bytes = 0;   ///< in a message and in the journal
     double file_bytes = 0;     ///< in the campaign file
+    double memory_bytes = 0;   ///< that stay with the master
 };
 
 struct Machine {

@@ -84,10 +84,22 @@ TEST(PlanRow, FollowsTheMembers) {
     EXPECT_EQ(usual_ranks(1), 1);
     EXPECT_EQ(usual_ranks(64), 1);
     EXPECT_EQ(usual_ranks(65), 2);
-    const std::vector<SimulatedMember> members(10, {1.0, 1.0, 1000, 500});
+    const std::vector<SimulatedMember> members(10, {1.0, 1.0, 1000, 500, 300});
     const PlanRow row = plan_row(members, 5, 1, {});
     EXPECT_DOUBLE_EQ(row.forecast.wall_time, 2.0);
-    EXPECT_DOUBLE_EQ(row.master_memory, 10'000);
+    EXPECT_DOUBLE_EQ(row.forecast.journal_bytes, 10'000);
+    EXPECT_DOUBLE_EQ(row.master_memory, 3'000);
+}
+
+// The master keeps all of a record but its history, so without histories it keeps all of it.
+TEST(ExpectedMembers, LeaveHistoriesInTheJournal) {
+    Campaign campaign = synthetic::campaign(1);
+    const SimulatedMember with = expected_members(campaign).members[0];
+    campaign.cases[0].scenario.analysis.keep_history = false;
+    const SimulatedMember without = expected_members(campaign).members[0];
+    EXPECT_DOUBLE_EQ(with.record_bytes - without.record_bytes, 3.0 * 8 * campaign.cases[0].scenario.step_count());
+    EXPECT_DOUBLE_EQ(with.memory_bytes, without.record_bytes);
+    EXPECT_DOUBLE_EQ(without.memory_bytes, without.record_bytes);
 }
 
 }  // namespace
