@@ -31,7 +31,20 @@ double mean_of(std::span<const double> values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// Σ U³ / (6 (Σ U²)^(3/2)) of the statistic without each row in turn.
+/// Σ U³ / (6 (Σ U²)^(3/2)), where `influence` gives the U of each value.
+template <class Influence>
+double acceleration_of(std::span<const double> values, Influence influence) {
+    double squares = 0;
+    double cubes = 0;
+    for (const double value : values) {
+        const double u = influence(value);
+        squares += u * u;
+        cubes += u * u * u;
+    }
+    return squares > 0 ? cubes / (6 * std::pow(squares, 1.5)) : 0;
+}
+
+/// That of the statistic without each row in turn.
 double acceleration(std::size_t rows, const RowStatistic& statistic) {
     std::vector<std::uint32_t> others(rows - 1);
     std::vector<double> without(rows);
@@ -39,15 +52,7 @@ double acceleration(std::size_t rows, const RowStatistic& statistic) {
         for (std::size_t i = 0; i + 1 < rows; ++i) others[i] = static_cast<std::uint32_t>(i < left_out ? i : i + 1);
         without[left_out] = statistic(others);
     }
-    const double mean = mean_of(without);
-    double squares = 0;
-    double cubes = 0;
-    for (const double value : without) {
-        const double influence = mean - value;
-        squares += influence * influence;
-        cubes += influence * influence * influence;
-    }
-    return squares > 0 ? cubes / (6 * std::pow(squares, 1.5)) : 0;
+    return acceleration_of(without, [mean = mean_of(without)](double value) { return mean - value; });
 }
 
 /// The limits given the bootstrap distribution, the estimate and the acceleration.
@@ -115,15 +120,8 @@ Limits bca_mean_interval(std::span<const double> values, const BootstrapOptions&
         return sum / static_cast<double>(rows.size());
     };
     // Leaving row i out moves the mean by (x_i - mean) / (n - 1), so the influence is known without n sums.
-    const double middle = mean_of(values);
-    double squares = 0;
-    double cubes = 0;
-    for (const double value : values) {
-        const double influence = value - middle;
-        squares += influence * influence;
-        cubes += influence * influence * influence;
-    }
-    const double accelerated = squares > 0 ? cubes / (6 * std::pow(squares, 1.5)) : 0;
+    const double accelerated =
+        acceleration_of(values, [middle = mean_of(values)](double value) { return value - middle; });
     return corrected_limits(bootstrap(values.size(), mean, options), mean(all_rows(values.size())), accelerated,
                             options.confidence);
 }

@@ -71,8 +71,8 @@ std::string pairs_table_html(const ReportData& data) {
             "</td></tr>\n",
             html_escaped(quantities[row.quantity].label), html_escaped(cases[row.second].about.name),
             html_escaped(cases[row.first].about.name), row.found.arrangements, fixed(factor * row.found.difference, 2),
-            bracket(row.found.t_interval, 2, factor), p_text(row.t_p_holm), p_text(row.wilcoxon_p_holm),
-            fixed(row.found.variance_saved / unit::percent, 0),
+            bracket(row.found.t_interval, 2, factor), html_escaped(p_text(row.t_p_holm)),
+            html_escaped(p_text(row.wilcoxon_p_holm)), fixed(row.found.variance_saved / unit::percent, 0),
             row.to_resolve_observed > 0 ? fmt::format("{}", row.to_resolve_observed) : "–");
     }
     return in_table(rows);
@@ -89,7 +89,8 @@ std::string return_levels_table(const ReportData& data) {
             any = true;
             rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td>",
                                 html_escaped(data.findings.summary.cases[one.case_index].about.name),
-                                fitted == &one.gumbel ? "Gumbel" : "GEV", p_text(fitted->goodness.anderson_darling_p));
+                                fitted == &one.gumbel ? "Gumbel" : "GEV",
+                                html_escaped(p_text(fitted->goodness.anderson_darling_p)));
             for (const ReturnLevel& level : fitted->levels)
                 rows += fmt::format("<td>{:.0f}<br><small>{}</small></td>", level.level, bracket(level.interval, 0));
             rows += "</tr>\n";

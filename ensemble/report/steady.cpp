@@ -61,17 +61,8 @@ CaseSteady case_steady(const CampaignTable& table, std::size_t index, const std:
 }
 
 void measure(MemberRow& row, const SurgeHistory& history, const Analysis& analysis) {
-    const LoadStatistics load = load_statistics(last(history.surge, samples(analysis, history.time_step)),
-                                                history.time_step, analysis.segments);
-    row.mean_load = load.mean;
-    row.sd_load = load.sd;
-    row.maximum_load = load.maximum;
-    row.segment_maximum = load.segment_maximum;
-    row.mean_maximum = load.mean_maximum;
-    row.sd_maximum = load.sd_maximum;
-    row.trend = load.trend;
-    row.trend_p = load.trend_p;
-    row.steady = load.steady;
+    set_load(row, load_statistics(last(history.surge, samples(analysis, history.time_step)), history.time_step,
+                                  analysis.segments));
 }
 
 }  // namespace

@@ -73,6 +73,9 @@ struct MemberRow {
     PeakReactions peaks;  ///< over all joints and the whole run, N and N m
 };
 
+/// The fields of the row that are of the surge load in the window.
+void set_load(MemberRow& row, const LoadStatistics& load);
+
 /// What summaries need of a campaign file.
 struct CampaignTable {
     std::string title;

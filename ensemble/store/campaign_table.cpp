@@ -14,21 +14,13 @@ void set_missing(MemberRow& row, int segments) {
 }
 
 void set_numbers(MemberRow& row, const MemberResult& result) {
-    row.mean_load = result.load.mean;
-    row.sd_load = result.load.sd;
-    row.maximum_load = result.load.maximum;
-    row.segment_maximum = result.load.segment_maximum;
-    row.mean_maximum = result.load.mean_maximum;
-    row.sd_maximum = result.load.sd_maximum;
+    set_load(row, result.load);
     row.failure_ratio = result.failure_ratio;
     row.failures_bending = result.failures_bending;
     row.failures_shear = result.failures_shear;
     row.failures_compression = result.failures_compression;
     row.mean_sway = result.mean_sway;
     row.mean_heave = result.mean_heave;
-    row.trend = result.load.trend;
-    row.trend_p = result.load.trend_p;
-    row.steady = result.load.steady;
     row.peaks = result.peaks;
 }
 
@@ -44,6 +36,18 @@ CaseRow case_row(const Case& one) {
 }
 
 }  // namespace
+
+void set_load(MemberRow& row, const LoadStatistics& load) {
+    row.mean_load = load.mean;
+    row.sd_load = load.sd;
+    row.maximum_load = load.maximum;
+    row.segment_maximum = load.segment_maximum;
+    row.mean_maximum = load.mean_maximum;
+    row.sd_maximum = load.sd_maximum;
+    row.trend = load.trend;
+    row.trend_p = load.trend_p;
+    row.steady = load.steady;
+}
 
 CampaignTable campaign_table(const Campaign& campaign, std::span<const MemberRecord> records) {
     CampaignTable table;
