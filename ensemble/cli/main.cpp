@@ -8,6 +8,7 @@
 
 #include "cli/commands.hpp"
 #include "core/error.hpp"
+#include "wire/link.hpp"
 
 namespace {
 
@@ -26,7 +27,10 @@ int refuse(const CLI::App& program, const CLI::ParseError& error) {
         std::fputs(out.str().c_str(), stdout);
         std::fputs(errors.str().c_str(), stderr);
     }
-    return asked_for_help ? 0 : 2;
+    if (asked_for_help) return 0;
+    // mpirun ends all ranks when one ends with an error. Meeting in MPI first, none ends before rank 0 has spoken.
+    if (floes::started_by_mpi()) floes::open_link();
+    return 2;
 }
 
 }  // namespace
