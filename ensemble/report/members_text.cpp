@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "report/figures.hpp"
 
 namespace floes {
@@ -24,6 +26,9 @@ const char* status_word(RowStatus status) {
 std::string members_csv(const CampaignTable& table) {
     std::string text = "member,case,arrangement,status";
     for (const Quantity& quantity : quantities) text += fmt::format(",{}", quantity.key);
+    std::size_t segments = 0;  // the most that a case has
+    for (const MemberRow& row : table.members) segments = std::max(segments, row.segment_maximum.size());
+    for (std::size_t segment = 1; segment <= segments; ++segment) text += fmt::format(",segment_{}_maximum_N", segment);
     text += ",trend_p\n";
     for (std::size_t number = 0; number < table.members.size(); ++number) {
         const MemberRow& row = table.members[number];
@@ -31,6 +36,10 @@ std::string members_csv(const CampaignTable& table) {
                             row.arrangement, status_word(row.status));
         const bool done = row.status == RowStatus::done;
         for (const Quantity& quantity : quantities) text += "," + (done ? csv_number(quantity.value(row)) : "");
+        for (std::size_t segment = 0; segment < segments; ++segment) {
+            const bool has_it = done && segment < row.segment_maximum.size();
+            text += "," + (has_it ? csv_number(row.segment_maximum[segment]) : "");
+        }
         text += "," + (done ? csv_number(row.trend_p) : "") + "\n";
     }
     return text;

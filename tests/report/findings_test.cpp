@@ -122,12 +122,15 @@ TEST(Findings, HaveALineAMemberInCsv) {
     found.members = true;
     const std::string text = findings_csv(found);
     EXPECT_TRUE(text.starts_with("member,case,arrangement,status,mean_N,sd_N,maximum_N,mean_maximum_N,"));
+    EXPECT_THAT(text, HasSubstr(",segment_1_maximum_N,segment_2_maximum_N,segment_3_maximum_N,trend_p\n"));
     EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')), found.table.members.size() + 1);
     const MemberRow& first = found.table.members.front();
     EXPECT_THAT(text, HasSubstr(fmt::format("\n0,{},{},done,{},", found.table.cases[0].name, first.arrangement,
                                             first.mean_load)));
-    EXPECT_THAT(text, HasSubstr(",failed,,,,,,,,,,\n"));
-    EXPECT_THAT(text, HasSubstr(",missing,,,,,,,,,,\n"));
+    EXPECT_THAT(text, HasSubstr(fmt::format(",{},{},{},{}\n", first.segment_maximum[0], first.segment_maximum[1],
+                                            first.segment_maximum[2], first.trend_p)));
+    EXPECT_THAT(text, HasSubstr(",failed,,,,,,,,,,,,,\n"));
+    EXPECT_THAT(text, HasSubstr(",missing,,,,,,,,,,,,,\n"));
 }
 
 TEST(Columns, PutBelowWhatDoesNotFit) {
