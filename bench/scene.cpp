@@ -49,6 +49,7 @@ PlanarPose read_floe(std::istream& in) {
 Scenario tow_scenario(SolverKind solver) {
     Scenario scenario;
     scenario.general.solver = solver;
+    scenario.structure.profile = {{-0.443, 0.171}, {0.122, 0.736}};  // that of late_state.csv
     scenario.structure.start = scenario.field.begin - scenario.waterline_radius() - 0.2;
     return scenario;
 }

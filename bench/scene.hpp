@@ -9,7 +9,8 @@
 
 namespace floes::bench {
 
-/// The default scenario with the structure 0.2 m before the ice, so that a tow needs no run-up.
+/// The default scenario, but with a straight wall of 45 degrees and the structure 0.2 m before the ice: a tow that needs
+/// no run-up.
 Scenario tow_scenario(SolverKind solver);
 
 /// A tow at some time, with the arrangement that it began from.

@@ -92,7 +92,8 @@ void add_arrangement(Keys& keys, ArrangementRule& arrangement) {
 
 void add_structure(Keys& keys, Structure& structure) {
     keys.push_back(
-        {"structure.profile_m", profile_rows(structure.profile), "Table 2, straight wall (45°) between its two radii",
+        {"structure.profile_m", profile_rows(structure.profile),
+         "Table 2; the radius at the bottom is fitted (docs/validation.md)",
          "Radius over height above the waterline, from the keel up, heights never falling. The wall decides the load: "
          "steeper below the waterline means higher loads and more broken floes."});
     keys.push_back(number_key("structure.start_m", structure.start, unit::one, at_least(-farthest).at_most(farthest),

@@ -21,7 +21,7 @@ TEST(Scenario, DefaultsAreThePapersField) {
     EXPECT_EQ(scenario.first_window_step(), 4000);
 }
 
-// Table 2: maximum and waterline breadth, draught, depth. The straight wall through them stands at 45°.
+// Table 2: maximum and waterline breadth, draught, depth. Above the waterline the straight wall through them stands at 45°.
 TEST(Scenario, DefaultProfileIsTheStructureOfTable2) {
     const Scenario scenario;
     const auto& profile = scenario.structure.profile;
@@ -29,7 +29,9 @@ TEST(Scenario, DefaultProfileIsTheStructureOfTable2) {
     EXPECT_NEAR(2 * scenario.waterline_radius(), 1.228, 1e-12);
     EXPECT_NEAR(-profile.front().height, 0.443, 1e-12);
     EXPECT_NEAR(profile.back().height - profile.front().height, 0.565, 1e-12);
-    EXPECT_NEAR(profile.back().height - profile.front().height, profile.back().radius - profile.front().radius, 1e-12);
+    ASSERT_EQ(profile.size(), 3u);
+    EXPECT_EQ(profile[1].height, 0);
+    EXPECT_NEAR(profile[2].height - profile[1].height, profile[2].radius - profile[1].radius, 1e-12);
 }
 
 TEST(Scenario, WaterlineRadiusOfARingIsTheLarger) {
