@@ -6,11 +6,14 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "report/findings.hpp"
+#include "report/steady_text.hpp"
 
 namespace floes {
 
@@ -49,7 +52,10 @@ Findings find(const SummarizeOptions& options) {
     findings.show_extremes = wanted("extremes");
     findings.exceedance = wanted("exceedance");
     if (findings.show_extremes || findings.exceedance) findings.extremes = find_extremes(findings.table);
+    if (findings.exceedance) findings.levels = find_levels(findings.table);
     if (!wanted("steady")) findings.steady.reset();
+    if (findings.steady && findings.steady->members.empty() && options.format != "table")
+        std::fputs(fmt::format("floes: {}", no_histories).c_str(), stderr);
     findings.members = wanted("members");
     if (findings.members && options.format != "csv")
         throw InputError("--parts members, a line for each member, is for --format csv.");

@@ -22,11 +22,13 @@ double record_bytes(const Scenario& scenario, bool with_history) {
     MemberRecord record;
     record.case_key = std::string(32, '0');
     record.host = "node0000";
-    const auto steps = static_cast<std::size_t>(with_history ? scenario.step_count() : 0);
-    record.result.load.segment_maximum.resize(static_cast<std::size_t>(scenario.analysis.segments));
-    record.result.history.surge.resize(steps);
-    record.result.history.sway.resize(steps);
-    record.result.history.heave.resize(steps);
+    const Analysis& analysis = scenario.analysis;
+    const auto values = static_cast<std::size_t>(with_history ? scenario.step_count() / analysis.history_stride : 0);
+    record.result.load.segment_maximum.resize(static_cast<std::size_t>(analysis.segments));
+    record.result.levels.resize(analysis.exceedance_levels.size());
+    record.result.history.surge.resize(values);
+    record.result.history.sway.resize(values);
+    record.result.history.heave.resize(values);
     record.result.arrangement.resize(static_cast<std::size_t>(scenario.field.floes));
     return static_cast<double>(encode(record).size());
 }

@@ -5,6 +5,7 @@
 
 #include "report/extremes_text.hpp"
 #include "report/json.hpp"
+#include "report/levels_text.hpp"
 #include "report/members_text.hpp"
 #include "report/pairs_text.hpp"
 #include "report/steady_text.hpp"
@@ -25,6 +26,7 @@ std::string findings_table(const Findings& findings, int width) {
     if (findings.pairs) parts.push_back(pairs_table(findings.summary, *findings.pairs, findings.pair_options, width));
     if (findings.extremes && findings.show_extremes)
         parts.push_back(extremes_table(findings.summary, *findings.extremes, width));
+    if (findings.levels) parts.push_back(levels_table(findings.summary, *findings.levels, width));
     if (findings.steady) parts.push_back(steady_table(findings.summary, *findings.steady, width));
     return joined(parts);
 }
@@ -34,6 +36,7 @@ std::string findings_json(const Findings& findings) {
     if (findings.pairs) json["pairs"] = pairs_as_json(findings.summary, *findings.pairs, findings.pair_options);
     if (findings.extremes)
         json["extremes"] = extremes_as_json(findings.summary, *findings.extremes, findings.exceedance);
+    if (findings.levels) json["load_levels"] = levels_as_json(findings.summary, *findings.levels);
     if (findings.steady) json["steady"] = steady_as_json(findings.summary, *findings.steady);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -45,6 +48,7 @@ std::string findings_csv(const Findings& findings) {
     if (findings.extremes && findings.show_extremes)
         parts.push_back(extremes_csv(findings.summary, *findings.extremes));
     if (findings.exceedance) parts.push_back(exceedance_csv(findings.summary, *findings.extremes));
+    if (findings.levels && !findings.levels->empty()) parts.push_back(levels_csv(findings.summary, *findings.levels));
     if (findings.steady) parts.push_back(steady_csv(findings.summary, findings.table, *findings.steady));
     if (findings.members) parts.push_back(members_csv(findings.table));
     return joined(parts);

@@ -8,6 +8,7 @@
 
 #include "report/extremes.hpp"
 #include "report/formats.hpp"
+#include "report/levels.hpp"
 #include "report/pairs.hpp"
 #include "report/steady.hpp"
 #include "report/summary.hpp"
@@ -24,6 +25,7 @@ struct Findings {
     std::optional<std::vector<CaseExtremes>> extremes;
     bool show_extremes = true;  ///< fits and return levels; the exceedance curve alone where not
     bool exceedance = false;    ///< the curve too; in a table it is too long
+    std::optional<std::vector<LevelRow>> levels;
     std::optional<SteadyReport> steady;
     bool members = false;  ///< a line for each member; CSV alone
 };

@@ -22,6 +22,7 @@ inline Json json_limits(const Limits& limits) {
 
 Json summary_as_json(const Summary& summary, Reference reference);
 Json extremes_as_json(const Summary& summary, const std::vector<CaseExtremes>& extremes, bool exceedance);
+Json levels_as_json(const Summary& summary, const std::vector<LevelRow>& rows);
 Json steady_as_json(const Summary& summary, const SteadyReport& steady);
 Json pairs_as_json(const Summary& summary, const std::vector<PairRow>& rows, const PairOptions& options);
 

@@ -1,4 +1,4 @@
-// Figures of loads: over time, across arrangements, in pairs, beyond what was seen, over the number of arrangements.
+// Figures of loads: over time, across arrangements, in pairs, over the number of arrangements.
 
 #include <fmt/format.h>
 
@@ -6,31 +6,13 @@
 #include <array>
 #include <cmath>
 
+#include "report/case_colours.hpp"
 #include "report/paper_table3.hpp"
 #include "report/plot.hpp"
 #include "report/report_figures.hpp"
 
 namespace floes {
 namespace {
-
-constexpr std::size_t colours = 6;
-
-std::string colour(std::size_t index) {
-    return fmt::format("c{}", index % colours);
-}
-
-std::vector<std::string> case_names(const ReportData& data) {
-    std::vector<std::string> names;
-    for (const CaseSummary& row : data.findings.summary.cases) names.push_back(row.about.name);
-    return names;
-}
-
-std::vector<std::pair<std::string, std::string>> case_legend(const ReportData& data) {
-    std::vector<std::pair<std::string, std::string>> legend;
-    const std::vector<std::string> names = case_names(data);
-    for (std::size_t i = 0; i < names.size(); ++i) legend.emplace_back(colour(i), names[i]);
-    return legend;
-}
 
 /// Done members of a case in order of arrangement.
 std::vector<const MemberRow*> done_members(const ReportData& data, std::size_t of_case) {
@@ -137,38 +119,6 @@ std::string pairs_figure(const ReportData& data, std::size_t quantity, double fa
                   "thick");
         plot.dot(factor * rows[i]->found.difference, at, "ink", 4.5);
     }
-    return plot.svg();
-}
-
-std::string exceedance_figure(const ReportData& data) {
-    std::vector<double> loads;
-    double least = 1;
-    for (const CaseExtremes& one : *data.findings.extremes) {
-        for (const ExceedancePoint& point : one.exceedance) {
-            loads.push_back(point.load);
-            least = std::min(least, point.probability);
-        }
-    }
-    const double floor = least / 20;
-    Axis x = axis_around("largest load of a segment, N", loads, true);
-    x.high *= 1.4;
-    Plot plot("Probability that a segment's largest load exceeds a load", x,
-              {"probability of exceedance", floor, 1, true}, {720, 380});
-    for (std::size_t i = 0; i < data.findings.extremes->size(); ++i) {
-        const CaseExtremes& one = (*data.findings.extremes)[i];
-        for (const ExceedancePoint& point : one.exceedance) plot.dot(point.load, point.probability, colour(i), 2.5);
-        for (const FittedExtreme* fitted : {&one.gumbel, &one.gev}) {
-            if (!fitted->fit.valid()) continue;
-            Plot::Points curve;
-            for (int step = 0; step <= 200; ++step) {
-                const double load = x.low + (x.high - x.low) * step / 200;
-                const double probability = 1 - extreme_cdf(fitted->fit, load);
-                if (probability >= floor && probability < 1) curve.emplace_back(load, probability);
-            }
-            plot.line(curve, colour(i) + (fitted == &one.gumbel ? "" : " dashed"));
-        }
-    }
-    plot.legend(case_legend(data));
     return plot.svg();
 }
 

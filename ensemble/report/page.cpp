@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/units.hpp"
@@ -73,11 +74,17 @@ std::string loads(const ReportData& data) {
 }
 
 std::string over_time(const ReportData& data) {
-    if (data.histories.empty()) return "";
-    return section("Load over time",
-                   figure(histories_figure(data),
-                          "One arrangement, every case, shifted upwards (the paper's Fig. 6). Dashed: the window in "
-                          "which the load is measured begins."));
+    if (data.histories.empty())
+        return section("Load over time",
+                       paragraph("No figure: the file has no load histories of an arrangement that every case has "
+                                 "done."));
+    std::string caption =
+        "One arrangement, every case, shifted upwards (the paper's Fig. 6). Dashed: the window in which the load is "
+        "measured begins.";
+    if (std::ranges::any_of(data.findings.table.cases,
+                            [](const CaseRow& one) { return one.analysis.history_stride > 1; }))
+        caption += " The file keeps means over several steps, whose peaks are lower than those that were measured.";
+    return section("Load over time", figure(histories_figure(data), caption));
 }
 
 std::string comparisons(const ReportData& data) {
@@ -95,7 +102,10 @@ std::string extremes(const ReportData& data) {
     return section("Extremes",
                    figure(exceedance_figure(data),
                           "Dots: maxima of all segments. Lines: Gumbel, dashed: GEV, fitted by maximum likelihood.") +
-                       return_levels_table(data));
+                       return_levels_table(data) +
+                       figure(levels_figure(data),
+                              "Share of the time in the window with a surge load above the levels that the members "
+                              "counted at every step: mean over arrangements with its 95 % interval."));
 }
 
 std::string failures(const ReportData& data) {

@@ -23,7 +23,7 @@ struct DrawnHistory {
 struct ReportData {
     Campaign campaign;  ///< as the file's own configuration has it
     CampaignOrigin origin;
-    Findings findings;  ///< with pairs and extremes
+    Findings findings;  ///< with pairs, extremes and levels
     std::vector<DrawnHistory>
         histories;  ///< of the first arrangement that every case has done; empty where none is kept
     std::vector<BreakRow> breaks;

@@ -25,7 +25,7 @@ std::vector<std::pair<double, double>> thinned(const SurgeHistory& history) {
         const auto [low, high] = std::ranges::minmax_element(column);
         const auto [early, late] = std::minmax(low, high);
         for (const auto& value : {early, late})
-            points.emplace_back(history.time_step * static_cast<double>(first + 1 + (value - column.begin())), *value);
+            points.emplace_back(history.step * static_cast<double>(first + 1 + (value - column.begin())), *value);
     }
     return points;
 }
@@ -74,6 +74,7 @@ ReportData read_report_data(const std::filesystem::path& path) {
     findings.summary = summarise(findings.table);
     findings.pairs = compare_pairs(findings.table, {});
     findings.extremes = find_extremes(findings.table);
+    findings.levels = find_levels(findings.table);
     const int arrangement = common_arrangement(findings.table);
     for_each_history(path, [&](const SurgeHistory& history) {
         const MemberRow& member = findings.table.members[static_cast<std::size_t>(history.member)];

@@ -16,6 +16,7 @@ std::string arrangement_figure(const ReportData& data);  ///< of the member with
 std::string strips_figure(const ReportData& data, const Quantity& quantity, double factor);
 std::string pairs_figure(const ReportData& data, std::size_t quantity, double factor);
 std::string exceedance_figure(const ReportData& data);
+std::string levels_figure(const ReportData& data);
 std::string convergence_figure(const ReportData& data);
 std::string failures_figure(const ReportData& data);
 

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
+#include "core/error.hpp"
 #include "inference/bootstrap.hpp"
+#include "statistics/level_counts.hpp"
 #include "statistics/load_statistics.hpp"
 #include "statistics/steady_state.hpp"
 #include "store/read_history.hpp"
@@ -19,21 +23,27 @@ double median(std::vector<double> values) {
     return quantile_of_sorted(values, 0.5);
 }
 
-/// Samples of the window, which ends the run.
-std::size_t samples(const Analysis& analysis, double time_step) {
-    return static_cast<std::size_t>(std::llround(analysis.window / time_step));
+/// Values of the history in the window, which ends the run.
+std::size_t values_in_window(const Analysis& analysis, double step) {
+    return static_cast<std::size_t>(std::llround(analysis.window / step));
 }
 
 std::span<const double> last(std::span<const double> history, std::size_t count) {
     return history.last(std::min(count, history.size()));
 }
 
+/// Values of the history that make a batch of at least steady_batch steps.
+std::size_t batch_of(const Analysis& analysis) {
+    const auto stride = static_cast<std::size_t>(analysis.history_stride);
+    return (steady_batch + stride - 1) / stride;
+}
+
 struct MeanHistory {
     std::vector<double> sum;
-    double time_step = 0;
+    double step = 0;
 
     void add(const SurgeHistory& history) {
-        time_step = history.time_step;
+        step = history.step;
         sum.resize(std::max(sum.size(), history.surge.size()));
         for (std::size_t i = 0; i < history.surge.size(); ++i) sum[i] += history.surge[i];
     }
@@ -43,7 +53,8 @@ CaseSteady case_steady(const CampaignTable& table, std::size_t index, const std:
                        const MeanHistory& mean) {
     CaseSteady found;
     // The sum is as steady as the mean.
-    if (const auto start = steady_start(mean.sum)) found.start = static_cast<double>(*start) * mean.time_step;
+    if (const auto start = steady_start(mean.sum, batch_of(table.cases[index].analysis)))
+        found.start = static_cast<double>(*start) * mean.step;
     std::vector<double> starts;
     std::vector<double> times;
     std::vector<double> effective;
@@ -60,9 +71,30 @@ CaseSteady case_steady(const CampaignTable& table, std::size_t index, const std:
     return found;
 }
 
-void measure(MemberRow& row, const SurgeHistory& history, const Analysis& analysis) {
-    set_load(row, load_statistics(last(history.surge, samples(analysis, history.time_step)), history.time_step,
-                                  analysis.segments));
+void measure(MemberRow& row, const SurgeHistory& history, const Analysis& analysis, std::span<const double> levels) {
+    const auto window = last(history.surge, values_in_window(analysis, history.step));
+    set_load(row, load_statistics(window, history.step, analysis.segments));
+    const std::vector<LevelCount> counts = count_levels(window, levels);
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+        if (std::isnan(row.steps_above[k])) continue;
+        row.steps_above[k] = counts[k].steps_above;
+        row.upcrossings[k] = counts[k].upcrossings;
+    }
+}
+
+/// Throws unless the loads can be measured anew.
+void check_histories(const CampaignTable& table, const SteadyReport& steady) {
+    if (steady.members.empty())
+        throw InputError("--window auto measures the loads anew, and the file has no load histories to do it from.");
+    for (const MemberSteady& member : steady.members) {
+        const auto of_case = table.members[static_cast<std::size_t>(member.member)].case_index;
+        const CaseRow& about = table.cases[static_cast<std::size_t>(of_case)];
+        if (about.analysis.history_stride > 1)
+            throw InputError(
+                fmt::format("--window auto measures maxima and deviations anew, which needs the load of every step, "
+                            "and the histories of case {} are means over {} steps (analysis.history_stride).",
+                            about.name, about.analysis.history_stride));
+    }
 }
 
 }  // namespace
@@ -75,10 +107,15 @@ SteadyReport find_steady(const std::filesystem::path& path, const CampaignTable&
             static_cast<std::size_t>(table.members.at(static_cast<std::size_t>(history.member)).case_index);
         means.at(of_case).add(history);
         MemberSteady member{history.member, {}, 0, 0};
-        if (const auto start = steady_start(history.surge))
-            member.start = static_cast<double>(*start) * history.time_step;
-        const Autocorrelation found = autocorrelation(
-            last(history.surge, samples(table.cases[of_case].analysis, history.time_step)), history.time_step);
+        const Analysis& analysis = table.cases[of_case].analysis;
+        const std::size_t batch = batch_of(analysis);
+        if (const auto start = steady_start(history.surge, batch))
+            member.start = static_cast<double>(*start) * history.step;
+        std::optional<double> variance;  // of single steps, which means over several do not show
+        const double sd = table.members[static_cast<std::size_t>(history.member)].sd_load;
+        if (analysis.history_stride > 1) variance = sd * sd;
+        const Autocorrelation found = autocorrelation(last(history.surge, values_in_window(analysis, history.step)),
+                                                      history.step, batch, variance);
         member.decorrelation_time = found.time;
         member.effective_samples = found.effective_samples;
         report.members.push_back(member);
@@ -91,6 +128,7 @@ SteadyReport find_steady(const std::filesystem::path& path, const CampaignTable&
 
 CampaignTable with_automatic_window(const std::filesystem::path& path, CampaignTable table,
                                     const SteadyReport& steady) {
+    check_histories(table, steady);
     for (std::size_t index = 0; index < table.cases.size(); ++index) {
         Analysis& analysis = table.cases[index].analysis;
         const double end = analysis.steady_start + analysis.window;
@@ -105,7 +143,7 @@ CampaignTable with_automatic_window(const std::filesystem::path& path, CampaignT
     }
     for_each_history(path, [&](const SurgeHistory& history) {
         MemberRow& row = table.members.at(static_cast<std::size_t>(history.member));
-        measure(row, history, table.cases.at(static_cast<std::size_t>(row.case_index)).analysis);
+        measure(row, history, table.cases.at(static_cast<std::size_t>(row.case_index)).analysis, table.levels);
     });
     return table;
 }

@@ -29,12 +29,15 @@ struct SteadyReport {
     std::vector<MemberSteady> members;  ///< those with a history
 };
 
-/// Reads the histories of the file that `table` is of.
+/// Reads the histories of the file that `table` is of. Where there are none it has no members, and its cases have no
+/// start.
 SteadyReport find_steady(const std::filesystem::path& path, const CampaignTable& table);
 
 /// The table with every done member's load measured anew: in the whole segments, each as long as before, that fit
 /// between the start found for its case and the end of the run, counted from the end. A case without a start, or in
 /// which no segment fits, keeps its window. The failure ratio and what else is not of the load stay.
+/// Throws InputError for histories that are thinned, since maxima and deviations need every step, and where there are
+/// none.
 CampaignTable with_automatic_window(const std::filesystem::path& path, CampaignTable table, const SteadyReport& steady);
 
 }  // namespace floes

@@ -21,7 +21,7 @@ Json json_optional(const std::optional<double>& value) {
 }  // namespace
 
 std::string steady_table(const Summary& summary, const SteadyReport& steady, int width) {
-    if (steady.members.empty()) return "Steady state: the file has no load histories.\n";
+    if (steady.members.empty()) return no_histories;
     std::vector<std::vector<std::string>> lines{{"case", "window from, s", "steady from, s", "single runs, s",
                                                  "without", "decorrelation, s", "effective samples"}};
     for (std::size_t index = 0; index < steady.cases.size(); ++index) {

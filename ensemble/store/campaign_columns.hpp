@@ -13,6 +13,7 @@ struct RealColumn {
     const char* unit;
     const char* long_name;
     double& (*field)(MemberRow&);
+    bool later = false;  ///< files before layout 1.3 do not have it
 };
 
 inline constexpr std::array real_columns{
@@ -22,6 +23,10 @@ inline constexpr std::array real_columns{
                [](MemberRow& row) -> double& { return row.sd_load; }},
     RealColumn{"maximum_load", "N", "largest surge load in the window",
                [](MemberRow& row) -> double& { return row.maximum_load; }},
+    RealColumn{"skewness", "1", "skewness of the surge load over the window",
+               [](MemberRow& row) -> double& { return row.skewness; }, true},
+    RealColumn{"excess_kurtosis", "1", "excess kurtosis of the surge load over the window",
+               [](MemberRow& row) -> double& { return row.excess_kurtosis; }, true},
     RealColumn{"mean_maximum", "N", "mean of the segment maxima of the surge load",
                [](MemberRow& row) -> double& { return row.mean_maximum; }},
     RealColumn{"sd_maximum", "N", "population standard deviation of the segment maxima of the surge load",

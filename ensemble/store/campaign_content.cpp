@@ -10,19 +10,20 @@ namespace {
 using hdf5::Label;
 using hdf5::Scale;
 
-// Ends of steps where all cases step alike, else the numbers of the steps.
+// Ends of what the values of a history are of where all cases step alike, else the numbers of the values.
 Scale time_scale(hid_t file, const CampaignContent& content) {
-    const std::set<double> steps = [&content] {
-        std::set<double> found;
-        for (const Case& one : content.campaign.cases) found.insert(one.scenario.general.time_step);
-        return found;
-    }();
+    std::set<double> steps;
+    for (const Case& one : content.campaign.cases)
+        steps.insert(one.scenario.general.time_step * one.scenario.analysis.history_stride);
     const bool alike = steps.size() == 1;
-    std::vector<double> times(content.largest([](const Scenario& s) { return s.step_count(); }));
+    std::vector<double> times(
+        content.largest([](const Scenario& s) { return s.step_count() / s.analysis.history_stride; }));
     for (std::size_t k = 0; k < times.size(); ++k)
         times[k] = static_cast<double>(k + 1) * (alike ? *steps.begin() : 1.0);
-    if (alike) return hdf5::write_scale(file, Label{"time", "s", "end of the time step"}, times);
-    return hdf5::write_scale(file, Label{"time", "1", "number of the time step from 1; times /cases/time_step"}, times);
+    if (alike) return hdf5::write_scale(file, Label{"time", "s", "end of the time steps of a value"}, times);
+    return hdf5::write_scale(
+        file, Label{"time", "1", "number of the value from 1; times /cases/time_step and /cases/history_stride"},
+        times);
 }
 
 }  // namespace

@@ -53,6 +53,8 @@ struct CampaignScales {
 hdf5::Scale write_index_scale(hid_t parent, const char* name, const char* long_name, std::size_t count);
 
 void write_members(hid_t file, CampaignContent& content, const CampaignScales& scales);
+/// Nothing where no case counts steps above a load level.
+void write_levels(hid_t file, const CampaignContent& content, const CampaignScales& scales);
 void write_cases(hid_t file, const CampaignContent& content, const CampaignScales& scales);
 void write_arrangements(hid_t file, const CampaignContent& content, const CampaignScales& scales);
 void write_history(hid_t file, const CampaignContent& content, const CampaignScales& scales,

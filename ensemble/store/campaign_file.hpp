@@ -17,7 +17,7 @@
 namespace floes {
 
 /// Version of the layout, {major, minor}: a new minor only adds names.
-inline constexpr std::array<int, 2> campaign_file_version{1, 2};
+inline constexpr std::array<int, 2> campaign_file_version{1, 3};
 inline constexpr const char* campaign_filetype = "floes campaign";
 
 /// Gives the load history of a record whose own was left in the journal.
@@ -46,7 +46,10 @@ struct CaseRow {
     FarEnd far_end = FarEnd::ice_sheet;
     double contact_erp = 0;             ///< Γ of contacts
     std::vector<ProfilePoint> profile;  ///< of the structure, heights rising, m
-    Analysis analysis;                  ///< when the load was measured
+    Analysis analysis;                  ///< when the load was measured; its levels are those of CampaignTable
+    double time_step = 0;               ///< Δt, s
+
+    double window_steps() const { return analysis.window / time_step; }
 };
 
 /// A member as the file has it. Numbers are NaN, and counts 0, unless the member is done.
@@ -57,6 +60,8 @@ struct MemberRow {
     std::string reason;                   ///< of a failure
     double mean_load = 0;                 ///< N
     double sd_load = 0;                   ///< N
+    double skewness = 0;                  ///< of the load in the window
+    double excess_kurtosis = 0;           ///< likewise
     double maximum_load = 0;              ///< N
     std::vector<double> segment_maximum;  ///< N
     double mean_maximum = 0;              ///< N
@@ -70,17 +75,24 @@ struct MemberRow {
     double trend = 0;       ///< N/s
     double trend_p = 0;
     bool steady = false;
-    PeakReactions peaks;  ///< over all joints and the whole run, N and N m
+    PeakReactions peaks;              ///< over all joints and the whole run, N and N m
+    std::vector<double> steps_above;  ///< of each of CampaignTable::levels; NaN where the case does not count it
+    std::vector<double> upcrossings;  ///< likewise
 };
 
 /// The fields of the row that are of the surge load in the window.
 void set_load(MemberRow& row, const LoadStatistics& load);
+
+/// Puts `counts`, which belong to the levels `own`, to their places among `all` levels, which have them all.
+void set_levels(MemberRow& row, std::span<const double> all, std::span<const double> own,
+                std::span<const LevelCount> counts);
 
 /// What summaries need of a campaign file.
 struct CampaignTable {
     std::string title;
     std::vector<CaseRow> cases;
     std::vector<MemberRow> members;  ///< in member order
+    std::vector<double> levels;      ///< N, rising: every level that some case counts steps above
 };
 
 /// Throws InputError when there is no such file, it is no campaign file, or its major version is not this program's.

@@ -34,6 +34,14 @@ Handle open_for_reading(const std::filesystem::path& path) {
     return Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose, "H5Fopen", path.string());
 }
 
+bool exists(hid_t parent, const std::string& name) {
+    for (std::size_t end = 0; end != std::string::npos;) {  // each folder of the path must be there to be asked
+        end = name.find('/', end + 1);
+        if (H5Lexists(parent, name.substr(0, end).c_str(), H5P_DEFAULT) <= 0) return false;
+    }
+    return true;
+}
+
 bool has_attribute(hid_t object, const std::string& name) {
     return check(H5Aexists(object, name.c_str()), "H5Aexists", name) > 0;
 }

@@ -13,6 +13,9 @@ namespace floes::hdf5 {
 /// Opens an HDF5 file for reading. Throws InputError when there is no such file or it is no HDF5 file.
 Handle open_for_reading(const std::filesystem::path& path);
 
+/// Whether there is something of that name; `name` may be a path.
+bool exists(hid_t parent, const std::string& name);
+
 bool has_attribute(hid_t object, const std::string& name);
 std::string read_text_attribute(hid_t object, const std::string& name);
 std::vector<std::int32_t> read_int_attribute(hid_t object, const std::string& name);

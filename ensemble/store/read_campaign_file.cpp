@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -11,6 +12,8 @@ namespace floes {
 namespace {
 
 using hdf5::Handle;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 void check_kind(hid_t file, const std::filesystem::path& path) {
     if (!hdf5::has_attribute(file, "filetype") || hdf5::read_text_attribute(file, "filetype") != campaign_filetype)
@@ -34,6 +37,10 @@ std::vector<CaseRow> read_cases(hid_t file) {
     const auto steady_start = hdf5::read_values<double>(file, "cases/steady_start");
     const auto window = hdf5::read_values<double>(file, "cases/window");
     const auto segments = hdf5::read_values<std::int32_t>(file, "cases/segments");
+    const auto time_step = hdf5::read_values<double>(file, "cases/time_step");
+    std::vector<std::int32_t> stride(names.size(), 1);  // of files before layout 1.3
+    if (hdf5::exists(file, "cases/history_stride"))
+        stride = hdf5::read_values<std::int32_t>(file, "cases/history_stride");
     const std::size_t points = names.empty() ? 0 : heights.size() / names.size();
     std::vector<CaseRow> cases;
     for (std::size_t k = 0; k < names.size(); ++k) {
@@ -43,7 +50,11 @@ std::vector<CaseRow> read_cases(hid_t file) {
         row.elastic_modulus = modulus.at(k);
         row.far_end = static_cast<FarEnd>(far_end.at(k));
         row.contact_erp = contact_erp.at(k);
-        row.analysis = {.steady_start = steady_start.at(k), .window = window.at(k), .segments = segments.at(k)};
+        row.analysis = {.steady_start = steady_start.at(k),
+                        .window = window.at(k),
+                        .segments = segments.at(k),
+                        .history_stride = stride.at(k)};
+        row.time_step = time_step.at(k);
         for (std::size_t p = k * points; p < (k + 1) * points; ++p)
             if (!std::isnan(heights.at(p))) row.profile.push_back({heights.at(p), radii.at(p)});
     }
@@ -72,7 +83,9 @@ std::vector<MemberRow> read_members(hid_t file, const std::vector<CaseRow>& case
         row.segment_maximum.assign(first, first + segments);
     }
     for (const RealColumn& column : real_columns) {
-        const auto values = hdf5::read_values<double>(file, fmt::format("members/{}", column.name));
+        const std::string name = fmt::format("members/{}", column.name);
+        std::vector<double> values(members.size(), nan);
+        if (!column.later || hdf5::exists(file, name)) values = hdf5::read_values<double>(file, name);
         for (std::size_t k = 0; k < members.size(); ++k) column.field(members[k]) = values.at(k);
     }
     for (const CountColumn& column : count_columns) {
@@ -85,6 +98,24 @@ std::vector<MemberRow> read_members(hid_t file, const std::vector<CaseRow>& case
 
 }  // namespace
 
+void read_levels(hid_t file, CampaignTable& table) {
+    if (!hdf5::exists(file, "exceedance")) return;
+    table.levels = hdf5::read_values<double>(file, "level");
+    const auto width = static_cast<std::ptrdiff_t>(table.levels.size());
+    const auto counts = [&](const char* name, std::vector<double> MemberRow::*field) {
+        const auto values = hdf5::read_values<double>(file, name);
+        if (values.size() != table.members.size() * table.levels.size())
+            throw RunError(fmt::format("{} does not have a value for each member and level", name));
+        auto first = values.begin();
+        for (MemberRow& row : table.members) {
+            (row.*field).assign(first, first + width);
+            first += width;
+        }
+    };
+    counts("exceedance/steps_above", &MemberRow::steps_above);
+    counts("exceedance/upcrossings", &MemberRow::upcrossings);
+}
+
 CampaignTable read_campaign_file(const std::filesystem::path& path) {
     const hdf5::QuietErrors quiet;
     const Handle file = hdf5::open_for_reading(path);
@@ -93,6 +124,7 @@ CampaignTable read_campaign_file(const std::filesystem::path& path) {
     table.title = hdf5::read_text_attribute(file.id(), "title");
     table.cases = read_cases(file.id());
     table.members = read_members(file.id(), table.cases);
+    read_levels(file.id(), table);
     return table;
 }
 

@@ -50,7 +50,7 @@ std::vector<PlanarPose> read_poses(const std::filesystem::path& path, int arrang
 std::vector<BreakRow> read_breaks(const std::filesystem::path& path) {
     const hdf5::QuietErrors quiet;
     const hdf5::Handle file = hdf5::open_for_reading(path);
-    if (H5Lexists(file.id(), "breaks", H5P_DEFAULT) <= 0) return {};
+    if (!hdf5::exists(file.id(), "breaks")) return {};
     const auto member = hdf5::read_values<std::int32_t>(file.id(), "breaks/member");
     const auto time = hdf5::read_values<double>(file.id(), "breaks/time");
     const auto floe = hdf5::read_values<std::int32_t>(file.id(), "breaks/floe");

@@ -9,11 +9,12 @@ namespace floes {
 
 struct SurgeHistory {
     int member = 0;
-    double time_step = 0;           ///< s
-    std::span<const double> surge;  ///< N, from t = 0 to the end of the run
+    double step = 0;                ///< s from value to value: the case's Δt times its history_stride
+    std::span<const double> surge;  ///< N, from t = 0 to the end of the run; means over history_stride steps each
 };
 
-/// Calls `use` for each done member with a stored history, in member order. Throws as read_campaign_file() does.
+/// Calls `use` for each done member with a stored history, in member order: never where the file has no
+/// /history/surge_load, so that who reads must say when there was none. Throws as read_campaign_file() does.
 void for_each_history(const std::filesystem::path& path, const std::function<void(const SurgeHistory&)>& use);
 
 }  // namespace floes

@@ -39,6 +39,8 @@ void write_cases(hid_t file, const CampaignContent& content, const CampaignScale
     real("window", "s", "length of the analysis window", [](const Scenario& s) { return s.analysis.window; });
     hdf5::write_values(id, {"segments", "1", "equal parts of the analysis window"}, one,
                        of_cases<std::int32_t>(content, [](const Scenario& s) { return s.analysis.segments; }));
+    hdf5::write_values(id, {"history_stride", "1", "successive steps whose mean is one value of /history"}, one,
+                       of_cases<std::int32_t>(content, [](const Scenario& s) { return s.analysis.history_stride; }));
     hdf5::write_values(
         id, {"far_end", "1", "what stands behind the ice field"}, one,
         of_cases<std::int8_t>(content, [](const Scenario& s) { return static_cast<std::int8_t>(s.field.far_end); }),

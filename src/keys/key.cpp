@@ -22,11 +22,18 @@ std::string rows_text(const RowsField& rows, bool si) {
     return fmt::format("[{}]", fmt::join(lines, ", "));
 }
 
+std::string list_text(const NumbersField& numbers, bool si) {
+    std::vector<std::string> texts;
+    for (const double value : *numbers.values) texts.push_back(number_literal(value, si ? 1.0 : numbers.unit));
+    return fmt::format("[{}]", fmt::join(texts, ", "));
+}
+
 struct Literal {
     bool si;
     std::string operator()(const NumberField& number) const {
         return si ? number_literal(*number.value) : number_literal(*number.value, number.unit);
     }
+    std::string operator()(const NumbersField& numbers) const { return list_text(numbers, si); }
     std::string operator()(const IntegerField& integer) const { return fmt::format("{}", integer.get()); }
     std::string operator()(const SwitchField& field) const { return *field.value ? "true" : "false"; }
     std::string operator()(const WordField& word) const { return text_literal(word.words[word.get()]); }
@@ -36,6 +43,9 @@ struct Literal {
 
 struct Allowed {
     std::string operator()(const NumberField& number) const { return to_text(number.range); }
+    std::string operator()(const NumbersField& numbers) const {
+        return fmt::format("a list of numbers, each {}", to_text(numbers.range));
+    }
     std::string operator()(const IntegerField& integer) const {
         if (integer.high == std::numeric_limits<std::int64_t>::max()) {
             return fmt::format("a whole number from {}", integer.low);
@@ -112,6 +122,11 @@ std::string to_text(const Range& range) {
 
 Key number_key(std::string path, double& field, double unit, Range range, std::string source, std::string doc) {
     return {std::move(path), NumberField{&field, unit, std::move(range)}, std::move(source), std::move(doc)};
+}
+
+Key numbers_key(std::string path, std::vector<double>& field, double unit, Range range, std::string source,
+                std::string doc) {
+    return {std::move(path), NumbersField{&field, unit, std::move(range)}, std::move(source), std::move(doc)};
 }
 
 Key integer_key(std::string path, int& field, int low, int high, std::string source, std::string doc) {

@@ -40,6 +40,11 @@ struct NumberField {
     double unit;    ///< SI value = number in the text * unit
     Range range;
 };
+struct NumbersField {
+    std::vector<double>* values;  ///< SI
+    double unit;
+    Range range;  ///< of each
+};
 struct IntegerField {
     std::function<std::int64_t()> get;
     std::function<void(std::int64_t)> set;
@@ -70,7 +75,7 @@ struct RowsField {
 
 struct Key {
     std::string path;  ///< "ice.thickness_m": table, dot, name with unit
-    std::variant<NumberField, IntegerField, SwitchField, WordField, TextField, RowsField> field;
+    std::variant<NumberField, NumbersField, IntegerField, SwitchField, WordField, TextField, RowsField> field;
     std::string source;  ///< where the default comes from
     std::string doc;     ///< meaning, and what changing it does
 
@@ -82,6 +87,8 @@ using Keys = std::vector<Key>;
 
 /// Makers of keys, one a kind of field.
 Key number_key(std::string path, double& field, double unit, Range range, std::string source, std::string doc);
+Key numbers_key(std::string path, std::vector<double>& field, double unit, Range range, std::string source,
+                std::string doc);
 Key integer_key(std::string path, int& field, int low, int high, std::string source, std::string doc);
 Key switch_key(std::string path, bool& field, std::string source, std::string doc);
 Key text_key(std::string path, std::string& field, std::string source, std::string doc);

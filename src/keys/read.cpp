@@ -39,6 +39,19 @@ struct Assigner {
         *field.value = in_si;
     }
 
+    void operator()(const NumbersField& field) const {
+        const auto* list = std::get_if<std::vector<Value>>(&entry.value.data);
+        if (list == nullptr) throw wrong("is not a list");
+        std::vector<double> numbers;
+        for (const Value& item : *list) {
+            const std::optional<double> number = as_number(item);
+            if (!number) throw wrong(fmt::format("has {}, which is not a number", to_text(item)));
+            if (!field.range.contains(*number)) throw wrong(fmt::format("has {}, out of range", to_text(item)));
+            numbers.push_back(*number * field.unit);
+        }
+        *field.values = std::move(numbers);
+    }
+
     void operator()(const IntegerField& field) const {
         const auto* integer = std::get_if<std::int64_t>(&entry.value.data);
         if (integer == nullptr) throw wrong("is not a whole number");

@@ -29,6 +29,7 @@ void visit_peaks(Peaks& peaks, const Scalar& scalar) {
 
 constexpr std::size_t break_bytes = 8 + 4 + 4 + 1;
 constexpr std::size_t pose_bytes = 3 * 8;
+constexpr std::size_t level_bytes = 2 * 4;
 
 std::uint8_t read_below(ByteReader& in, std::uint8_t limit) {
     const std::uint8_t value = in.u8();
@@ -71,6 +72,13 @@ void write(ByteWriter& out, const MemberResult& result) {
     out.f64(result.psi4);
     out.f64(result.wall_time);
     out.f64(result.cpu_time);
+    out.f64(result.load.skewness);
+    out.f64(result.load.excess_kurtosis);
+    out.u64(result.levels.size());
+    for (const LevelCount& count : result.levels) {
+        out.i32(count.steps_above);
+        out.i32(count.upcrossings);
+    }
 }
 
 MemberResult read_member_result(ByteReader& in) {
@@ -106,8 +114,18 @@ MemberResult read_member_result(ByteReader& in) {
     }
     result.psi4 = in.f64();
     result.wall_time = in.f64();
-    // Journals from before it was measured end here.
+    // Journals from before it was measured end here,
     result.cpu_time = in.left() > 0 ? in.f64() : MemberResult::not_measured;
+    result.load.skewness = MemberResult::not_measured;
+    result.load.excess_kurtosis = MemberResult::not_measured;
+    if (in.left() == 0) return result;  // and those from before these here.
+    result.load.skewness = in.f64();
+    result.load.excess_kurtosis = in.f64();
+    result.levels.resize(in.count(level_bytes));
+    for (LevelCount& count : result.levels) {
+        count.steps_above = in.i32();
+        count.upcrossings = in.i32();
+    }
     return result;
 }
 

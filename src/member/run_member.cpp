@@ -7,10 +7,12 @@
 #include <chrono>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "arrangement/arrangement.hpp"
 #include "core/error.hpp"
 #include "simulation/simulation.hpp"
+#include "statistics/batch_means.hpp"
 
 namespace floes {
 namespace {
@@ -52,9 +54,18 @@ void take_statistics(MemberResult& result, const Scenario& scenario, const Simul
     };
     result.load =
         load_statistics(in_window(result.history.surge), scenario.general.time_step, scenario.analysis.segments);
+    result.levels = count_levels(in_window(result.history.surge), scenario.analysis.exceedance_levels);
     result.mean_sway = mean_of(in_window(result.history.sway));
     result.mean_heave = mean_of(in_window(result.history.heave));
     result.failure_ratio = simulation.ice().failure_ratio();
+}
+
+/// What the campaign keeps of a history of every step.
+LoadHistory kept(LoadHistory history, const Analysis& analysis) {
+    if (!analysis.keep_history) return {};
+    if (analysis.history_stride == 1) return history;
+    const auto stride = static_cast<std::size_t>(analysis.history_stride);
+    return {batch_means(history.surge, stride), batch_means(history.sway, stride), batch_means(history.heave, stride)};
 }
 
 void set_aside(MemberResult& result, const Scenario& scenario, const std::string& reason) {
@@ -69,7 +80,9 @@ void set_aside(MemberResult& result, const Scenario& scenario, const std::string
                    .sd_maximum = nan,
                    .trend = nan,
                    .trend_p = nan,
-                   .steady = false};
+                   .steady = false,
+                   .skewness = nan,
+                   .excess_kurtosis = nan};
     result.mean_sway = nan;
     result.mean_heave = nan;
     result.failure_ratio = nan;
@@ -92,11 +105,11 @@ MemberResult run_member(const Scenario& scenario, std::uint64_t seed, std::uint3
         }
         take_record(result, simulation);
         take_statistics(result, scenario, simulation);
-        if (!scenario.analysis.keep_history) result.history = {};
     } catch (const MemberFailure& failure) {
         take_record(result, simulation);
         set_aside(result, scenario, failure.what());
     }
+    result.history = kept(std::move(result.history), scenario.analysis);
     result.wall_time = seconds_since(start);
     result.cpu_time = cpu_seconds_of_this_thread() - cpu_start;
     return result;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "scenario/checks.hpp"
 #include "scenario/keys.hpp"
@@ -98,6 +99,28 @@ void check_time(const Scenario& scenario, Contradictions& found) {
             {{"analysis.segments", "analysis.window_s", "general.time_step_s"},
              fmt::format("{} does not cut {} ({} steps) into equal parts of at least 2 steps; change one of them",
                          given(scenario, "analysis.segments"), given(scenario, "analysis.window_s"), window_steps)});
+    }
+    if (analysis.keep_history &&
+        (window_steps % analysis.history_stride != 0 || scenario.first_window_step() % analysis.history_stride != 0)) {
+        found.push_back(
+            {{"analysis.history_stride", "analysis.steady_start_s", "analysis.window_s", "general.time_step_s"},
+             fmt::format("{} does not divide both the {} steps before the window and the {} in it, so that a value "
+                         "of the history would lie across its edge; take a divisor of both",
+                         given(scenario, "analysis.history_stride"), scenario.first_window_step(), window_steps)});
+    }
+}
+
+void check_levels(const Scenario& scenario, Contradictions& found) {
+    constexpr std::size_t most_levels = 1000;
+    const std::vector<double>& levels = scenario.analysis.exceedance_levels;
+    const std::string key = "analysis.exceedance_levels_N";
+    if (std::ranges::adjacent_find(levels, std::greater_equal()) != levels.end()) {
+        found.push_back({{key}, fmt::format("{} does not rise from each to the next", given(scenario, key))});
+    }
+    if (levels.size() > most_levels) {
+        found.push_back(
+            {{key},
+             fmt::format("{} has {} levels, more than the {} that a member counts", key, levels.size(), most_levels)});
     }
 }
 

@@ -42,9 +42,17 @@ TableTitles scenario_titles() {
     };
 }
 
+// Keys from after the first campaigns, which change nothing at their default, are left out there: so the members that
+// journals have from before keep their digest.
 std::string canonical_text(const Scenario& scenario) {
     Scenario copy = scenario;
-    return canonical_text(describe(copy));
+    const Analysis usual;
+    Keys keys = describe(copy);
+    if (copy.analysis.history_stride == usual.history_stride)
+        std::erase_if(keys, [](const Key& key) { return key.path == "analysis.history_stride"; });
+    if (copy.analysis.exceedance_levels == usual.exceedance_levels)
+        std::erase_if(keys, [](const Key& key) { return key.path == "analysis.exceedance_levels_N"; });
+    return canonical_text(keys);
 }
 
 std::vector<std::string> differences(const Scenario& there, const Scenario& here) {

@@ -116,10 +116,12 @@ struct Water {
 
 /// The window in which the load is measured. It ends the run.
 struct Analysis {
-    double steady_start = 80.0;  ///< s after the tow begins
-    double window = 150.0;       ///< s
-    int segments = 3;            ///< equal parts of the window, one maximum each
-    bool keep_history = true;    ///< a member keeps its load of every step, not only the statistics of it
+    double steady_start = 80.0;               ///< s after the tow begins
+    double window = 150.0;                    ///< s
+    int segments = 3;                         ///< equal parts of the window, one maximum each
+    bool keep_history = true;                 ///< a member keeps its load over time, not only the statistics of it
+    int history_stride = 1;                   ///< successive steps whose mean is one value of the kept load
+    std::vector<double> exceedance_levels{};  ///< N, rising; a member counts its steps above each
 };
 
 struct Scenario {

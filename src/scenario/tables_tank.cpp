@@ -138,8 +138,16 @@ void add_analysis(Keys& keys, Analysis& analysis) {
     keys.push_back(integer_key("analysis.segments", analysis.segments, 1, 10000, "the paper, Results",
                                "Equal parts of the window; mean_maximum is the mean of the maximum of each."));
     keys.push_back(switch_key("analysis.keep_history", analysis.keep_history, "none",
-                              "Keep the load of every step in the campaign file. Without it a member takes some kB "
+                              "Keep the load over time in the campaign file. Without it a member takes some kB "
                               "instead of some hundred, and keeps its statistics and breaks."));
+    keys.push_back(integer_key(
+        "analysis.history_stride", analysis.history_stride, 1, 1000000, "none: every step",
+        "Successive time steps whose mean is one value of the kept load; it must divide the steps before the window "
+        "and those in it. Statistics, maxima and counts are always of every step."));
+    keys.push_back(numbers_key(
+        "analysis.exceedance_levels_N", analysis.exceedance_levels, unit::one, at_least(0).at_most(1e6), "none",
+        "Loads, rising: each member counts the steps of the window with a surge load above each, and how often the "
+        "load rises through it. Needs no history."));
 }
 
 }  // namespace floes

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
+#include <boost/math/statistics/univariate_statistics.hpp>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace floes {
@@ -14,6 +16,7 @@ namespace {
 // independent, and 13 degrees of freedom remain for the test.
 constexpr std::size_t most_batches = 15;
 constexpr double significance = 0.05;
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 double mean_of(std::span<const double> values) {
     double sum = 0;
@@ -101,6 +104,10 @@ LoadStatistics load_statistics(std::span<const double> window, double time_step,
     result.trend = fit_line(window).slope / time_step;
     result.trend_p = slope_p_value(window);
     result.steady = result.trend_p >= significance;
+    const bool constant = !(result.sd > 0);
+    result.skewness = constant ? undefined : boost::math::statistics::skewness(window.begin(), window.end());
+    result.excess_kurtosis =
+        constant ? undefined : boost::math::statistics::excess_kurtosis(window.begin(), window.end());
     return result;
 }
 

@@ -21,6 +21,8 @@ struct LoadStatistics {
     double trend = 0;                     ///< slope of the load over the window, N/s
     double trend_p = 1;                   ///< two-sided p of slope = 0, from batch means (the load is autocorrelated)
     bool steady = true;                   ///< trend_p >= 0.05
+    double skewness = 0;                  ///< third central moment over SD³, over the window; NaN for a constant load
+    double excess_kurtosis = 0;           ///< fourth central moment over SD⁴, less the 3 of a normal load; likewise
 };
 
 /// `window`: load at every step of the analysis window, N, at least 2 samples a segment and all finite.

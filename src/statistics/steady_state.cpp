@@ -4,21 +4,13 @@
 #include <numeric>
 #include <vector>
 
+#include "statistics/batch_means.hpp"
+
 namespace floes {
 namespace {
 
-constexpr std::size_t batch = 5;
-constexpr std::size_t fewest_samples = 20;
+constexpr std::size_t fewest_batches = 4;
 constexpr double window_factor = 5;
-
-std::vector<double> batch_means(std::span<const double> load) {
-    std::vector<double> means(load.size() / batch);
-    for (std::size_t i = 0; i < means.size(); ++i) {
-        const auto first = load.begin() + static_cast<std::ptrdiff_t>(i * batch);
-        means[i] = std::accumulate(first, first + batch, 0.0) / batch;
-    }
-    return means;
-}
 
 double mean_of(std::span<const double> values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -33,9 +25,9 @@ double covariance_sum(std::span<const double> values, double mean, std::size_t l
 
 }  // namespace
 
-std::optional<std::size_t> steady_start(std::span<const double> load) {
-    if (load.size() < fewest_samples) return {};
-    const std::vector<double> means = batch_means(load);
+std::optional<std::size_t> steady_start(std::span<const double> load, std::size_t batch) {
+    if (load.size() < fewest_batches * batch) return {};
+    const std::vector<double> means = batch_means(load, batch);
     const std::size_t most = means.size() / 2;
     std::size_t best = 0;
     double least = std::numeric_limits<double>::infinity();
@@ -56,13 +48,14 @@ std::optional<std::size_t> steady_start(std::span<const double> load) {
     return best * batch;
 }
 
-Autocorrelation autocorrelation(std::span<const double> load, double time_step) {
+Autocorrelation autocorrelation(std::span<const double> load, double step, std::size_t batch,
+                                std::optional<double> variance) {
     constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
-    if (load.size() < fewest_samples) return {undefined, undefined};
+    if (load.size() < fewest_batches * batch) return {undefined, undefined};
     const double mean = mean_of(load);
-    const double single = covariance_sum(load, mean, 0) / static_cast<double>(load.size());
+    const double single = variance ? *variance : covariance_sum(load, mean, 0) / static_cast<double>(load.size());
     if (!(single > 0)) return {undefined, undefined};
-    const std::vector<double> means = batch_means(load);
+    const std::vector<double> means = batch_means(load, batch);
     const double mean_of_means = mean_of(means);
     const double own = covariance_sum(means, mean_of_means, 0);
     double tau = 1;
@@ -72,7 +65,7 @@ Autocorrelation autocorrelation(std::span<const double> load, double time_step) 
     }
     const double of_means = own / static_cast<double>(means.size());
     const double effective = static_cast<double>(means.size()) * single / (of_means * tau);
-    return {static_cast<double>(load.size()) * time_step / effective, effective};
+    return {static_cast<double>(load.size()) * step / effective, effective};
 }
 
 }  // namespace floes

@@ -26,6 +26,7 @@ Campaign sample() {
 /// A change of one field that stays within its kind.
 struct Perturb {
     void operator()(const NumberField& field) const { *field.value = *field.value * 1.0000001 + 1e-12; }
+    void operator()(const NumbersField& field) const { field.values->push_back(0.5); }
     void operator()(const IntegerField& field) const { field.set(field.get() + 1); }
     void operator()(const SwitchField& field) const { *field.value = !*field.value; }
     void operator()(const WordField& field) const { field.set((field.get() + 1) % field.words.size()); }

@@ -59,6 +59,17 @@ TEST_F(Report, TellsOfEveryCaseAndHowToRepeatIt) {
     EXPECT_THAT(page, HasSubstr("1 set aside as failed"));
 }
 
+TEST_F(Report, SaysWhenThereAreNoHistoriesAndDrawsTheLevelsCounted) {
+    const Campaign campaign = synthetic::campaign();
+    const std::vector<Session> sessions{synthetic::session()};
+    auto records = synthetic::records(campaign);
+    for (MemberRecord& record : records) record.result.history = {};
+    publish(file_, campaign, records, sessions);
+    run(file_.string() + " --no-plate-tests -o " + page_.string());
+    EXPECT_THAT(content(page_), HasSubstr("the file has no load histories"));
+    EXPECT_THAT(content(page_), HasSubstr("Share of the time with a surge load above a level"));
+}
+
 TEST_F(Report, TellsOfACampaignWithoutAnyResult) {
     const Campaign campaign = synthetic::campaign();
     const std::vector<Session> sessions{synthetic::session()};
@@ -72,8 +83,7 @@ TEST_F(Report, SaysWhatItCannotReadOrWrite) {
     const Campaign campaign = synthetic::campaign();
     const std::vector<Session> sessions{synthetic::session()};
     publish(file_, campaign, synthetic::records(campaign), sessions);
-    EXPECT_THROW(run(file_.string() + " --no-plate-tests -o " + (folder_ / "no/such/folder.html").string()),
-                 RunError);
+    EXPECT_THROW(run(file_.string() + " --no-plate-tests -o " + (folder_ / "no/such/folder.html").string()), RunError);
 }
 
 }  // namespace

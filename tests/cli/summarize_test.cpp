@@ -94,5 +94,41 @@ TEST_F(Summarize, RefusesWhatItDoesNotKnow) {
     EXPECT_THROW(summarize(""), InputError);
 }
 
+TEST_F(Summarize, ReadsSteadyStatesFromThinnedHistoriesButMeasuresNothingAnew) {
+    Campaign campaign = synthetic::campaign();
+    for (Case& one : campaign.cases) one.scenario.analysis.history_stride = 2;
+    publish(file_, campaign, synthetic::records(campaign), {});
+    EXPECT_THAT(summarize("--parts steady"), HasSubstr("decorrelation, s"));
+    try {
+        summarize("--window auto");
+        FAIL() << "measured maxima of means";
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("the histories of case soft are means over 2 steps"));
+    }
+}
+
+TEST_F(Summarize, SaysThatThereAreNoHistories) {
+    Campaign campaign = synthetic::campaign();
+    auto records = synthetic::records(campaign);
+    for (MemberRecord& record : records) record.result.history = {};
+    publish(file_, campaign, records, {});
+    EXPECT_THAT(summarize("--parts steady"), HasSubstr("the file has no load histories"));
+    testing::internal::CaptureStderr();
+    summarize("--parts steady --format json");
+    EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("the file has no load histories"));
+    EXPECT_THROW(summarize("--window auto"), InputError);
+}
+
+TEST_F(Summarize, CountsLevelsInTheWindowThatItMeasures) {
+    const json given = json::parse(summarize("--parts exceedance --format json")).at("load_levels");
+    ASSERT_EQ(given.size(), 6u);
+    EXPECT_EQ(given[0].at("level_N"), 100);
+    // Members 0, 3, 6 and 9 have 20 and their number of 60 steps above it.
+    EXPECT_DOUBLE_EQ(given[0].at("time_above").at("estimate").get<double>(), 24.5 / 60);
+    // Counted anew in the histories: sines of 100 (number + 1), over the same window.
+    const json anew = json::parse(summarize("--parts exceedance --format json --window auto")).at("load_levels");
+    EXPECT_NE(anew[0].at("time_above").at("estimate"), given[0].at("time_above").at("estimate"));
+}
+
 }  // namespace
 }  // namespace floes

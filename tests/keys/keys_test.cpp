@@ -22,6 +22,7 @@ struct Sample {
     bool wet = true;
     Colour colour = Colour::white;
     std::string label = "a \"b\"";
+    std::vector<double> levels{20e3, 50e3};
     std::vector<std::vector<double>> points{{-0.443, 0.171}, {0.122, 0.736}};
 };
 
@@ -31,6 +32,7 @@ Keys describe(Sample& sample) {
         number_key("ice.thickness_m", sample.thickness, unit::one, above(0).at_most(10), "Table 1", "Thickness."));
     keys.push_back(
         number_key("ice.strength_kPa", sample.strength, unit::kilopascal, at_least(0), "Table 1", "Strength."));
+    keys.push_back(numbers_key("ice.levels_kPa", sample.levels, unit::kilopascal, at_least(0), "none", "Levels."));
     keys.push_back(integer_key("floe.count", sample.count, 1, 10, "none", "Number."));
     keys.push_back(switch_key("floe.wet", sample.wet, "none", "Wet or dry."));
     keys.push_back(word_key("floe.colour", sample.colour, {"blue", "white"}, "none", "Colour."));
@@ -66,12 +68,14 @@ TEST(Keys, WriteThenReadGivesEqualFields) {
     written.wet = false;
     written.colour = Colour::blue;
     written.label = "tab\t, \\ and \"quotes\"";
+    written.levels = {0.1e3, 1e3 / 3.0};
     written.points.assign(9, {1.0 / 3.0, 2.0 / 3.0});  // long enough to be broken into lines
     for (const Comments comments : {Comments::none, Comments::all}) {
         Sample read_back;
         read(read_back, write_tables(describe(written), {{"ice", "Ice."}}, comments));
         EXPECT_EQ(canonical_text(describe(read_back)), canonical_text(describe(written)));
         EXPECT_EQ(read_back.points, written.points);
+        EXPECT_EQ(read_back.levels, written.levels);
         EXPECT_EQ(read_back.label, written.label);
     }
 }
@@ -123,6 +127,13 @@ TEST(Keys, EveryMessageIsOneSentence) {
         {"floe.colour = true\n",
          "a.toml:1: floe.colour = true is not a word in quotes; allowed: \"blue\" or \"white\""},
         {"floe.label = 5\n", "a.toml:1: floe.label = 5 is not text; allowed: text in quotes"},
+        {"ice.levels_kPa = 5\n",
+         "a.toml:1: ice.levels_kPa = 5 is not a list; allowed: a list of numbers, each at least 0"},
+        {"ice.levels_kPa = [5, \"a\"]\n",
+         "a.toml:1: ice.levels_kPa = [5, \"a\"] has \"a\", which is not a number; allowed: a list of numbers, each at "
+         "least 0"},
+        {"ice.levels_kPa = [5, -1]\n",
+         "a.toml:1: ice.levels_kPa = [5, -1] has -1, out of range; allowed: a list of numbers, each at least 0"},
         {"floe.points_m = 5\n",
          "a.toml:1: floe.points_m = 5 is not a list; allowed: a list of [height_m, radius_m], height_m at least -1, "
          "radius_m at "
@@ -142,7 +153,8 @@ TEST(Keys, EveryMessageIsOneSentence) {
          "a.toml:4: ice.thickness_m is given twice; keep one"},
         {"ice.thickness_m = 1.0\nice.thickness_m = 3.0\n", "a.toml:2: ice.thickness_m is given twice; keep one"},
         {"[ice]\nthickness_m = 1.0\n[ice]\n", "a.toml:3: [ice] is given twice; keep one"},
-        {"[ice]\nthickness_m = \n", "a.toml:2:15: this is not TOML (parsing key-value pair: expected value, saw '\\n')"},
+        {"[ice]\nthickness_m = \n",
+         "a.toml:2:15: this is not TOML (parsing key-value pair: expected value, saw '\\n')"},
     };
     for (const auto& [text, expected] : cases) EXPECT_EQ(message(text), expected) << text;
 }

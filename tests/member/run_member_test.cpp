@@ -109,6 +109,48 @@ TEST(RunMember, KeepsItsStatisticsWithoutItsHistory) {
     expect_same_bits(without, with);
 }
 
+// What a member counts, with and without its history, is what its whole history shows afterwards.
+TEST(RunMember, CountsWhatItsHistoryShows) {
+    Scenario scenario = jam();
+    scenario.analysis.exceedance_levels = {0, 5, 20, 60, 1e6};
+    const MemberResult with = run_member(scenario, 7, 1);
+    scenario.analysis.keep_history = false;
+    const MemberResult without = run_member(scenario, 7, 1);
+    EXPECT_EQ(with.levels, without.levels);
+    EXPECT_EQ(with.load.skewness, without.load.skewness);
+    ASSERT_EQ(with.levels.size(), 5u);
+    EXPECT_EQ(with.levels[4], (LevelCount{0, 0}));
+    const std::vector<double> window(with.history.surge.begin() + 50, with.history.surge.end());
+    int rises = 0;
+    for (std::size_t k = 0; k < 5; ++k) {
+        const double level = scenario.analysis.exceedance_levels[k];
+        LevelCount expected;
+        expected.steps_above =
+            static_cast<int>(std::ranges::count_if(window, [level](double load) { return load > level; }));
+        for (std::size_t step = 1; step < window.size(); ++step)
+            expected.upcrossings += window[step - 1] <= level && window[step] > level ? 1 : 0;
+        EXPECT_EQ(with.levels[k], expected) << level;
+        rises += expected.upcrossings;
+    }
+    EXPECT_GT(rises, 3) << "levels that the load rises through";
+}
+
+TEST(RunMember, ThinsItsHistoryToMeans) {
+    Scenario scenario = jam();
+    const MemberResult whole = run_member(scenario, 7, 1);
+    scenario.analysis.history_stride = 10;
+    MemberResult thinned = run_member(scenario, 7, 1);
+    ASSERT_EQ(thinned.history.surge.size(), 30u);
+    for (std::size_t k = 0; k < 30; ++k) {
+        double sway = 0;
+        for (std::size_t step = 10 * k; step < 10 * k + 10; ++step) sway += whole.history.sway[step];
+        EXPECT_EQ(thinned.history.sway[k], sway / 10) << k;
+    }
+    EXPECT_EQ(thinned.load.maximum, whole.load.maximum) << "of every step";
+    thinned.history = whole.history;
+    expect_same_bits(thinned, whole);
+}
+
 TEST(RunMember, CasesShareArrangements) {
     Scenario softer = jam(0.03);
     softer.analysis = {.steady_start = 0.2, .window = 0.2, .segments = 5};

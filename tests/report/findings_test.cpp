@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "report/columns.hpp"
@@ -139,6 +140,48 @@ TEST(Columns, PutBelowWhatDoesNotFit) {
     const std::vector<std::vector<std::string>> rows{{"name", "one", "two"}, {"ξ", "1", "22222"}};
     EXPECT_EQ(columns(rows, 80), "name  one    two\n----------------\nξ       1  22222\n");
     EXPECT_EQ(columns(rows, 10), "name  one\n---------\nξ       1\n\nname    two\n-----------\nξ     22222\n");
+}
+
+/// Two levels, counted in E30 and E60 alone; E30 counts 0, 100, …, 1100 steps above the lower one.
+Findings with_levels() {
+    Findings made = findings();
+    made.table.levels = {20, 50};
+    for (CaseRow& one : made.table.cases) one.time_step = 0.02;
+    for (std::size_t k = 0; k < made.table.members.size(); ++k) {
+        MemberRow& row = made.table.members[k];
+        const double count = row.case_index == 2 ? std::nan("") : 100.0 * static_cast<double>(k / 3);
+        row.steps_above = {count, 0 * count};
+        row.upcrossings = {count / 10, 0 * count};
+    }
+    made.levels = find_levels(made.table);
+    return made;
+}
+
+TEST(Levels, AreMeansOverTheArrangementsThatCountedThem) {
+    const std::vector<LevelRow> rows = *with_levels().levels;
+    ASSERT_EQ(rows.size(), 4u);
+    EXPECT_EQ(rows[1].case_index, 0u);
+    EXPECT_EQ(rows[1].level, 50);
+    EXPECT_EQ(rows[1].time_above.high, 0);
+    EXPECT_EQ(rows[0].runs, 12);
+    EXPECT_DOUBLE_EQ(rows[0].time_above.estimate, 550.0 / 7500);
+    // t(11) s / √12 = 2.201 · 360.6 / 3.464 = 229.1 steps.
+    EXPECT_NEAR(rows[0].time_above.high - rows[0].time_above.estimate, 229.1 / 7500, 0.1 / 7500);
+    EXPECT_DOUBLE_EQ(rows[0].upcrossings.estimate, 55.0 / 150);
+}
+
+TEST(Levels, AreToldInEveryFormat) {
+    Findings found = with_levels();
+    EXPECT_THAT(findings_table(found, 120), testing::ContainsRegex("E30 +20 +12 +7\\.333 +\\[4\\.27.*22\\.00 +\\["));
+    const json levels = json::parse(findings_json(found)).at("load_levels");
+    ASSERT_EQ(levels.size(), 4u);
+    EXPECT_EQ(levels[2].at("case"), "E60");
+    EXPECT_DOUBLE_EQ(levels[0].at("time_above").at("estimate").get<double>(), 550.0 / 7500);
+    EXPECT_THAT(findings_csv(found), HasSubstr("\ncase,level_N,runs,time_above,"));
+    EXPECT_THAT(findings_csv(found), HasSubstr("\nE60,50,12,0,0,0,0,0,0\n"));
+    found.levels->clear();
+    EXPECT_THAT(findings_table(found, 120), HasSubstr("no member counted any (analysis.exceedance_levels_N)"));
+    EXPECT_THAT(findings_csv(found), Not(HasSubstr("level_N")));
 }
 
 }  // namespace

@@ -72,5 +72,16 @@ TEST(ScenarioKeys, GivenShowsTheValueInTheUnitOfTheKey) {
     EXPECT_EQ(given(Scenario{}, "field.concentration_percent"), "field.concentration_percent = 75.0");
 }
 
+// What a journal from before these keys holds must still be found under its digest.
+TEST(ScenarioKeys, LaterKeysAreSilentAtTheirDefault) {
+    Scenario scenario;
+    EXPECT_EQ(canonical_text(scenario).find("analysis.history_stride"), std::string::npos);
+    EXPECT_EQ(canonical_text(scenario).find("analysis.exceedance_levels_N"), std::string::npos);
+    scenario.analysis.history_stride = 10;
+    scenario.analysis.exceedance_levels = {20, 50};
+    EXPECT_NE(canonical_text(scenario).find("analysis.history_stride = 10\n"), std::string::npos);
+    EXPECT_NE(canonical_text(scenario).find("analysis.exceedance_levels_N = [20.0, 50.0]\n"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace floes

@@ -181,6 +181,18 @@ TEST(Validate, EveryContradictionIsOneSentence) {
         {[](Scenario& s) { s.field.wake_radius = 1.1; },
          "field.wake_radius_m = 1.1 lets the structure strike a floe at rest, whose middle may be 1.16 m from its axis "
          "then; take more than that, or 0 for none at rest"},
+        {[](Scenario& s) { s.analysis.history_stride = 3; },
+         "analysis.history_stride = 3 does not divide both the 4000 steps before the window and the 7500 in it, so "
+         "that "
+         "a value of the history would lie across its edge; take a divisor of both"},
+        {[](Scenario& s) {
+             s.analysis.exceedance_levels = {20, 50, 50};
+         },
+         "analysis.exceedance_levels_N = [20.0, 50.0, 50.0] does not rise from each to the next"},
+        {[](Scenario& s) {
+             for (int k = 0; k <= 1000; ++k) s.analysis.exceedance_levels.push_back(k);
+         },
+         "analysis.exceedance_levels_N has 1001 levels, more than the 1000 that a member counts"},
     };
     for (const auto& [change, expected] : cases) EXPECT_EQ(sentence(change), expected);
 }
@@ -191,6 +203,13 @@ TEST(Validate, BordersAreConsistent) {
     EXPECT_EQ(sentence([](Scenario& s) { s.floe.element = 0.6; }), "consistent");        // one element a floe
     EXPECT_EQ(sentence([](Scenario& s) { s.analysis.steady_start = 0; }), "consistent");
     EXPECT_EQ(sentence([](Scenario& s) { s.field.wake_radius = 1.17; }), "consistent");
+    EXPECT_EQ(sentence([](Scenario& s) { s.analysis.history_stride = 500; }), "consistent");
+    EXPECT_EQ(sentence([](Scenario& s) {
+                  s.analysis.history_stride = 3;
+                  s.analysis.keep_history = false;
+              }),
+              "consistent");
+    EXPECT_EQ(sentence([](Scenario& s) { s.analysis.exceedance_levels = {0, 50}; }), "consistent");
     EXPECT_EQ(sentence([](Scenario& s) {
                   s.structure.profile = {{-1, 0.2}, {0, 0.3}, {0, 0.5}, {1, 0.6}};
               }),

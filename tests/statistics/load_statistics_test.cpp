@@ -9,6 +9,30 @@
 namespace floes {
 namespace {
 
+// By the definition, with sums as they stand.
+TEST(LoadStatistics, ShapeIsThatOfTheMoments) {
+    std::vector<double> load;
+    for (int k = 0; k < 7500; ++k) load.push_back(30 + 20 * std::sin(0.1 * k) + std::exp(3 * std::sin(0.37 * k)));
+    long double mean = 0;
+    for (const double value : load) mean += value;
+    mean /= 7500;
+    long double second = 0;
+    long double third = 0;
+    long double fourth = 0;
+    for (const double value : load) {
+        const long double off = value - mean;
+        second += off * off / 7500;
+        third += off * off * off / 7500;
+        fourth += off * off * off * off / 7500;
+    }
+    const LoadStatistics found = load_statistics(load, 0.02, 3);
+    EXPECT_NEAR(found.mean, static_cast<double>(mean), 1e-12 * 30);
+    EXPECT_NEAR(found.sd, static_cast<double>(std::sqrt(second)), 1e-12 * found.sd);
+    EXPECT_NEAR(found.skewness, static_cast<double>(third / (second * std::sqrt(second))), 1e-12);
+    EXPECT_NEAR(found.excess_kurtosis, static_cast<double>(fourth / (second * second) - 3), 1e-12);
+    EXPECT_TRUE(std::isnan(load_statistics(std::vector<double>(100, 7.0), 0.02, 3).skewness));
+}
+
 TEST(LoadStatistics, OfASmallWindowByHand) {
     const std::vector<double> window{1, 3, 2, 6, 5, 1};
     const LoadStatistics load = load_statistics(window, 0.02, 3);

@@ -1,6 +1,7 @@
 // Steady state and autocorrelation of loads whose answer is known.
 
 #include "statistics/steady_state.hpp"
+#include "statistics/batch_means.hpp"
 
 #include <gtest/gtest.h>
 
@@ -80,6 +81,25 @@ TEST(Autocorrelation, TellsHowFarTheMeanIsSure) {
         promised += 1 / autocorrelation(load, 0.02).effective_samples / loads;
     }
     EXPECT_NEAR(squares / promised, 1, 0.25);
+}
+
+// A load that was thinned to means tells the same, given the variance of the load itself.
+TEST(Autocorrelation, IsTheSameOfAThinnedLoad) {
+    constexpr int loads = 100;
+    double whole = 0;
+    double thinned = 0;
+    for (std::uint32_t number = 0; number < loads; ++number) {
+        const std::vector<double> load = autoregressive(0.95, 5000, 100 + number);
+        double square = 0;
+        double mean = 0;
+        for (const double value : load) mean += value / 5000;
+        for (const double value : load) square += (value - mean) * (value - mean) / 5000;
+        whole += autocorrelation(load, 0.02).time / loads;
+        thinned += autocorrelation(batch_means(load, 10), 0.2, 1, square).time / loads;
+        const double time = autocorrelation(load, 0.02).time;
+        EXPECT_NEAR(autocorrelation(batch_means(load, 5), 0.1, 1, square).time, time, 1e-9 * time);
+    }
+    EXPECT_NEAR(thinned / whole, 1, 0.05);
 }
 
 TEST(Autocorrelation, IsUndefinedForALoadThatNeverChanges) {

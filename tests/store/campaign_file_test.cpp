@@ -34,6 +34,8 @@ void expect_same_case(const CaseRow& a, const CaseRow& b) {
     EXPECT_EQ(a.analysis.steady_start, b.analysis.steady_start);
     EXPECT_EQ(a.analysis.window, b.analysis.window);
     EXPECT_EQ(a.analysis.segments, b.analysis.segments);
+    EXPECT_EQ(a.analysis.history_stride, b.analysis.history_stride);
+    EXPECT_EQ(a.time_step, b.time_step);
 }
 
 void expect_same_member(MemberRow a, MemberRow b) {
@@ -46,6 +48,8 @@ void expect_same_member(MemberRow a, MemberRow b) {
     for (const CountColumn& column : count_columns) EXPECT_EQ(a.*column.field, b.*column.field) << column.name;
     EXPECT_TRUE(std::equal(a.segment_maximum.begin(), a.segment_maximum.end(), b.segment_maximum.begin(),
                            b.segment_maximum.end(), same));
+    EXPECT_TRUE(std::ranges::equal(a.steps_above, b.steps_above, same));
+    EXPECT_TRUE(std::ranges::equal(a.upcrossings, b.upcrossings, same));
 }
 
 // Exit status of h5diff outside /provenance: 0 equal, 1 different.
@@ -116,6 +120,8 @@ TEST(CampaignFile, GivesBackTheTable) {
     const CampaignTable written = campaign_table(campaign, records);
     const CampaignTable read = read_campaign_file(folder / "a.h5");
     EXPECT_EQ(read.title, written.title);
+    EXPECT_EQ(read.levels, (std::vector<double>{100, 300, 500}));
+    EXPECT_EQ(read.levels, written.levels);
     ASSERT_EQ(read.cases.size(), written.cases.size());
     for (std::size_t k = 0; k < read.cases.size(); ++k) expect_same_case(read.cases[k], written.cases[k]);
     ASSERT_EQ(read.members.size(), written.members.size());

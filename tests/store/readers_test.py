@@ -14,7 +14,7 @@ import numpy
 import pandas
 import xarray
 
-GROUPS = ["members", "cases", "arrangements", "history", "breaks", "provenance"]  # of every file
+GROUPS = ["members", "cases", "arrangements", "exceedance", "history", "breaks", "provenance"]  # of every file
 CALIBRATION = {"calibration": {"calibration_point": 6}}  # of one with calibrated cases
 ENGINES = ["netcdf4", "h5netcdf"]
 DONE, MISSING, FAILED = 0, -1, 1
@@ -47,6 +47,7 @@ class Readers(unittest.TestCase):
             "arrangements": {"arrangement": 8, "floe": 6, "coordinate": 3},
             "history": {"member": 12, "time": 110},
             "breaks": {"break": 15},
+            "exceedance": {"member": 12, "level": 3},
             "provenance": {"member": 12, "session": 2},
             **CALIBRATION,
         }
@@ -114,6 +115,20 @@ class Readers(unittest.TestCase):
             self.assertTrue((numpy.diff(file["breaks/member"][:]) >= 0).all())
             modes = file["breaks/mode"].attrs
             self.assertEqual(len(modes["flag_values"]), len(modes["flag_meanings"].split()))
+
+    def test_levels(self):
+        with h5py.File(self.path) as file:
+            self.assertEqual(list(file["level"][:]), [100, 300, 500])
+            above, rises = file["exceedance/steps_above"], file["exceedance/upcrossings"]
+            self.assertEqual(list(above[3, :2]), [23, 13])  # of its case's own levels alone
+            self.assertEqual(list(rises[8, 1:]), [13, 8])
+            self.assertTrue(numpy.isnan(above[3, 2]) and numpy.isnan(above[8, 0]))
+            self.assertTrue(numpy.isnan(above[4]).all() and numpy.isnan(rises[7]).all())
+            self.assertEqual(above.dims[1][0].name, "/level")
+            self.assertEqual(list(file["cases/history_stride"][:]), [1, 1, 1])
+        with xarray.open_dataset(self.path) as root:
+            self.assertEqual(list(root["level"].values), [100, 300, 500])
+            self.assertEqual(root["level"].attrs["units"], "N")
 
     def test_calibration(self):
         with h5py.File(self.path) as file:

@@ -19,7 +19,7 @@ inline Campaign campaign(int arrangements = 4) {
     scenario.field.floes = 6;
     scenario.field.concentration = 0.3;
     scenario.structure.speed = 1.75;
-    scenario.analysis = {.steady_start = 1.0, .window = 1.2, .segments = 3};
+    scenario.analysis = {.steady_start = 1.0, .window = 1.2, .segments = 3, .exceedance_levels = {100, 300}};
     Campaign made;
     made.name = "synthetic";
     made.seed = 7;
@@ -32,7 +32,7 @@ inline Campaign campaign(int arrangements = 4) {
     scenario.field.far_end = FarEnd::open;
     scenario.structure.profile = {{-0.443, 0.3}, {0.0, 0.6}, {0.122, 0.736}};
     scenario.contact.erp = 0.8;
-    scenario.analysis = {.steady_start = 1.2, .window = 0.8, .segments = 2};
+    scenario.analysis = {.steady_start = 1.2, .window = 0.8, .segments = 2, .exceedance_levels = {300, 500}};
     made.cases.push_back({"open", scenario});
     return made;
 }
@@ -50,8 +50,10 @@ inline MemberRecord record(const Campaign& campaign, int number) {
     made.host = "node" + std::to_string(number % 2);
     made.peak_memory = 1000000u + static_cast<unsigned>(number);
     MemberResult& result = made.result;
-    result.load = {base + 0.1, base + 0.2, base + 0.3, {}, base + 0.4, base + 0.5, -base - 0.6, 0.25, number % 2 == 0};
+    result.load = {base + 0.1,  base + 0.2, base + 0.3,      {},         base + 0.4, base + 0.5,
+                   -base - 0.6, 0.25,       number % 2 == 0, base + 0.7, base + 0.8};
     for (int k = 0; k < scenario.analysis.segments; ++k) result.load.segment_maximum.push_back(base + 0.01 * k);
+    result.levels = {{20 + number, 5 + number}, {10 + number, number}};
     result.mean_sway = base + 0.7;
     result.mean_heave = -base - 0.8;
     result.failure_ratio = 1.0 / (number + 3);
