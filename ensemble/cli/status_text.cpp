@@ -1,10 +1,12 @@
 #include "cli/status_text.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "campaign/campaign_keys.hpp"
 #include "driver/progress.hpp"
 
 namespace floes {
@@ -51,6 +53,34 @@ std::string work_line(const CampaignStatus& status, int missing) {
     return fmt::format("Ended {} ({}); continue it with floes run --resume.\n", last.ended, last.outcome);
 }
 
+/// "mean_load of every case", "mean_load of E200 - E60".
+std::string what_of(const StopRule& rule) {
+    StopRule copy = rule;
+    const Keys keys = describe(copy);
+    const auto& of = std::get<WordField>(find_key(keys, "stop.of")->field);
+    std::string text = of.words[of.get()];
+    if (rule.case_name != "none") text += rule.case_name == "all" ? " of every case" : " of case " + rule.case_name;
+    if (rule.contrast != "none") {
+        text += rule.case_name != "none" ? " and" : "";
+        text += rule.contrast == "all" ? " of every difference of two cases" : " of " + rule.contrast;
+    }
+    return text;
+}
+
+std::string stop_line(const StopStatus& stop) {
+    const std::string most =
+        stop.most_arrangements > stop.arrangements ? fmt::format(" of at most {}", stop.most_arrangements) : "";
+    const std::string reached =
+        std::isnan(stop.achieved)
+            ? fmt::format("nothing to tell yet, {:g} % wanted", 100 * stop.rule.half_width)
+            : fmt::format("{:.1f} %, {:g} % wanted", 100 * stop.achieved, 100 * stop.rule.half_width);
+    if (stop.met)
+        return fmt::format("Precise enough after {}{}, nothing more is wanted. Half-width for {}: {}.\n",
+                           counted(stop.arrangements, "arrangement"), most, what_of(stop.rule), reached);
+    return fmt::format("Half-width for {} after {}{}: {}.\n", what_of(stop.rule),
+                       counted(stop.arrangements, "arrangement"), most, reached);
+}
+
 std::string timed_text(const char* title, const std::vector<TimedMember>& members) {
     if (members.empty()) return {};
     std::string text = fmt::format("\n{}\n", title);
@@ -83,6 +113,7 @@ std::string status_table(const CampaignStatus& status) {
     std::string text = fmt::format("{}: {} of {} done, {} failed, {} to go\n", status.title, total.done,
                                    counted(members_of(total), "member"), total.failed, total.missing);
     text += work_line(status, total.missing);
+    if (status.stop) text += stop_line(*status.stop);
     std::size_t width = 4;
     for (const CaseStatus& one : status.cases) width = std::max(width, one.name.size());
     text += fmt::format("\n{:<{}}  {:>6}  {:>6}  {:>6}  {:>6}\n", "case", width, "done", "failed", "to go", "total");
@@ -103,6 +134,14 @@ std::string status_json(const CampaignStatus& status) {
     json.update(counts_json(total_of(status)));
     json["at_work"] = status.at_work;
     json["seconds_left"] = status.seconds_left ? nlohmann::ordered_json(*status.seconds_left) : nullptr;
+    json["stop"] = nullptr;
+    if (const auto& stop = status.stop)
+        json["stop"] = {{"of", what_of(stop->rule)},
+                        {"met", stop->met},
+                        {"arrangements", stop->arrangements},
+                        {"most_arrangements", stop->most_arrangements},
+                        {"half_width_percent", 100 * stop->achieved},
+                        {"wanted_percent", 100 * stop->rule.half_width}};
     json["cases"] = nlohmann::ordered_json::array();
     for (const CaseStatus& one : status.cases) {
         nlohmann::ordered_json row{{"name", one.name}};

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "store/campaign_status.hpp"
+#include "driver/campaign_status.hpp"
 
 namespace floes {
 

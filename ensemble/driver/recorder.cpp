@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
-#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "driver/precision.hpp"
 #include "store/campaign_file.hpp"
 #include "store/heartbeat.hpp"
 
@@ -39,26 +38,8 @@ std::vector<std::string> case_fingerprints(const Campaign& campaign) {
 
 /// None of a part: it has no arrangements in a row, and is run whole.
 std::optional<PrecisionStop> precision_of(const Campaign& campaign, const Part& part) {
-    if (!campaign.stop.active() || part.of > 1) return {};
-    std::vector<std::string> names;
-    for (const Case& one : campaign.cases) names.push_back(one.name);
-    return PrecisionStop(campaign.stop, names);
-}
-
-double stop_value(StopQuantity of, const MemberResult& result) {
-    switch (of) {
-        case StopQuantity::mean_load:
-            return result.load.mean;
-        case StopQuantity::sd_load:
-            return result.load.sd;
-        case StopQuantity::maximum_load:
-            return result.load.maximum;
-        case StopQuantity::mean_maximum:
-            return result.load.mean_maximum;
-        case StopQuantity::failure_ratio:
-            return result.failure_ratio;
-    }
-    throw std::logic_error("a stop rule of no known quantity");
+    if (part.of > 1) return {};
+    return stop_rule_of(campaign);
 }
 
 }  // namespace
@@ -133,9 +114,14 @@ void Recorder::take_stock() {
 
 void Recorder::tell_precision(int arrangement, int case_index, const MemberResult* result) {
     if (!precision_) return;
-    precision_->put(
-        arrangement, case_index,
-        result != nullptr ? stop_value(campaign_.stop.of, *result) : std::numeric_limits<double>::quiet_NaN());
+    MemberRow row;
+    row.status = RowStatus::failed;
+    if (result != nullptr) {
+        row.status = RowStatus::done;
+        set_load(row, result->load);
+        row.failure_ratio = result->failure_ratio;
+    }
+    precision_->put(arrangement, case_index, stop_value(campaign_.stop.of, row));
 }
 
 int Recorder::failed() const {

@@ -94,8 +94,9 @@ Journal open_journal(const std::filesystem::path& path, const Campaign& campaign
     Journal journal = open_journal(path, here, existing);
     if (journal.campaign_text() == here) return journal;
     const Campaign there = read_text(journal.campaign_text(), path);
-    if (fingerprint(there) == fingerprint(campaign)) return journal;
-    if (is_part_of(there, campaign)) {
+    const bool same_members = fingerprint(there) == fingerprint(campaign);
+    if (same_members && there.stop == campaign.stop) return journal;
+    if (same_members || is_part_of(there, campaign)) {
         journal.extend(there, campaign);
         return journal;
     }

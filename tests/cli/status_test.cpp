@@ -148,5 +148,65 @@ TEST(Status, JsonHasTheSameFigures) {
     EXPECT_EQ(json["sessions"][0]["ranks"], 2);
 }
 
+/// The rule holds after two arrangements of four; of the third one member is done.
+struct Precise {
+    Precise() {
+        campaign.stop.half_width = 0.5;
+        campaign.stop.minimum = 2;
+        campaign.stop.look_ahead = 0;
+        for (int number = 0; number < 7; ++number) {
+            records.push_back(synthetic::record(campaign, number));
+            records.back().result.load.mean = 100 + number;
+        }
+    }
+    Campaign campaign = synthetic::campaign();
+    std::vector<MemberRecord> records;
+};
+
+TEST(Status, MissesNothingBeyondThePrecisionThatWasWanted) {
+    const TemporaryFolder folder;
+    Precise precise;
+    {
+        Journal journal = open_journal(journal_path(folder / "a.h5"), precise.campaign, Existing::refuse);
+        journal.begin_session(synthetic::session(0));
+        for (const MemberRecord& record : precise.records) journal.append(record);
+        journal.end_session("complete");
+    }
+    const CampaignStatus status = read_status(folder / "a.h5");
+    const std::string text = status_table(status);
+    EXPECT_THAT(text, HasSubstr("synthetic: 6 of 6 members done, 0 failed, 0 to go\n"));
+    EXPECT_THAT(text, Not(HasSubstr("--resume")));
+    // 102 ± 1.5 t(1) / √1: half-widths of 12.706 · 1.5 over 101.5, the smallest of the three means.
+    EXPECT_THAT(text, HasSubstr("Precise enough after 2 arrangements of at most 4, nothing more is wanted. Half-width "
+                                "for mean_load of every case: 18.8 %, 50 % wanted.\n"));
+    const auto json = nlohmann::json::parse(status_json(status));
+    EXPECT_EQ(json["missing"], 0);
+    EXPECT_EQ(json["stop"]["met"], true);
+    EXPECT_EQ(json["stop"]["arrangements"], 2);
+    EXPECT_EQ(json["stop"]["most_arrangements"], 4);
+    EXPECT_NEAR(json["stop"]["half_width_percent"].get<double>(), 100 * 12.7062 * 1.5 / 101.5, 1e-3);
+    EXPECT_EQ(json["stop"]["wanted_percent"], 50);
+}
+
+TEST(Status, TellsHowFarThePrecisionIsThatIsWanted) {
+    const TemporaryFolder folder;
+    Precise precise;
+    precise.campaign.stop.half_width = 0.1;
+    precise.campaign.stop.contrast = "stiff - soft";
+    precise.campaign.stop.case_name = "soft";
+    publish(folder / "a.h5", precise.campaign, precise.records, {});
+    const CampaignStatus status = read_status(folder / "a.h5");
+    EXPECT_THAT(status_table(status), HasSubstr("5 to go"));
+    EXPECT_THAT(status_table(status), HasSubstr("Half-width for mean_load of case soft and of stiff - soft after 2 "
+                                                "arrangements of at most 4: 18.8 %, 10 % wanted.\n"));
+    EXPECT_EQ(nlohmann::json::parse(status_json(status))["stop"]["met"], false);
+    publish(folder / "b.h5", precise.campaign, {}, {});
+    const CampaignStatus none = read_status(folder / "b.h5");
+    EXPECT_THAT(status_table(none), HasSubstr("nothing to tell yet, 10 % wanted"));
+    EXPECT_TRUE(nlohmann::json::parse(status_json(none))["stop"]["half_width_percent"].is_null());
+    publish(folder / "c.h5", synthetic::campaign(), {}, {});
+    EXPECT_TRUE(nlohmann::json::parse(status_json(read_status(folder / "c.h5")))["stop"].is_null());
+}
+
 }  // namespace
 }  // namespace floes

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
+#include "driver/campaign_status.hpp"
 #include "driver/fakes.hpp"
 #include "store/campaign_file.hpp"
 
@@ -45,7 +46,11 @@ TEST(Precision, GoesOnWhenMoreIsAsked) {
     EXPECT_EQ(read_campaign_file(run.file).members.size(), 3u * enough_for_a_quarter);
     run.campaign.stop.half_width = 0.2;
     EXPECT_EQ(run(fake::compute, Existing::resume), 0) << run.said;
-    EXPECT_GT(read_campaign_file(run.file).members.size(), 3u * enough_for_a_quarter);
+    const std::size_t members = read_campaign_file(run.file).members.size();
+    EXPECT_GT(members, 3u * enough_for_a_quarter);
+    const CampaignStatus status = read_status(run.file);  // by the rule that was asked for last
+    EXPECT_EQ(3 * static_cast<std::size_t>(status.stop->arrangements), members);
+    EXPECT_EQ(status.cases[0].missing, 0);
 }
 
 TEST(Precision, SaysWhatWasReachedWhenArrangementsRunOut) {

@@ -1,11 +1,14 @@
 #pragma once
-// How far a campaign is: from its journal, also while a run is going on, or from its campaign file alone.
+// How far a campaign is: from its journal, also while a run is going on, or from its campaign file alone. A campaign
+// that ended because its stop rule held ends with the arrangement that the rule stopped after: beyond it nothing is
+// missing.
 
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "campaign/stop_rule.hpp"
 #include "store/heartbeat.hpp"
 #include "store/session.hpp"
 
@@ -34,11 +37,21 @@ struct TimedMember {
     double seconds = 0;
 };
 
+/// A campaign's stop rule and how near it is.
+struct StopStatus {
+    StopRule rule;
+    bool met = false;
+    int arrangements = 0;       ///< in a row from the first on that count; once met, those of the campaign
+    int most_arrangements = 0;  ///< that would be run without the rule
+    double achieved = 0;  ///< largest half-width over its mean, a part of 1; NaN before there are two values of each
+};
+
 struct CampaignStatus {
     std::string title;
     std::vector<CaseStatus> cases;
     std::vector<FailedMember> failures;  ///< in member order
     std::vector<Session> sessions;       ///< in order of time; of a campaign file alone, none
+    std::optional<StopStatus> stop;      ///< none where there is no rule
     bool at_work = false;                ///< a run writes the journal now, as far as its lock or heartbeat tell
     std::optional<Heartbeat> heartbeat;  ///< of a run at work, or of one that did not end
     std::optional<double> rate;          ///< members finished a second in the present run

@@ -1,4 +1,4 @@
-#include "store/campaign_status.hpp"
+#include "driver/campaign_status.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "driver/precision.hpp"
 #include "store/campaign_file.hpp"
 #include "store/journal.hpp"
+#include "store/read_details.hpp"
 
 namespace floes {
 namespace {
@@ -35,6 +37,19 @@ CampaignStatus status_of(const CampaignTable& table) {
         }
     }
     return status;
+}
+
+std::optional<StopStatus> stop_status(const Campaign& campaign, const CampaignTable& table) {
+    const std::optional<PrecisionStop> rule = stop_rule_of(campaign, table);
+    if (!rule) return {};
+    return StopStatus{campaign.stop, rule->met(), rule->arrangements(), campaign.arrangements, rule->achieved()};
+}
+
+/// The campaign as far as it is wanted: parts of a merged one were run whole, whatever the rule.
+Campaign wanted(Campaign campaign, const CampaignTable& table, const std::optional<StopStatus>& stop) {
+    const auto missing = [](const MemberRow& row) { return row.status == RowStatus::missing; };
+    if (stop && stop->met && std::ranges::any_of(table.members, missing)) campaign.arrangements = stop->arrangements;
+    return campaign;
 }
 
 // Members of a case take alike long, and the threads of the session share what is left.
@@ -87,8 +102,12 @@ void add_heartbeat(CampaignStatus& status, const Campaign& campaign, std::option
 
 CampaignStatus status_of_journal(const std::filesystem::path& path) {
     const JournalContents contents = read_journal(path, Histories::leave);
-    const Campaign campaign = read_stored_campaign(contents, path);
+    const Campaign whole = read_stored_campaign(contents, path);
+    const CampaignTable table = campaign_table(whole, contents.members);
+    const std::optional<StopStatus> stop = stop_status(whole, table);
+    const Campaign campaign = wanted(whole, table, stop);
     CampaignStatus status = status_of(campaign_table(campaign, contents.members));
+    status.stop = stop;
     status.sessions = contents.sessions;
     const std::vector<const MemberRecord*> records = match_records(campaign, contents.members);
     status.slowest = slowest(campaign, records);
@@ -99,12 +118,19 @@ CampaignStatus status_of_journal(const std::filesystem::path& path) {
     return status;
 }
 
+CampaignStatus status_of_file(const std::filesystem::path& path) {
+    const CampaignTable table = read_campaign_file(path);
+    CampaignStatus status = status_of(table);
+    status.stop = stop_status(read_campaign({read_origin(path).configuration, path.string(), {}}, nullptr), table);
+    return status;
+}
+
 }  // namespace
 
 CampaignStatus read_status(const std::filesystem::path& campaign_file) {
     const std::filesystem::path journal = journal_path(campaign_file);
     if (std::filesystem::exists(journal)) return status_of_journal(journal);
-    if (std::filesystem::exists(campaign_file)) return status_of(read_campaign_file(campaign_file));
+    if (std::filesystem::exists(campaign_file)) return status_of_file(campaign_file);
     throw InputError(fmt::format("there is neither {} nor its journal {}. Give the output file of floes run.",
                                  campaign_file.string(), journal.string()));
 }

@@ -1,0 +1,20 @@
+#pragma once
+// A campaign's stop rule, asked of its members.
+
+#include <optional>
+
+#include "inference/precision_stop.hpp"
+#include "store/campaign_file.hpp"
+
+namespace floes {
+
+/// The rule without any member; none where the campaign has no rule. Throws InputError as PrecisionStop does.
+std::optional<PrecisionStop> stop_rule_of(const Campaign& campaign);
+
+/// What the rule looks at in a member; NaN unless it is done.
+double stop_value(StopQuantity of, const MemberRow& row);
+
+/// The rule with every done and every failed member of `table`, which is of the campaign.
+std::optional<PrecisionStop> stop_rule_of(const Campaign& campaign, const CampaignTable& table);
+
+}  // namespace floes
