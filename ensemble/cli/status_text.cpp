@@ -30,6 +30,11 @@ std::string counted(int count, const char* word) {
     return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
 }
 
+/// With a stop rule the end may come sooner.
+std::string left_text(const CampaignStatus& status) {
+    return fmt::format(", {} {} left", status.stop ? "at most" : "about", duration_text(*status.seconds_left));
+}
+
 std::string work_line(const CampaignStatus& status, int missing) {
     if (status.sessions.empty()) return missing > 0 ? "Continue it with floes run --resume.\n" : "";
     const Session& last = status.sessions.back();
@@ -37,7 +42,7 @@ std::string work_line(const CampaignStatus& status, int missing) {
         return fmt::format("At work: {}, {} from {} since {}{}{}.\n", counted(last.ranks, "rank"),
                            counted(last.threads, "thread"), last.host, last.started,
                            status.rate ? ", " + rate_text(*status.rate) : "",
-                           status.seconds_left ? ", about " + duration_text(*status.seconds_left) + " left" : "");
+                           status.seconds_left ? left_text(status) : "");
     if (missing == 0) return fmt::format("Ended {}.\n", last.ended.empty() ? "without a word" : last.ended);
     if (last.ended.empty() && status.heartbeat)
         return fmt::format(

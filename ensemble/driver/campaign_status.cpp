@@ -106,7 +106,8 @@ CampaignStatus status_of_journal(const std::filesystem::path& path) {
     const CampaignTable table = campaign_table(whole, contents.members);
     const std::optional<StopStatus> stop = stop_status(whole, table);
     const Campaign campaign = wanted(whole, table, stop);
-    CampaignStatus status = status_of(campaign_table(campaign, contents.members));
+    const bool cut = campaign.arrangements < whole.arrangements;
+    CampaignStatus status = status_of(cut ? campaign_table(campaign, contents.members) : table);
     status.stop = stop;
     status.sessions = contents.sessions;
     const std::vector<const MemberRecord*> records = match_records(campaign, contents.members);

@@ -54,14 +54,17 @@ std::string levels_figure(const ReportData& data) {
     Axis x = axis_around("surge load, N", loads, true);
     Plot plot("Share of the time with a surge load above a level", x, {"share of the time", floor, 1, true},
               {720, 340});
-    for (std::size_t i = 0; i < data.findings.summary.cases.size(); ++i) {
+    const std::size_t cases = data.findings.summary.cases.size();
+    for (std::size_t i = 0; i < cases; ++i) {
+        // A little aside, so that intervals of one level stand side by side.
+        const double aside = 0.006 * (x.high - x.low) * (static_cast<double>(i) - 0.5 * static_cast<double>(cases - 1));
         Plot::Points curve;
         for (const LevelRow& row : rows) {
             if (row.case_index != i || !(row.time_above.estimate > 0)) continue;
-            curve.emplace_back(row.level, row.time_above.estimate);
-            plot.line({{row.level, std::max(floor, row.time_above.low)}, {row.level, row.time_above.high}},
-                      colour(i) + " thin");
-            plot.dot(row.level, row.time_above.estimate, colour(i), 3);
+            const double at = row.level + aside;
+            curve.emplace_back(at, row.time_above.estimate);
+            plot.line({{at, std::max(floor, row.time_above.low)}, {at, row.time_above.high}}, colour(i) + " thin");
+            plot.dot(at, row.time_above.estimate, colour(i), 3);
         }
         plot.line(curve, colour(i));
     }

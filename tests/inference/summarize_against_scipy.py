@@ -63,7 +63,9 @@ class Summarize(unittest.TestCase):
             cls.path = sys.argv[3]
         else:
             cls.path = os.path.join(cls.folder.name, "campaign.h5")
-            subprocess.run([FLOES, "run", sys.argv[2], "-o", cls.path], check=True, stdout=subprocess.DEVNULL)
+            levels = "analysis.exceedance_levels_N=[10,30,60,90,1000]"
+            subprocess.run([FLOES, "run", sys.argv[2], "-o", cls.path, "--set", levels], check=True,
+                           stdout=subprocess.DEVNULL)
         cls.summary = cls.summarize("--parts", "cases,pairs,extremes,exceedance,steady")
         with h5py.File(cls.path) as file:
             cls.members = {name: file["members"][name][:] for name in file["members"]}
@@ -71,6 +73,8 @@ class Summarize(unittest.TestCase):
             cls.time_step = file["cases/time_step"][:]
             cls.window = file["cases/window"][:]
             cls.surge = file["history/surge_load"][:]
+            cls.levels = file["level"][:] if "level" in file else []
+            cls.counts = {name: file["exceedance"][name][:] for name in file.get("exceedance", {})}
         cls.done = cls.members["status"] == 0
 
     @classmethod
@@ -104,6 +108,34 @@ class Summarize(unittest.TestCase):
                 for part, value in expected.items():
                     with self.subTest(case=self.names[case], key=key, part=part):
                         self.assertTrue(close(row[key][part], value), f"{row[key][part]} is not {value}")
+
+    def in_window(self, member):
+        case = self.members["case"][member]
+        load = self.surge[member][np.isfinite(self.surge[member])]
+        return load[len(load) - round(self.window[case] / self.time_step[case]):]
+
+    def test_what_members_counted_is_what_their_histories_show(self):
+        for member in np.flatnonzero(self.done):
+            load = self.in_window(member)
+            for place, level in enumerate(self.levels):
+                above = load > level
+                self.assertEqual(self.counts["steps_above"][member, place], above.sum())
+                self.assertEqual(self.counts["upcrossings"][member, place], (above[1:] & ~above[:-1]).sum())
+            self.assertTrue(close(self.members["skewness"][member], stats.skew(load)))
+            self.assertTrue(close(self.members["excess_kurtosis"][member], stats.kurtosis(load)))
+
+    def test_levels(self):
+        rows = self.summary["load_levels"]
+        self.assertEqual(len(rows), len(self.names) * len(self.levels))
+        for row in rows:
+            case, place = self.names.index(row["case"]), list(self.levels).index(row["level_N"])
+            chosen = self.done & (self.members["case"] == case)
+            share = self.counts["steps_above"][chosen, place] * self.time_step[case] / self.window[case]
+            half = stats.t.ppf(0.975, len(share) - 1) * share.std(ddof=1) / np.sqrt(len(share))
+            self.assertTrue(close(row["time_above"]["estimate"], share.mean()))
+            self.assertTrue(close(row["time_above"]["low"], max(0, share.mean() - half)))
+            rate = self.counts["upcrossings"][chosen, place] / self.window[case]
+            self.assertTrue(close(row["upcrossings_per_s"]["estimate"], rate.mean()))
 
     def test_bca(self):
         for case, row in enumerate(self.summary["cases"]):
