@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "campaign/design.hpp"
 #include "campaign/run_rules.hpp"
 #include "campaign/stop_rule.hpp"
 #include "scenario/scenario.hpp"
@@ -17,6 +18,8 @@ struct Case {
     Scenario scenario;
     /// The case states an elastic modulus and no Σ: joint.cfm has no meaning until a Σ is found that shows the modulus.
     bool calibrate = false;
+    std::string base = {};  ///< the [[case]] that a point of the design was added to; empty where there is none
+    int point = -1;         ///< of the campaign's design; -1 without a design
 };
 
 struct Campaign {
@@ -26,6 +29,10 @@ struct Campaign {
     std::vector<Case> cases;  ///< at least one, names unique
     StopRule stop = {};       ///< when fewer arrangements are enough
     RunRules run = {};
+    Design design = {};  ///< how the cases came about; each of them has its values already
+    /// Cases of one field geometry begin from the same floes (common random numbers); otherwise each case draws its
+    /// own.
+    bool common_arrangements = true;
 };
 
 /// Which simulation a member is: arrangement-major, so that more arrangements only add members at the end.
@@ -38,6 +45,17 @@ struct MemberKey {
 int member_count(const Campaign& campaign);
 /// number in [0, member_count): arrangement * cases + case.
 MemberKey member_key(const Campaign& campaign, int number);
+
+/// Seed of the random streams that the case's arrangements are drawn from: the campaign's where arrangements are
+/// common, otherwise one that the case's name gives.
+std::uint64_t arrangement_seed(const Campaign& campaign, int case_index);
+
+/// A number for each case, equal for two cases exactly when each arrangement of one has the same floes as that of the
+/// other: common arrangements and the same field geometry. From 0, in order of the first case of each.
+std::vector<int> sharing_groups(const Campaign& campaign);
+
+/// The case's value of a key that takes numbers, in the key's unit.
+double numeric_value(const Case& one, const std::string& path);
 
 /// Steps x elements of the member: what its run time is expected to be proportional to.
 double expected_cost(const Campaign& campaign, int number);
@@ -56,11 +74,13 @@ using LoadFile = std::string (*)(const std::string& path);
 /// nearest known key; for contradictions the keys involved. Overrides "case.NAME.key=value" are for one case; an
 /// override of a key that cases set themselves is refused. `load_file` reads the pose files that arrangement.file names
 /// (its path is relative to `file`), since nothing below the command line opens files; it may be null where there are
-/// none.
+/// none. A design's points become cases: "E60+p003" is the case E60 at point 3. Cases that have a design.point already
+/// (as write_campaign() gives them) are those points.
 Campaign read_campaign(const CampaignSource& source, LoadFile load_file);
 
 /// The complete resolved configuration as TOML: reading it gives an equal campaign (file poses inline). Keys in which
-/// the cases differ stand in each case, all others in the tables; a case to be calibrated has no joint.cfm anywhere.
+/// the cases differ stand in each case, all others in the tables; the points of a design are written out; a case to be
+/// calibrated has no joint.cfm anywhere.
 std::string write_campaign(const Campaign& campaign);
 
 /// 32 hex digits: equal exactly when every member of the two campaigns is the same and they have the same members.

@@ -10,8 +10,9 @@ namespace {
 constexpr double mebibyte = 1024.0 * 1024.0;
 
 /// Keys of a campaign's tables, [campaign] first.
-Keys describe_all(CampaignHead& head, StopRule& stop, RunRules& rules, Scenario& scenario) {
+Keys describe_all(CampaignHead& head, Design& design, StopRule& stop, RunRules& rules, Scenario& scenario) {
     Keys keys = describe(head);
+    for (Key& key : describe(design)) keys.push_back(std::move(key));
     for (Key& key : describe(stop)) keys.push_back(std::move(key));
     for (Key& key : describe(rules)) keys.push_back(std::move(key));
     for (Key& key : describe(scenario)) keys.push_back(std::move(key));
@@ -37,7 +38,15 @@ constexpr const char* about_cases =
     "# name = \"E30\"\n"
     "# elastic_modulus_MPa = 30.0\n"
     "# cfm = 0.03\n"
-    "# field.far_end = \"open\"\n";
+    "# field.far_end = \"open\"\n"
+    "\n# Axes of a design, each along a key that a case takes: values for a grid or a list, from and to for\n"
+    "# latin_hypercube and sobol; scale is \"linear\" or \"log\".\n"
+    "#\n"
+    "# [[design.axis]]\n"
+    "# key = \"ice.thickness_m\"\n"
+    "# from = 0.02\n"
+    "# to = 0.04\n"
+    "# scale = \"linear\"\n";
 
 }  // namespace
 
@@ -53,6 +62,11 @@ Keys describe(CampaignHead& head) {
     keys.push_back(integer_key(
         "campaign.arrangements", head.arrangements, 1, 1000000, "a quick look",
         "Random arrangements, each run with every case. More of them only add members: those done stay valid."));
+    keys.push_back(
+        switch_key(common_path, head.common_arrangements, "differences are sharper so",
+                   "Cases whose fields have the same geometry begin from the same floes (common random "
+                   "numbers), and only they are compared in pairs. false: each case draws arrangements of its "
+                   "own, by its name, and nothing is paired."));
     return keys;
 }
 
@@ -85,6 +99,22 @@ Keys describe(StopRule& stop) {
     return keys;
 }
 
+Key method_key(DesignMethod& method) {
+    return word_key("design.method", method, {"none", "grid", "list", "latin_hypercube", "sobol"}, "off",
+                    "How the points are chosen at which every case is run: all combinations of the axes' values, "
+                    "their values side by side, or so many points between the axes' ends.");
+}
+
+Keys describe(Design& design) {
+    Keys keys{method_key(design.method)};
+    keys.push_back(integer_key("design.points", design.points, 0, static_cast<int>(most_cases), "none",
+                               "Points of latin_hypercube and sobol; a power of 2 suits sobol best."));
+    keys.push_back(switch_key("design.indices", design.indices, "off",
+                              "sobol: points for first-order and total indices instead, (axes + 2) for each of "
+                              "design.points (Saltelli et al. 2010)."));
+    return keys;
+}
+
 Keys describe(RunRules& rules) {
     Keys keys;
     keys.push_back(word_key("run.isolation", rules.isolation, {"none", "process"}, "none is faster for short members",
@@ -104,6 +134,8 @@ Keys describe(RunRules& rules) {
 Keys describe(Case& one) {
     Keys keys;
     keys.push_back(text_key("name", one.name, "", "Name of the case."));
+    keys.push_back(text_key("design.base", one.base, "", "Case that a point of the design was added to."));
+    keys.push_back(integer_key("design.point", one.point, 0, static_cast<int>(most_cases), "", "That point, from 0."));
     for (Key& key : describe(one.scenario)) {
         for (const char* shorthand : {"cfm", "elastic_modulus_MPa"}) {
             if (full_path(shorthand) != key.path) continue;
@@ -125,33 +157,39 @@ TableTitles titles() {
     TableTitles all = scenario_titles();
     all["run"] = "How members are run. Nothing here changes a result, so --resume may come with other values.";
     all["campaign"] = "Which simulations: each case with each arrangement.";
+    all["design"] =
+        "Cases from a few lines: each [[case]] at every point of a design, whose axes are [[design.axis]] blocks.";
     all["stop"] = "When there are enough of them.";
     return all;
 }
 
 std::string default_configuration() {
     CampaignHead head;
+    Design design;
     StopRule stop;
     RunRules rules;
     Scenario scenario;
-    return about_files + write_tables(describe_all(head, stop, rules, scenario), titles(), Comments::all) + about_cases;
+    return about_files + write_tables(describe_all(head, design, stop, rules, scenario), titles(), Comments::all) +
+           about_cases;
 }
 
 std::string reference_markdown() {
     CampaignHead head;
+    Design design;
     StopRule stop;
     RunRules rules;
     Scenario scenario;
-    return reference_markdown(describe_all(head, stop, rules, scenario), titles());
+    return reference_markdown(describe_all(head, design, stop, rules, scenario), titles());
 }
 
 std::vector<KeyDescription> reference() {
     CampaignHead head;
+    Design design;
     StopRule stop;
     RunRules rules;
     Scenario scenario;
     std::vector<KeyDescription> lines;
-    for (const Key& key : describe_all(head, stop, rules, scenario)) {
+    for (const Key& key : describe_all(head, design, stop, rules, scenario)) {
         lines.push_back({key.path, literal(key), allowed(key), key.doc, key.source});
     }
     return lines;

@@ -16,7 +16,10 @@ struct CampaignHead {
     std::string name;
     std::uint64_t seed = 1;
     int arrangements = 1;
+    bool common_arrangements = true;
 };
+
+inline constexpr const char* common_path = "campaign.common_arrangements";
 
 /// The keys of [campaign], bound to `head`.
 Keys describe(CampaignHead& head);
@@ -24,10 +27,17 @@ Keys describe(CampaignHead& head);
 /// The keys of [stop].
 Keys describe(StopRule& stop);
 
+/// The keys of [design].
+Keys describe(Design& design);
+
+/// design.method, the first of them.
+Key method_key(DesignMethod& method);
+
 /// The keys of [run], bound to `rules`.
 Keys describe(RunRules& rules);
 
-/// The keys that a [[case]] takes: name, the shorthands cfm and elastic_modulus_MPa, and every key of a scenario.
+/// The keys that a [[case]] takes: name, design.base and design.point of a design written out, the shorthands cfm
+/// and elastic_modulus_MPa, and every key of a scenario.
 Keys describe(Case& one);
 
 /// The key that a shorthand of a [[case]] stands for; any other path is its own.

@@ -1,19 +1,17 @@
 // read_campaign(): text, overrides and pose files to checked cases.
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
-#include <map>
-#include <optional>
 
 #include "campaign/campaign.hpp"
 #include "campaign/campaign_keys.hpp"
+#include "campaign/case_blocks.hpp"
+#include "campaign/name_list.hpp"
 #include "campaign/pose_file.hpp"
+#include "campaign/read_design.hpp"
 #include "core/error.hpp"
-#include "keys/literal.hpp"
 #include "keys/read.hpp"
 #include "scenario/keys.hpp"
 #include "scenario/validate.hpp"
@@ -21,10 +19,8 @@
 namespace floes {
 namespace {
 
-/// Where each key was last set, for messages: path -> "table3.toml:12".
-using Origins = std::map<std::string, std::string>;
-
 constexpr std::string_view case_prefix = "case.";
+constexpr std::string_view axis_prefix = "design.axis.";
 
 bool is_case_path(const std::string& path) {
     return path == "case" || path.starts_with(case_prefix);
@@ -39,13 +35,23 @@ class Reader {
 
     Campaign read() {
         read_tables();
-        std::vector<Block> blocks = case_blocks();
-        std::vector<std::string> names;
-        for (const Block& block : blocks) names.push_back(case_name(block, names));
-        refuse_strangers(names);
+        axes_ = read_axes(document_.blocks, origins_, source_.file, design_);
+        refuse_hidden();
+        std::vector<CaseBlock> given = given_cases(
+            document_, fmt::format("E{:.6g}", base_.ice.elastic_modulus / unit::megapascal), source_.file, design_);
+        find_case_overrides(given);
         if (head_.name.empty()) head_.name = std::filesystem::path(source_.file).stem().string();
-        Campaign campaign{head_.name, head_.seed, head_.arrangements, {}, stop_, rules_};
-        for (std::size_t i = 0; i < blocks.size(); ++i) campaign.cases.push_back(read_case(blocks[i], names, i));
+        Campaign campaign{.name = head_.name,
+                          .seed = head_.seed,
+                          .arrangements = head_.arrangements,
+                          .cases = {},
+                          .stop = stop_,
+                          .run = rules_,
+                          .design = design_,
+                          .common_arrangements = head_.common_arrangements};
+        const std::vector<CaseBlock> blocks = at_points(std::move(given), design_, axes_, head_.seed, source_.file);
+        for (const CaseBlock& block : blocks) campaign.cases.push_back(read_case(block, blocks.size() > 1));
+        check_points(campaign, source_.file);
         return campaign;
     }
 
@@ -53,6 +59,7 @@ class Reader {
     /// The tables and the overrides that are not for one case.
     void read_tables() {
         Keys keys = describe(head_);
+        for (Key& key : describe(design_)) keys.push_back(std::move(key));
         for (Key& key : describe(stop_)) keys.push_back(std::move(key));
         for (Key& key : describe(rules_)) keys.push_back(std::move(key));
         for (Key& key : describe(base_)) keys.push_back(std::move(key));
@@ -62,12 +69,15 @@ class Reader {
                     fmt::format("{}: {} = {} is not in a case; begin each case with [[case]], in double brackets",
                                 entry.where, entry.path, to_text(entry.value)));
             }
+            if (entry.path.starts_with(axis_prefix)) {
+                throw InputError(fmt::format(
+                    "{}: {} = {} is not in an axis; begin each axis with [[design.axis]], in double brackets",
+                    entry.where, entry.path, to_text(entry.value)));
+            }
             set(keys, entry, origins_);
         }
         for (const Entry& entry : overrides_) {
-            if (is_case_path(entry.path)) continue;
-            refuse_hidden(entry);
-            set(keys, entry, origins_);
+            if (!is_case_path(entry.path)) set(keys, entry, origins_);
         }
     }
 
@@ -77,8 +87,17 @@ class Reader {
     }
 
     /// An override that every case would override again does nothing: worse than an error.
+    void refuse_hidden() const {
+        for (const Entry& entry : overrides_) {
+            if (is_case_path(entry.path)) continue;
+            refuse_axis(entry, axes_);
+            refuse_hidden(entry);
+        }
+    }
+
     void refuse_hidden(const Entry& override_entry) const {
         for (const Block& block : document_.blocks) {
+            if (block.path == axis_block) continue;
             for (const Entry& entry : block.entries) {
                 if (full_path(entry.path) != override_entry.path) continue;
                 throw InputError(
@@ -89,69 +108,49 @@ class Reader {
         }
     }
 
-    /// The [[case]] blocks; without any, an empty one.
-    std::vector<Block> case_blocks() const {
-        std::vector<Block> blocks = document_.blocks;
-        for (const Block& block : blocks) {
-            if (block.path != "case") {
-                throw InputError(fmt::format("{}: [[{}]] is not a table of a configuration; did you mean [[case]]?",
-                                             block.where, block.path));
-            }
-        }
-        if (blocks.empty()) {
-            const std::string name = fmt::format("E{:.6g}", base_.ice.elastic_modulus / unit::megapascal);
-            blocks.push_back({"case", source_.file, {{"name", {name}, source_.file}}});
-        }
-        return blocks;
-    }
-
-    /// The block's name, checked: present, plain, and none of `earlier`.
-    static std::string case_name(const Block& block, const std::vector<std::string>& earlier) {
-        const auto entry = std::ranges::find(block.entries, "name", &Entry::path);
-        if (entry == block.entries.end()) {
-            throw InputError(fmt::format("{}: this [[case]] has no name; begin it with name = \"E60\"", block.where));
-        }
-        Case one;
-        assign(describe(one).front(), *entry);
-        const auto plain = [](unsigned char c) {
-            return std::isalnum(c) || c == '_' || c == '-' || c == '+' || c == '.';
-        };
-        if (one.name.empty() || !std::ranges::all_of(one.name, plain)) {
-            throw InputError(
-                fmt::format("{}: name = {} cannot name a case; allowed: letters, digits and any of _ - + .",
-                            entry->where, text_literal(one.name)));
-        }
-        if (std::ranges::find(earlier, one.name) != earlier.end()) {
-            throw InputError(fmt::format("{}: name = {} names an earlier case too; give each case its own name",
-                                         entry->where, text_literal(one.name)));
-        }
-        return one.name;
-    }
-
     /// Which case the override "case.NAME.key" is for. Names may contain dots, so the longest that fits.
-    static std::optional<std::size_t> target(const std::string& path, const std::vector<std::string>& names) {
-        std::optional<std::size_t> best;
-        for (std::size_t i = 0; i < names.size(); ++i) {
-            const bool fits = path.starts_with(fmt::format("{}{}.", case_prefix, names[i]));
-            if (fits && (!best || names[i].size() > names[*best].size())) best = i;
+    static const CaseBlock* target(const std::string& path, const std::vector<CaseBlock>& cases) {
+        const CaseBlock* best = nullptr;
+        for (const CaseBlock& one : cases) {
+            const bool fits = path.starts_with(fmt::format("{}{}.", case_prefix, one.name));
+            if (fits && (best == nullptr || one.name.size() > best->name.size())) best = &one;
         }
         return best;
     }
 
-    void refuse_strangers(const std::vector<std::string>& names) const {
-        for (const Entry& entry : overrides_) {
-            if (is_case_path(entry.path) && !target(entry.path, names)) {
-                throw InputError(fmt::format("{}: {} names no case; the cases are {}, written case.{}.KEY", entry.where,
-                                             entry.path, fmt::join(names, ", "), names.front()));
-            }
+    InputError stranger(const Entry& entry, const std::vector<CaseBlock>& cases) const {
+        if (cases.front().name.empty())
+            return InputError(
+                fmt::format("{}: {} names no case; there are none but the points of the design, and what "
+                            "is for all of them needs no case",
+                            entry.where, entry.path));
+        std::vector<std::string> names;
+        for (const CaseBlock& one : cases) names.push_back(one.name);
+        return InputError(fmt::format("{}: {} names no case; the cases are {}, written case.{}.KEY", entry.where,
+                                      entry.path, name_list(names), names.front()));
+    }
+
+    void find_case_overrides(const std::vector<CaseBlock>& cases) {
+        for (Entry entry : overrides_) {
+            if (!is_case_path(entry.path)) continue;
+            const CaseBlock* one = target(entry.path, cases);
+            if (one == nullptr) throw stranger(entry, cases);
+            entry.path.erase(0, case_prefix.size() + one->name.size() + 1);
+            refuse_campaign_key(entry);
+            refuse_axis(entry, axes_);
+            if (entry.path == "name")
+                throw InputError(
+                    fmt::format("{}: a case cannot be renamed here; rename it in {}", entry.where, source_.file));
+            case_overrides_.emplace_back(one->given, std::move(entry));
         }
     }
 
-    Case read_case(const Block& block, const std::vector<std::string>& names, std::size_t index) const {
-        Case one{names[index], base_};
+    /// Messages name the case where it is `one_of_many`.
+    Case read_case(const CaseBlock& block, bool one_of_many) const {
+        Case one{block.name, base_};
         const Keys keys = describe(one);
         Origins own;
-        for (const Entry& entry : block.entries) {
+        for (const Entry& entry : block.block.entries) {
             refuse_campaign_key(entry);
             if (own.contains(full_path(entry.path))) {
                 throw InputError(fmt::format("{}: {} is given twice in this [[case]]; keep one", entry.where,
@@ -159,18 +158,17 @@ class Reader {
             }
             set(keys, entry, own);
         }
-        for (Entry entry : overrides_) {
-            if (!is_case_path(entry.path) || target(entry.path, names) != index) continue;
-            entry.path.erase(0, case_prefix.size() + names[index].size() + 1);
-            refuse_campaign_key(entry);
-            if (entry.path == "name")
-                throw InputError(
-                    fmt::format("{}: a case cannot be renamed here; rename it in {}", entry.where, source_.file));
-            set(keys, entry, own);
+        for (const auto& [of_case, entry] : case_overrides_) {
+            if (of_case == block.given) set(keys, entry, own);
+        }
+        one.name = block.name;
+        if (block.point >= 0) {
+            one.base = block.base;
+            one.point = block.point;
         }
         own.insert(origins_.begin(), origins_.end());  // what the case does not set comes from the tables
         one.calibrate = own.contains("ice.elastic_modulus_MPa") && !own.contains("joint.cfm");
-        const std::string label = names.size() > 1 ? fmt::format("case {}: ", one.name) : "";
+        const std::string label = one_of_many ? fmt::format("case {}: ", one.name) : "";
         resolve_poses(one.scenario, own, label);
         refuse_contradictions(one.scenario, own, label);
         return one;
@@ -221,7 +219,10 @@ class Reader {
     StopRule stop_;
     RunRules rules_;
     Scenario base_;
+    Design design_;
     Origins origins_;
+    Origins axes_;                                               ///< where each axis of the design is given
+    std::vector<std::pair<std::size_t, Entry>> case_overrides_;  ///< for which [[case]], as if it stood there
 };
 
 }  // namespace

@@ -13,7 +13,9 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "report/findings.hpp"
+#include "report/pairs_text.hpp"
 #include "report/steady_text.hpp"
+#include "store/read_details.hpp"
 
 namespace floes {
 
@@ -28,16 +30,21 @@ struct SummarizeOptions {
     std::string window = "given";
 };
 
-/// What is shown unless parts are named: all of a table's and JSON's, and the one CSV that most want.
-std::vector<std::string> default_parts(const std::string& format) {
+/// What is shown unless parts are named: what suits the campaign as table and JSON, and the one CSV that most want.
+std::vector<std::string> default_parts(const std::string& format, const Campaign& campaign) {
     if (format == "csv") return {"cases"};
-    return {"cases", "pairs", "extremes"};
+    std::vector<std::string> parts{"cases"};
+    if (campaign.design.active()) parts.push_back("sensitivity");
+    if (in_detail(campaign)) parts.insert(parts.end(), {"pairs", "extremes"});
+    return parts;
 }
 
 Findings find(const SummarizeOptions& options) {
     Findings findings;
     findings.table = read_campaign_file(options.file);
-    const std::vector<std::string> parts = options.parts.empty() ? default_parts(options.format) : options.parts;
+    const Campaign campaign = campaign_of(read_origin(options.file), options.file);
+    const std::vector<std::string> parts =
+        options.parts.empty() ? default_parts(options.format, campaign) : options.parts;
     const auto wanted = [&](const char* part) { return std::ranges::find(parts, part) != parts.end(); };
     const bool automatic = options.window == "auto";
     if (automatic || wanted("steady")) findings.steady = find_steady(options.file, findings.table);
@@ -49,6 +56,8 @@ Findings find(const SummarizeOptions& options) {
         findings.pair_options = {findings.reference, options.resolve_percent * unit::percent};
         findings.pairs = compare_pairs(findings.table, findings.pair_options);
     }
+    if (wanted("points")) findings.points = find_points(campaign);
+    if (wanted("sensitivity")) findings.sensitivity = find_sensitivity(campaign, findings.table);
     findings.show_extremes = wanted("extremes");
     findings.exceedance = wanted("exceedance");
     if (findings.show_extremes || findings.exceedance) findings.extremes = find_extremes(findings.table);
@@ -62,10 +71,13 @@ Findings find(const SummarizeOptions& options) {
     return findings;
 }
 
-std::string text_of(const Findings& findings, const std::string& format) {
+/// `parts_chosen`: by us, and not named.
+std::string text_of(const Findings& findings, const std::string& format, bool parts_chosen) {
     if (format == "json") return findings_json(findings);
     if (format == "csv") return findings_csv(findings);
-    return findings_table(findings, terminal_width());
+    std::string text = findings_table(findings, terminal_width());
+    if (!findings.pairs && parts_chosen) text += "\n" + unasked_text(findings.summary) + "\n";
+    return text;
 }
 
 }  // namespace
@@ -78,12 +90,14 @@ void add_summarize(CLI::App& program, int& exit_status) {
         ->check(CLI::IsMember({"table", "json", "csv"}))
         ->capture_default_str();
     verb->add_option("--reference", options->reference, "Case that the others are compared with, in percent");
-    verb->add_option(
-            "--parts", options->parts,
-            "What to show: cases, pairs, extremes, exceedance, steady, members (CSV alone); with commas between")
+    verb->add_option("--parts", options->parts,
+                     "What to show: cases, points and sensitivity (of a design), pairs, extremes, exceedance, steady, "
+                     "members (CSV alone); "
+                     "with commas between")
         ->delimiter(',')
         ->allow_extra_args(false)
-        ->check(CLI::IsMember({"cases", "pairs", "extremes", "exceedance", "steady", "members"}));
+        ->check(
+            CLI::IsMember({"cases", "points", "sensitivity", "pairs", "extremes", "exceedance", "steady", "members"}));
     verb->add_option("--resolve", options->resolve_percent,
                      "Difference of a pair, in percent of the first case, whose arrangements are told")
         ->check(CLI::PositiveNumber)
@@ -95,7 +109,7 @@ void add_summarize(CLI::App& program, int& exit_status) {
         ->check(CLI::IsMember({"given", "auto"}))
         ->capture_default_str();
     verb->callback([options, &exit_status] {
-        std::fputs(text_of(find(*options), options->format).c_str(), stdout);
+        std::fputs(text_of(find(*options), options->format, options->parts.empty()).c_str(), stdout);
         exit_status = 0;
     });
 }

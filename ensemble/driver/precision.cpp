@@ -9,7 +9,7 @@ std::optional<PrecisionStop> stop_rule_of(const Campaign& campaign) {
     if (!campaign.stop.active()) return {};
     std::vector<std::string> names;
     for (const Case& one : campaign.cases) names.push_back(one.name);
-    return PrecisionStop(campaign.stop, names);
+    return PrecisionStop(campaign.stop, names, sharing_groups(campaign));
 }
 
 double stop_value(StopQuantity of, const MemberRow& row) {

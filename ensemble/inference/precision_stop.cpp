@@ -1,12 +1,12 @@
 #include "inference/precision_stop.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
+#include "campaign/name_list.hpp"
 #include "core/error.hpp"
 
 namespace floes {
@@ -20,7 +20,7 @@ int index_of(const std::string& name, const std::vector<std::string>& cases, con
     const auto found = std::ranges::find(cases, name);
     if (found == cases.end()) {
         throw InputError(
-            fmt::format("stop.{} names the case '{}', and the cases are {}.", key, name, fmt::join(cases, ", ")));
+            fmt::format("stop.{} names the case '{}', and the cases are {}.", key, name, name_list(cases)));
     }
     return static_cast<int>(found - cases.begin());
 }
@@ -32,9 +32,20 @@ double student_t(int count) {
 
 }  // namespace
 
-PrecisionStop::PrecisionStop(const StopRule& rule, const std::vector<std::string>& cases)
+PrecisionStop::PrecisionStop(const StopRule& rule, const std::vector<std::string>& cases,
+                             const std::vector<int>& groups)
     : rule_(rule), cases_(cases.size()) {
     const int count = static_cast<int>(cases.size());
+    const auto share = [&](int one, int other) {
+        return groups.empty() || groups.at(static_cast<std::size_t>(one)) == groups.at(static_cast<std::size_t>(other));
+    };
+    const auto no_pair = [&](const std::string& which) {
+        return InputError(
+            fmt::format("stop.contrast = \"{}\" asks for a paired difference, and {} begin from arrangements of their "
+                        "own: cases are paired where their fields have the same geometry and "
+                        "campaign.common_arrangements is true.",
+                        rule.contrast, which));
+    };
     if (rule.case_name == "all") {
         for (int one = 0; one < count; ++one) targets_.push_back({.case_index = one, .minus = {}});
     } else if (rule.case_name != "none") {
@@ -42,8 +53,12 @@ PrecisionStop::PrecisionStop(const StopRule& rule, const std::vector<std::string
     }
     if (rule.contrast == "all") {
         for (int one = 0; one < count; ++one) {
-            for (int other = one + 1; other < count; ++other) targets_.push_back({.case_index = other, .minus = one});
+            for (int other = one + 1; other < count; ++other) {
+                if (share(one, other)) targets_.push_back({.case_index = other, .minus = one});
+            }
         }
+        const bool any = std::ranges::any_of(targets_, [](const Target& target) { return target.minus.has_value(); });
+        if (count > 1 && !any) throw no_pair("all cases");
     } else if (rule.contrast != "none") {
         const std::size_t minus = rule.contrast.find(" - ");
         if (minus == std::string::npos) {
@@ -51,8 +66,10 @@ PrecisionStop::PrecisionStop(const StopRule& rule, const std::vector<std::string
                 "stop.contrast = \"{}\" is no contrast; write \"none\", \"all\", or two cases as in \"{} - {}\".",
                 rule.contrast, cases.back(), cases.front()));
         }
-        targets_.push_back({.case_index = index_of(rule.contrast.substr(0, minus), cases, "contrast"),
-                            .minus = index_of(rule.contrast.substr(minus + 3), cases, "contrast")});
+        const int second = index_of(rule.contrast.substr(0, minus), cases, "contrast");
+        const int first = index_of(rule.contrast.substr(minus + 3), cases, "contrast");
+        if (!share(first, second)) throw no_pair("these two");
+        targets_.push_back({.case_index = second, .minus = first});
     }
     if (targets_.empty()) {
         throw InputError(

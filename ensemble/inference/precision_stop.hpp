@@ -23,9 +23,10 @@ namespace floes {
 
 class PrecisionStop {
   public:
-    /// An active rule over cases of these names. Throws InputError when the rule names a case that is none of them, or
-    /// asks for nothing.
-    PrecisionStop(const StopRule& rule, const std::vector<std::string>& cases);
+    /// An active rule over cases of these names. `groups`: a number for each case, equal for those that share
+    /// arrangements (sharing_groups()), since only they have paired differences; empty: all do. Throws InputError when
+    /// the rule names a case that is none of them, asks for nothing, or for a difference of cases that are no pair.
+    PrecisionStop(const StopRule& rule, const std::vector<std::string>& cases, const std::vector<int>& groups = {});
 
     /// The value of one member, in any order; NaN when it failed: then it does not count, but is no gap. Of two values
     /// for one member the first counts.

@@ -15,14 +15,6 @@ namespace {
 // One line of the file as (column, value): header and lines come from the same list and cannot drift apart.
 using Cells = std::vector<std::pair<std::string, std::string>>;
 
-// RFC 4180: quoted where a comma, a quote or a line end would be misread.
-std::string quoted(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string result{"\""};
-    for (const char letter : text) result += letter == '"' ? std::string{"\"\""} : std::string{letter};
-    return result + "\"";
-}
-
 void add_interval(std::string_view key, const Estimate& interval, Cells& cells) {
     cells.emplace_back(key, csv_number(interval.estimate));
     cells.emplace_back(fmt::format("{}_low", key), csv_number(interval.low));
@@ -35,7 +27,7 @@ void add_interval(std::string_view key, const Estimate& interval, Cells& cells) 
 
 Cells case_cells(const Summary& summary, std::size_t index, Reference reference) {
     const CaseSummary& row = summary.cases[index];
-    Cells cells{{"name", quoted(row.about.name)},
+    Cells cells{{"name", csv_text(row.about.name)},
                 {"cfm", csv_number(row.about.cfm)},
                 {"elastic_modulus_MPa", csv_number(row.about.elastic_modulus / unit::megapascal)},
                 {"members", fmt::format("{}", row.members)},
@@ -55,7 +47,7 @@ Cells case_cells(const Summary& summary, std::size_t index, Reference reference)
     cells.emplace_back("failures_bending", failures(&FailureCounts::bending));
     cells.emplace_back("failures_shear", failures(&FailureCounts::shear));
     cells.emplace_back("failures_compression", failures(&FailureCounts::compression));
-    cells.emplace_back("structure_wall", quoted(wall_words(row.about.profile)));
+    cells.emplace_back("structure_wall", csv_text(wall_words(row.about.profile)));
     cells.emplace_back("far_end", far_end_key(row.about.far_end));
     cells.emplace_back("contact_erp", csv_number(row.about.contact_erp));
     cells.emplace_back("steady_start_s", csv_number(row.about.analysis.steady_start));

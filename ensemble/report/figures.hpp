@@ -31,6 +31,14 @@ inline std::string csv_number(double value) {
     return std::isfinite(value) ? fmt::format("{}", value) : std::string{};
 }
 
+/// RFC 4180: in quotes where a comma, a quote or a line end would be misread.
+inline std::string csv_text(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string result{"\""};
+    for (const char letter : text) result += letter == '"' ? std::string{"\"\""} : std::string{letter};
+    return result + "\"";
+}
+
 /// "0.034", "<0.001"; "–" where undefined.
 inline std::string p_text(double p) {
     return !std::isfinite(p) ? "–" : p < 0.001 ? "<0.001" : fmt::format("{:.3f}", p);

@@ -8,6 +8,7 @@
 #include "report/levels_text.hpp"
 #include "report/members_text.hpp"
 #include "report/pairs_text.hpp"
+#include "report/sensitivity_text.hpp"
 #include "report/steady_text.hpp"
 
 namespace floes {
@@ -23,6 +24,8 @@ std::string joined(const std::vector<std::string>& parts) {
 std::string findings_table(const Findings& findings, int width) {
     std::vector<std::string> parts;
     if (findings.show_cases) parts.push_back(summary_table(findings.summary, width, findings.reference));
+    if (findings.points) parts.push_back(points_table(*findings.points, width));
+    if (findings.sensitivity) parts.push_back(sensitivity_table(*findings.sensitivity, width));
     if (findings.pairs) parts.push_back(pairs_table(findings.summary, *findings.pairs, findings.pair_options, width));
     if (findings.extremes && findings.show_extremes)
         parts.push_back(extremes_table(findings.summary, *findings.extremes, width));
@@ -33,6 +36,8 @@ std::string findings_table(const Findings& findings, int width) {
 
 std::string findings_json(const Findings& findings) {
     Json json = summary_as_json(findings.summary, findings.reference);
+    if (findings.points) json["design"] = points_as_json(*findings.points);
+    if (findings.sensitivity) json["sensitivity"] = sensitivity_as_json(*findings.sensitivity);
     if (findings.pairs) json["pairs"] = pairs_as_json(findings.summary, *findings.pairs, findings.pair_options);
     if (findings.extremes)
         json["extremes"] = extremes_as_json(findings.summary, *findings.extremes, findings.exceedance);
@@ -44,6 +49,8 @@ std::string findings_json(const Findings& findings) {
 std::string findings_csv(const Findings& findings) {
     std::vector<std::string> parts;
     if (findings.show_cases) parts.push_back(summary_csv(findings.summary, findings.reference));
+    if (findings.points) parts.push_back(points_csv(*findings.points, findings.summary));
+    if (findings.sensitivity) parts.push_back(sensitivity_csv(*findings.sensitivity));
     if (findings.pairs) parts.push_back(pairs_csv(findings.summary, *findings.pairs));
     if (findings.extremes && findings.show_extremes)
         parts.push_back(extremes_csv(findings.summary, *findings.extremes));

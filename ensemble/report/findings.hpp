@@ -10,6 +10,8 @@
 #include "report/formats.hpp"
 #include "report/levels.hpp"
 #include "report/pairs.hpp"
+#include "report/points.hpp"
+#include "report/sensitivity.hpp"
 #include "report/steady.hpp"
 #include "report/summary.hpp"
 
@@ -22,6 +24,8 @@ struct Findings {
     bool show_cases = true;  ///< the summary's figures in table and CSV; JSON always has them
     std::optional<std::vector<PairRow>> pairs;
     PairOptions pair_options;
+    std::optional<DesignPoints> points;
+    std::optional<Sensitivity> sensitivity;
     std::optional<std::vector<CaseExtremes>> extremes;
     bool show_extremes = true;  ///< fits and return levels; the exceedance curve alone where not
     bool exceedance = false;    ///< the curve too; in a table it is too long
@@ -30,7 +34,8 @@ struct Findings {
     bool members = false;  ///< a line for each member; CSV alone
 };
 
-/// For people, no line wider than `width` where that can be: cases, pairs, extremes, steady states.
+/// For people, no line wider than `width` where that can be: cases, points, sensitivity, pairs, extremes, steady
+/// states.
 std::string findings_table(const Findings& findings, int width);
 
 /// For programs: summary_json() with "pairs" and so on beside "cases".

@@ -24,6 +24,8 @@ Json summary_as_json(const Summary& summary, Reference reference);
 Json extremes_as_json(const Summary& summary, const std::vector<CaseExtremes>& extremes, bool exceedance);
 Json levels_as_json(const Summary& summary, const std::vector<LevelRow>& rows);
 Json steady_as_json(const Summary& summary, const SteadyReport& steady);
+Json points_as_json(const DesignPoints& points);
+Json sensitivity_as_json(const Sensitivity& found);
 Json pairs_as_json(const Summary& summary, const std::vector<PairRow>& rows, const PairOptions& options);
 
 }  // namespace floes

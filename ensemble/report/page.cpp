@@ -10,8 +10,10 @@
 #include "report/figures.hpp"
 #include "report/page_style.hpp"
 #include "report/page_tables.hpp"
+#include "report/pairs_text.hpp"
 #include "report/plot.hpp"
 #include "report/report_figures.hpp"
+#include "report/sensitivity_text.hpp"
 
 namespace floes {
 namespace {
@@ -88,24 +90,42 @@ std::string over_time(const ReportData& data) {
 }
 
 std::string comparisons(const ReportData& data) {
-    if (data.findings.pairs->empty()) return "";
+    const Summary& summary = data.findings.summary;
+    if (summary.cases.size() < 2) return "";
+    const std::string title = "Do the cases differ?";
+    if (!data.findings.pairs) return section(title, paragraph(unasked_text(summary)));
+    const std::string left_out = left_out_text(summary, *data.findings.pairs);
+    if (data.findings.pairs->empty()) return section(title, paragraph(left_out));
     std::string body = pairs_table_html(data);
+    if (!left_out.empty()) body += paragraph(left_out);
     body += note(
         "Cases met the same arrangements, so they are compared arrangement by arrangement. p by Student's t and "
         "by Wilcoxon's signed ranks, Holm over all pairs of a quantity.");
     body += figure(pairs_figure(data, 0, 1), "Mean load: differences within an arrangement.");
     body += figure(pairs_figure(data, 3, 1), "Mean maximum load: differences within an arrangement.");
-    return section("Do the cases differ?", body);
+    return section(title, body);
+}
+
+std::string sensitivity(const ReportData& data) {
+    if (!data.findings.sensitivity) return "";
+    const Sensitivity& found = *data.findings.sensitivity;
+    std::string body = found.rows.empty() ? "" : sensitivity_table_html(found);
+    for (const std::string& sentence : sensitivity_notes(found)) body += note(sentence);
+    body +=
+        "<details><summary>Points of the design</summary>" + points_table_html(*data.findings.points) + "</details>\n";
+    return section("What decides the load?", body);
 }
 
 std::string extremes(const ReportData& data) {
-    return section("Extremes",
-                   figure(exceedance_figure(data),
-                          "Dots: maxima of all segments. Lines: Gumbel, dashed: GEV, fitted by maximum likelihood.") +
-                       return_levels_table(data) +
-                       figure(levels_figure(data),
-                              "Share of the time in the window with a surge load above the levels that the members "
-                              "counted at every step: mean over arrangements with its 95 % interval."));
+    std::string body;
+    if (data.findings.extremes)
+        body += figure(exceedance_figure(data),
+                       "Dots: maxima of all segments. Lines: Gumbel, dashed: GEV, fitted by maximum likelihood.") +
+                return_levels_table(data);
+    body += figure(levels_figure(data),
+                   "Share of the time in the window with a surge load above the levels that the members counted at "
+                   "every step: mean over arrangements with its 95 % interval.");
+    return body.empty() ? "" : section("Extremes", body);
 }
 
 std::string failures(const ReportData& data) {
@@ -165,8 +185,8 @@ std::string report_page(const ReportData& data) {
                "floes</title>\n<style>{1}</style></head>\n"
                "<body>\n<h1>Loads of managed ice floes: {0}</h1>\n",
                title, page_style) +
-           section("Loads", loads(data)) + section("What was run", what_was_run(data)) + comparisons(data) +
-           over_time(data) + extremes(data) +
+           section("Loads", loads(data)) + section("What was run", what_was_run(data)) + sensitivity(data) +
+           comparisons(data) + over_time(data) + extremes(data) +
            section("How sure is the mean?",
                    figure(convergence_figure(data), "Mean load of the first n arrangements with its 95 % interval.")) +
            failures(data) + largest(data) + theory(data) + provenance(data) + "</body></html>\n";

@@ -23,7 +23,7 @@ struct DrawnHistory {
 struct ReportData {
     Campaign campaign;  ///< as the file's own configuration has it
     CampaignOrigin origin;
-    Findings findings;  ///< with pairs, extremes and levels
+    Findings findings;  ///< with pairs and extremes where in_detail(), points and sensitivity of a design, levels
     std::vector<DrawnHistory>
         histories;  ///< of the first arrangement that every case has done; empty where none is kept
     std::vector<BreakRow> breaks;

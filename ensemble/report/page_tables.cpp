@@ -9,6 +9,7 @@
 #include "report/figures.hpp"
 #include "report/paper_table3.hpp"
 #include "report/plot.hpp"
+#include "report/sensitivity_text.hpp"
 
 namespace floes {
 namespace {
@@ -22,6 +23,18 @@ std::string estimate_cell(const Estimate& estimate, double factor, int decimals)
 
 std::string in_table(const std::string& rows) {
     return "<div class=\"wide\"><table>" + rows + "</table></div>\n";
+}
+
+/// The first line is the heading.
+std::string plain_table(const std::vector<std::vector<std::string>>& lines) {
+    std::string rows;
+    for (const std::vector<std::string>& line : lines) {
+        const char* cell = rows.empty() ? "th" : "td";
+        rows += "<tr>";
+        for (const std::string& text : line) rows += fmt::format("<{0}>{1}</{0}>", cell, html_escaped(text));
+        rows += "</tr>\n";
+    }
+    return in_table(rows);
 }
 
 /// The paper's run at the case's modulus, where it has one.
@@ -38,12 +51,17 @@ std::string table3(const ReportData& data) {
     std::string rows =
         "<tr><th>case</th><th>n</th><th>mean, N</th><th>SD, N</th><th>mean maximum, N</th><th>SD maximum, N</th>"
         "<th>broken floes, %</th></tr>\n";
-    for (const CaseSummary& row : data.findings.summary.cases) {
+    const std::vector<CaseSummary>& cases = data.findings.summary.cases;
+    for (std::size_t k = 0; k < cases.size(); ++k) {
+        const CaseSummary& row = cases[k];
         rows += fmt::format("<tr><td>{}</td><td>{}</td>", html_escaped(row.about.name), row.done) +
                 estimate_cell(row.mean, 1, 1) + estimate_cell(row.sd, 1, 1) + estimate_cell(row.mean_maximum, 1, 0) +
                 estimate_cell(row.sd_maximum, 1, 0) + estimate_cell(row.failure_ratio, 1 / unit::percent, 1) +
                 "</tr>\n";
-        if (const PaperRow* paper = paper_row(row.about))
+        const PaperRow* paper = paper_row(row.about);
+        const bool again =
+            k + 1 < cases.size() && paper_row(cases[k + 1].about) == paper;  // of a design: once is enough
+        if (paper != nullptr && !again)
             rows += fmt::format(
                 "<tr><td><small>the paper at {:g} MPa</small></td><td>1</td><td>{:.1f}</td><td>{:.1f}</td><td>{:.0f}"
                 "</td><td>{:.0f}</td><td>{:.1f}</td></tr>\n",
@@ -74,6 +92,24 @@ std::string pairs_table_html(const ReportData& data) {
             bracket(row.found.t_interval, 2, factor), html_escaped(p_text(row.t_p_holm)),
             html_escaped(p_text(row.wilcoxon_p_holm)), fixed(row.found.variance_saved / unit::percent, 0),
             row.to_resolve_observed > 0 ? fmt::format("{}", row.to_resolve_observed) : "–");
+    }
+    return in_table(rows);
+}
+
+std::string points_table_html(const DesignPoints& points) {
+    return plain_table(points_lines(points));
+}
+
+std::string sensitivity_table_html(const Sensitivity& found) {
+    std::string rows;
+    for (const std::vector<std::string>& line : sensitivity_lines(found)) {
+        const char* cell = rows.empty() ? "th" : "td";
+        rows += fmt::format("<tr><{0}>{1}</{0}>", cell, html_escaped(line.front()));
+        // Each figure with its interval below: side by side they are wider than paper.
+        for (std::size_t i = 1; i + 1 < line.size(); i += 2)
+            rows += fmt::format("<{0}>{1}<br><small>{2}</small></{0}>", cell, html_escaped(line[i]),
+                                html_escaped(line[i + 1]));
+        rows += "</tr>\n";
     }
     return in_table(rows);
 }

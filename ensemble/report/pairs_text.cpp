@@ -49,11 +49,34 @@ std::vector<std::string> line(const Summary& summary, const PairRow& row) {
             needed_text(row.to_resolve_wished)};
 }
 
+std::size_t all_pairs(const Summary& summary) {
+    return summary.cases.size() * (summary.cases.size() - 1) / 2;
+}
+
 }  // namespace
+
+std::string left_out_text(const Summary& summary, const std::vector<PairRow>& rows) {
+    const std::size_t all = all_pairs(summary);
+    const std::size_t left_out = all - rows.size() / table3_quantities.size();
+    if (left_out == 0) return "";
+    return fmt::format(
+        "{} not compared: cases are paired over arrangements that both have done and begin from with the same floes, "
+        "and {} no two of these (campaign.common_arrangements = false, or fields of another geometry).",
+        left_out == all ? (all == 1 ? "The pair is" : "Pairs are") : fmt::format("{} of {} pairs are", left_out, all),
+        left_out == 1 ? "it has" : "they have");
+}
+
+std::string unasked_text(const Summary& summary) {
+    return fmt::format(
+        "The {} pairs of these {} cases, and the extremes of each: floes summarize --parts pairs,extremes.",
+        all_pairs(summary), summary.cases.size());
+}
 
 std::string pairs_table(const Summary& summary, const std::vector<PairRow>& rows, const PairOptions& options,
                         int width) {
-    if (rows.empty()) return "Pairs: no two cases share the arrangements of at least two done members.\n";
+    if (rows.empty() && summary.cases.size() < 2) return "Pairs: there is but one case.\n";
+    if (rows.empty()) return left_out_text(summary, rows) + "\n";
+    const std::string left_out = left_out_text(summary, rows);
     std::vector<std::vector<std::string>> lines{{"pair", "n", "difference", "95 %", "of first", "p t", "p Wilcoxon",
                                                  "saved", "n for it",
                                                  fmt::format("n for {:g} %", options.resolve / unit::percent)}};
@@ -76,7 +99,8 @@ std::string pairs_table(const Summary& summary, const std::vector<PairRow>& rows
                rows.size() / table3_quantities.size() == 1
                    ? std::string{"one pair"}
                    : fmt::format("{} pairs", rows.size() / table3_quantities.size()),
-               options.resolve / unit::percent, options.power / unit::percent);
+               options.resolve / unit::percent, options.power / unit::percent) +
+           (left_out.empty() ? "" : left_out + "\n");
 }
 
 std::string pairs_csv(const Summary& summary, const std::vector<PairRow>& rows) {

@@ -68,12 +68,18 @@ std::optional<HybridCurve> hybrid_of(const Scenario& scenario) {
 ReportData read_report_data(const std::filesystem::path& path) {
     ReportData data;
     data.origin = read_origin(path);
-    data.campaign = read_campaign({data.origin.configuration, path.stem().string() + ".toml", {}}, nullptr);
+    data.campaign = campaign_of(data.origin, path);
     Findings& findings = data.findings;
     findings.table = read_campaign_file(path);
     findings.summary = summarise(findings.table);
-    findings.pairs = compare_pairs(findings.table, {});
-    findings.extremes = find_extremes(findings.table);
+    if (data.campaign.design.active()) {
+        findings.points = find_points(data.campaign);
+        findings.sensitivity = find_sensitivity(data.campaign, findings.table);
+    }
+    if (in_detail(data.campaign)) {
+        findings.pairs = compare_pairs(findings.table, {});
+        findings.extremes = find_extremes(findings.table);
+    }
     findings.levels = find_levels(findings.table);
     const int arrangement = common_arrangement(findings.table);
     for_each_history(path, [&](const SurgeHistory& history) {

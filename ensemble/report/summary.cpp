@@ -1,11 +1,11 @@
 #include "report/summary.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>
 
+#include "campaign/name_list.hpp"
 #include "core/error.hpp"
 
 namespace floes {
@@ -76,8 +76,7 @@ std::size_t case_index(const Summary& summary, std::string_view name) {
         if (summary.cases[index].about.name == name) return index;
         names.push_back(summary.cases[index].about.name);
     }
-    throw InputError(
-        fmt::format("There is no case '{}' in this campaign; its cases are {}.", name, fmt::join(names, ", ")));
+    throw InputError(fmt::format("There is no case '{}' in this campaign; its cases are {}.", name, name_list(names)));
 }
 
 double difference_percent(const Summary& summary, std::size_t of_case, std::size_t reference,

@@ -1,25 +1,16 @@
 #include "store/arrangement_rows.hpp"
 
 #include <algorithm>
-#include <cstdint>
-
-#include "arrangement/arrangement.hpp"
 
 namespace floes {
 
-ArrangementRows::ArrangementRows(const Campaign& campaign) : arrangements_(campaign.arrangements) {
-    std::vector<std::uint64_t> keys;
-    for (const Case& one : campaign.cases) {
-        const std::uint64_t key = geometry_key(one.scenario);
-        const auto known = std::find(keys.begin(), keys.end(), key);
-        geometry_of_case_.push_back(static_cast<int>(known - keys.begin()));
-        if (known == keys.end()) keys.push_back(key);
-    }
-    geometries_ = static_cast<int>(keys.size());
+ArrangementRows::ArrangementRows(const Campaign& campaign)
+    : group_of_case_(sharing_groups(campaign)), arrangements_(campaign.arrangements) {
+    groups_ = *std::ranges::max_element(group_of_case_) + 1;
 }
 
 int ArrangementRows::row(MemberKey member) const {
-    return member.arrangement * geometries_ + geometry_of_case_.at(static_cast<std::size_t>(member.case_index));
+    return member.arrangement * groups_ + group_of_case_.at(static_cast<std::size_t>(member.case_index));
 }
 
 }  // namespace floes

@@ -1,5 +1,5 @@
 #pragma once
-// The rows of /arrangements: cases whose fields have the same geometry begin from the same floes and share a row.
+// The rows of /arrangements: cases that begin from the same floes share a row.
 
 #include <vector>
 
@@ -7,19 +7,19 @@
 
 namespace floes {
 
-/// Rows are ordered by arrangement number, then by geometry in order of its first case.
+/// Rows are ordered by arrangement number, then by sharing_groups().
 class ArrangementRows {
   public:
     explicit ArrangementRows(const Campaign& campaign);
 
-    int count() const { return geometries_ * arrangements_; }
+    int count() const { return groups_ * arrangements_; }
     int row(MemberKey member) const;
     /// Arrangement number of a row.
-    int number(int row) const { return row / geometries_; }
+    int number(int row) const { return row / groups_; }
 
   private:
-    std::vector<int> geometry_of_case_;
-    int geometries_ = 0;
+    std::vector<int> group_of_case_;
+    int groups_ = 0;
     int arrangements_ = 0;
 };
 

@@ -33,6 +33,10 @@ CampaignOrigin read_origin(const std::filesystem::path& path) {
     return origin;
 }
 
+Campaign campaign_of(const CampaignOrigin& origin, const std::filesystem::path& path) {
+    return read_campaign({origin.configuration, path.stem().string() + ".toml", {}}, nullptr);
+}
+
 std::vector<PlanarPose> read_poses(const std::filesystem::path& path, int arrangement_row) {
     const hdf5::QuietErrors quiet;
     const hdf5::Handle file = hdf5::open_for_reading(path);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "campaign/campaign.hpp"
 #include "core/vector.hpp"
 
 namespace floes {
@@ -18,6 +19,9 @@ struct CampaignOrigin {
 
 /// Throws as read_campaign_file() does; so do the others.
 CampaignOrigin read_origin(const std::filesystem::path& path);
+
+/// The campaign that the file's own configuration, read from the file at `path`, describes.
+Campaign campaign_of(const CampaignOrigin& origin, const std::filesystem::path& path);
 
 /// Where the floes of a row of /arrangements lay at the start.
 std::vector<PlanarPose> read_poses(const std::filesystem::path& path, int arrangement_row);

@@ -10,6 +10,8 @@ enum class StreamId : std::uint32_t {
     lattice_jitter = 2,   ///< shifts and turns of the jittered lattice
     bootstrap = 3,        ///< resampling of arrangements in statistics
     goodness_of_fit = 4,  ///< samples from a fitted distribution
+    latin_hypercube = 5,  ///< points of a design
+    sobol_shift = 6,      ///< the random digital shift of a design's Sobol sequence
 };
 
 }  // namespace floes

@@ -225,6 +225,13 @@ TEST(Configurations, Table3IsThePapersCaseAndPairs) {
     EXPECT_EQ(differences(table3, hundred), std::vector<std::string>{"campaign.arrangements: 30 there, 100 here"});
 }
 
+TEST(Configurations, TheExampleOfADesignHasSaltellisPoints) {
+    const Campaign design =
+        read_campaign({text_of("configs/design_sobol.toml"), "configs/design_sobol.toml", {}}, nullptr);
+    EXPECT_EQ(design.cases.size(), 4u * (design.design.axes.size() + 2));
+    EXPECT_EQ(design.design.axes.size(), 3u);
+}
+
 TEST(Configurations, PageHasTheReferenceThatTheProgramPrints) {
     const std::string page = text_of("docs/configuration.md");
     EXPECT_NE(page.find(reference_markdown()), std::string::npos)
@@ -238,11 +245,12 @@ TEST(Configurations, ReferenceNamesEveryKeyOnce) {
         EXPECT_NE(reference_markdown().find("| `" + line.key + "` |"), std::string::npos) << line.key;
     }
     CampaignHead head;
+    Design design;
     StopRule stop;
     Scenario scenario;
     RunRules rules;
-    EXPECT_EQ(keys.size(),
-              describe(scenario).size() + describe(head).size() + describe(stop).size() + describe(rules).size());
+    EXPECT_EQ(keys.size(), describe(scenario).size() + describe(head).size() + describe(design).size() +
+                               describe(stop).size() + describe(rules).size());
 }
 
 }  // namespace

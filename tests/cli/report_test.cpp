@@ -78,6 +78,18 @@ TEST_F(Report, TellsOfACampaignWithoutAnyResult) {
     EXPECT_THAT(content(page_), HasSubstr("0 simulations done"));
 }
 
+TEST_F(Report, TellsWhatDecidesTheLoadOfADesign) {
+    const Campaign campaign = synthetic::campaign_with_design();
+    const std::vector<Session> sessions{synthetic::session()};
+    publish(file_, campaign, {}, sessions);
+    run(file_.string() + " --no-plate-tests -o " + page_.string());
+    EXPECT_THAT(content(page_), HasSubstr("no plane"));
+    publish(file_, campaign, std::vector{synthetic::record(campaign, 0)}, sessions);
+    run(file_.string() + " --no-plate-tests -o " + page_.string());
+    EXPECT_THAT(content(page_), HasSubstr("<h2>What decides the load?</h2>"));
+    EXPECT_THAT(content(page_), HasSubstr("<td>soft+0.05_0.1</td><td>0.05</td><td>0.1</td>"));
+}
+
 TEST_F(Report, SaysWhatItCannotReadOrWrite) {
     EXPECT_THROW(run(file_.string()), InputError);
     const Campaign campaign = synthetic::campaign();

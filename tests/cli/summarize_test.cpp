@@ -87,6 +87,24 @@ TEST_F(Summarize, GivesCsv) {
     EXPECT_THAT(text, HasSubstr("\nstiff,1e-10,200,4,1,1,"));
 }
 
+// Campaigns with a design are read from the file's own configuration.
+TEST_F(Summarize, SaysWhatDecidesTheLoad) {
+    EXPECT_THAT(summarize("--parts sensitivity"), HasSubstr("has no design"));
+    const Campaign campaign = synthetic::campaign_with_design();
+    const std::vector<Session> sessions{synthetic::session()};
+    std::vector<MemberRecord> records;
+    for (int member = 0; member < member_count(campaign); ++member)
+        records.push_back(synthetic::record(campaign, member));
+    publish(file_, campaign, records, sessions);
+    const json found = json::parse(summarize("--format json")).at("sensitivity");
+    EXPECT_EQ(found.at("rows").size(), 4u);
+    // Member m has a mean load of 100 (m + 1) and a tenth, and its case is m modulo 6: 2 to a thickness, 1 to a Σ.
+    EXPECT_NEAR(found.at("rows").at(0).at("axes").at(0).at("slope").at("estimate").get<double>(), 200, 1e-9);
+    EXPECT_NEAR(found.at("rows").at(0).at("axes").at(1).at("slope").at("high").get<double>(), 50, 1e-9);
+    EXPECT_THAT(summarize("--format csv --parts points"), HasSubstr("\nsoft+0.05_0.01,soft,4,0.05,0.01,4,"));
+    EXPECT_THAT(summarize(""), HasSubstr("What decides the load"));
+}
+
 TEST_F(Summarize, RefusesWhatItDoesNotKnow) {
     EXPECT_THROW(summarize("--format yaml"), CLI::ValidationError);
     EXPECT_THROW(summarize("--reference hard"), InputError);

@@ -95,6 +95,22 @@ TEST(PrecisionStop, AContrastIsPaired) {
     EXPECT_FALSE(both.met());
 }
 
+TEST(PrecisionStop, PairsOnlyWhatSharesArrangements) {
+    StopRule paired = rule(0.01, 3, 0);
+    paired.case_name = "none";
+    paired.contrast = "all";
+    PrecisionStop stop(paired, {"one", "two", "other field"}, {0, 0, 1});
+    for (int i = 0; i < 3; ++i) {
+        stop.put(i, 0, 100.0 * (i + 1));
+        stop.put(i, 1, 100.0 * (i + 1) + 7);
+        stop.put(i, 2, 50.0 * i * i);
+    }
+    EXPECT_TRUE(stop.met());
+    EXPECT_THROW(PrecisionStop(paired, {"one", "two"}, {0, 1}), InputError);
+    paired.contrast = "two - one";
+    EXPECT_THROW(PrecisionStop(paired, {"one", "two"}, {0, 1}), InputError);
+}
+
 TEST(PrecisionStop, RefusesWhatNobodyCanAnswer) {
     StopRule strange = rule(0.1, 3, 0);
     strange.case_name = "E61";

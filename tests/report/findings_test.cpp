@@ -11,6 +11,7 @@
 
 #include "report/columns.hpp"
 #include "report/example.hpp"
+#include "report/pairs_text.hpp"
 
 namespace floes {
 namespace {
@@ -71,6 +72,18 @@ TEST(Pairs, AreNotMadeOfDifferentFields) {
     CampaignTable table = example::campaign();
     for (MemberRow& row : table.members) row.arrangement = 3 * row.arrangement + row.case_index;
     EXPECT_TRUE(compare_pairs(table).empty());
+    const Summary summary = summarise(table);
+    EXPECT_THAT(pairs_table(summary, {}, {}, 100),
+                testing::StartsWith("Pairs are not compared: cases are paired over"));
+}
+
+TEST(Pairs, SayWhichAreLeftOut) {
+    CampaignTable table = example::campaign();
+    for (MemberRow& row : table.members) row.arrangement += row.case_index == 1 ? 100 : 0;  // a field of its own
+    const std::vector<PairRow> rows = compare_pairs(table);
+    EXPECT_EQ(rows.size(), table3_quantities.size());
+    EXPECT_THAT(pairs_table(summarise(table), rows, {}, 100), HasSubstr("\n2 of 3 pairs are not compared: "));
+    EXPECT_EQ(left_out_text(summarise(example::campaign()), compare_pairs(example::campaign())), "");
 }
 
 TEST(Extremes, TakeTheSegmentsOfEveryDoneMember) {

@@ -37,6 +37,19 @@ inline Campaign campaign(int arrangements = 4) {
     return made;
 }
 
+/// The first case at the six points of a grid.
+inline Campaign campaign_with_design() {
+    Campaign one = campaign();
+    one.cases.resize(1);
+    return read_campaign(
+        {write_campaign(one) +
+             "[design]\nmethod = \"grid\"\n[[design.axis]]\nkey = \"ice.thickness_m\"\nvalues = [0.03, "
+             "0.04, 0.05]\n[[design.axis]]\nkey = \"joint.cfm\"\nvalues = [0.01, 0.1]\nscale = \"log\"\n",
+         "synthetic.toml",
+         {}},
+        nullptr);
+}
+
 /// A done member. Values depend on the member alone; floe poses on arrangement number and floe count alone.
 inline MemberRecord record(const Campaign& campaign, int number) {
     const MemberKey key = member_key(campaign, number);

@@ -1,0 +1,37 @@
+#pragma once
+// Which input moves an output, by how much of its variance: Sobol indices from Saltelli's points.
+
+#include <span>
+#include <vector>
+
+#include "inference/bootstrap.hpp"
+
+namespace floes {
+
+/// The output at Saltelli's points, over n base points j: at A_j, at B_j, and at A_j with input i taken from B_j.
+struct SaltelliValues {
+    std::vector<double> a;                ///< n
+    std::vector<double> b;                ///< n
+    std::vector<std::vector<double>> ab;  ///< inputs x n
+};
+
+/// An index with its BCa bootstrap interval over base points; NaN where undefined.
+struct SobolIndex {
+    double estimate;
+    Limits interval;
+};
+
+struct SobolIndices {
+    std::vector<SobolIndex> first;  ///< share of the variance that an input explains by itself, one an input
+    std::vector<SobolIndex> total;  ///< … and together with the others
+};
+
+/// With y - mean in place of y, and V the population variance of all y_A and y_B:
+///   first  S_i = mean(y_B (y_ABi - y_A)) / V    A. Saltelli et al., Comput. Phys. Commun. 181 (2010) 259-270, (b)
+///   total  T_i = mean((y_A - y_ABi)²) / (2 V)   M. J. W. Jansen, Comput. Phys. Commun. 117 (1999) 35-43
+/// as scipy.stats.sobol_indices has them. All NaN where V is 0 or there is no base point; intervals as bca_interval(),
+/// which takes base points as independent: for points of a Sobol sequence, which fill space more evenly, too wide.
+/// Throws InputError when the sizes differ or a value is not finite.
+SobolIndices sobol_indices(const SaltelliValues& values, const BootstrapOptions& options = {});
+
+}  // namespace floes
