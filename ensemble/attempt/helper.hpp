@@ -20,7 +20,7 @@
 #include <stop_token>
 
 #include "attempt/attempt_here.hpp"
-#include "attempt/descriptor.hpp"
+#include "core/descriptor.hpp"
 #include "core/error.hpp"
 
 namespace floes {

@@ -12,9 +12,9 @@
 #include <optional>
 #include <span>
 
-#include "attempt/descriptor.hpp"
 #include "attempt/ending.hpp"
 #include "attempt/member_function.hpp"
+#include "core/descriptor.hpp"
 
 namespace floes::helper_protocol {
 

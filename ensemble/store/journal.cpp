@@ -26,7 +26,7 @@ struct flock whole_file(short type) {
 
 // Locks of the open file rather than of the process: they also hold between two journals of one process.
 // A file system without locks lets both in; docs/campaign_file.md says so.
-void lock_for_writing(const FileDescriptor& file, const std::filesystem::path& path) {
+void lock_for_writing(const Descriptor& file, const std::filesystem::path& path) {
     auto lock = whole_file(F_WRLCK);
     if (::fcntl(file.get(), F_OFD_SETLK, &lock) == 0 || (errno != EAGAIN && errno != EACCES)) return;
     throw InputError(
@@ -59,11 +59,11 @@ std::filesystem::path journal_path(const std::filesystem::path& campaign_file) {
     return std::filesystem::path(campaign_file).replace_extension(".journal");
 }
 
-Journal::Journal(std::filesystem::path path, FileDescriptor file, JournalContents contents)
+Journal::Journal(std::filesystem::path path, Descriptor file, JournalContents contents)
     : path_(std::move(path)), file_(std::move(file)), contents_(std::move(contents)) {}
 
 Journal open_journal(const std::filesystem::path& path, const std::string& campaign_text, Existing existing) {
-    FileDescriptor file = open_file(path, O_RDWR | O_CREAT | O_APPEND);
+    Descriptor file = open_file(path, O_RDWR | O_CREAT | O_APPEND);
     lock_for_writing(file, path);
     if (existing != Existing::replace) {
         journal_format::Reading reading = journal_format::read(file, path, Histories::leave);
@@ -186,7 +186,7 @@ void Journal::end_session(const std::string& outcome) {
 }
 
 JournalContents read_journal(const std::filesystem::path& path, Histories histories) {
-    const FileDescriptor file = open_file(path, O_RDONLY);
+    const Descriptor file = open_file(path, O_RDONLY);
     journal_format::Reading reading = journal_format::read(file, path, histories);
     if (!reading.begun) throw InputError(fmt::format("{} holds nothing yet.", path.string()));
     return std::move(reading.contents);
@@ -197,7 +197,7 @@ Campaign read_stored_campaign(const JournalContents& contents, const std::filesy
 }
 
 bool is_being_written(const std::filesystem::path& path) {
-    const FileDescriptor file = open_file(path, O_RDONLY);
+    const Descriptor file = open_file(path, O_RDONLY);
     auto lock = whole_file(F_WRLCK);
     return ::fcntl(file.get(), F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
 }

@@ -18,7 +18,7 @@
 #include "campaign/campaign.hpp"
 #include "store/attempt_book.hpp"
 #include "store/calibration_record.hpp"
-#include "store/file_descriptor.hpp"
+#include "store/file_calls.hpp"
 #include "store/member_record.hpp"
 #include "store/session.hpp"
 
@@ -85,12 +85,12 @@ class Journal {
   private:
     friend Journal open_journal(const std::filesystem::path&, const std::string&, Existing);
     friend Journal open_journal(const std::filesystem::path&, const Campaign&, Existing);
-    Journal(std::filesystem::path path, FileDescriptor file, JournalContents contents);
+    Journal(std::filesystem::path path, Descriptor file, JournalContents contents);
     void extend(const Campaign& there, const Campaign& here);
     void write_record(std::uint32_t type, std::span<const std::byte> payload);
 
     std::filesystem::path path_;
-    FileDescriptor file_;
+    Descriptor file_;
     JournalContents contents_;
     std::vector<std::string> extension_;
 };

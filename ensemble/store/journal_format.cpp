@@ -67,7 +67,7 @@ std::uint64_t check_fixed_header(std::span<const std::byte> bytes, const std::fi
 }
 
 /// Reads the record at `at`; false when there is none that is whole.
-bool read_record(const FileDescriptor& file, const std::filesystem::path& path, std::uint64_t at, std::uint64_t size,
+bool read_record(const Descriptor& file, const std::filesystem::path& path, std::uint64_t at, std::uint64_t size,
                  Bytes& bytes) {
     if (size - at < record_head_bytes + crc_bytes) return false;
     bytes.resize(record_head_bytes);
@@ -81,7 +81,7 @@ bool read_record(const FileDescriptor& file, const std::filesystem::path& path, 
 
 /// Where the next whole record begins, from `at` on; `size` when there is none. What follows a damaged record was
 /// acknowledged as well and is not given up.
-std::uint64_t next_record(const FileDescriptor& file, const std::filesystem::path& path, std::uint64_t at,
+std::uint64_t next_record(const Descriptor& file, const std::filesystem::path& path, std::uint64_t at,
                           std::uint64_t size) {
     constexpr std::uint64_t window_bytes = 1 << 20;
     constexpr std::uint32_t types = 256;  // a filter: more than there will be
@@ -157,7 +157,7 @@ void take_member(JournalContents& contents, MemberRecord record, JournalContents
     contents.places.push_back(place);
 }
 
-MemberRecord read_member(const FileDescriptor& file, const std::filesystem::path& path, JournalContents::Place place) {
+MemberRecord read_member(const Descriptor& file, const std::filesystem::path& path, JournalContents::Place place) {
     Bytes bytes(place.size);
     if (!read_at(file, path, place.offset, bytes) || !crc_is_right(bytes))
         throw RunError(
@@ -192,7 +192,7 @@ Bytes record(RecordType type, std::span<const std::byte> payload) {
     return bytes;
 }
 
-Reading read(const FileDescriptor& file, const std::filesystem::path& path, Histories histories) {
+Reading read(const Descriptor& file, const std::filesystem::path& path, Histories histories) {
     Reading reading;
     // The size is taken once: what a live writer adds meanwhile is for the next reader.
     const std::uint64_t size = file_size(file, path);

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "core/bytes.hpp"
-#include "store/file_descriptor.hpp"
+#include "store/file_calls.hpp"
 #include "store/journal.hpp"
 
 namespace floes::journal_format {
@@ -38,7 +38,7 @@ Bytes record(RecordType type, std::span<const std::byte> payload);
 /// Enters a member into the contents: what appending and reading have in common.
 void take_member(JournalContents& contents, MemberRecord record, JournalContents::Place place, Histories histories);
 /// The member whose record stands at `place`. Throws RunError when it is damaged.
-MemberRecord read_member(const FileDescriptor& file, const std::filesystem::path& path, JournalContents::Place place);
+MemberRecord read_member(const Descriptor& file, const std::filesystem::path& path, JournalContents::Place place);
 
 /// What a file that was opened for reading holds. `begun` is false when it ends inside the header: a journal whose
 /// writer was stopped before it could keep anything. Throws InputError when the file is no readable journal.
@@ -46,6 +46,6 @@ struct Reading {
     bool begun = false;
     JournalContents contents;
 };
-Reading read(const FileDescriptor& file, const std::filesystem::path& path, Histories histories);
+Reading read(const Descriptor& file, const std::filesystem::path& path, Histories histories);
 
 }  // namespace floes::journal_format

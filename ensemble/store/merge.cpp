@@ -41,7 +41,7 @@ void check_part(const Campaign& first, const JournalContents& contents, const fs
 }
 
 /// Where the records of a journal begin.
-std::uint64_t begin_of_records(const FileDescriptor& file, const fs::path& path) {
+std::uint64_t begin_of_records(const Descriptor& file, const fs::path& path) {
     Bytes fixed(journal_format::fixed_header_bytes);
     read_at(file, path, 0, fixed);
     ByteReader in(fixed);
@@ -52,8 +52,8 @@ std::uint64_t begin_of_records(const FileDescriptor& file, const fs::path& path)
 
 /// The first `good_bytes` of `part` without the header, as they stand there: sessions, attempts and their order mean
 /// something.
-void copy_records(const FileDescriptor& out, const fs::path& out_path, const fs::path& part, std::uint64_t good_bytes) {
-    const FileDescriptor file = open_file(part, O_RDONLY);
+void copy_records(const Descriptor& out, const fs::path& out_path, const fs::path& part, std::uint64_t good_bytes) {
+    const Descriptor file = open_file(part, O_RDONLY);
     constexpr std::uint64_t piece = 1 << 20;
     for (std::uint64_t at = begin_of_records(file, part); at < good_bytes;) {
         Bytes bytes(std::min(piece, good_bytes - at));
@@ -74,7 +74,7 @@ void merge_campaigns(std::span<const fs::path> parts, const fs::path& output, bo
     const fs::path journal = journal_path(output);
     const fs::path aside = journal.string() + ".tmp";
     try {
-        const FileDescriptor out = open_file(aside, O_WRONLY | O_CREAT | O_TRUNC);
+        const Descriptor out = open_file(aside, O_WRONLY | O_CREAT | O_TRUNC);
         write_all(out, aside, journal_format::header(first.campaign_text));
         for (const fs::path& part : parts) {
             const fs::path path = journal_path(part);

@@ -8,7 +8,7 @@
 #include "store/build_info.hpp"
 #include "store/campaign_content.hpp"
 #include "store/campaign_file.hpp"
-#include "store/file_descriptor.hpp"
+#include "store/file_calls.hpp"
 
 namespace floes {
 namespace {

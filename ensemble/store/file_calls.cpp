@@ -1,7 +1,8 @@
-#include "store/file_descriptor.hpp"
+#include "store/file_calls.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
@@ -20,21 +21,21 @@ namespace {
 
 }  // namespace
 
-FileDescriptor open_file(const std::filesystem::path& path, int flags) {
+Descriptor open_file(const std::filesystem::path& path, int flags) {
     const int value = ::open(path.c_str(), flags | O_CLOEXEC, 0666);
     if (value < 0)
         throw InputError(fmt::format("{} cannot be opened: {}. The folder must exist and allow it.", path.string(),
                                      std::strerror(errno)));
-    return FileDescriptor(value);
+    return Descriptor(value);
 }
 
-std::uint64_t file_size(const FileDescriptor& file, const std::filesystem::path& path) {
+std::uint64_t file_size(const Descriptor& file, const std::filesystem::path& path) {
     struct stat status {};
     if (::fstat(file.get(), &status) != 0) refuse("fstat", path, errno);
     return static_cast<std::uint64_t>(status.st_size);
 }
 
-bool read_at(const FileDescriptor& file, const std::filesystem::path& path, std::uint64_t offset,
+bool read_at(const Descriptor& file, const std::filesystem::path& path, std::uint64_t offset,
              std::span<std::byte> bytes) {
     while (!bytes.empty()) {
         const ssize_t got = ::pread(file.get(), bytes.data(), bytes.size(), static_cast<off_t>(offset));
@@ -49,7 +50,7 @@ bool read_at(const FileDescriptor& file, const std::filesystem::path& path, std:
     return true;
 }
 
-void write_all(const FileDescriptor& file, const std::filesystem::path& path, std::span<const std::byte> bytes) {
+void write_all(const Descriptor& file, const std::filesystem::path& path, std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(file.get(), bytes.data(), bytes.size());
         if (written < 0) {
@@ -60,15 +61,15 @@ void write_all(const FileDescriptor& file, const std::filesystem::path& path, st
     }
 }
 
-void truncate_file(const FileDescriptor& file, const std::filesystem::path& path, std::uint64_t size) {
+void truncate_file(const Descriptor& file, const std::filesystem::path& path, std::uint64_t size) {
     if (::ftruncate(file.get(), static_cast<off_t>(size)) != 0) refuse("ftruncate", path, errno);
 }
 
-void sync_data(const FileDescriptor& file, const std::filesystem::path& path) {
+void sync_data(const Descriptor& file, const std::filesystem::path& path) {
     if (::fdatasync(file.get()) != 0) refuse("fdatasync", path, errno);
 }
 
-bool is_named(const FileDescriptor& file, const std::filesystem::path& path) {
+bool is_named(const Descriptor& file, const std::filesystem::path& path) {
     struct stat here {};
     struct stat there {};
     if (::fstat(file.get(), &here) != 0) refuse("fstat", path, errno);
@@ -78,7 +79,7 @@ bool is_named(const FileDescriptor& file, const std::filesystem::path& path) {
 
 void sync_folder_of(const std::filesystem::path& path) {
     const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-    const FileDescriptor opened = open_file(folder, O_RDONLY | O_DIRECTORY);
+    const Descriptor opened = open_file(folder, O_RDONLY | O_DIRECTORY);
     // Some network file systems do not know fsync of a folder (EINVAL); they keep names in order themselves.
     if (::fsync(opened.get()) != 0 && errno != EINVAL) refuse("fsync", folder, errno);
 }
