@@ -32,10 +32,10 @@ std::span<const double> last(std::span<const double> history, std::size_t count)
     return history.last(std::min(count, history.size()));
 }
 
-/// Values of the history that make a batch of at least steady_batch steps.
+/// Values of the history that make a batch of at least correlation_batch steps.
 std::size_t batch_of(const Analysis& analysis) {
     const auto stride = static_cast<std::size_t>(analysis.history_stride);
-    return (steady_batch + stride - 1) / stride;
+    return (correlation_batch + stride - 1) / stride;
 }
 
 struct MeanHistory {
@@ -53,8 +53,7 @@ CaseSteady case_steady(const CampaignTable& table, std::size_t index, const std:
                        const MeanHistory& mean) {
     CaseSteady found;
     // The sum is as steady as the mean.
-    if (const auto start = steady_start(mean.sum, batch_of(table.cases[index].analysis)))
-        found.start = static_cast<double>(*start) * mean.step;
+    if (const auto start = steady_start(mean.sum)) found.start = static_cast<double>(*start) * mean.step;
     std::vector<double> starts;
     std::vector<double> times;
     std::vector<double> effective;
@@ -108,14 +107,12 @@ SteadyReport find_steady(const std::filesystem::path& path, const CampaignTable&
         means.at(of_case).add(history);
         MemberSteady member{history.member, {}, 0, 0};
         const Analysis& analysis = table.cases[of_case].analysis;
-        const std::size_t batch = batch_of(analysis);
-        if (const auto start = steady_start(history.surge, batch))
-            member.start = static_cast<double>(*start) * history.step;
+        if (const auto start = steady_start(history.surge)) member.start = static_cast<double>(*start) * history.step;
         std::optional<double> variance;  // of single steps, which means over several do not show
         const double sd = table.members[static_cast<std::size_t>(history.member)].sd_load;
         if (analysis.history_stride > 1) variance = sd * sd;
         const Autocorrelation found = autocorrelation(last(history.surge, values_in_window(analysis, history.step)),
-                                                      history.step, batch, variance);
+                                                      history.step, batch_of(analysis), variance);
         member.decorrelation_time = found.time;
         member.effective_samples = found.effective_samples;
         report.members.push_back(member);

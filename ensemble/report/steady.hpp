@@ -11,13 +11,13 @@ namespace floes {
 
 struct MemberSteady {
     int member = 0;
-    std::optional<double> start;    ///< s after the tow began, by MSER-5; none: no steady part seen
+    std::optional<double> start;    ///< s after the tow began, by MSER; none: no steady part seen
     double decorrelation_time = 0;  ///< s, in the window of the case
     double effective_samples = 0;   ///< of that window
 };
 
 struct CaseSteady {
-    std::optional<double> start;           ///< s, by MSER-5 of the mean over the members' histories
+    std::optional<double> start;           ///< s, by MSER of the mean over the members' histories
     std::optional<double> median_start;    ///< s, of the members that have one
     int without_start = 0;                 ///< members that have none
     double median_decorrelation_time = 0;  ///< s

@@ -32,7 +32,7 @@ std::string steady_table(const Summary& summary, const SteadyReport& steady, int
                          fixed(one.median_decorrelation_time, 2), fixed(one.median_effective_samples, 0)});
     }
     return "Steady state\n\n" + columns(lines, width) +
-           "\nSteady from: MSER-5 of the mean history of the case; single runs: median of its members' own; without: "
+           "\nSteady from: MSER of the mean history of the case; single runs: median of its members' own; without: "
            "members in\nwhich no steady part is seen. Decorrelation: load that counts as one independent value; "
            "effective samples: of the\nwindow. Both are medians over the members.\n";
 }

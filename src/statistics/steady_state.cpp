@@ -25,8 +25,9 @@ double covariance_sum(std::span<const double> values, double mean, std::size_t l
 
 }  // namespace
 
-std::optional<std::size_t> steady_start(std::span<const double> load, std::size_t batch) {
-    if (load.size() < fewest_batches * batch) return {};
+std::optional<std::size_t> steady_start(std::span<const double> load) {
+    if (load.size() < fewest_batches) return {};
+    const std::size_t batch = (load.size() + steady_batches - 1) / steady_batches;
     const std::vector<double> means = batch_means(load, batch);
     const std::size_t most = means.size() / 2;
     std::size_t best = 0;

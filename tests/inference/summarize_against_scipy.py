@@ -37,11 +37,12 @@ def close(a, b, tolerance=TIGHT):
     return abs(a - b) <= tolerance * max(1, abs(a), abs(b))
 
 
-def mser5(load):
-    means = load[: len(load) // 5 * 5].reshape(-1, 5).mean(axis=1)
+def mser(load):
+    batch = -(-len(load) // 50)
+    means = load[: len(load) // batch * batch].reshape(-1, batch).mean(axis=1)
     errors = [np.sum((means[d:] - means[d:].mean()) ** 2) / (len(means) - d) ** 2 for d in range(len(means) // 2 + 1)]
     best = int(np.argmin(errors))
-    return None if best == len(means) // 2 else 5 * best
+    return None if best == len(means) // 2 else batch * best
 
 
 def effective_samples(load):
@@ -228,7 +229,7 @@ class Summarize(unittest.TestCase):
             case = self.members["case"][row["member"]]
             load = self.surge[row["member"]]
             load = load[~np.isnan(load)]
-            start = mser5(load)
+            start = mser(load)
             window = load[-int(round(self.window[case] / self.time_step[case])) :]
             with self.subTest(member=row["member"]):
                 if start is None:
@@ -238,7 +239,7 @@ class Summarize(unittest.TestCase):
                 self.assertTrue(close(row["effective_samples"], effective_samples(window), 1e-7))
         for case, row in enumerate(steady["cases"]):
             histories = self.surge[self.done & (self.members["case"] == case)]
-            start = mser5(np.nanmean(histories, axis=0)[~np.all(np.isnan(histories), axis=0)])
+            start = mser(np.nanmean(histories, axis=0)[~np.all(np.isnan(histories), axis=0)])
             found = row["steady_start_s"]
             self.assertTrue(found is None if start is None else close(found, start * self.time_step[case]))
 
