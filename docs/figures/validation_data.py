@@ -1,0 +1,88 @@
+"""What the validation stands on: the paper's figures, and the summaries of the campaigns as tables."""
+import json
+import pathlib
+
+import numpy as np
+import pandas as pd
+from scipy import stats
+
+SUMMARIES = pathlib.Path(__file__).resolve().parent.parent / "validation"
+CAMPAIGNS = ["wall_far_end_erp", "fit_wall", "table3", "one_at_a_time", "convergence"]
+MODULI = {"E30": 30, "E60": 60, "E200": 200}
+
+# Table 3 of the paper: one run for each E. The experiment: its text.
+PAPER = pd.DataFrame(
+    {"mean_N": [26.50, 30.28, 28.32], "sd_N": [15.52, 18.43, 18.67],
+     "segment_1_maximum_N": [106.58, 162.22, 86.48], "segment_2_maximum_N": [46.75, 93.10, 127.36],
+     "segment_3_maximum_N": [126.84, 98.50, 150.30], "mean_maximum_N": [93.39, 117.94, 121.38],
+     "sd_maximum_N": [34.00, 31.39, 26.39], "failure_ratio": [0.106, 0.101, 0.175]}, index=MODULI)
+EXPERIMENT = {"mean_N": 38.8, "maximum_N": 102.7, "failure_ratio": 0.22}
+FITTED_TO = PAPER.loc["E60", "mean_N"]
+
+LABELS = {"mean_N": "mean load, N", "sd_N": "SD, N", "segment_1_maximum_N": "maximum 0-50 s, N",
+          "segment_2_maximum_N": "maximum 50-100 s, N", "segment_3_maximum_N": "maximum 100-150 s, N",
+          "mean_maximum_N": "mean of the maxima, N", "sd_maximum_N": "SD of the maxima, N",
+          "maximum_N": "largest load, N", "failure_ratio": "broken floes, %"}
+
+
+def members(name):
+    """One row a finished member, the failure ratio in percent as the paper has it."""
+    table = pd.read_csv(SUMMARIES / f"{name}.members.csv")
+    return in_percent(table[table.status == "done"])
+
+
+def in_percent(table):
+    return table.assign(failure_ratio=100 * table.failure_ratio)
+
+
+def pairs():
+    return pd.read_csv(SUMMARIES / "table3.pairs.csv")
+
+
+def steady_cases():
+    """The summary of table3 in the window that the loads themselves choose."""
+    return in_percent(pd.read_csv(SUMMARIES / "table3.steady.csv")).set_index("name")
+
+
+def averages():
+    return pd.read_csv(SUMMARIES / "table3.averaged.csv")
+
+
+def hybrid():
+    return pd.DataFrame(json.loads((SUMMARIES / "hybrid.json").read_text())["rows"])
+
+
+def paper(case, quantity):
+    return PAPER.loc[case, quantity] * (100 if quantity == "failure_ratio" else 1)
+
+
+def half_width(values, one_run=False):
+    """Of the 95 % t interval of the mean, or of the interval that holds one further run."""
+    n = len(values)
+    spread = np.std(values, ddof=1) * np.sqrt((1 if one_run else 0) + 1 / n)
+    return stats.t.ppf(0.975, n - 1) * spread
+
+
+def interval(values, one_run=False):
+    """Mean, lower and upper end; loads and ratios are not negative."""
+    mean, half = np.mean(values), half_width(values, one_run)
+    return mean, max(mean - half, 0.0), mean + half
+
+
+def change(table, quantity, case, base):
+    """What `case` changes of `base` and the half width of its 95 % interval: paired, or by Welch's t where the two began
+    from other arrangements."""
+    wide = across(table, quantity, [case, base])
+    if len(wide) > 1:
+        differences = wide[case] - wide[base]
+        return differences.mean(), half_width(differences)
+    one, other = (table[table.case == name][quantity] for name in (case, base))
+    errors = one.var() / len(one), other.var() / len(other)
+    freedom = sum(errors) ** 2 / (errors[0] ** 2 / (len(one) - 1) + errors[1] ** 2 / (len(other) - 1))
+    return one.mean() - other.mean(), stats.t.ppf(0.975, freedom) * np.sqrt(sum(errors))
+
+
+def across(table, quantity, cases=None):
+    """Rows: arrangements that all the cases have; columns: cases."""
+    wide = table.pivot(index="arrangement", columns="case", values=quantity)
+    return wide[cases if cases is not None else list(dict.fromkeys(table.case))].dropna()

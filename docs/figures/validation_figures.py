@@ -1,0 +1,124 @@
+"""The pictures of docs/validation.md."""
+import matplotlib
+
+matplotlib.use("svg")
+matplotlib.rcParams["svg.hashsalt"] = "floes"
+matplotlib.rcParams["font.size"] = 10
+import matplotlib.pyplot as plt
+import numpy as np
+
+from validation_data import EXPERIMENT, LABELS, MODULI, change, hybrid, interval, members, paper
+
+COLOURS = {"E30": "#0072B2", "E60": "#D55E00", "E200": "#009E73"}  # Okabe and Ito
+PANELS = ["mean_N", "mean_maximum_N", "failure_ratio"]
+
+
+def finish(figure, path, legend_of=None):
+    for axes in figure.axes:
+        axes.spines[["top", "right"]].set_visible(False)
+    if legend_of is not None:
+        handles, names = legend_of.get_legend_handles_labels()
+        figure.legend(handles, names, loc="upper center", ncol=len(names), frameon=False)
+    figure.tight_layout(rect=(0, 0, 1, 1 if legend_of is None else 0.92))
+    figure.savefig(path, metadata={"Date": None})
+    plt.close(figure)
+
+
+def answer(path):
+    """Every member as a dot, the mean with its interval, what single runs give, and the paper's single runs."""
+    table = members("table3")
+    figure, panels = plt.subplots(1, 3, figsize=(10, 4.6))
+    for axes, quantity in zip(panels, PANELS):
+        for place, (case, modulus) in enumerate(MODULI.items()):
+            values = table[table.case == case][quantity].to_numpy()
+            order = np.argsort(np.argsort(values))  # dots side by side, in no other order than their size
+            axes.plot(place - 0.22 + 0.09 * (order % 3 - 1), values, ".", color=COLOURS[case], alpha=0.55, markersize=5,
+                      label="one run each" if place == 0 else None)
+            _, low, high = interval(values, one_run=True)
+            axes.vlines(place + 0.06, low, high, color="0.72", linewidth=5,
+                        label="95 % of single runs" if place == 0 else None)
+            mean, low, high = interval(values)
+            axes.errorbar(place + 0.06, mean, [[mean - low], [high - mean]], fmt="o", color=COLOURS[case], capsize=5,
+                          linewidth=2, label="mean, 95 %" if place == 0 else None)
+            axes.plot(place + 0.32, paper(case, quantity), "D", color="black", markersize=7,
+                      label="the paper's run" if place == 0 else None)
+        if quantity in EXPERIMENT:
+            level = EXPERIMENT[quantity] * (100 if quantity == "failure_ratio" else 1)
+            axes.axhline(level, color="black", linestyle=":", linewidth=1, label="experiment (60 MPa)")
+        axes.set_xticks(range(3), [f"{modulus}" for modulus in MODULI.values()])
+        axes.set_xlim(-0.55, 2.55)
+        axes.set_ylim(bottom=0)
+        axes.set_xlabel("elastic modulus E, MPa")
+        axes.set_ylabel(LABELS[quantity])
+    finish(figure, path, legend_of=panels[0])
+
+
+def sensitivity(path):
+    table = members("wall_far_end_erp")
+    walls = list(dict.fromkeys(case.split("_")[0] for case in table.case))
+    figure, panels = plt.subplots(1, 3, figsize=(10, 4.0))
+    styles = {("closed", "erp0.2"): ("#D55E00", "o", "-"), ("closed", "erp0.8"): ("#D55E00", "s", "--"),
+              ("open", "erp0.2"): ("#0072B2", "o", "-"), ("open", "erp0.8"): ("#0072B2", "s", "--")}
+    for axes, quantity in zip(panels, PANELS):
+        for shift, ((far_end, erp), (colour, marker, line)) in enumerate(styles.items()):
+            angles = np.array([float(wall.removesuffix("deg")) for wall in walls])
+            bars = np.array([interval(table[table.case == f"{wall}_{far_end}_{erp}"][quantity]) for wall in walls])
+            axes.errorbar(angles + 0.5 * (shift - 1.5), bars[:, 0], [bars[:, 0] - bars[:, 1], bars[:, 2] - bars[:, 0]],
+                          color=colour, marker=marker, linestyle=line, capsize=3, markersize=5,
+                          label=f"{far_end}, contact Γ {erp.removeprefix('erp')}")
+        axes.axhline(paper("E60", quantity), color="black", linewidth=1, linestyle=":", label="the paper, 60 MPa")
+        axes.set_xticks(angles)
+        axes.set_ylim(bottom=0)
+        axes.set_xlabel("wall below the waterline, degrees")
+        axes.set_ylabel(LABELS[quantity])
+    finish(figure, path, legend_of=panels[0])
+
+
+def changes(campaign, path):
+    """What each case changes of the first one over the same arrangements, a row a case."""
+    table = members(campaign)
+    base, *changed = dict.fromkeys(table.case)
+    figure, panels = plt.subplots(1, 3, figsize=(10, 0.3 * len(changed) + 1.2), sharey=True)
+    for axes, quantity in zip(panels, PANELS):
+        for row, case in enumerate(reversed(changed)):
+            mean, half = change(table, quantity, case, base)
+            axes.errorbar(mean, row, xerr=half, fmt="o", capsize=3, color="#D55E00" if abs(mean) > half else "0.45")
+        axes.axvline(0, color="black", linewidth=0.8)
+        axes.set_yticks(range(len(changed)), [case.replace("_", " ") for case in reversed(changed)])
+        axes.set_xlabel(f"change of {LABELS[quantity]}")
+    finish(figure, path)
+
+
+def hybrid_points(path):
+    table = members("table3")
+    curve = hybrid()
+    figure, axes = plt.subplots(figsize=(7.5, 4.6))
+    axes.plot(curve.elastic_modulus_MPa, curve.limit_stress_N, color="#0072B2", label="limit stress (Lindqvist), Eq. (6)")
+    axes.plot(curve.elastic_modulus_MPa, curve.limit_momentum_N, color="#D55E00",
+              label="limit momentum (KPR, coefficient calibrated), Eq. (7)")
+    axes.plot(curve.elastic_modulus_MPa, curve.hybrid_N, color="black", linewidth=3, alpha=0.35, label="hybrid: the lower")
+    for case, modulus in MODULI.items():
+        first = case == "E30"
+        values = table[table.case == case].mean_N
+        _, low, high = interval(values, one_run=True)
+        axes.vlines(modulus, low, high, color="0.72", linewidth=5, label="95 % of single runs" if first else None)
+        mean, low, high = interval(values)
+        axes.errorbar(modulus, mean, [[mean - low], [high - mean]], fmt="o", color="#009E73", capsize=5, linewidth=2,
+                      label="ensemble: mean, 95 %" if first else None)
+        axes.plot(1.13 * modulus, paper(case, "mean_N"), "D", color="black", label="the paper's simulation" if first else None)
+    axes.plot(60 / 1.13, EXPERIMENT["mean_N"], "*", color="black", markersize=12, label="experiment")
+    axes.set_xscale("log")
+    axes.set_xlim(2, 500)
+    axes.set_ylim(0, 120)
+    axes.set_xlabel("elastic modulus E, MPa")
+    axes.set_ylabel("mean load, N")
+    axes.legend(frameon=False, fontsize=8)
+    finish(figure, path)
+
+
+def draw_all(folder):
+    answer(folder / "answer.svg")
+    sensitivity(folder / "sensitivity.svg")
+    for campaign in ["one_at_a_time"]:
+        changes(campaign, folder / f"{campaign}.svg")
+    hybrid_points(folder / "hybrid.svg")
