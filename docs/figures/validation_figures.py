@@ -119,6 +119,6 @@ def hybrid_points(path):
 def draw_all(folder):
     answer(folder / "answer.svg")
     sensitivity(folder / "sensitivity.svg")
-    for campaign in ["one_at_a_time"]:
+    for campaign in ["one_at_a_time", "convergence"]:
         changes(campaign, folder / f"{campaign}.svg")
     hybrid_points(folder / "hybrid.svg")

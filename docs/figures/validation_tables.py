@@ -200,4 +200,4 @@ def hybrid_points():
 
 
 BLOCKS = {"sensitivity": sensitivity, "fit": fit, "table3": table3, "steady": steady_window, "averaging": averaging, "modes": modes, "differences": differences,
-          "trend": trend, "one at a time": lambda: changes("one_at_a_time"), "hybrid": hybrid_points}
+          "trend": trend, "one at a time": lambda: changes("one_at_a_time"), "convergence": lambda: changes("convergence"), "hybrid": hybrid_points}

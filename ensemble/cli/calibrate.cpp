@@ -12,6 +12,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/config_file.hpp"
+#include "core/error.hpp"
 #include "core/units.hpp"
 #include "laboratory/calibration.hpp"
 
@@ -115,9 +116,21 @@ std::string curve_text(const CalibrateOptions& options) {
     return to_table(curve);
 }
 
+/// The one ice whose Σ is looked for.
+PointPlan plan_of_inverse(CalibrateOptions options) {
+    options.sheets.resize(1);
+    options.cfm.clear();
+    const std::vector<PointPlan> plans = make_plans(options);
+    if (plans.size() == 1) return plans.front();
+    throw InputError(
+        fmt::format("--modulus-MPa looks for the Σ of one ice, and the lists given make {}; give one element size, "
+                    "thickness, time step, Γ and number of iterations each.",
+                    plans.size()));
+}
+
 std::string inverse_text(const CalibrateOptions& options) {
-    const PlateTest test{.sheet = options.sheets.front(), .load = options.load};
-    const Calibration found = calibrate_cfm(base_scenario(options), test, options.modulus * unit::megapascal);
+    const PointPlan plan = plan_of_inverse(options);
+    const Calibration found = calibrate_cfm(plan.scenario, plan.test, options.modulus * unit::megapascal);
     if (options.format == "json") {
         return nlohmann::ordered_json{{"elastic_modulus_MPa", options.modulus},
                                       {"cfm", found.cfm},
@@ -144,7 +157,7 @@ void add_calibrate(CLI::App& program, int& exit_status) {
                                            "Test the ice of this configuration's first case; else the paper's plate");
     add_overrides(*verb, options->overrides)->needs(config);
     list("--sheet-m", options->sheets, "Sides of the square sheet, m");
-    list("--cfm", options->cfm, "Values of Σ");
+    CLI::Option* cfm = verb->add_option("--cfm", options->cfm, "Values of Σ")->delimiter(',');
     list("--element-m", options->elements, "Element sizes L_e, m");
     list("--thickness-m", options->thicknesses, "Thicknesses, m");
     list("--time-step-s", options->time_steps, "Time steps Δt, s");
@@ -152,7 +165,8 @@ void add_calibrate(CLI::App& program, int& exit_status) {
     list("--iterations", options->iterations, "Numbers of Gauss-Seidel sweeps");
     verb->add_option("--load-N", options->load, "Largest load on the centre, N")->capture_default_str();
     verb->add_option("--modulus-MPa", options->modulus,
-                     "The inverse: find the Σ that shows this modulus on the first sheet");
+                     "The inverse: find the Σ that shows this modulus on the first sheet")
+        ->excludes(cfm);
     verb->add_option("--format", options->format, "table or json")
         ->check(CLI::IsMember({"table", "json"}))
         ->capture_default_str();

@@ -109,6 +109,7 @@ struct Rows {
         const double cell = scenario.floe.length + gap;
         scenario.field.half_width = 2 * cell + 0.5 * gap;
         scenario.field.concentration = 0.36 * 4 * rows / (2 * scenario.field.half_width * (cell * rows + gap));
+        scenario.structure.profile = {{-0.443, 0.171}, {0.122, 0.736}};  // nothing breaks at this wall
         scenario.structure.start = scenario.field.begin - scenario.waterline_radius() - 0.02;
         for (int i = 0; i < 4 * rows; ++i) {
             arrangement.poses.push_back(

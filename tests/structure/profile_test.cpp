@@ -18,8 +18,9 @@ TEST(Profile, DefaultIsTheConeOfTable2) {
     EXPECT_NEAR(2 * cone.maximum_radius(), 1.472, 1e-12);
     EXPECT_NEAR(cone.draught(), 0.443, 1e-12);
     EXPECT_NEAR(cone.top() - cone.bottom(), 0.565, 1e-12);
-    ASSERT_EQ(cone.wall_angles().size(), 1u);
-    EXPECT_NEAR(cone.wall_angles()[0], 45 * unit::degree, 1e-12);
+    ASSERT_EQ(cone.wall_angles().size(), 2u);
+    EXPECT_NEAR(cone.wall_angles()[0], std::atan2(0.443, 0.614 - 0.499), 1e-12);
+    EXPECT_NEAR(cone.wall_angles()[1], 45 * unit::degree, 1e-12);
 }
 
 TEST(Profile, RadiusIsLinearBetweenPointsAndZeroOutside) {
