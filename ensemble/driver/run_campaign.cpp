@@ -69,10 +69,14 @@ int conclude(const Campaign& campaign, const RunOptions& options, Recorder& reco
     if (recorder.resumed()) progress.say(harvest(recorder));
     recorder.finish(recorder.failed() > 0 ? "complete, members failed" : "complete");
     if (const auto& precision = recorder.precision(); precision && !recorder.precise()) {
-        progress.say(
-            fmt::format("all {} arrangements are done and the half-width is {:.1f} %, {:g} % wanted; raise "
-                        "campaign.arrangements and --resume for more",
-                        campaign.arrangements, 100 * precision->achieved(), 100 * precision->target()));
+        const std::string reached =
+            precision->achieved() <= precision->target()
+                ? fmt::format(", but that had not held for stop.look_ahead = {} arrangements after stop.minimum = {}",
+                              campaign.stop.look_ahead, campaign.stop.minimum)
+                : "; raise campaign.arrangements and --resume for more";
+        progress.say(fmt::format("all {} arrangements are done and the half-width is {:.1f} %, {:g} % wanted{}",
+                                 campaign.arrangements, 100 * precision->achieved(), 100 * precision->target(),
+                                 reached));
     }
     if (recorder.failed() > 0) {
         progress.say(fmt::format("{} of {} members failed and stand as missing in {}; floes status {} has the reasons",
