@@ -56,9 +56,8 @@ void add_field(Keys& keys, Field& field) {
         "failed."));
     keys.push_back(word_key(
         "field.far_end", field.far_end, {"ice_sheet", "open"}, "design decision; the paper names the walls only",
-        "What stands behind the field: a fixed ice sheet that confines it, or open water. Open, a steep wall meets "
-        "half the "
-        "load or less and breaks hardly a floe; for the straight 45° wall the difference is small."));
+        "What stands behind the field: a fixed ice sheet that confines it, or open water. Open, a straight 45° wall "
+        "meets half the load and one of 76° a fifth, and hardly a floe breaks."));
     keys.push_back(number_key("field.wake_radius_m", field.wake_radius, unit::one, at_least(0).at_most(farthest),
                               "off: every floe is computed",
                               "Solver lanes: a floe rests, at no cost, until the structure's axis is this near its "
