@@ -28,11 +28,7 @@ LABELS = {"mean_N": "mean load, N", "sd_N": "SD, N", "segment_1_maximum_N": "max
 def members(name):
     """One row a finished member, the failure ratio in percent as the paper has it."""
     table = pd.read_csv(SUMMARIES / f"{name}.members.csv")
-    return in_percent(table[table.status == "done"])
-
-
-def in_percent(table):
-    return table.assign(failure_ratio=100 * table.failure_ratio)
+    return table[table.status == "done"].assign(failure_ratio=lambda rows: 100 * rows.failure_ratio)
 
 
 def pairs():
@@ -41,7 +37,7 @@ def pairs():
 
 def steady_cases():
     """The summary of table3 in the window that the loads themselves choose."""
-    return in_percent(pd.read_csv(SUMMARIES / "table3.steady.csv")).set_index("name")
+    return pd.read_csv(SUMMARIES / "table3.steady.csv").set_index("name")
 
 
 def averages():

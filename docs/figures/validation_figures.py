@@ -24,6 +24,15 @@ def finish(figure, path, legend_of=None):
     plt.close(figure)
 
 
+def draw_estimate(axes, place, values, colour, labels):
+    """The mean with its interval, on a bar that holds 95 % of single runs. `labels`: of bar and mean, None for none."""
+    _, low, high = interval(values, one_run=True)
+    axes.vlines(place, low, high, color="0.72", linewidth=5, label=labels[0])
+    mean, low, high = interval(values)
+    axes.errorbar(place, mean, [[mean - low], [high - mean]], fmt="o", color=colour, capsize=5, linewidth=2,
+                  label=labels[1])
+
+
 def answer(path):
     """Every member as a dot, the mean with its interval, what single runs give, and the paper's single runs."""
     table = members("table3")
@@ -34,12 +43,8 @@ def answer(path):
             order = np.argsort(np.argsort(values))  # dots side by side, in no other order than their size
             axes.plot(place - 0.22 + 0.09 * (order % 3 - 1), values, ".", color=COLOURS[case], alpha=0.55, markersize=5,
                       label="one run each" if place == 0 else None)
-            _, low, high = interval(values, one_run=True)
-            axes.vlines(place + 0.06, low, high, color="0.72", linewidth=5,
-                        label="95 % of single runs" if place == 0 else None)
-            mean, low, high = interval(values)
-            axes.errorbar(place + 0.06, mean, [[mean - low], [high - mean]], fmt="o", color=COLOURS[case], capsize=5,
-                          linewidth=2, label="mean, 95 %" if place == 0 else None)
+            draw_estimate(axes, place + 0.06, values, COLOURS[case],
+                          ("95 % of single runs", "mean, 95 %") if place == 0 else (None, None))
             axes.plot(place + 0.32, paper(case, quantity), "D", color="black", markersize=7,
                       label="the paper's run" if place == 0 else None)
         if quantity in EXPERIMENT:
@@ -100,11 +105,8 @@ def hybrid_points(path):
     for case, modulus in MODULI.items():
         first = case == "E30"
         values = table[table.case == case].mean_N
-        _, low, high = interval(values, one_run=True)
-        axes.vlines(modulus, low, high, color="0.72", linewidth=5, label="95 % of single runs" if first else None)
-        mean, low, high = interval(values)
-        axes.errorbar(modulus, mean, [[mean - low], [high - mean]], fmt="o", color="#009E73", capsize=5, linewidth=2,
-                      label="ensemble: mean, 95 %" if first else None)
+        draw_estimate(axes, modulus, values, "#009E73",
+                      ("95 % of single runs", "ensemble: mean, 95 %") if first else (None, None))
         axes.plot(1.13 * modulus, paper(case, "mean_N"), "D", color="black", label="the paper's simulation" if first else None)
     axes.plot(60 / 1.13, EXPERIMENT["mean_N"], "*", color="black", markersize=12, label="experiment")
     axes.set_xscale("log")

@@ -21,9 +21,12 @@ def number(value):
     return f"{value:.{digits}f}"
 
 
-def with_interval(values, one_run=False):
-    mean, low, high = interval(values, one_run)
+def bracketed(mean, low, high):
     return f"{number(mean)} [{number(low)}, {number(high)}]"
+
+
+def with_interval(values):
+    return bracketed(*interval(values))
 
 
 def difference(mean, half):
@@ -161,7 +164,7 @@ def steady_window():
     rows = []
     for case, modulus in MODULI.items():
         own = table_.loc[case]
-        cells = [f"{number(own[q])} [{number(own[q + '_low'])}, {number(own[q + '_high'])}]" for q in SHOWN[:3]]
+        cells = [bracketed(own[q], own[f"{q}_low"], own[f"{q}_high"]) for q in SHOWN[:3]]
         rows.append([f"{modulus}", f"{own.steady_start_s:g} to {own.steady_start_s + own.window_s:g}"] + cells
                     + [f"{own.members - own.not_steady:g} of {own.members:g}"])
     return table(["E, MPa", "window, s"] + [LABELS[q] for q in SHOWN[:3]] + ["steady"], rows)

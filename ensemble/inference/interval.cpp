@@ -16,6 +16,10 @@ constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
+double student_t(double freedom, double tail) {
+    return boost::math::quantile(boost::math::complement(boost::math::students_t{freedom}, tail));
+}
+
 Interval mean_interval(std::span<const double> values, double confidence) {
     if (!(confidence > 0 && confidence < 1)) {
         throw InputError(fmt::format("A confidence of {} is none: it lies between 0 and 1, as 0.95 does.", confidence));
@@ -36,8 +40,7 @@ Interval mean_interval(std::span<const double> values, double confidence) {
     double squares = 0;
     for (const double value : values) squares += (value - mean) * (value - mean);
     const double sd = std::sqrt(squares / (count - 1));
-    const boost::math::students_t distribution{count - 1};
-    const double t = boost::math::quantile(boost::math::complement(distribution, (1 - confidence) / 2));
+    const double t = student_t(count - 1, (1 - confidence) / 2);
     const double of_mean = t * sd / std::sqrt(count);
     const double of_run = t * sd * std::sqrt(1 + 1 / count);
     return {mean, mean - of_mean, mean + of_mean, mean - of_run, mean + of_run};

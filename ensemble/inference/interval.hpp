@@ -15,6 +15,9 @@ struct Interval {
     friend bool operator==(const Interval&, const Interval&) = default;
 };
 
+/// Student's t that is exceeded with probability `tail`, with `freedom` > 0 degrees of freedom.
+double student_t(double freedom, double tail);
+
 /// Mean of `values`, one value an arrangement, with Student's t: mean ± t s / √n for the mean and mean ± t s √(1 + 1/n)
 /// for one further run, where s is the sample SD (n - 1). Both take the values as independent and nearly normal; the
 /// first forgives a skewed distribution as n grows, the second does not. One value has an estimate alone; none, NaN

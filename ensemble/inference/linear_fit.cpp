@@ -1,7 +1,6 @@
 #include "inference/linear_fit.hpp"
 
 #include <Eigen/Dense>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 
@@ -91,7 +90,7 @@ LinearFit fit_points(const PointCoordinates& points, std::span<const double> val
     const Eigen::VectorXd norms = (decomposition.colsPermutation() * inverse).rowwise().norm();
     const double freedom = static_cast<double>(matrix.rows() - columns);
     const double residual = std::sqrt((vector - matrix * coefficients).squaredNorm() / freedom);
-    const double t = boost::math::quantile(boost::math::complement(boost::math::students_t{freedom}, (1 - 0.95) / 2));
+    const double t = student_t(freedom, (1 - 0.95) / 2);
     LinearFit fit;
     fit.centre = coefficients(0);
     for (Eigen::Index axis = 1; axis < columns; ++axis) {

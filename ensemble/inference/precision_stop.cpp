@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
 #include "campaign/name_list.hpp"
 #include "core/error.hpp"
+#include "inference/interval.hpp"
 
 namespace floes {
 
@@ -23,11 +23,6 @@ int index_of(const std::string& name, const std::vector<std::string>& cases, con
             fmt::format("stop.{} names the case '{}', and the cases are {}.", key, name, name_list(cases)));
     }
     return static_cast<int>(found - cases.begin());
-}
-
-double student_t(int count) {
-    const boost::math::students_t distribution(static_cast<double>(count - 1));
-    return boost::math::quantile(boost::math::complement(distribution, 0.025));
 }
 
 }  // namespace
@@ -132,7 +127,7 @@ void PrecisionStop::Target::add(const std::vector<double>& values) {
 
 double PrecisionStop::Target::half_width_over_mean() const {
     if (count < 2) return undefined;
-    return student_t(count) * std::sqrt(squares / (count - 1) / count) / std::abs(base_mean);
+    return student_t(count - 1, 0.025) * std::sqrt(squares / (count - 1) / count) / std::abs(base_mean);
 }
 
 }  // namespace floes

@@ -16,6 +16,10 @@ inline Json json_number(double value) {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
+inline Json json_estimate(double estimate, double low, double high) {
+    return {{"estimate", json_number(estimate)}, {"low", json_number(low)}, {"high", json_number(high)}};
+}
+
 inline Json json_limits(const Limits& limits) {
     return {{"low", json_number(limits.low)}, {"high", json_number(limits.high)}};
 }

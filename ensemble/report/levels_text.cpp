@@ -14,9 +14,7 @@ namespace {
 constexpr double minute = 60;  // s
 
 Json interval_json(const Interval& interval) {
-    return {{"estimate", json_number(interval.estimate)},
-            {"low", json_number(interval.low)},
-            {"high", json_number(interval.high)}};
+    return json_estimate(interval.estimate, interval.low, interval.high);
 }
 
 }  // namespace

@@ -50,14 +50,11 @@ std::string heading_of(const SensitivityRow& row) {
 }
 
 Json slope_json(const Slope& slope) {
-    return {
-        {"estimate", json_number(slope.estimate)}, {"low", json_number(slope.low)}, {"high", json_number(slope.high)}};
+    return json_estimate(slope.estimate, slope.low, slope.high);
 }
 
 Json index_json(const SobolIndex& index) {
-    return {{"estimate", json_number(index.estimate)},
-            {"low", json_number(index.interval.low)},
-            {"high", json_number(index.interval.high)}};
+    return json_estimate(index.estimate, index.interval.low, index.interval.high);
 }
 
 Json row_json(const Sensitivity& found, const SensitivityRow& row) {

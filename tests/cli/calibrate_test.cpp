@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "cli/commands.hpp"
+#include "cli/verb_output.hpp"
 #include "core/error.hpp"
 
 namespace floes {
@@ -15,18 +15,7 @@ namespace {
 using nlohmann::json;
 
 std::string calibrate(const std::string& arguments) {
-    CLI::App program("floes");
-    int exit_status = -1;
-    add_calibrate(program, exit_status);
-    testing::internal::CaptureStdout();
-    try {
-        program.parse("calibrate " + arguments);
-    } catch (...) {
-        testing::internal::GetCapturedStdout();
-        throw;
-    }
-    EXPECT_EQ(exit_status, 0);
-    return testing::internal::GetCapturedStdout();
+    return verb_output(add_calibrate, "calibrate " + arguments);
 }
 
 TEST(Calibrate, MeasuresEveryCombination) {

@@ -5,25 +5,14 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "cli/commands.hpp"
+#include "cli/verb_output.hpp"
 #include "core/error.hpp"
 
 namespace floes {
 namespace {
 
 std::string hybrid(const std::string& arguments) {
-    CLI::App program("floes");
-    int exit_status = -1;
-    add_hybrid(program, exit_status);
-    testing::internal::CaptureStdout();
-    try {
-        program.parse("hybrid " + arguments);
-    } catch (...) {
-        testing::internal::GetCapturedStdout();
-        throw;
-    }
-    EXPECT_EQ(exit_status, 0);
-    return testing::internal::GetCapturedStdout();
+    return verb_output(add_hybrid, "hybrid " + arguments);
 }
 
 nlohmann::json row_at(const nlohmann::json& answer, double modulus) {

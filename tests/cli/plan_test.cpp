@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "cli/commands.hpp"
+#include "cli/verb_output.hpp"
 #include "core/error.hpp"
 #include "store/campaign_file.hpp"
 #include "store/journal.hpp"
@@ -21,18 +21,7 @@ using testing::HasSubstr;
 
 // Standard output of `floes plan CONFIG arguments…`.
 std::string plan(const std::string& arguments) {
-    CLI::App program{"floes"};
-    int status = -1;
-    add_plan(program, status);
-    testing::internal::CaptureStdout();
-    try {
-        program.parse("plan " FLOES_SOURCE_DIR "/configs/table3.toml " + arguments);
-    } catch (...) {
-        testing::internal::GetCapturedStdout();
-        throw;
-    }
-    EXPECT_EQ(status, 0);
-    return testing::internal::GetCapturedStdout();
+    return verb_output(add_plan, "plan " FLOES_SOURCE_DIR "/configs/table3.toml " + arguments);
 }
 
 TEST(Plan, GivesJsonOfEverySetting) {

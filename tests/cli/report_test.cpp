@@ -7,7 +7,7 @@
 #include <iterator>
 #include <string>
 
-#include "cli/commands.hpp"
+#include "cli/verb_output.hpp"
 #include "core/error.hpp"
 #include "store/campaign_file.hpp"
 #include "store/synthetic.hpp"
@@ -27,18 +27,7 @@ std::string content(const std::filesystem::path& path) {
 class Report : public testing::Test {
   protected:
     void run(const std::string& arguments) {
-        CLI::App program{"floes"};
-        int status = -1;
-        add_report(program, status);
-        testing::internal::CaptureStdout();
-        try {
-            program.parse("report " + arguments);
-        } catch (...) {
-            testing::internal::GetCapturedStdout();
-            throw;
-        }
-        EXPECT_EQ(testing::internal::GetCapturedStdout(), page_.string() + "\n");
-        EXPECT_EQ(status, 0);
+        EXPECT_EQ(verb_output(add_report, "report " + arguments), page_.string() + "\n");
     }
 
     TemporaryFolder folder_;

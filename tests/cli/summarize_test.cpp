@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "cli/commands.hpp"
+#include "cli/verb_output.hpp"
 #include "core/error.hpp"
 #include "store/campaign_file.hpp"
 #include "store/synthetic.hpp"
@@ -29,18 +29,7 @@ class Summarize : public testing::Test {
 
     // Standard output of `floes summarize FILE arguments…`.
     std::string summarize(const std::string& arguments) {
-        CLI::App program{"floes"};
-        int status = -1;
-        add_summarize(program, status);
-        testing::internal::CaptureStdout();
-        try {
-            program.parse("summarize " + file_.string() + " " + arguments);
-        } catch (...) {
-            testing::internal::GetCapturedStdout();
-            throw;
-        }
-        EXPECT_EQ(status, 0);
-        return testing::internal::GetCapturedStdout();
+        return verb_output(add_summarize, "summarize " + file_.string() + " " + arguments);
     }
 
     TemporaryFolder folder_;
