@@ -125,7 +125,7 @@ SchedulerParameters=bf_interval=2,sched_interval=2,batch_sched_delay=0
 SlurmdParameters=config_overrides
 MpiDefault=pmix
 MailProg=/bin/true
-ReturnToService=2
+ReturnToService=1
 SlurmctldTimeout=30
 SlurmdTimeout=30
 InactiveLimit=0
