@@ -1,71 +1,117 @@
-// Contact rows, one after the other, three coordinates of a body side by side. Rows come ordered so that neighbours
-// touch different bodies where the order of solving allows it: the machine then works on several at once.
+// Contact rows, in lanes: a pack holds pairs of bodies of which no two share one that moves, so its lanes do not
+// disturb each other. What moves is fetched once for all points at which a pair touches.
 
-using Quad [[gnu::vector_size(32)]] = double;
-using QuadMask [[gnu::vector_size(32)]] = long long;
-
-inline Quad load_quad(const double* p) {
-    return *reinterpret_cast<const Quad*>(p);
+/// Relative velocity change along the scaled rows.
+[[gnu::always_inline]] inline Pack along(const double* row, const Motion& a, const Motion& b) {
+    const V3 axis = load3(row, contact_field::axis);
+    const V3 torque_a = load3(row, contact_field::torque_a);
+    const V3 torque_b = load3(row, contact_field::torque_b);
+    const V3 sliding = a.velocity - b.velocity;
+    const Pack x = axis.x * sliding.x + (torque_a.x * a.spin.x - torque_b.x * b.spin.x);
+    const Pack y = axis.y * sliding.y + (torque_a.y * a.spin.y - torque_b.y * b.spin.y);
+    const Pack z = axis.z * sliding.z + (torque_a.z * a.spin.z - torque_b.z * b.spin.z);
+    return (x + z) + y;
 }
 
-inline void store_quad(double* p, Quad value) {
-    *reinterpret_cast<Quad*>(p) = value;
+[[gnu::always_inline]] inline void push(const double* row, Motion& a, Motion& b, Pack impulse) {
+    const V3 axis = load3(row, contact_field::axis);
+    a.velocity = a.velocity + axis * (a.inverse_mass * impulse);
+    a.spin = a.spin + load3(row, contact_field::spin_a) * impulse;
+    b.velocity = b.velocity - axis * (b.inverse_mass * impulse);
+    b.spin = b.spin - load3(row, contact_field::spin_b) * impulse;
 }
 
-/// The three coordinates; 0 in the place of the scalar.
-inline Quad coordinates(Quad v) {
-    return QuadMask{-1, -1, -1, 0} ? v : Quad{0, 0, 0, 0};
+/// Packs solved at once, in turns: while a row waits for its sum those of the other pack go on, which the processor
+/// does not find by itself, so far apart. Two have 24 vectors of motion; only AVX-512 has registers for them.
+inline constexpr int turns = lanes == 8 ? 2 : 1;
+
+/// `solve(row number, row, a, b)` for every row of a pack.
+template <int at_once, class Solve>
+[[gnu::always_inline]] inline void for_each_row(double* delta, const ContactPack& pack, const std::uint32_t* slots,
+                                                const double* rows, const Solve& solve) {
+    const auto body = [=](int i) { return delta + 8 * static_cast<std::size_t>(slots[i]); };
+    Motion a[at_once], b[at_once];
+#pragma GCC unroll 2
+    for (int turn = 0; turn < at_once; ++turn) {
+        a[turn] = gather([=](int lane) { return body(2 * turn * lanes + lane); });
+        b[turn] = gather([=](int lane) { return body((2 * turn + 1) * lanes + lane); });
+    }
+    for (std::uint32_t row = pack.first_row; row < pack.end_row; row += at_once) {
+#pragma GCC unroll 2
+        for (int turn = 0; turn < at_once; ++turn) {
+            const int i = static_cast<int>(row) + turn;
+            solve(i, rows + static_cast<std::size_t>(i) * (contact_field::count * lanes), a[turn], b[turn]);
+        }
+    }
+    // A body that does not move may be in several lanes: all put its zeros back.
+#pragma GCC unroll 2
+    for (int turn = 0; turn < at_once; ++turn) {
+        scatter([=](int lane) { return body(2 * turn * lanes + lane); }, a[turn]);
+        scatter([=](int lane) { return body((2 * turn + 1) * lanes + lane); }, b[turn]);
+    }
 }
 
-inline double sum(Quad p) {
-    return (p[0] + p[2]) + (p[1] + p[3]);
+/// Of all packs but those of which `idle(pack)` says that nothing changes.
+template <class Solve, class Idle>
+[[gnu::always_inline]] inline void for_each_row(double* delta, const ContactPacks& packs, const double* rows,
+                                                const Solve& solve, const Idle& idle) {
+    const std::uint32_t* slots = packs.slots;
+    for (std::size_t i = 0; i < packs.count; ++i) {
+        const ContactPack& pack = packs.packs[i];
+        if (!idle(pack)) {
+            if (pack.turns == turns) {
+                for_each_row<turns>(delta, pack, slots, rows, solve);
+            } else {
+                for_each_row<1>(delta, pack, slots, rows, solve);
+            }
+        }
+        slots += 2 * lanes * pack.turns;
+    }
 }
 
-/// Relative velocity change along the scaled row. The fourth place of a body's change is 0.
-inline double along(const ContactRow& row, const double* a, const double* b) {
-    return sum(load_quad(row.axis) * (load_quad(a) - load_quad(b)) +
-               (load_quad(row.torque_a) * load_quad(a + 4) - load_quad(row.torque_b) * load_quad(b + 4)));
+inline bool never_idle(const ContactPack&) {
+    return false;
 }
 
-inline void push(const ContactRow& row, double* a, double* b, double impulse) {
-    const Quad axis = coordinates(load_quad(row.axis));
-    store_quad(a, load_quad(a) + axis * (row.spin_a[3] * impulse));
-    store_quad(a + 4, load_quad(a + 4) + coordinates(load_quad(row.spin_a)) * impulse);
-    store_quad(b, load_quad(b) - axis * (row.spin_b[3] * impulse));
-    store_quad(b + 4, load_quad(b + 4) - coordinates(load_quad(row.spin_b)) * impulse);
+/// The impulses that rows have at first.
+void start_contacts(double* delta, const ContactPacks& packs, const ContactRowArrays& all) {
+    const auto start = [&](int i, const double* row, Motion& a, Motion& b) { push(row, a, b, load(all.impulse, i)); };
+    for_each_row(delta, packs, all.row, start, never_idle);
 }
 
 // The impulse applied is the difference of the accumulated ones, clamped or not: no branch, and it rounds to the same.
 
-void solve_normals(double* delta, ContactRow* rows, const ContactBodies* bodies, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-        ContactRow& row = rows[i];
-        double* a = delta + 8 * static_cast<std::size_t>(bodies[i].a);
-        double* b = delta + 8 * static_cast<std::size_t>(bodies[i].b);
-        const double old = row.torque_a[3];
-        const double total = old + (row.axis[3] - along(row, a, b));
-        const double next = total > 0.0 ? total : 0.0;
-        row.torque_a[3] = next;
+void solve_normals(double* delta, const ContactPacks& packs, const ContactRowArrays& all) {
+    const auto solve = [&](int i, const double* row, Motion& a, Motion& b) __attribute__((always_inline)) {
+        const Pack none{};
+        const Pack old = load(all.impulse, i);
+        const Pack total = old + (load(all.target, i) - along(row, a, b));
+        const Pack next = total > 0.0 ? total : none;
+        store(all.impulse, i, next);
         push(row, a, b, next - old);
-    }
+    };
+    for_each_row(delta, packs, all.row, solve, never_idle);
 }
 
-void solve_frictions(double* delta, ContactRow* rows, const ContactRow* normals, const ContactBodies* bodies,
-                     std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-        const double normal = normals[i].torque_a[3];
-        if (!(normal > 0.0)) {
-            continue;  // as in Bullet, friction keeps its impulse while the normal row has none
-        }
-        ContactRow& row = rows[i];
-        double* a = delta + 8 * static_cast<std::size_t>(bodies[i].a);
-        double* b = delta + 8 * static_cast<std::size_t>(bodies[i].b);
-        const double bound = row.torque_b[3] * normal;
-        const double old = row.torque_a[3];
-        const double total = old + (row.axis[3] - along(row, a, b));
-        const double capped = total < bound ? total : bound;
-        const double next = capped > -bound ? capped : -bound;
-        row.torque_a[3] = next;
+/// As in Bullet, friction keeps its impulse while the normal row has none.
+void solve_frictions(double* delta, const ContactPacks& packs, const ContactRowArrays& all,
+                     const double* normal_impulse) {
+    const auto solve = [&](int i, const double* row, Motion& a, Motion& b) __attribute__((always_inline)) {
+        const Pack normal = load(normal_impulse, i);
+        const Pack bound = load(row, contact_field::grip) * normal;
+        const Pack old = load(all.impulse, i);
+        const Pack total = old + (load(all.target, i) - along(row, a, b));
+        const Pack capped = total < bound ? total : bound;
+        const Pack held = capped > -bound ? capped : -bound;
+        const Pack next = normal > 0.0 ? held : old;
+        store(all.impulse, i, next);
         push(row, a, b, next - old);
-    }
+    };
+    const auto idle = [=](const ContactPack& pack) {
+        for (std::uint32_t i = pack.first_row; i < pack.end_row; ++i) {
+            if (any_positive(load(normal_impulse, static_cast<int>(i)))) return false;
+        }
+        return true;
+    };
+    for_each_row(delta, packs, all.row, solve, idle);
 }

@@ -5,18 +5,33 @@
 #include <limits>
 
 #include "solver/body_lane.hpp"
+#include "solver/lane_slot.hpp"
 
 namespace floes {
 
 namespace {
 
-void set(double (&to)[4], const Vector& v, double scalar) {
-    std::copy(v.begin(), v.end(), to);
-    to[3] = scalar;
-}
+/// Target of a normal row that then exerts nothing.
+constexpr double never = -std::numeric_limits<double>::infinity();
 
-/// A row along `axis` at the given levers, without its target. Returns its scale s = A^-1/2.
-double make_row(ContactRow& row, const Vector& axis, const Vector& lever_a, const Vector& lever_b, const BodyLane& a,
+/// One lane of a row.
+class RowLane {
+  public:
+    RowLane(double* rows, std::uint32_t slot, int width)
+        : row_(rows + place(slot, contact_field::count, 0, width)), width_(width) {}
+
+    void set(int field, double value) { row_[field * width_] = value; }
+    void set(int field, const Vector& v) {
+        for (int i = 0; i < 3; ++i) set(field + i, v[static_cast<std::size_t>(i)]);
+    }
+
+  private:
+    double* row_;
+    int width_;
+};
+
+/// A row along `axis` at the given levers. Returns its scale s = A^-1/2.
+double make_row(RowLane row, const Vector& axis, const Vector& lever_a, const Vector& lever_b, const BodyLane& a,
                 const BodyLane& b) {
     const Vector torque_a = cross(lever_a, axis);
     const Vector torque_b = cross(lever_b, axis);
@@ -24,11 +39,11 @@ double make_row(ContactRow& row, const Vector& axis, const Vector& lever_a, cons
     const Vector spin_b = b.inertia_response(torque_b);
     const double s =
         1.0 / std::sqrt(a.inverse_mass() + b.inverse_mass() + (dot(torque_a, spin_a) + dot(torque_b, spin_b)));
-    set(row.axis, axis * s, 0);
-    set(row.torque_a, torque_a * s, 0);
-    set(row.torque_b, torque_b * s, 0);
-    set(row.spin_a, spin_a * s, a.inverse_mass());
-    set(row.spin_b, spin_b * s, b.inverse_mass());
+    row.set(contact_field::axis, axis * s);
+    row.set(contact_field::torque_a, torque_a * s);
+    row.set(contact_field::torque_b, torque_b * s);
+    row.set(contact_field::spin_a, spin_a * s);
+    row.set(contact_field::spin_b, spin_b * s);
     return s;
 }
 
@@ -49,71 +64,43 @@ Vector slide_direction(const Vector& velocity, const Vector& normal) {
     return square > std::numeric_limits<double>::epsilon() ? sliding * (1.0 / std::sqrt(square)) : any_tangent(normal);
 }
 
-void add_impulse(double* delta, const ContactRow& row, const ContactBodies& bodies) {
-    const double impulse = row.torque_a[3];
-    double* a = delta + 8 * static_cast<std::size_t>(bodies.a);
-    double* b = delta + 8 * static_cast<std::size_t>(bodies.b);
-    for (int i = 0; i < 3; ++i) {
-        a[i] += row.axis[i] * (row.spin_a[3] * impulse);
-        a[4 + i] += row.spin_a[i] * impulse;
-        b[i] -= row.axis[i] * (row.spin_b[3] * impulse);
-        b[4 + i] -= row.spin_b[i] * impulse;
-    }
-}
-
 }  // namespace
 
-void ContactRows::order(std::span<const SolverContact> contacts, std::span<const std::uint32_t> slot_of_body,
-                        std::size_t body_slots, const LaneArrays& arrays, int width) {
-    // A contact may move forward past contacts that share no moving body with it: nothing changes by that. So each goes
-    // to the level after the last one that touched its bodies, and levels are solved one after the other.
-    level_of_slot_.assign(body_slots, 0);
-    level_of_contact_.resize(contacts.size());
-    // A number of contacts that rises one by one must not allocate each time; assign() alone would.
-    if (level_start_.capacity() <= contacts.size()) level_start_.reserve(2 * contacts.size() + 1);
-    level_start_.assign(contacts.size() + 1, 0);
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        const std::uint32_t a = slot_of_body[contacts[i].a];
-        const std::uint32_t b = slot_of_body[contacts[i].b];
-        const bool a_moves = BodyLane(arrays, a, width).inverse_mass() > 0;
-        const bool b_moves = BodyLane(arrays, b, width).inverse_mass() > 0;
-        const std::uint32_t level = std::max(a_moves ? level_of_slot_[a] : 0, b_moves ? level_of_slot_[b] : 0);
-        if (a_moves) level_of_slot_[a] = level + 1;
-        if (b_moves) level_of_slot_[b] = level + 1;
-        level_of_contact_[i] = level;
-        ++level_start_[level + 1];
-    }
-    for (std::size_t level = 1; level < level_start_.size(); ++level) level_start_[level] += level_start_[level - 1];
-    place_.resize(contacts.size());
-    bodies_.resize(contacts.size());
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        place_[i] = level_start_[level_of_contact_[i]]++;
-        bodies_[place_[i]] = {slot_of_body[contacts[i].a], slot_of_body[contacts[i].b]};
-    }
+void ContactRows::Rows::clear(std::size_t slots, std::size_t contacts) {
+    row.reserve(slots * contact_field::count);
+    target.reserve(slots);
+    impulse.reserve(slots);
+    std::fill_n(row.data(), slots * contact_field::count, 0.0);
+    std::fill_n(target.data(), slots, 0.0);
+    std::fill_n(impulse.data(), slots, 0.0);
+    scale.resize(contacts);
 }
 
 void ContactRows::prepare(std::span<const SolverContact> contacts, std::span<const std::uint32_t> slot_of_body,
-                          std::size_t body_slots, const LaneArrays& arrays, int width, const ContactRules& rules,
-                          double time_step) {
-    count_ = contacts.size();
-    order(contacts, slot_of_body, body_slots, arrays, width);
-    normals_.reserve(count_);
-    frictions_.reserve(count_);
-    normal_scale_.resize(count_);
-    friction_scale_.resize(count_);
-    split_rows_.clear();
-    split_bodies_.clear();
+                          std::size_t body_slots, const LaneArrays& arrays, const LaneKernels& kernels,
+                          const ContactRules& rules, double time_step) {
+    const int width = width_ = kernels.width;
+    const auto moves = [&](std::uint32_t slot) { return BodyLane(arrays, slot, width).inverse_mass() > 0; };
+    to_order_.clear();
+    for (const SolverContact& contact : contacts) {
+        const ContactBodies slots{slot_of_body[contact.a], slot_of_body[contact.b]};
+        to_order_.push_back({slots, moves(slots.a), moves(slots.b), contact.impulse > 0});
+    }
+    order_.lay_out(to_order_, static_cast<std::uint32_t>(body_slots), width, kernels.turns);
+    const std::size_t slots = order_.rows() * static_cast<std::size_t>(width);
+    normals_.clear(slots, contacts.size());
+    frictions_.clear(slots, contacts.size());
+    any_split_ = false;
     const double inverse_step = 1.0 / time_step;
-    for (std::size_t i = 0; i < count_; ++i) {
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
         const SolverContact& contact = contacts[i];
-        const std::size_t at = place_[i];
-        const BodyLane a(arrays, bodies_[at].a, width);
-        const BodyLane b(arrays, bodies_[at].b, width);
+        const std::uint32_t at = order_.slot(i);
+        const BodyLane a(arrays, slot_of_body[contact.a], width);
+        const BodyLane b(arrays, slot_of_body[contact.b], width);
         const Vector lever_a = contact.on_a - a.position();
         const Vector lever_b = contact.on_b - b.position();
 
-        ContactRow& normal = normals_[at];
-        const double s = make_row(normal, contact.normal, lever_a, lever_b, a, b);
+        const double s = make_row({normals_.row.data(), at, width}, contact.normal, lever_a, lever_b, a, b);
         const Vector velocity = (a.start_velocity() + cross(a.start_spin(), lever_a)) -
                                 (b.start_velocity() + cross(b.start_spin(), lever_b));
         const double approach = dot(contact.normal, velocity);
@@ -122,53 +109,64 @@ void ContactRows::prepare(std::span<const SolverContact> contacts, std::span<con
         const double stop = apart ? -approach - contact.distance * inverse_step : -approach;
         const double correction = apart ? 0.0 : -contact.distance * rules.erp * inverse_step;
         const bool split = rules.split_impulse && contact.distance <= -rules.split_impulse_depth;
-        normal.axis[3] = (split ? stop : stop + correction) * s;
-        normal.torque_a[3] = contact.impulse / s;
-        normal_scale_[at] = s;
+        normals_.target[at] = (split ? stop : stop + correction) * s;
+        normals_.impulse[at] = contact.impulse / s;
+        normals_.scale[i] = s;
         if (split && correction != 0) {
-            split_rows_.push_back(normal);
-            split_rows_.back().axis[3] = correction * s;
-            split_rows_.back().torque_a[3] = 0;
-            split_bodies_.push_back(bodies_[at]);
+            if (!any_split_) {
+                split_target_.reserve(slots);
+                std::fill_n(split_target_.data(), slots, never);
+            }
+            any_split_ = true;
+            split_target_[at] = correction * s;
         }
 
         // Bullet leaves the torque of this step out of the sliding velocity that the row stops.
-        ContactRow& friction = frictions_[at];
         const Vector slide = slide_direction(velocity, contact.normal);
+        RowLane friction(frictions_.row.data(), at, width);
         const double t = make_row(friction, slide, lever_a, lever_b, a, b);
-        friction.axis[3] = -dot(slide, (a.start_velocity() + cross(a.spin(), lever_a)) -
-                                           (b.start_velocity() + cross(b.spin(), lever_b))) *
-                           t;
-        friction.torque_b[3] = contact.friction * s / t;
-        friction_scale_[at] = t;
-        add_impulse(arrays.delta, normal, bodies_[at]);
+        friction.set(contact_field::grip, contact.friction * s / t);
+        frictions_.target[at] = -dot(slide, (a.start_velocity() + cross(a.spin(), lever_a)) -
+                                                (b.start_velocity() + cross(b.spin(), lever_b))) *
+                                t;
+        frictions_.scale[i] = t;
     }
-    if (any_split()) push_ = AlignedArray<double>(8 * body_slots);
+    if (any_split_) {
+        split_impulse_ = AlignedArray<double>(slots);
+        push_ = AlignedArray<double>(8 * (body_slots + 1));
+        for (std::size_t slot = 0; slot < body_slots; ++slot) push_[8 * slot + 3] = arrays.delta[8 * slot + 3];
+    }
 }
 
 void ContactRows::solve_penetrations(const LaneKernels& kernels, int iterations) {
-    for (int i = 0; any_split() && i < iterations; ++i) {
-        kernels.solve_normals(push_.data(), split_rows_.data(), split_bodies_.data(), split_rows_.size());
+    for (int i = 0; any_split_ && i < iterations; ++i) {
+        kernels.solve_normals(push_.data(), order_.packs(),
+                              {normals_.row.data(), split_target_.data(), split_impulse_.data()});
     }
 }
 
+void ContactRows::start(const LaneKernels& kernels, double* delta) {
+    kernels.start_contacts(delta, order_.packs(), normals_.arrays());
+}
+
 void ContactRows::sweep(const LaneKernels& kernels, double* delta) {
-    kernels.solve_normals(delta, normals_.data(), bodies_.data(), count_);
-    kernels.solve_frictions(delta, frictions_.data(), normals_.data(), bodies_.data(), count_);
+    kernels.solve_normals(delta, order_.packs(), normals_.arrays());
+    kernels.solve_frictions(delta, order_.packs(), frictions_.arrays(), normals_.impulse.data());
 }
 
 void ContactRows::finish(std::span<SolverContact> contacts) const {
-    for (std::size_t i = 0; i < count_; ++i) {
-        const std::size_t at = place_[i];
-        const double t = friction_scale_[at];
-        contacts[i].impulse = normals_[at].torque_a[3] * normal_scale_[at];
-        contacts[i].friction_impulse = frictions_[at].torque_a[3] * t;
-        for (std::size_t k = 0; k < 3; ++k) contacts[i].slide[k] = frictions_[at].axis[k] / t;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const std::uint32_t at = order_.slot(i);
+        const double t = frictions_.scale[i];
+        contacts[i].impulse = normals_.impulse[at] * normals_.scale[i];
+        contacts[i].friction_impulse = frictions_.impulse[at] * t;
+        const double* axis = frictions_.row.data() + place(at, contact_field::count, contact_field::axis, width_);
+        for (std::size_t k = 0; k < 3; ++k) contacts[i].slide[k] = axis[k * static_cast<std::size_t>(width_)] / t;
     }
 }
 
 std::array<double, 6> ContactRows::push(std::uint32_t slot) const {
-    if (!any_split()) return {};
+    if (!any_split_) return {};
     const double* p = push_.data() + 8 * static_cast<std::size_t>(slot);
     return {p[0], p[1], p[2], p[4], p[5], p[6]};
 }

@@ -80,16 +80,8 @@ struct LaneArrays {
     double* frame;
     double* row;
     double* reaction;
-    double* delta;  ///< velocity and spin change per body slot, 8 doubles {v, 0, w, 0}: the contacts' view of `sweep`
-};
-
-/// One row of a contact (normal or friction) scaled like a joint row; the fourth place of each vector holds a scalar.
-struct alignas(32) ContactRow {
-    double axis[4];      ///< s * direction; target
-    double torque_a[4];  ///< lever a x axis; accumulated impulse over s
-    double torque_b[4];  ///< lever b x axis; friction: bound / normal impulse, both scaled
-    double spin_a[4];    ///< I_a^-1 torque_a; inverse mass of a
-    double spin_b[4];    ///< I_b^-1 torque_b; inverse mass of b
+    double* delta;  ///< velocity and spin change per body slot, {v, inverse mass, w, 0}: the contacts' view of `sweep`,
+                    ///< and a spare slot
 };
 
 /// Slots of the two bodies of a contact.
@@ -98,9 +90,44 @@ struct ContactBodies {
     std::uint32_t b;
 };
 
+/// Fields of a contact's normal or friction row, scaled like a joint row. Sweeps only read them: targets and
+/// accumulated impulses, over s, are in arrays of their own.
+namespace contact_field {
+inline constexpr int axis = 0;      ///< s * direction
+inline constexpr int torque_a = 3;  ///< lever a x axis
+inline constexpr int torque_b = 6;
+inline constexpr int spin_a = 9;  ///< I_a^-1 torque_a
+inline constexpr int spin_b = 12;
+inline constexpr int grip = 15;  ///< friction: bound / normal impulse, both scaled
+inline constexpr int count = 16;
+}  // namespace contact_field
+
+/// Pairs of bodies that touch, `width` side by side, no moving body twice; each pair's contacts one after the other. Of
+/// two turns twice as many, whose rows follow each other in turns.
+struct ContactPack {
+    std::uint32_t turns;
+    std::uint32_t first_row;  ///< in groups of `width`
+    std::uint32_t end_row;
+};
+
+/// An empty lane has the spare slot and rows of zeros.
+struct ContactPacks {
+    const std::uint32_t* slots;  ///< by pack and turn: those of the bodies a, then those of b
+    const ContactPack* packs;
+    std::size_t count;
+};
+
+/// Normal or friction rows, by groups of `width`.
+struct ContactRowArrays {
+    const double* row;
+    const double* target;
+    double* impulse;
+};
+
 /// The kernels of one lane width. Every width gives the same bits.
 struct LaneKernels {
     int width;
+    int turns;  ///< of a pack of contacts, at most
     /// body groups [0, groups): world inertia, start velocities, changes set to zero.
     void (*prepare_bodies)(const LaneArrays&, std::size_t groups, double time_step);
     /// Frames, joint error, rows and right-hand sides of a block.
@@ -113,9 +140,10 @@ struct LaneKernels {
     /// sweep -> delta and back, for the bodies of a block.
     void (*to_contacts)(const LaneArrays&, const LaneBlock&);
     void (*from_contacts)(const LaneArrays&, const LaneBlock&);
-    void (*solve_normals)(double* delta, ContactRow*, const ContactBodies*, std::size_t count);
-    void (*solve_frictions)(double* delta, ContactRow*, const ContactRow* normals, const ContactBodies*,
-                            std::size_t count);
+    /// What the impulses do that rows begin with; one sweep over all normal rows; one over all friction rows.
+    void (*start_contacts)(double* delta, const ContactPacks&, const ContactRowArrays&);
+    void (*solve_normals)(double* delta, const ContactPacks&, const ContactRowArrays&);
+    void (*solve_frictions)(double* delta, const ContactPacks&, const ContactRowArrays&, const double* normal_impulse);
 };
 
 }  // namespace floes

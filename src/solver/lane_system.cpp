@@ -79,9 +79,10 @@ void LaneSystem::sort_blocks(std::span<const SolverContact> contacts) {
 void LaneSystem::solve(std::span<SolverContact> contacts, const ContactRules& rules, int iterations) {
     const LaneArrays all = arrays();
     sort_blocks(contacts);
-    std::fill_n(delta_.data(), delta_.size(), 0.0);
-    contact_rows_.prepare(contacts, slot_of_body_, body_groups_ * static_cast<std::size_t>(width()), all, width(),
+    for (const LaneBlock& block : blocks_) kernels_->to_contacts(all, block);
+    contact_rows_.prepare(contacts, slot_of_body_, body_groups_ * static_cast<std::size_t>(width()), all, *kernels_,
                           rules, time_step_);
+    contact_rows_.start(*kernels_, all.delta);
     contact_rows_.solve_penetrations(*kernels_, iterations);
 
     // Floes that touch nothing are on their own: all their sweeps at once, while they are in the nearest cache.

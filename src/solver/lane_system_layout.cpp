@@ -113,7 +113,7 @@ void LaneSystem::lay_out(std::span<const SolverBody> bodies, std::span<const Sol
 
     body_ = AlignedArray<double>(body_groups_ * lanes * body_field::count);
     sweep_ = AlignedArray<double>(body_groups_ * lanes * sweep_field::count);
-    delta_ = AlignedArray<double>(body_groups_ * lanes * 8);
+    delta_ = AlignedArray<double>((body_groups_ * lanes + 1) * 8);
     frame_ = AlignedArray<double>(joint_groups * lanes * frame_field::count);
     row_ = AlignedArray<double>(joint_groups * lanes * row_field::count);
     reaction_ = AlignedArray<double>(joint_groups * lanes * reaction_field::count);

@@ -7,19 +7,31 @@ using Pack = double;
 inline Pack square_root(Pack x) {
     return __builtin_sqrt(x);
 }
+inline bool any_positive(Pack x) {
+    return x > 0.0;
+}
 #else
 using Pack [[gnu::vector_size(8 * FLOES_LANES)]] = double;
 #if FLOES_LANES == 2
 inline Pack square_root(Pack x) {
     return _mm_sqrt_pd(x);
 }
+inline bool any_positive(Pack x) {
+    return _mm_movemask_pd(_mm_cmpgt_pd(x, _mm_setzero_pd())) != 0;
+}
 #elif FLOES_LANES == 4
 inline Pack square_root(Pack x) {
     return _mm256_sqrt_pd(x);
 }
+inline bool any_positive(Pack x) {
+    return _mm256_movemask_pd(_mm256_cmp_pd(x, _mm256_setzero_pd(), _CMP_GT_OQ)) != 0;
+}
 #else
 inline Pack square_root(Pack x) {
     return _mm512_maskz_sqrt_pd(0xff, x);
+}
+inline bool any_positive(Pack x) {
+    return _mm512_cmp_pd_mask(x, _mm512_setzero_pd(), _CMP_GT_OQ) != 0;
 }
 #endif
 #endif

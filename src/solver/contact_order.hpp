@@ -1,0 +1,50 @@
+#pragma once
+// In what order contacts are solved, and where in the lanes their rows lie.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "solver/lane_layout.hpp"
+#include "solver/solver_contact.hpp"
+
+namespace floes {
+
+/// Neighbouring contacts of the same two bodies stay together, as a pair. A pair may move forward past pairs that share
+/// no moving body with it: nothing changes by that. So each goes to the level after the last one that touched its
+/// bodies, and levels are solved one after the other, some pairs of a level side by side.
+class ContactOrder {
+  public:
+    struct Contact {
+        ContactBodies slots;
+        bool a_moves, b_moves;
+        bool pressed;  ///< it bears something already
+    };
+
+    /// spare: the slot after those of all bodies; width and turns: see LaneKernels.
+    void lay_out(std::span<const Contact> contacts, std::uint32_t spare, int width, int turns);
+
+    ContactPacks packs() const { return {pack_slots_.data(), packs_.data(), packs_.size()}; }
+    std::size_t rows() const { return packs_.empty() ? 0 : packs_.back().end_row; }
+
+    /// Of a contact's rows: row * width + lane.
+    std::uint32_t slot(std::size_t contact) const { return row_slots_[contact]; }
+
+  private:
+    struct Pair {
+        std::uint32_t level;
+        bool pressed;
+        std::uint32_t contacts;
+        std::uint32_t first;
+    };
+    void add_pack(std::span<const Contact> contacts, std::span<const Pair> pairs, std::uint32_t spare,
+                  std::uint32_t width);
+    void find_pairs(std::span<const Contact> contacts, std::uint32_t spare);
+
+    std::vector<Pair> pairs_;
+    std::vector<std::uint32_t> next_level_;  ///< by body slot
+    std::vector<ContactPack> packs_;
+    std::vector<std::uint32_t> pack_slots_, row_slots_;
+};
+
+}  // namespace floes

@@ -1,0 +1,78 @@
+// What contacts see and change of a body: 8 doubles {velocity, inverse mass, spin, 0}, one after the other in `delta`.
+// From there into lanes, and back.
+
+struct Motion {
+    V3 velocity;
+    Pack inverse_mass;
+    V3 spin;
+};
+
+template <int stride, int... lane>
+[[gnu::always_inline]] inline void exchange(Pack& a, Pack& b, Sequence<lane...>) {
+    const Pack first = __builtin_shufflevector(a, b, ((lane & stride) != 0 ? lane - stride + lanes : lane)...);
+    b = __builtin_shufflevector(a, b, ((lane & stride) != 0 ? lane + lanes : lane + stride)...);
+    a = first;
+}
+
+/// Rows become columns, in log2(lanes) exchanges: of neighbours, of neighbouring pairs, of neighbouring fours.
+template <int stride = 1>
+[[gnu::always_inline]] inline void transpose(Pack (&rows)[lanes]) {
+    if constexpr (stride < lanes) {
+#pragma GCC unroll 8
+        for (int i = 0; i < lanes; ++i) {
+            if ((i & stride) == 0) exchange<stride>(rows[i], rows[i + stride], EveryLane{});
+        }
+        transpose<2 * stride>(rows);
+    }
+}
+
+/// at(lane): where the body of that lane begins.
+template <class At>
+[[gnu::always_inline]] inline Motion gather(const At& at) {
+    Pack places[8];
+#pragma GCC unroll 8
+    for (int part = 0; part < 8; part += lanes) {
+        Pack rows[lanes];
+#pragma GCC unroll 8
+        for (int lane = 0; lane < lanes; ++lane) rows[lane] = *reinterpret_cast<const Pack*>(at(lane) + part);
+        transpose(rows);
+#pragma GCC unroll 8
+        for (int i = 0; i < lanes; ++i) places[part + i] = rows[i];
+    }
+    return {{places[0], places[1], places[2]}, places[3], {places[4], places[5], places[6]}};
+}
+
+template <class At>
+[[gnu::always_inline]] inline void scatter(const At& at, const Motion& motion) {
+    const auto& [v, inverse_mass, w] = motion;
+    const Pack places[8] = {v.x, v.y, v.z, inverse_mass, w.x, w.y, w.z, Pack{}};
+#pragma GCC unroll 8
+    for (int part = 0; part < 8; part += lanes) {
+        Pack rows[lanes];
+#pragma GCC unroll 8
+        for (int i = 0; i < lanes; ++i) rows[i] = places[part + i];
+        transpose(rows);
+#pragma GCC unroll 8
+        for (int lane = 0; lane < lanes; ++lane) *reinterpret_cast<Pack*>(at(lane) + part) = rows[lane];
+    }
+}
+
+void to_contacts(const LaneArrays& arrays, const LaneBlock& block) {
+    for (std::int32_t body = 0; body < block.bodies; ++body) {
+        const double* from = body_group(arrays.sweep, sweep_field::count, block, body);
+        double* to = body_group(arrays.delta, 8, block, body);
+        scatter([to](int lane) { return to + 8 * lane; },
+                {load3(from, sweep_field::velocity), load(from, sweep_field::inverse_mass),
+                 load3(from, sweep_field::spin)});
+    }
+}
+
+void from_contacts(const LaneArrays& arrays, const LaneBlock& block) {
+    for (std::int32_t body = 0; body < block.bodies; ++body) {
+        const double* from = body_group(arrays.delta, 8, block, body);
+        double* to = body_group(arrays.sweep, sweep_field::count, block, body);
+        const Motion motion = gather([from](int lane) { return from + 8 * lane; });
+        store3(to, sweep_field::velocity, motion.velocity);
+        store3(to, sweep_field::spin, motion.spin);
+    }
+}

@@ -1,0 +1,30 @@
+#pragma once
+// What a solve is told about contacts, and what it tells back.
+
+#include <array>
+#include <cstdint>
+
+namespace floes {
+
+/// One point of a contact: what the narrow phase says, and after a solve what was exerted. World axes, SI units.
+struct SolverContact {
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+    std::array<double, 3> on_a{};
+    std::array<double, 3> on_b{};
+    std::array<double, 3> normal{};  ///< unit, from b to a
+    double distance = 0;             ///< along the normal, negative when the bodies overlap
+    double friction = 0;             ///< Coulomb coefficient
+    double impulse = 0;              ///< N s, of the normal: in, the value to start from; out, what was exerted on a
+    std::array<double, 3> slide{};   ///< out: unit vector of the friction row
+    double friction_impulse = 0;     ///< out: N s, exerted on a along slide
+};
+
+/// How penetrations are corrected.
+struct ContactRules {
+    double erp = 0.2;                   ///< share corrected in a step
+    bool split_impulse = true;          ///< correct deep ones outside the impulse
+    double split_impulse_depth = 0.04;  ///< m
+};
+
+}  // namespace floes
