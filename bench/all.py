@@ -22,9 +22,10 @@ import side_by_side
 
 # Times are compared with that of the first of each group.
 LATE = ["TowStep/stock/late", "TowStep/lanes/late", "Peer/bullet/late", "Peer/ode/late"]
+STEEP = ["TowStep/stock/late_steep", "TowStep/lanes/late_steep"]
 EARLY = ["TowStep/stock/early", "TowStep/lanes/early"]
 MEMBERS = ["Member/stock", "Member/lanes"] + [f"Member/lanes/wake:{radius}" for radius in (6, 4, 3, 2)]
-COUNTED = LATE[:2] + EARLY  # the instructions of a step
+COUNTED = LATE[:2] + STEEP + EARLY  # the instructions of a step
 WARM_UP = 5  # steps that callgrind counts too
 MARKS = ("<!-- paired: ./floes bench -->", "<!-- end -->")
 
@@ -54,7 +55,7 @@ def instructions(program, name):
 
 def table(times, counts):
     lines = ["| benchmark | CPU ms | instructions/step | time of stock over it (range of rounds) |", "|---|---|---|---|"]
-    for group in (LATE, EARLY, MEMBERS):
+    for group in (LATE, STEEP, EARLY, MEMBERS):
         for name in group:
             ratios = [a / b for a, b in zip(times[group[0]], times[name])]
             ratio = f"{statistics.median(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})"
@@ -83,7 +84,7 @@ def main():
     program = os.path.join(options.folder, "floes_bench")
 
     load = os.getloadavg()[0]
-    times = turns(program, LATE + EARLY, options.rounds, 50)
+    times = turns(program, LATE + STEEP + EARLY, options.rounds, 50)
     times |= turns(program, MEMBERS, max(1, options.rounds // 3), 1)
     counts = {name: instructions(program, name) for name in COUNTED}
     together = side_by_side.measure(os.path.join(options.folder, "floes_throughput"), max(1, options.rounds - 2), 200)

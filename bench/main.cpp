@@ -25,7 +25,7 @@ constexpr int warm_up = 5;  // steps: the contacts that a stored state lacks, me
 
 void tow_step(benchmark::State& state, SolverKind solver, Scene (*make_scene)()) {
     const Scene scene = make_scene();
-    Simulation simulation(tow_scenario(solver), scene.arrangement, scene.state);
+    Simulation simulation(tow_scenario(solver, scene.wall), scene.arrangement, scene.state);
     for (int i = 0; i < warm_up; ++i) simulation.step();
     for (auto _ : state) simulation.step();
     state.counters["surge_N"] = simulation.loads().surge.back();
@@ -42,9 +42,10 @@ void peer_step(benchmark::State& state, std::unique_ptr<Peer> (*make_peer)(const
 
 /// A member of 20 s at four times the tow speed: 5.6 m of way from the edge of resting ice to packed ice.
 void member(benchmark::State& state, SolverKind solver, double wake_radius) {
-    Scenario scenario = tow_scenario(solver);
+    const Scene scene = early_scene();
+    Scenario scenario = tow_scenario(solver, scene.wall);
     scenario.arrangement.method = ArrangementMethod::file;
-    scenario.arrangement.poses = early_scene().arrangement.poses;
+    scenario.arrangement.poses = scene.arrangement.poses;
     scenario.field.wake_radius = wake_radius;
     scenario.structure.speed *= 4;
     scenario.analysis = {.steady_start = 5, .window = 15, .segments = 3};
@@ -75,6 +76,8 @@ void add_all(int steps) {
     };
     add("TowStep/stock/late", tow_step, SolverKind::stock, late_scene);
     add("TowStep/lanes/late", tow_step, SolverKind::lanes, late_scene);
+    add("TowStep/stock/late_steep", tow_step, SolverKind::stock, late_steep_scene);
+    add("TowStep/lanes/late_steep", tow_step, SolverKind::lanes, late_steep_scene);
     add("TowStep/stock/early", tow_step, SolverKind::stock, early_scene);
     add("TowStep/lanes/early", tow_step, SolverKind::lanes, early_scene);
     add("Peer/bullet/late", peer_step, make_bullet, late_scene);

@@ -22,7 +22,7 @@ WaterModel peer_water(const Scenario& scenario) {
 
 PeerScene peer_scene(const Scene& scene) {
     PeerScene peer;
-    const Scenario scenario = tow_scenario(SolverKind::stock);
+    const Scenario scenario = tow_scenario(SolverKind::stock, scene.wall);
     peer.scenario = scenario;
     const Simulation simulation(scenario, scene.arrangement, scene.state);
     peer.elements = simulation.element_states();

@@ -44,12 +44,26 @@ PlanarPose read_floe(std::istream& in) {
     return pose;
 }
 
+Scene stored_scene(Wall wall, std::string_view name) {
+    const std::string path = fmt::format("{}/{}", FLOES_BENCH_DIR, name);
+    std::ifstream file(path);
+    if (!file) throw InputError(fmt::format("There is no stored scene at {}; make it with floes_late_state.", path));
+    return read_scene(wall, {std::istreambuf_iterator<char>(file), {}});
+}
+
 }  // namespace
 
-Scenario tow_scenario(SolverKind solver) {
+Wall wall_named(std::string_view name) {
+    if (name == "straight") return Wall::straight;
+    if (name == "steep") return Wall::steep;
+    throw InputError(fmt::format("There is no wall {}; take straight or steep.", name));
+}
+
+Scenario tow_scenario(SolverKind solver, Wall wall) {
     Scenario scenario;
     scenario.general.solver = solver;
-    scenario.structure.profile = {{-0.443, 0.171}, {0.122, 0.736}};  // that of late_state.csv
+    scenario.structure.profile = {{-0.443, 0.171}, {0.122, 0.736}};
+    if (wall == Wall::steep) scenario.structure.profile = {{-0.443, 0.499}, {0, 0.614}, {0.122, 0.736}};
     scenario.structure.start = scenario.field.begin - scenario.waterline_radius() - 0.2;
     return scenario;
 }
@@ -77,8 +91,9 @@ std::string write_scene(const Scene& scene) {
     return text;
 }
 
-Scene read_scene(const std::string& text) {
+Scene read_scene(Wall wall, const std::string& text) {
     Scene scene;
+    scene.wall = wall;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
         if (line.starts_with('#')) continue;
@@ -98,15 +113,16 @@ Scene read_scene(const std::string& text) {
 }
 
 Scene late_scene() {
-    const std::string path = FLOES_BENCH_DIR "/late_state.csv";
-    std::ifstream file(path);
-    if (!file) throw InputError(fmt::format("There is no stored scene at {}; make it with floes_late_state.", path));
-    return read_scene({std::istreambuf_iterator<char>(file), {}});
+    return stored_scene(Wall::straight, "late_state.csv");
+}
+
+Scene late_steep_scene() {
+    return stored_scene(Wall::steep, "late_state_steep.csv");
 }
 
 Scene early_scene() {
     Scene scene = late_scene();
-    const Simulation at_rest(tow_scenario(SolverKind::lanes), scene.arrangement);
+    const Simulation at_rest(tow_scenario(SolverKind::lanes, scene.wall), scene.arrangement);
     scene.state = at_rest.state();
     return scene;
 }

@@ -2,6 +2,7 @@
 // The scenes that benchmarks step: the default channel with 189 floes, with the ice at rest and packed.
 
 #include <string>
+#include <string_view>
 
 #include "arrangement/arrangement.hpp"
 #include "scenario/scenario.hpp"
@@ -9,22 +10,30 @@
 
 namespace floes::bench {
 
-/// The default scenario, but with a straight wall of 45 degrees and the structure 0.2 m before the ice: a tow that needs
-/// no run-up.
-Scenario tow_scenario(SolverKind solver);
+/// The structure's wall: straight at 45 degrees, or at 75.4 degrees below the waterline as in the default scenario.
+/// Both are written out in scene.cpp, since stored states belong to them.
+enum class Wall { straight, steep };
+
+/// "straight" or "steep"; throws InputError for another name.
+Wall wall_named(std::string_view name);
+
+/// The default scenario, but with the given wall and the structure 0.2 m before the ice: a tow that needs no run-up.
+Scenario tow_scenario(SolverKind solver, Wall wall);
 
 /// A tow at some time, with the arrangement that it began from.
 struct Scene {
+    Wall wall = Wall::straight;
     Arrangement arrangement;
     SimulationState state;
 };
 
 /// Text with one record a line. Positions to 1 nm and velocities to 7 digits: a state of its own, near that of the run.
 std::string write_scene(const Scene& scene);
-Scene read_scene(const std::string& text);
+Scene read_scene(Wall wall, const std::string& text);
 
-/// bench/late_state.csv, see late_state.cpp.
+/// bench/late_state.csv and bench/late_state_steep.csv, see late_state.cpp.
 Scene late_scene();
-Scene early_scene();  ///< the same floes at t = 0, at rest
+Scene late_steep_scene();
+Scene early_scene();  ///< the floes of late_scene at t = 0, at rest
 
 }  // namespace floes::bench
