@@ -8,6 +8,7 @@ find_package(nlohmann_json REQUIRED)
 find_package(Boost 1.74 REQUIRED)
 find_package(TBB REQUIRED)
 find_package(MPI REQUIRED COMPONENTS CXX)
+find_package(ZLIB REQUIRED)
 
 # Bullet's own CMake package names a library that Debian does not ship; pkg-config does not.
 pkg_check_modules(bullet REQUIRED IMPORTED_TARGET bullet-float64)

@@ -55,11 +55,11 @@ Outcome Crew::execute(Assignment assignment) {
     if (stop_.stop_requested()) return {assignment, std::nullopt, 0};
     const auto begin = std::chrono::steady_clock::now();
     Attempted made = attempt(assignment);
-    if (made.result) {
-        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-        made.result->wall_time = taken.count();
-    }
-    return {assignment, std::move(made.result), made.peak_memory};
+    if (!made.result) return {assignment, std::nullopt, made.peak_memory};
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    made.result->wall_time = taken.count();
+    PackedHistory history = pack(std::exchange(made.result->history, {}));
+    return {assignment, std::move(made.result), made.peak_memory, std::move(history)};
 }
 
 Attempted Crew::attempt(Assignment assignment) {

@@ -15,6 +15,7 @@
 
 #include "attempt/attempt_here.hpp"
 #include "attempt/helper.hpp"
+#include "store/packed_history.hpp"
 
 namespace floes {
 
@@ -30,6 +31,7 @@ struct Outcome {
     Assignment assignment;
     std::optional<MemberResult> result;
     std::uint64_t peak_memory = 0;  ///< of the process that computed it, bytes
+    PackedHistory history = {};     ///< of the load; out of the result
 };
 
 /// Why a crew cannot go on.

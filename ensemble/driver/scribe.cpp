@@ -29,6 +29,7 @@ MemberRecord Scribe::record(Outcome outcome) const {
     record.host = host_;
     record.peak_memory = outcome.peak_memory;
     record.result = std::move(*outcome.result);
+    record.history = std::move(outcome.history);
     return record;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -17,20 +18,20 @@ namespace {
 
 constexpr int cores_of_a_node = 64;
 
-/// The bytes of a done member's record: those of one with as many numbers in it.
-double record_bytes(const Scenario& scenario, bool with_history) {
+/// The bytes of a done member's record without its history: those of one with as many numbers in it.
+double record_bytes(const Scenario& scenario) {
     MemberRecord record;
     record.case_key = std::string(32, '0');
     record.host = "node0000";
     const Analysis& analysis = scenario.analysis;
-    const auto values = static_cast<std::size_t>(with_history ? scenario.step_count() / analysis.history_stride : 0);
     record.result.load.segment_maximum.resize(static_cast<std::size_t>(analysis.segments));
     record.result.levels.resize(analysis.exceedance_levels.size());
-    record.result.history.surge.resize(values);
-    record.result.history.sway.resize(values);
-    record.result.history.heave.resize(values);
     record.result.arrangement.resize(static_cast<std::size_t>(scenario.field.floes));
     return static_cast<double>(encode(record).size());
+}
+
+double history_bytes(const Analysis& analysis, int steps) {
+    return analysis.keep_history ? 3.0 * (steps / analysis.history_stride) * measured_member_costs().history_bytes : 0;
 }
 
 /// Two independent uniform numbers in (0, 1) that belong to a member.
@@ -47,21 +48,28 @@ double scatter(const std::array<double, 2>& uniform, double variation) {
     return std::exp(sigma * normal - sigma * sigma / 2);
 }
 
-std::vector<SimulatedMember> members_of(const Campaign& campaign, double file_per_record_byte) {
-    std::vector<double> bytes;
-    std::vector<double> memory;  // the master leaves histories in the journal
+/// `file_of`: what a record takes in the campaign file, of the bytes of its history and of all others.
+std::vector<SimulatedMember> members_of(const Campaign& campaign,
+                                        const std::function<double(double history, double others)>& file_of) {
+    std::vector<double> histories;
+    std::vector<double> others;  // stay in the master's memory; it leaves histories in the journal
     for (const Case& one : campaign.cases) {
-        bytes.push_back(record_bytes(one.scenario, one.scenario.analysis.keep_history));
-        memory.push_back(record_bytes(one.scenario, false));
+        histories.push_back(history_bytes(one.scenario.analysis, one.scenario.step_count()));
+        others.push_back(record_bytes(one.scenario));
     }
     std::vector<SimulatedMember> members;
     members.reserve(static_cast<std::size_t>(member_count(campaign)));
     for (int number = 0; number < member_count(campaign); ++number) {
-        const auto of_case = static_cast<std::size_t>(member_key(campaign, number).case_index);
-        const double record = bytes[of_case];
-        members.push_back({0, expected_cost(campaign, number), record, file_per_record_byte * record, memory[of_case]});
+        const auto k = static_cast<std::size_t>(member_key(campaign, number).case_index);
+        members.push_back({0, expected_cost(campaign, number), histories[k] + others[k],
+                           file_of(histories[k], others[k]), others[k]});
     }
     return members;
+}
+
+/// Without a run to tell.
+double usual_file_bytes(double history, double others) {
+    return history + measured_member_costs().file_per_record_byte * others;
 }
 
 /// Seconds per unit of expected cost, as measured, of each case of the run; and of all its members.
@@ -94,7 +102,7 @@ const std::vector<double>& rates_for(const Case& one, const MeasuredRun& run, co
 
 PlannedMembers expected_members(const Campaign& campaign) {
     const MemberCosts costs = measured_member_costs();
-    PlannedMembers planned{members_of(campaign, costs.file_per_record_byte), costs.source};
+    PlannedMembers planned{members_of(campaign, usual_file_bytes), costs.source};
     for (std::size_t k = 0; k < planned.members.size(); ++k) {
         const int number = static_cast<int>(k);
         const auto case_index = static_cast<std::size_t>(member_key(campaign, number).case_index);
@@ -109,9 +117,9 @@ PlannedMembers expected_members(const Campaign& campaign) {
 PlannedMembers measured_members(const Campaign& campaign, const MeasuredRun& run) {
     const MeasuredRates rates = rates_of(run);
     if (rates.of_all.empty()) throw InputError(fmt::format("no member of {} is done yet.", run.campaign.name));
-    const double ratio =
-        run.file_per_record_byte > 0 ? run.file_per_record_byte : measured_member_costs().file_per_record_byte;
-    PlannedMembers planned{members_of(campaign, ratio),
+    const double ratio = run.file_per_record_byte;
+    const auto as_measured = [ratio](double history, double others) { return ratio * (history + others); };
+    PlannedMembers planned{ratio > 0 ? members_of(campaign, as_measured) : members_of(campaign, usual_file_bytes),
                            fmt::format("{} measured members of {}", rates.of_all.size(), run.campaign.name)};
     for (std::size_t k = 0; k < planned.members.size(); ++k) {
         const int number = static_cast<int>(k);

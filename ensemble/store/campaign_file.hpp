@@ -21,10 +21,10 @@ inline constexpr std::array<int, 2> campaign_file_version{1, 3};
 inline constexpr const char* campaign_filetype = "floes campaign";
 
 /// Gives the load history of a record whose own was left in the journal.
-using HistoryOf = std::function<LoadHistory(const MemberRecord&)>;
+using HistoryOf = std::function<PackedHistory(const MemberRecord&)>;
 
-inline LoadHistory own_history(const MemberRecord& record) {
-    return record.result.history;
+inline PackedHistory own_history(const MemberRecord& record) {
+    return record.history;
 }
 
 /// Writes the file aside, brings it to the disk, and renames it into place: at every moment `path` is the old file or

@@ -11,7 +11,6 @@ namespace floes::hdf5 {
 namespace {
 
 constexpr unsigned creation_order = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
-constexpr unsigned compression_level = 4;
 
 template <class Value>
 hid_t stored_type();
@@ -210,7 +209,7 @@ Handle create_rows(hid_t parent, const Label& label, const std::array<hsize_t, 2
     const Handle properties = creation_properties(H5P_DATASET_CREATE);
     check(H5Pset_chunk(properties.id(), 2, chunk.data()), "H5Pset_chunk", label.name);
     check(H5Pset_shuffle(properties.id()), "H5Pset_shuffle", label.name);
-    check(H5Pset_deflate(properties.id(), compression_level), "H5Pset_deflate", label.name);
+    check(H5Pset_deflate(properties.id(), static_cast<unsigned>(compression_level)), "H5Pset_deflate", label.name);
     check(H5Pset_fill_value(properties.id(), native_type<double>(), &nan), "H5Pset_fill_value", label.name);
     Handle dataset = create_dataset(parent, label, stored_type<double>(), sizes, properties);
     const std::array<hsize_t, 1> one{1};
@@ -237,6 +236,13 @@ void Rows::write(std::size_t row, std::span<const double> values) {
     const Handle memory = simple_space(std::span(count).last(1));
     check(H5Dwrite(dataset_.id(), native_type<double>(), memory.id(), space_.id(), H5P_DEFAULT, values.data()),
           "H5Dwrite", name_);
+}
+
+void Rows::write(std::size_t row, const PackedNumbers& values) {
+    if (values.count != width_) return write(row, unpack(values));
+    const std::array<hsize_t, 2> first{row, 0};
+    check(H5Dwrite_chunk(dataset_.id(), H5P_DEFAULT, 0, first.data(), values.chunk.size(), values.chunk.data()),
+          "H5Dwrite_chunk", name_);
 }
 
 void write_rows(hid_t parent, const Label& label, const Scale& rows, const Scale& columns,

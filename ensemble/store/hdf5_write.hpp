@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "store/hdf5_handle.hpp"
+#include "store/packed_history.hpp"
 
 namespace floes::hdf5 {
 
@@ -76,6 +77,8 @@ class Rows {
     Rows(hid_t parent, const Label& label, const Scale& rows, const Scale& columns);
     /// A row may be shorter than the table is wide; the rest is NaN, as is a row that is never written.
     void write(std::size_t row, std::span<const double> values);
+    /// Likewise; a row of full width goes into the file as it is.
+    void write(std::size_t row, const PackedNumbers& values);
 
   private:
     std::string name_;

@@ -138,9 +138,9 @@ void Journal::append(const MemberRecord& record) {
     journal_format::take_member(contents_, record, {offset, contents_.good_bytes - offset}, Histories::leave);
 }
 
-LoadHistory Journal::history(const MemberRecord& record) const {
+PackedHistory Journal::history(const MemberRecord& record) const {
     const auto index = static_cast<std::size_t>(&record - contents_.members.data());
-    return journal_format::read_member(file_, path_, contents_.places.at(index)).result.history;
+    return journal_format::read_member(file_, path_, contents_.places.at(index)).history;
 }
 
 void Journal::append(const CalibrationRecord& record) {

@@ -69,7 +69,7 @@ class Journal {
     /// All members, without their load histories.
     const std::vector<MemberRecord>& records() const { return contents_.members; }
     /// The load history of one of records(), from the file. Throws RunError when it cannot be read back.
-    LoadHistory history(const MemberRecord& record) const;
+    PackedHistory history(const MemberRecord& record) const;
     const std::vector<Session>& sessions() const { return contents_.sessions; }
     const std::vector<CalibrationRecord>& calibrations() const { return contents_.calibrations; }
     /// Attempts that earlier sessions began and that were lost with them are lost() here.

@@ -152,7 +152,7 @@ void take_member(JournalContents& contents, MemberRecord record, JournalContents
         Session& session = contents.sessions.back();
         ++(record.result.status == MemberStatus::done ? session.computed : session.set_aside);
     }
-    if (histories == Histories::leave) record.result.history = {};
+    if (histories == Histories::leave) record.history = {};
     contents.members.push_back(std::move(record));
     contents.places.push_back(place);
 }

@@ -16,7 +16,7 @@
 namespace floes::journal_format {
 
 inline constexpr std::string_view magic = "floesjnl";
-inline constexpr std::uint32_t schema = 1;
+inline constexpr std::uint32_t schema = 2;  ///< 2: histories are packed
 inline constexpr std::uint64_t fixed_header_bytes = 24;
 inline constexpr std::uint64_t record_head_bytes = 12;
 inline constexpr std::uint64_t crc_bytes = 4;

@@ -15,7 +15,7 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 MeasuredRun of_journal(const std::filesystem::path& journal, const std::filesystem::path& campaign_file) {
-    const JournalContents contents = read_journal(journal);
+    const JournalContents contents = read_journal(journal, Histories::leave);
     MeasuredRun run{read_stored_campaign(contents, journal), {}, 0};
     for (const MemberRecord* record : match_records(run.campaign, contents.members)) {
         const bool done = record != nullptr && record->result.status == MemberStatus::done;

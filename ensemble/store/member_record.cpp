@@ -24,6 +24,16 @@ std::multimap<MemberIdentity, std::size_t> member_numbers(const Campaign& campai
     return numbers;
 }
 
+void write(ByteWriter& out, const PackedNumbers& numbers) {
+    out.u64(numbers.count);
+    out.blob(numbers.chunk);
+}
+
+PackedNumbers read_numbers(ByteReader& in) {
+    const std::uint64_t count = in.u64();
+    return {count, in.blob()};
+}
+
 }  // namespace
 
 MemberIdentity identity(const MemberRecord& record) {
@@ -39,6 +49,9 @@ Bytes encode(const MemberRecord& record) {
     out.text(record.host);
     out.u64(record.peak_memory);
     write(out, record.result);
+    write(out, record.history.surge);
+    write(out, record.history.sway);
+    write(out, record.history.heave);
     return out.take();
 }
 
@@ -52,6 +65,13 @@ MemberRecord decode_member_record(std::span<const std::byte> bytes) {
     record.host = in.text();
     record.peak_memory = in.u64();
     record.result = read_member_result(in);
+    if (in.left() == 0) {
+        record.history = pack(std::exchange(record.result.history, {}));
+        return record;
+    }
+    record.history.surge = read_numbers(in);
+    record.history.sway = read_numbers(in);
+    record.history.heave = read_numbers(in);
     if (in.left() != 0) throw RunError("a stored member goes on after its end; it was written by another version");
     return record;
 }

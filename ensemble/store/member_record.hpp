@@ -10,6 +10,7 @@
 #include "core/bytes.hpp"
 #include "member/result.hpp"
 #include "store/attempt_book.hpp"
+#include "store/packed_history.hpp"
 
 namespace floes {
 
@@ -22,7 +23,8 @@ struct MemberRecord {
     int rank = 0;          ///< that computed it
     std::string host;
     std::uint64_t peak_memory = 0;  ///< largest resident set of the computing process so far, bytes
-    MemberResult result;
+    MemberResult result;            ///< its own history is empty: it stands, packed, in
+    PackedHistory history;          ///< of the load
 };
 
 MemberIdentity identity(const MemberRecord& record);
@@ -30,7 +32,8 @@ MemberIdentity identity(const MemberRecord& record);
 /// The bytes of a record, the same on every machine.
 Bytes encode(const MemberRecord& record);
 
-/// The record that encode() was given, bit for bit. Throws RunError when the bytes are not exactly one record.
+/// The record that encode() was given, bit for bit; one from before histories were packed gets its own packed. Throws
+/// RunError when the bytes are not exactly one record.
 MemberRecord decode_member_record(std::span<const std::byte> bytes);
 
 /// For each member of the campaign, in member order, the record that counts; nullptr where there is none.

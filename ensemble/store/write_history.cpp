@@ -13,7 +13,7 @@ void write_history(hid_t file, const CampaignContent& content, const CampaignSca
     hdf5::Rows heave = table("heave_load", "contact force on the structure upwards");
     for (std::size_t member = 0; member < content.records.size(); ++member) {
         if (content.done(member) == nullptr) continue;
-        const LoadHistory history = history_of(*content.records[member]);
+        const PackedHistory history = history_of(*content.records[member]);
         surge.write(member, history.surge);
         sway.write(member, history.sway);
         heave.write(member, history.heave);

@@ -49,9 +49,12 @@ void ByteWriter::f64(double value) {
 }
 
 void ByteWriter::text(std::string_view value) {
+    blob(std::as_bytes(std::span(value)));
+}
+
+void ByteWriter::blob(std::span<const std::byte> value) {
     u64(value.size());
-    const auto* first = reinterpret_cast<const std::byte*>(value.data());
-    bytes_.insert(bytes_.end(), first, first + value.size());
+    bytes_.insert(bytes_.end(), value.begin(), value.end());
 }
 
 void ByteWriter::doubles(std::span<const double> values) {
@@ -93,6 +96,11 @@ std::size_t ByteReader::count(std::size_t bytes_each) {
 std::string ByteReader::text() {
     const auto taken = take(count(1));
     return {reinterpret_cast<const char*>(taken.data()), taken.size()};
+}
+
+Bytes ByteReader::blob() {
+    const auto taken = take(count(1));
+    return {taken.begin(), taken.end()};
 }
 
 std::vector<double> ByteReader::doubles() {

@@ -23,6 +23,7 @@ class ByteWriter {
     void f64(double value);                        ///< all 64 bits, NaN payload included
     void text(std::string_view value);             ///< length (u64), then the bytes
     void doubles(std::span<const double> values);  ///< count (u64), then the values
+    void blob(std::span<const std::byte> value);   ///< length (u64), then the bytes
 
     std::span<const std::byte> bytes() const { return bytes_; }
     Bytes take() { return std::move(bytes_); }
@@ -44,6 +45,7 @@ class ByteReader {
     double f64();
     std::string text();
     std::vector<double> doubles();
+    Bytes blob();
     /// A count of things that take at least `bytes_each` bytes; throws when so many cannot follow.
     std::size_t count(std::size_t bytes_each);
 

@@ -5,7 +5,7 @@ expect 0 whole "$FLOES" run campaign.toml -o whole.h5
 
 # Full in the middle of the journal, a file size limit standing for the disk; then full while publishing.
 size=$(($(stat -c %s whole.journal) / 1024))
-expect 1 full bash -c 'ulimit -f "$0"; exec "$@"' "$((size / 2))" "$FLOES" run campaign.toml -o full.h5
+expect 1 full bash -c 'ulimit -f "$0"; exec "$@"' "$((size * 3 / 4))" "$FLOES" run campaign.toml -o full.h5
 said full "Is the disk full"
 expect 0 full_resumed "$FLOES" run campaign.toml -o full.h5 --resume
 said full_resumed "members reused"

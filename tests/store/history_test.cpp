@@ -21,8 +21,10 @@ void publish_thinned(const std::filesystem::path& path, Campaign campaign, std::
     for (MemberRecord& record : records) {
         for (std::size_t k = 0; k < strides.size(); ++k) {
             if (record.case_key != case_fingerprint(campaign, static_cast<int>(k))) continue;
-            for (auto* load : {&record.result.history.surge, &record.result.history.sway, &record.result.history.heave})
+            LoadHistory history = unpack(record.history);
+            for (auto* load : {&history.surge, &history.sway, &history.heave})
                 load->resize(load->size() / static_cast<std::size_t>(strides[k]));
+            record.history = pack(history);
         }
     }
     publish(path, campaign, records, {});

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "core/error.hpp"
 #include "store/file_bytes.hpp"
 #include "store/journal_format.hpp"
@@ -108,12 +110,13 @@ TEST(Journal, ChecksumIsCrc32c) {
 TEST(Journal, RefusesANewerSchemaInASentence) {
     const SmallJournal small;
     Bytes bytes = file_bytes(small.path);
-    bytes[8] = std::byte{2};
+    bytes[8] = std::byte{journal_format::schema + 1};
     ByteWriter crc;
     crc.u32(journal_format::crc32c(std::span(bytes).first(20)));
     std::copy(crc.bytes().begin(), crc.bytes().end(), bytes.begin() + 20);
     write_file_bytes(small.path, bytes);
-    EXPECT_THAT(refusal([&] { read_journal(small.path); }), HasSubstr("schema 2"));
+    EXPECT_THAT(refusal([&] { read_journal(small.path); }),
+                HasSubstr(fmt::format("schema {}", journal_format::schema + 1)));
 }
 
 TEST(Journal, RefusesAFileThatIsNoJournal) {

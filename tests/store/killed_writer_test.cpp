@@ -95,16 +95,19 @@ TEST(KilledWriter, LeavesTheOldCampaignFileOrTheNewOne) {
     publish(path, campaign, all.first(1), {});
     const std::chrono::duration<double, std::micro> one_publish = std::chrono::steady_clock::now() - begin;
     std::mt19937 random(21);
-    std::uniform_real_distribution<double> life(0, 3 * std::clamp(one_publish.count(), 10e3, 200e3));
+    double longest = 3 * std::clamp(one_publish.count(), 10e3, 200e3);
     std::size_t published = 0;
     for (int round = 0; round < rounds; ++round) {
         SCOPED_TRACE(round);
-        published += run_and_kill(std::chrono::microseconds(std::lround(life(random))), [&](int out) {
-                         for (std::size_t count = 1;; count = 1 + count % 30) {
-                             publish(path, campaign, all.first(count), {});
-                             if (write(out, "p", 1) != 1) _exit(1);
-                         }
-                     }).size();
+        std::uniform_real_distribution<double> life(0, longest);
+        const std::string said = run_and_kill(std::chrono::microseconds(std::lround(life(random))), [&](int out) {
+            for (std::size_t count = 1;; count = 1 + count % 30) {
+                publish(path, campaign, all.first(count), {});
+                if (write(out, "p", 1) != 1) _exit(1);
+            }
+        });
+        published += said.size();
+        if (said.empty()) longest *= 1.1;  // a disk that others use is slower than it was for the first
         const CampaignTable table = read_campaign_file(path);
         ASSERT_EQ(table.members.size(), 60u);
         std::size_t known = 0;

@@ -5,12 +5,18 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/error.hpp"
 #include "store/synthetic.hpp"
 
 namespace floes {
 namespace {
+
+LoadHistory awkward_history() {
+    const double odd_nan = std::bit_cast<double>(std::uint64_t{0xfff8dead0000beef});
+    return {{odd_nan, -0.0, std::numeric_limits<double>::infinity(), 0.1}, {}, {std::numeric_limits<double>::lowest()}};
+}
 
 // A record in which every number is an awkward one.
 MemberRecord awkward_record() {
@@ -20,11 +26,51 @@ MemberRecord awkward_record() {
     record.result.load.sd = odd_nan;
     record.result.load.trend = -0.0;
     record.result.load.trend_p = std::numeric_limits<double>::denorm_min();
-    record.result.history.surge = {odd_nan, -0.0, std::numeric_limits<double>::infinity(), 0.1};
-    record.result.history.sway = {};
-    record.result.history.heave = {std::numeric_limits<double>::lowest()};
+    record.history = pack(awkward_history());
     record.host = std::string("nö\0de", 6);
     return record;
+}
+
+std::vector<std::uint64_t> bits_of(std::span<const double> numbers) {
+    std::vector<std::uint64_t> bits;
+    for (const double number : numbers) bits.push_back(std::bit_cast<std::uint64_t>(number));
+    return bits;
+}
+
+TEST(PackedHistory, IsTheHistoryBitForBit) {
+    const LoadHistory before = awkward_history();
+    const LoadHistory after = unpack(pack(before));
+    EXPECT_EQ(bits_of(after.surge), bits_of(before.surge));
+    EXPECT_TRUE(after.sway.empty());
+    EXPECT_EQ(after.heave, before.heave);
+    EXPECT_LT(pack(std::vector<double>(1000, 0.1)).chunk.size(), 100u) << "equal numbers must take next to nothing";
+}
+
+TEST(PackedHistory, IsRefusedWhenItIsDamaged) {
+    const PackedNumbers whole = pack(std::vector{1.0, 2.0, 3.0});
+    for (const std::uint64_t count : {std::uint64_t{2}, std::uint64_t{4}, std::uint64_t{1} << 60})
+        EXPECT_THROW(unpack(PackedNumbers{count, whole.chunk}), RunError) << count;
+    for (std::size_t size = 0; size < whole.chunk.size(); ++size)
+        EXPECT_THROW(unpack(PackedNumbers{whole.count, Bytes(whole.chunk.begin(),
+                                                             whole.chunk.begin() + static_cast<std::ptrdiff_t>(size))}),
+                     RunError)
+            << size;
+}
+
+/// What journals of schema 1 hold: the record ends with its result, and that has the numbers as they are.
+Bytes bytes_of_schema_1(MemberRecord record) {
+    record.result.history = unpack(std::exchange(record.history, {}));
+    Bytes bytes = encode(record);
+    bytes.resize(bytes.size() - 3 * 16);  // three packed rows of nothing: count and length
+    return bytes;
+}
+
+TEST(MemberRecord, OfAnOlderJournalGetsItsHistoryPacked) {
+    const MemberRecord old = awkward_record();
+    const MemberRecord read = decode_member_record(bytes_of_schema_1(old));
+    EXPECT_EQ(read.history, old.history);
+    EXPECT_TRUE(read.result.history.surge.empty());
+    EXPECT_EQ(read.result.levels, old.result.levels);
 }
 
 TEST(MemberRecord, ComesBackBitForBit) {
@@ -44,8 +90,7 @@ TEST(MemberRecord, ComesBackBitForBit) {
     EXPECT_EQ(after.result.load.trend_p, before.result.load.trend_p);
     EXPECT_EQ(after.result.load.segment_maximum, before.result.load.segment_maximum);
     EXPECT_EQ(after.result.load.steady, before.result.load.steady);
-    EXPECT_EQ(after.result.history.heave, before.result.history.heave);
-    EXPECT_EQ(after.result.history.surge.size(), 4u);
+    EXPECT_EQ(after.history, before.history);
     EXPECT_EQ(after.result.failures_compression, before.result.failures_compression);
     EXPECT_EQ(after.result.peaks, before.result.peaks);
     EXPECT_EQ(after.result.breaks, before.result.breaks);
@@ -64,7 +109,7 @@ constexpr std::size_t later_bytes = 8 + 8 + 8 + 2 * 8;
 
 TEST(MemberRecord, OfATimeBeforeProcessorTimeWasMeasuredIsRead) {
     const MemberRecord before = awkward_record();
-    Bytes bytes = encode(before);
+    Bytes bytes = bytes_of_schema_1(before);
     bytes.resize(bytes.size() - later_bytes);
     const MemberRecord middle = decode_member_record(bytes);
     EXPECT_EQ(middle.result.cpu_time, before.result.cpu_time);
@@ -87,11 +132,14 @@ TEST(MemberRecord, BytesAreTheSameOnEveryMachine) {
 }
 
 TEST(MemberRecord, RefusesEveryShortenedOne) {
-    const Bytes bytes = encode(awkward_record());
-    const std::size_t before_moments = bytes.size() - later_bytes;  // what older versions wrote
+    MemberRecord record = awkward_record();
+    record.history = {};
+    const Bytes bytes = encode(record);
+    const std::size_t before_packing = bytes.size() - 3 * 16;  // these three are what older versions wrote
+    const std::size_t before_moments = before_packing - later_bytes;
     const std::size_t before_cpu_time = before_moments - 8;
     for (std::size_t size = 0; size < bytes.size(); ++size)
-        if (size != before_cpu_time && size != before_moments) {
+        if (size != before_cpu_time && size != before_moments && size != before_packing) {
             EXPECT_THROW(decode_member_record(std::span(bytes).first(size)), RunError)
                 << size << " of " << bytes.size();
         }

@@ -74,11 +74,13 @@ inline MemberRecord record(const Campaign& campaign, int number) {
     result.failures_shear = 3 * number + 1;
     result.failures_compression = 3 * number + 2;
     result.peaks = {base + 1, base + 2, base + 3, base + 4, base + 5, base + 6};
+    LoadHistory history;
     for (int k = 0; k < scenario.step_count(); ++k) {
-        result.history.surge.push_back(base * std::sin(0.1 * k));
-        result.history.sway.push_back(base * std::cos(0.1 * k));
-        result.history.heave.push_back(base / (k + 1));
+        history.surge.push_back(base * std::sin(0.1 * k));
+        history.sway.push_back(base * std::cos(0.1 * k));
+        history.heave.push_back(base / (k + 1));
     }
+    made.history = pack(history);
     for (int k = 0; k < number % 4; ++k)
         result.breaks.push_back({0.02 * (k + 1), k, k + 10, static_cast<FailureMode>((number + k) % 6)});
     for (int k = 0; k < scenario.field.floes; ++k)

@@ -11,7 +11,7 @@ inline std::vector<MemberRecord> whole_records(const Journal& journal) {
     std::vector<MemberRecord> whole;
     for (const MemberRecord& record : journal.records()) {
         whole.push_back(record);
-        whole.back().result.history = journal.history(record);
+        whole.back().history = journal.history(record);
     }
     return whole;
 }
