@@ -17,6 +17,7 @@ Crew::Crew(const Campaign& campaign, MemberFunction compute, int threads, Helper
       compute_(std::move(compute)),
       helper_(helper),
       limits_(limits_of(campaign.run)),
+      threads_(threads),
       limit_(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads) + 1),
       arena_(threads, slots_for_the_owner) {
     if (helper_ != nullptr) helper_->prepare(campaign);

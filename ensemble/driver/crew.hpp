@@ -5,6 +5,7 @@
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
@@ -67,6 +68,9 @@ class Crew {
 
     /// Assignments begun whose outcome has not been taken.
     int held() const { return held_; }
+    int threads() const { return threads_; }
+    /// Of those held, the ones that no thread has begun (between take() and the next outcome).
+    int waiting() const { return std::max(held_ - threads_, 0); }
 
   private:
     void execute_next();
@@ -79,6 +83,7 @@ class Crew {
     Helper* helper_;
     AttemptLimits limits_;
     std::stop_source stop_;
+    int threads_;
     int held_ = 0;
 
     mutable std::mutex mutex_;  // guards the five below

@@ -103,6 +103,7 @@ void Master::advance() {
     const auto now = std::chrono::steady_clock::now();
     watch_ranks(now);
     watch_time(now);
+    hand_out();
     if (const std::string trouble = recorder_.tend(now); !trouble.empty()) progress_.say(trouble);
     progress_.show(state(), now);
     if (something) pause_.something_happened();
@@ -111,8 +112,9 @@ void Master::advance() {
 void Master::receive(const Message& message) {
     switch (message.tag) {
         case Tag::answer: {
-            Answer answer = decode_answer(message.bytes);
-            finished(message.from, answer.number, std::move(answer.record));
+            for (Answer& answer : decode_answers(message.bytes)) {
+                finished(message.from, answer.number, std::move(answer.record));
+            }
             return;
         }
         case Tag::farewell:
@@ -135,7 +137,7 @@ void Master::finished(int worker, int number, MemberRecord record) {
     const auto end = record.result.status == MemberStatus::done ? AttemptEnd::done : AttemptEnd::failed;
     if (end == AttemptEnd::done) pace_ = std::max(pace_, record.result.wall_time / expected_cost(campaign_, number));
     tell_time_left();
-    handle(MemberFinished{worker, number, record.attempt, end}, &record);
+    handle(MemberFinished{worker, number, record.attempt, end, record.result.wall_time}, &record);
     end_when_precise();
 }
 
@@ -203,24 +205,33 @@ void Master::end_when_precise() {
 
 void Master::handle(const Event& event, MemberRecord* record) {
     for (const Command& command : scheduler_.handle(event)) {
-        if (const auto* assign = std::get_if<Assign>(&command)) obey(*assign);
+        if (const auto* assign = std::get_if<Assign>(&command)) {
+            handed_out_[assign->worker].push_back({assign->number, assign->attempt, assign->apart});
+        }
         if (const auto* dismiss = std::get_if<Dismiss>(&command)) obey(*dismiss);
         if (const auto* retry = std::get_if<Retry>(&command)) note_failure(*retry, *record);
         if (const auto* kept = std::get_if<Record>(&command)) keep(kept->number, *record);
     }
 }
 
-void Master::obey(const Assign& command) {
-    const Assignment assignment{command.number, command.attempt, command.apart};
-    recorder_.started(command.number, command.attempt);
-    if (command.worker == self) {
-        crew_.begin(assignment);
-    } else {
-        link_.send(command.worker, Tag::assign, encode(assignment));
+/// All that was handed out of late, in one message to each worker. The journal knows of an attempt before it begins.
+void Master::hand_out() {
+    for (const auto& [worker, assignments] : handed_out_) {
+        for (const Assignment& assignment : assignments) recorder_.started(assignment.number, assignment.attempt);
     }
+    recorder_.hand_over();
+    for (const auto& [worker, assignments] : handed_out_) {
+        if (worker == self) {
+            for (const Assignment& assignment : assignments) crew_.begin(assignment);
+        } else {
+            link_.send(worker, Tag::assign, encode(assignments));
+        }
+    }
+    handed_out_.clear();
 }
 
 void Master::obey(const Dismiss& command) {
+    hand_out();
     if (command.worker == self) {
         crew_.abandon();
         dismissed_ = true;

@@ -52,8 +52,8 @@ class Master {
     void handle(const Event& event, MemberRecord* record = nullptr);
     void keep(int number, MemberRecord& record);
     void note_failure(const Retry& retry, const MemberRecord& record);
-    void obey(const Assign& command);
     void obey(const Dismiss& command);
+    void hand_out();
     std::string name_of(int number) const;
     ProgressState state() const;
 
@@ -68,7 +68,8 @@ class Master {
     Crew crew_;
     Pause pause_;
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-    std::map<int, std::vector<std::string>> failures_;  // reasons by member, of attempts that are made again
+    std::map<int, std::vector<Assignment>> handed_out_;  // by worker, since the last hand_out()
+    std::map<int, std::vector<std::string>> failures_;   // reasons by member, of attempts that are made again
     Silence silence_;
     double next_sign_ = 0;             // of life, in time listened
     std::map<int, Descriptor> ranks_;  // of this machine, as the system knows them for good

@@ -2,6 +2,13 @@
 
 namespace floes {
 
+namespace {
+
+constexpr std::size_t assignment_bytes = 4 + 4 + 1;
+constexpr std::size_t least_answer_bytes = 4 + 8;
+
+}  // namespace
+
 Bytes encode(const Hello& hello) {
     ByteWriter writer;
     writer.i32(hello.cores);
@@ -11,21 +18,25 @@ Bytes encode(const Hello& hello) {
     return writer.take();
 }
 
-Bytes encode(const Assignment& assignment) {
+Bytes encode(const std::vector<Assignment>& assignments) {
     ByteWriter writer;
-    writer.i32(assignment.number);
-    writer.i32(assignment.attempt);
-    writer.u8(assignment.apart ? 1 : 0);
+    writer.u64(assignments.size());
+    for (const Assignment& assignment : assignments) {
+        writer.i32(assignment.number);
+        writer.i32(assignment.attempt);
+        writer.u8(assignment.apart ? 1 : 0);
+    }
     return writer.take();
 }
 
-Bytes encode(const Answer& answer) {
+Bytes encode(const std::vector<Answer>& answers) {
     ByteWriter writer;
-    writer.i32(answer.number);
-    Bytes bytes = writer.take();
-    const Bytes record = encode(answer.record);
-    bytes.insert(bytes.end(), record.begin(), record.end());
-    return bytes;
+    writer.u64(answers.size());
+    for (const Answer& answer : answers) {
+        writer.i32(answer.number);
+        writer.blob(encode(answer.record));
+    }
+    return writer.take();
 }
 
 Bytes encode_status(int exit_status) {
@@ -50,19 +61,25 @@ Hello decode_hello(const Bytes& bytes) {
     return hello;
 }
 
-Assignment decode_assignment(const Bytes& bytes) {
+std::vector<Assignment> decode_assignments(const Bytes& bytes) {
     ByteReader reader(bytes);
-    Assignment assignment;
-    assignment.number = reader.i32();
-    assignment.attempt = reader.i32();
-    assignment.apart = reader.u8() != 0;
-    return assignment;
+    std::vector<Assignment> assignments(reader.count(assignment_bytes));
+    for (Assignment& assignment : assignments) {
+        assignment.number = reader.i32();
+        assignment.attempt = reader.i32();
+        assignment.apart = reader.u8() != 0;
+    }
+    return assignments;
 }
 
-Answer decode_answer(const Bytes& bytes) {
+std::vector<Answer> decode_answers(const Bytes& bytes) {
     ByteReader reader(bytes);
-    const int number = reader.i32();
-    return {number, decode_member_record(std::span(bytes).last(reader.left()))};
+    std::vector<Answer> answers(reader.count(least_answer_bytes));
+    for (Answer& answer : answers) {
+        answer.number = reader.i32();
+        answer.record = decode_member_record(reader.blob());
+    }
+    return answers;
 }
 
 int decode_status(const Bytes& bytes) {

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/bytes.hpp"
 #include "driver/crew.hpp"
@@ -26,15 +27,15 @@ struct Answer {
 };
 
 Bytes encode(const Hello& hello);
-Bytes encode(const Assignment& assignment);
-Bytes encode(const Answer& answer);
+Bytes encode(const std::vector<Assignment>& assignments);
+Bytes encode(const std::vector<Answer>& answers);
 Bytes encode_status(int exit_status);
 Bytes encode_text(std::string_view text);
 
 // Each throws RunError when the bytes are not what they should be.
 Hello decode_hello(const Bytes& bytes);
-Assignment decode_assignment(const Bytes& bytes);
-Answer decode_answer(const Bytes& bytes);
+std::vector<Assignment> decode_assignments(const Bytes& bytes);
+std::vector<Answer> decode_answers(const Bytes& bytes);
 int decode_status(const Bytes& bytes);
 std::string decode_text(const Bytes& bytes);
 

@@ -178,6 +178,7 @@ void Recorder::keep(const MemberRecord& record) {
 }
 
 std::string Recorder::tend(Time now) {
+    journal_.hand_over();
     if (now - last_sync_ >= sync_interval) sync();
     if (now >= next_heartbeat_) {
         tell(now);
@@ -235,6 +236,7 @@ void Recorder::finish(const std::string& outcome) {
 }
 
 void Recorder::publish_now() {
+    journal_.hand_over();  // it is asked for the histories
     publish(places_.campaign_file, published(), journal_.records(), journal_.sessions(), journal_.calibrations(),
             [this](const MemberRecord& record) { return journal_.history(record); });
     published_ = true;

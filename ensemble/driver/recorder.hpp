@@ -82,6 +82,9 @@ class Recorder {
     /// Keeps a result. It may take a second until it is on the disk.
     void keep(const MemberRecord& record);
 
+    /// What was noted and kept so far survives the end of this process, whatever ends it.
+    void hand_over() { journal_.hand_over(); }
+
     /// To be called often: brings the journal to the disk and publishes when it is time. Returns a sentence when
     /// publishing did not succeed; nothing is lost then, the journal has it.
     std::string tend(Time now);

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -9,6 +10,7 @@
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -23,6 +25,8 @@ namespace floes {
 namespace {
 
 constexpr int master = 0;
+constexpr std::chrono::milliseconds longest_held_back{50};  // an answer; the rank has members for longer than that
+constexpr std::size_t most_held_back = 256;                 // bounds a message
 
 std::string no_file(const std::string& path) {
     throw InputError(fmt::format("The campaign that the master sent refers to the file {}.", path));
@@ -68,9 +72,10 @@ class Worker {
             something = true;
         }
         for (Outcome& outcome : crew_.take()) {
-            if (outcome.result) answer(std::move(outcome));
+            if (outcome.result) note_answer(std::move(outcome));
             something = true;
         }
+        send_answers();
         if (const auto trouble = crew_.trouble(); trouble && !dismissed_) give_up(*trouble);
         if (dismissed_ && !said_farewell_ && crew_.held() == 0) {
             link_.send(master, Tag::farewell, {});
@@ -100,7 +105,7 @@ class Worker {
     void obey(const Message& message) {
         switch (message.tag) {
             case Tag::assign:
-                crew_.begin(decode_assignment(message.bytes));
+                for (const Assignment& assignment : decode_assignments(message.bytes)) crew_.begin(assignment);
                 return;
             case Tag::dismiss:
                 crew_.abandon();
@@ -120,9 +125,20 @@ class Worker {
         }
     }
 
-    void answer(Outcome outcome) {
+    void note_answer(Outcome outcome) {
+        if (answers_.empty()) first_answer_ = std::chrono::steady_clock::now();
         const int number = outcome.assignment.number;
-        link_.send(master, Tag::answer, encode(Answer{number, scribe_.record(std::move(outcome))}));
+        answers_.push_back({number, scribe_.record(std::move(outcome))});
+    }
+
+    /// At once when a core has nothing to do after what it computes now; else a message is shared.
+    void send_answers() {
+        if (answers_.empty()) return;
+        const bool waits = crew_.waiting() >= crew_.threads() && answers_.size() < most_held_back &&
+                           std::chrono::steady_clock::now() - first_answer_ < longest_held_back;
+        if (waits) return;
+        link_.send(master, Tag::answer, encode(answers_));
+        answers_.clear();
     }
 
     /// This rank can compute no more: it leaves the members to the others.
@@ -141,6 +157,8 @@ class Worker {
     Scribe scribe_;
     Crew crew_;
     Pause pause_ = pause_between_polls(2);
+    std::vector<Answer> answers_;  // that were not sent yet
+    std::chrono::steady_clock::time_point first_answer_;
     bool dismissed_ = false;
     bool ranks_are_missing_ = false;
     bool said_farewell_ = false;

@@ -11,8 +11,10 @@ struct DriverCosts {
     double start_up_per_rank = 0;  ///< more for every rank beyond the first: launch, campaign, hello
 
     // -- the master's thread, one thing after the other
-    double assign = 0;            ///< hand out a member to another rank
-    double answer = 0;            ///< take an answer of another rank, keep it in the journal
+    double send = 0;              ///< a message to another rank
+    double assign = 0;            ///< each member in it
+    double receive = 0;           ///< a message of another rank
+    double answer = 0;            ///< each answer in it: take it, keep it in the journal
     double own_member = 0;        ///< hand out and keep a member of the master's own cores
     double receive_per_byte = 0;  ///< more for every byte of an answer of another rank
     double keep_per_byte = 0;     ///< more for every byte of the record
@@ -25,9 +27,11 @@ struct DriverCosts {
     double publish_share = 0;     ///< of the time at most, while the run goes on
 
     // -- a worker
-    double member = 0;           ///< begin and end a member on a core
-    double report = 0;           ///< of the rank's message thread: write an answer and send it
-    double report_per_byte = 0;  ///< more for every byte of the record
+    double member = 0;             ///< begin and end a member on a core
+    double report = 0;             ///< of the rank's message thread: write an answer and send it
+    double report_per_byte = 0;    ///< more for every byte of the record
+    double longest_held_back = 0;  ///< an answer, while others are to come
+    double most_held_back = 0;     ///< answers
 
     // -- between them
     double latency = 0;  ///< of a message

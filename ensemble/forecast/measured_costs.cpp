@@ -19,8 +19,10 @@ DriverCosts measured_costs() {
         // Not measured but assumed: nodes launch their ranks side by side, and the master greets one after the other.
         // Where two processors launch them all it is 0.12 s.
         .start_up_per_rank = 2e-3,
-        .assign = 7.4e-6,
-        .answer = 22e-6,
+        .send = 5e-6,
+        .assign = 2.4e-6,
+        .receive = 10e-6,
+        .answer = 12e-6,
         .own_member = 35e-6,
         .receive_per_byte = 0,  // lost in the scatter of keep_per_byte
         .keep_per_byte = 5.7e-9,
@@ -34,6 +36,8 @@ DriverCosts measured_costs() {
         .member = 21e-6,
         .report = 54e-6,
         .report_per_byte = 7.2e-9,
+        .longest_held_back = 0.05,  // as in driver/worker.cpp
+        .most_held_back = 256,
         .latency = 5e-6,  // between ranks of one machine
         .transfer_per_byte = 0.2e-9,
         .longest_pause = 2e-3,  // as in driver/pause.hpp

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <queue>
 #include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -21,7 +23,8 @@ constexpr int master = 0;
 enum class Kind : std::uint8_t {
     assigned,  // a member has reached a rank
     computed,  // a core is through with a member
-    answered,  // the answer has reached the master
+    held,      // a rank has held back its answers for as long as it may
+    answered,  // they have reached the master
 };
 
 struct Happening {
@@ -29,7 +32,7 @@ struct Happening {
     std::uint64_t order = 0;  // of two at the same time the one that was foreseen first
     Kind kind = Kind::assigned;
     int rank = 0;
-    int number = 0;
+    int number = 0;  // of the member; of the message, where it is answered
     int attempt = 0;
 };
 
@@ -40,8 +43,11 @@ struct Later {
 };
 
 struct Rank {
+    int cores = 0;
     int idle_cores = 0;
     std::deque<Assign> waiting;
+    std::vector<Assign> answers;  // that were not sent yet
+    double first_answer = 0;
     double free_at = 0;  // its message thread
 };
 
@@ -61,11 +67,12 @@ class Play {
           scheduler_(tasks_of(members)),
           start_up_(costs.start_up + costs.start_up_per_rank * static_cast<double>(machine.cores_of_rank.size() - 1)),
           clock_(costs_, processors_, start_up_) {
-        for (const int cores : machine.cores_of_rank) ranks_.push_back({cores, {}, start_up_});
+        for (const int cores : machine.cores_of_rank) ranks_.push_back({cores, cores, {}, {}, 0, start_up_});
         for (std::size_t rank = 0; rank < ranks_.size(); ++rank) {
             const int cores = machine.cores_of_rank[rank];
             handle(WorkerJoined{static_cast<int>(rank), cores, cores});
         }
+        hand_out();
     }
 
     Forecast run() {
@@ -78,6 +85,9 @@ class Play {
                     break;
                 case Kind::computed:
                     computed(next);
+                    break;
+                case Kind::held:
+                    send_answers(next.rank, next.time);
                     break;
                 case Kind::answered:
                     answered(next);
@@ -108,18 +118,24 @@ class Play {
 
     void handle(const Event& event) {
         for (const Command& command : scheduler_.handle(event)) {
-            const auto* assign = std::get_if<Assign>(&command);
-            if (assign == nullptr) continue;
-            if (assign->worker == master) {
-                clock_.work(costs_.own_member / 2);
-                foresee(clock_.now(), Kind::assigned, master, *assign);
-            } else {
-                clock_.work(costs_.assign);
-                const double arrival = clock_.now() + costs_.latency;
-                const double silence = arrival - rank(assign->worker).free_at;
-                foresee(arrival + notice_delay(costs_, silence), Kind::assigned, assign->worker, *assign);
-            }
+            if (const auto* assign = std::get_if<Assign>(&command)) handed_out_[assign->worker].push_back(*assign);
         }
+    }
+
+    void hand_out() {
+        for (const auto& [worker, assigns] : handed_out_) {
+            const auto members = static_cast<double>(assigns.size());
+            if (worker == master) {
+                clock_.work(members * costs_.own_member / 2);
+                for (const Assign& assign : assigns) foresee(clock_.now(), Kind::assigned, master, assign);
+                continue;
+            }
+            clock_.work(costs_.send + members * costs_.assign);
+            const double arrival = clock_.now() + costs_.latency;
+            const double noticed = arrival + notice_delay(costs_, arrival - rank(worker).free_at);
+            for (const Assign& assign : assigns) foresee(noticed, Kind::assigned, worker, assign);
+        }
+        handed_out_.clear();
     }
 
     void assigned(const Happening& at) {
@@ -141,24 +157,49 @@ class Play {
         Rank& here = rank(at.rank);
         ++here.idle_cores;
         begin_next(here, at.time);
-        const Assign done{at.rank, at.number, at.attempt};
-        if (at.rank == master) {
-            foresee(at.time, Kind::answered, master, done);
-            return;
+        if (here.answers.empty()) {
+            here.first_answer = at.time;
+            if (at.rank != master) foresee(at.time + costs_.longest_held_back, Kind::held, at.rank, {});
         }
-        const double bytes = member(at.number).record_bytes;
-        here.free_at = processors_.run(std::max(at.time, here.free_at), costs_.report + costs_.report_per_byte * bytes);
-        foresee(here.free_at + costs_.latency + costs_.transfer_per_byte * bytes, Kind::answered, at.rank, done);
+        here.answers.push_back({at.rank, at.number, at.attempt});
+        send_answers(at.rank, at.time);
+    }
+
+    void send_answers(int from, double time) {
+        Rank& here = rank(from);
+        if (here.answers.empty()) return;
+        const bool waits = from != master && static_cast<int>(here.waiting.size()) >= here.cores &&
+                           static_cast<double>(here.answers.size()) < costs_.most_held_back &&
+                           time - here.first_answer < costs_.longest_held_back;
+        if (waits) return;
+        double arrival = time;
+        if (from != master) {
+            double bytes = 0;
+            for (const Assign& one : here.answers) bytes += member(one.number).record_bytes;
+            const double work =
+                costs_.report * static_cast<double>(here.answers.size()) + costs_.report_per_byte * bytes;
+            here.free_at = processors_.run(std::max(time, here.free_at), work);
+            arrival = here.free_at + costs_.latency + costs_.transfer_per_byte * bytes;
+        }
+        const int message = next_message_++;
+        messages_.emplace(message, std::exchange(here.answers, {}));
+        foresee(arrival, Kind::answered, from, {from, message, 0});
     }
 
     void answered(const Happening& at) {
-        const SimulatedMember& what = member(at.number);
-        clock_.notice(at.time, at.rank != master);
-        const double taking =
-            at.rank == master ? costs_.own_member / 2 : costs_.answer + costs_.receive_per_byte * what.record_bytes;
-        clock_.work(taking + costs_.keep_per_byte * what.record_bytes);
-        clock_.keep(what.record_bytes);
-        handle(MemberFinished{at.rank, at.number, at.attempt});
+        const auto message = messages_.extract(at.number);
+        const bool own = at.rank == master;
+        clock_.notice(at.time, !own);
+        if (!own) clock_.work(costs_.receive);
+        for (const Assign& one : message.mapped()) {
+            const SimulatedMember& what = member(one.number);
+            const double taking =
+                own ? costs_.own_member / 2 : costs_.answer + costs_.receive_per_byte * what.record_bytes;
+            clock_.work(taking + costs_.keep_per_byte * what.record_bytes);
+            clock_.keep(what.record_bytes);
+            handle(MemberFinished{at.rank, one.number, one.attempt, AttemptEnd::done, what.run_time});
+        }
+        hand_out();
     }
 
     std::span<const SimulatedMember> members_;
@@ -170,6 +211,9 @@ class Play {
     std::vector<Rank> ranks_;
     std::priority_queue<Happening, std::vector<Happening>, Later> happenings_;
     std::uint64_t order_ = 0;
+    std::map<int, std::vector<Assign>> handed_out_;  // by worker, since the last hand_out()
+    std::map<int, std::vector<Assign>> messages_;    // of answers, on their way
+    int next_message_ = 0;
 };
 
 }  // namespace

@@ -20,7 +20,7 @@ struct MemberTask {
 // -- events
 
 /// A worker is ready for members: it computes `cores` at a time, and holds up to `prefetch` more so that no core waits
-/// for a round trip.
+/// for a round trip; of short members, several times as many.
 struct WorkerJoined {
     int worker = 0;
     int cores = 1;
@@ -35,6 +35,7 @@ struct MemberFinished {
     int number = 0;
     int attempt = 0;
     AttemptEnd end = AttemptEnd::done;
+    double run_time = 0;  ///< s that a done one took
 };
 
 /// A worker said farewell. What it held is to be done again.

@@ -11,6 +11,9 @@ namespace floes {
 
 namespace {
 
+constexpr double time_ahead = 0.2;  // s: much longer than a message takes, much shorter than what a lost rank may cost
+constexpr double most_rounds_ahead = 64;
+
 void require(bool holds, const char* what, int which) {
     if (!holds) throw std::logic_error(fmt::format("scheduler: {} ({})", what, which));
 }
@@ -44,7 +47,7 @@ std::vector<Command> Scheduler::handle(const Event& event) {
     if (std::holds_alternative<StopRequested>(event)) stopping_ = true;
     if (const auto* left = std::get_if<TimeLeft>(&event)) affordable_ = left->cost;
     // While workers join, one after the other, members given ahead would be missing on those still to come.
-    hand_out(commands, std::holds_alternative<WorkerJoined>(event) ? Ahead::no : Ahead::yes);
+    hand_out(commands, std::holds_alternative<WorkerJoined>(event) ? 0 : rounds());
     dismiss_when_over(commands);
     return commands;
 }
@@ -78,6 +81,10 @@ void Scheduler::take(const MemberFinished& event, std::vector<Command>& commands
     entry.done = true;
     ++done_;
     done_cost_ += entry.task.cost;
+    if (event.end == AttemptEnd::done) {
+        timed_cost_ += entry.task.cost;
+        run_time_ += event.run_time;
+    }
     commands.push_back(Record{event.number, event.attempt});
 }
 
@@ -95,18 +102,23 @@ void Scheduler::remove(int worker, Leave how) {
     workers_.erase(found);
 }
 
-std::set<Scheduler::Index>::iterator Scheduler::next(Ahead ahead) const {
-    const double longest = ahead == Ahead::yes ? affordable_ / 2 : affordable_;
+int Scheduler::rounds() const {
+    if (pending_.empty() || timed_cost_ <= 0) return 1;
+    const double expected = run_time_ / timed_cost_ * tasks_[*pending_.begin()].task.cost;
+    return static_cast<int>(std::clamp(std::ceil(time_ahead / expected), 1.0, most_rounds_ahead));
+}
+
+std::set<Scheduler::Index>::iterator Scheduler::next(int level) const {
+    const double longest = affordable_ / (2 + std::max(level, -1));
     return std::ranges::find_if(pending_, [&](Index index) { return tasks_[index].task.cost <= longest; });
 }
 
-void Scheduler::hand_out(std::vector<Command>& commands, Ahead ahead) {
+void Scheduler::hand_out(std::vector<Command>& commands, int most_rounds) {
     if (stopping_) return;
     while (!pending_.empty() && !room_.empty()) {
-        const auto [load, number] = *room_.begin();
-        const bool ahead_of_cores = load >= 0;
-        if (ahead_of_cores && (ahead == Ahead::no || pending() < 2 * cores_)) return;
-        const auto chosen = next(ahead_of_cores ? Ahead::yes : Ahead::no);
+        const auto [level, number] = *room_.begin();
+        if (level >= most_rounds || (level >= 0 && pending() < (level + 2) * cores_)) return;
+        const auto chosen = next(level);
         if (chosen == pending_.end()) return;
         withdraw(number);
         const Index index = *chosen;
@@ -133,13 +145,13 @@ void Scheduler::dismiss_when_over(std::vector<Command>& commands) {
 void Scheduler::offer(int worker) {
     const Worker& w = workers_.at(worker);
     running_ += w.running();
-    if (w.load() < w.prefetch) room_.emplace(w.load(), worker);
+    if (w.takes_more()) room_.emplace(w.level(), worker);
 }
 
 void Scheduler::withdraw(int worker) {
     const Worker& w = workers_.at(worker);
     running_ -= w.running();
-    room_.erase({w.load(), worker});
+    room_.erase({w.level(), worker});
 }
 
 bool Scheduler::finished() const {
@@ -173,10 +185,12 @@ void Scheduler::check_invariants() const {
     int held = 0;
     int running = 0;
     for (const auto& [number, worker] : workers_) {
-        const bool has_room = worker.load() < worker.prefetch;
-        require(worker.load() <= worker.prefetch, "a worker holds more than it may", number);
-        require(room_.contains({worker.load(), number}) == has_room, "the list of workers with room is wrong", number);
-        require(stopping_ || next(Ahead::no) == pending_.end() || worker.load() >= 0,
+        const int ahead = static_cast<int>(worker.held.size()) - worker.cores;
+        require(ahead <= static_cast<int>(most_rounds_ahead) * worker.prefetch, "a worker holds more than it may",
+                number);
+        require(room_.contains({worker.level(), number}) == worker.takes_more(),
+                "the list of workers with room is wrong", number);
+        require(stopping_ || next(-1) == pending_.end() || worker.level() >= 0,
                 "a core is idle though a member could be computed", number);
         held += static_cast<int>(worker.held.size());
         running += worker.running();

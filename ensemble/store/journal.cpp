@@ -4,7 +4,9 @@
 
 #include <cerrno>
 #include <cstring>
+#include <exception>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,6 +18,8 @@ namespace floes {
 namespace {
 
 using journal_format::RecordType;
+
+constexpr std::size_t most_appended = 1 << 20;  // bytes that wait for a write()
 
 struct flock whole_file(short type) {
     struct flock lock {};
@@ -61,6 +65,14 @@ std::filesystem::path journal_path(const std::filesystem::path& campaign_file) {
 
 Journal::Journal(std::filesystem::path path, Descriptor file, JournalContents contents)
     : path_(std::move(path)), file_(std::move(file)), contents_(std::move(contents)) {}
+
+Journal::~Journal() {
+    try {
+        hand_over();
+    } catch (const std::exception&) {
+        // Who has to know asks for sync(), and is told by that.
+    }
+}
 
 Journal open_journal(const std::filesystem::path& path, const std::string& campaign_text, Existing existing) {
     Descriptor file = open_file(path, O_RDWR | O_CREAT | O_APPEND);
@@ -122,14 +134,22 @@ void Journal::extend(const Campaign& there, const Campaign& here) {
 
 void Journal::write_record(std::uint32_t type, std::span<const std::byte> payload) {
     const Bytes bytes = journal_format::record(static_cast<RecordType>(type), payload);
+    appended_.insert(appended_.end(), bytes.begin(), bytes.end());
+    contents_.good_bytes += bytes.size();
+    if (appended_.size() >= most_appended) hand_over();
+}
+
+void Journal::hand_over() {
+    if (appended_.empty()) return;
+    const Bytes bytes = std::exchange(appended_, {});
     try {
         write_all(file_, path_, bytes);
     } catch (const RunError&) {
         // Half a record would hide every later one from the reader.
+        contents_.good_bytes -= bytes.size();
         truncate_file(file_, path_, contents_.good_bytes);
         throw;
     }
-    contents_.good_bytes += bytes.size();
 }
 
 void Journal::append(const MemberRecord& record) {
@@ -159,6 +179,7 @@ void Journal::started(const MemberIdentity& member, int attempt) {
 }
 
 void Journal::sync() {
+    hand_over();
     sync_data(file_, path_);
     // A file without a name takes everything and gives nothing back.
     if (!is_named(file_, path_))

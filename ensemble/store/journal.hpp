@@ -1,6 +1,6 @@
 #pragma once
 // The truth about a campaign under way: an append-only file beside the campaign file. A header (magic, schema version,
-// resolved configuration) and records {length, type, payload, CRC32C}, each written by one write(). A record that
+// resolved configuration) and records {length, type, payload, CRC32C}. A record that
 // sync() has returned for survives kill -9 of the program and loss of the machine. A torn tail is recognised and cut.
 // docs/campaign_file.md has the layout.
 //
@@ -52,12 +52,20 @@ struct JournalContents {
 /// A journal open for writing, locked against a second writer as long as the object lives.
 class Journal {
   public:
-    /// Adds a record. It is in the hands of the operating system on return, on the disk after the next sync().
+    Journal(Journal&&) = default;
+    /// Hands over what was appended.
+    ~Journal();
+
+    /// Adds a record. It is in the hands of the operating system after the next hand_over(), on the disk after the next
+    /// sync().
     void append(const MemberRecord& record);
     /// Likewise what gave a case its Σ; one that is there already is not added again.
     void append(const CalibrationRecord& record);
     /// Notes that an attempt at the member begins. Not worth a sync(): a lost note costs one attempt more.
     void started(const MemberIdentity& member, int attempt);
+    /// Everything appended so far is in the hands of the operating system on return, by one write(): it survives the
+    /// end of this process.
+    void hand_over();
     /// Everything appended so far is on the disk on return. Throws RunError when the disk refuses, or when the file is
     /// no longer there under its name.
     void sync();
@@ -68,7 +76,8 @@ class Journal {
 
     /// All members, without their load histories.
     const std::vector<MemberRecord>& records() const { return contents_.members; }
-    /// The load history of one of records(), from the file. Throws RunError when it cannot be read back.
+    /// The load history of one of records() that was handed over, from the file. Throws RunError when it cannot be read
+    /// back.
     PackedHistory history(const MemberRecord& record) const;
     const std::vector<Session>& sessions() const { return contents_.sessions; }
     const std::vector<CalibrationRecord>& calibrations() const { return contents_.calibrations; }
@@ -93,6 +102,7 @@ class Journal {
     Descriptor file_;
     JournalContents contents_;
     std::vector<std::string> extension_;
+    Bytes appended_;  ///< and not handed over yet: the last of contents_.good_bytes
 };
 
 /// `a.h5` -> `a.journal`, in the same folder.

@@ -16,6 +16,8 @@ namespace floes {
 namespace {
 
 using testing::HasSubstr;
+using Assignments = std::vector<Assignment>;
+using Answers = std::vector<Answer>;
 
 /// Two members: one for the master, one for the worker.
 Campaign two_members() {
@@ -47,9 +49,9 @@ TEST(WorkerConversation, SaysHelloAnswersAndLeaves) {
         EXPECT_EQ(decode_hello(bytes).cores, 1);
     });
     for (const int number : {1, 0}) {
-        link.deliver(0, Tag::assign, encode(Assignment{number, 3}));
+        link.deliver(0, Tag::assign, encode(Assignments{{number, 3}}));
         link.expect(0, Tag::answer, [&, number](const Bytes& bytes) {
-            const Answer answer = decode_answer(bytes);
+            const Answer answer = decode_answers(bytes).at(0);
             EXPECT_EQ(answer.number, number);
             EXPECT_EQ(answer.record.attempt, 3);
             EXPECT_EQ(answer.record.rank, 1);
@@ -68,8 +70,8 @@ TEST(WorkerConversation, AbandonsWhatItHoldsWhenDismissed) {
     FakeLink link(1, 2);
     link.deliver(0, Tag::campaign, text_of(two_members()));
     link.expect(0, Tag::hello);
-    link.deliver(0, Tag::assign, encode(Assignment{0, 1}));
-    link.deliver(0, Tag::assign, encode(Assignment{1, 1}));
+    link.deliver(0, Tag::assign, encode(Assignments{{0, 1}}));
+    link.deliver(0, Tag::assign, encode(Assignments{{1, 1}}));
     link.deliver(0, Tag::dismiss);
     link.expect(0, Tag::farewell);
     link.deliver(0, Tag::leave, encode_status(85));
@@ -88,7 +90,7 @@ TEST(WorkerConversation, LeavesInTheMiddleWhenTheMasterCannotGoOn) {
     FakeLink link(1, 2);
     link.deliver(0, Tag::campaign, text_of(two_members()));
     link.expect(0, Tag::hello);
-    link.deliver(0, Tag::assign, encode(Assignment{0, 1}));
+    link.deliver(0, Tag::assign, encode(Assignments{{0, 1}}));
     link.deliver(0, Tag::leave, encode_status(1));
     EXPECT_EQ(serve_campaign(link, 1, fake::wait_for_stop), 1);
     link.finish();
@@ -127,7 +129,7 @@ TEST(WorkerConversation, PassesASignalOn) {
     FakeLink link(1, 2);
     link.deliver(0, Tag::campaign, text_of(two_members()));
     link.expect(0, Tag::hello);
-    link.deliver(0, Tag::assign, encode(Assignment{0, 1}));
+    link.deliver(0, Tag::assign, encode(Assignments{{0, 1}}));
     link.expect(0, Tag::stop_request);
     link.deliver(0, Tag::dismiss);
     link.expect(0, Tag::farewell);
@@ -146,8 +148,8 @@ TEST(MasterConversation, SharesTheMembersAndKeepsTheAnswers) {
     FakeLink link(0, 2);
     link.expect(1, Tag::campaign, [&](const Bytes& bytes) { EXPECT_EQ(bytes, text_of(run.campaign)); });
     link.deliver(1, Tag::hello, hello_of(run.campaign));
-    link.expect(1, Tag::assign, [](const Bytes& bytes) { EXPECT_EQ(decode_assignment(bytes).number, 1); });
-    link.deliver(1, Tag::answer, encode(Answer{1, record_of(run.campaign, 1)}));
+    link.expect(1, Tag::assign, [](const Bytes& bytes) { EXPECT_EQ(decode_assignments(bytes).at(0).number, 1); });
+    link.deliver(1, Tag::answer, encode(Answers{{1, record_of(run.campaign, 1)}}));
     link.expect(1, Tag::dismiss);
     link.deliver(1, Tag::farewell);
     EXPECT_EQ(run.on(link, fake::compute, Existing::refuse, 1), 0);
@@ -166,9 +168,9 @@ TEST(MasterConversation, KeepsNoLateAnswer) {
     link.expect(1, Tag::assign);
     MemberRecord late = record_of(run.campaign, 1);
     late.attempt = 7;
-    link.deliver(1, Tag::answer, encode(Answer{1, late}));
-    link.deliver(1, Tag::answer, encode(Answer{1, record_of(run.campaign, 1)}));
-    link.deliver(1, Tag::answer, encode(Answer{1, record_of(run.campaign, 1)}));
+    link.deliver(1, Tag::answer, encode(Answers{{1, late}}));
+    link.deliver(1, Tag::answer, encode(Answers{{1, record_of(run.campaign, 1)}}));
+    link.deliver(1, Tag::answer, encode(Answers{{1, record_of(run.campaign, 1)}}));
     link.expect(1, Tag::dismiss);
     link.deliver(1, Tag::farewell);
     EXPECT_EQ(run.on(link, fake::compute, Existing::refuse, 1), 0);
@@ -216,7 +218,7 @@ TEST(MasterConversation, StopsEverybodyWhenAWorkerGetsASignal) {
     link.expect(1, Tag::assign);
     link.deliver(1, Tag::stop_request);
     link.expect(1, Tag::dismiss);
-    link.deliver(1, Tag::answer, encode(Answer{1, record_of(run.campaign, 1)}));
+    link.deliver(1, Tag::answer, encode(Answers{{1, record_of(run.campaign, 1)}}));
     link.deliver(1, Tag::farewell);
     EXPECT_EQ(run.on(link, fake::wait_for_stop, Existing::refuse, 1), 85);
     link.finish();

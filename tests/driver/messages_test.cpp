@@ -13,22 +13,27 @@ TEST(Messages, ComeBackAsTheyWere) {
     EXPECT_EQ(hello.cores, 12);
     EXPECT_EQ(hello.host, "node7");
     EXPECT_EQ(hello.fingerprint, "abc");
-    const Assignment assignment = decode_assignment(encode(Assignment{1234, 5}));
-    EXPECT_EQ(assignment.number, 1234);
-    EXPECT_EQ(assignment.attempt, 5);
+    const auto assignments = decode_assignments(encode(std::vector<Assignment>{{1234, 5}, {1235, 1, true}}));
+    ASSERT_EQ(assignments.size(), 2u);
+    EXPECT_EQ(assignments[0].number, 1234);
+    EXPECT_EQ(assignments[0].attempt, 5);
+    EXPECT_FALSE(assignments[0].apart);
+    EXPECT_TRUE(assignments[1].apart);
     EXPECT_EQ(decode_status(encode_status(85)), 85);
     EXPECT_EQ(decode_text(encode_text("Σ = 1")), "Σ = 1");
     const MemberRecord record = synthetic::record(synthetic::campaign(), 6);
-    const Answer answer = decode_answer(encode(Answer{6, record}));
-    EXPECT_EQ(answer.number, 6);
-    EXPECT_EQ(encode(answer.record), encode(record));
+    const auto answers = decode_answers(encode(std::vector<Answer>{{6, record}, {7, record}}));
+    ASSERT_EQ(answers.size(), 2u);
+    EXPECT_EQ(answers[0].number, 6);
+    EXPECT_EQ(answers[1].number, 7);
+    EXPECT_EQ(encode(answers[1].record), encode(record));
 }
 
 TEST(Messages, AreRefusedWhenCutShort) {
-    Bytes bytes = encode(Answer{6, synthetic::record(synthetic::campaign(), 6)});
+    Bytes bytes = encode(std::vector<Answer>{{6, synthetic::record(synthetic::campaign(), 6)}});
     bytes.pop_back();
-    EXPECT_THROW(decode_answer(bytes), RunError);
-    EXPECT_THROW(decode_assignment({}), RunError);
+    EXPECT_THROW(decode_answers(bytes), RunError);
+    EXPECT_THROW(decode_assignments({}), RunError);
 }
 
 }  // namespace

@@ -67,6 +67,22 @@ TEST(Simulate, AMasterThatIsTheLimitSetsTheTime) {
     }
 }
 
+// Short members travel many in a message, long ones alone.
+TEST(Simulate, MessagesAreSharedByShortMembersOnly) {
+    DriverCosts costs;
+    costs.receive = 1e-3;
+    costs.longest_held_back = 0.05;
+    costs.most_held_back = 256;
+    const auto busy = [&](double run_time, int members) {
+        const Forecast forecast = simulate(equal_members(members, run_time), machine_of(11, 11), costs);
+        return forecast.master_load * forecast.last_member;
+    };
+    const double of_others = 10.0 / 11;  // the master computes, too
+    EXPECT_NEAR(busy(1.0, 440), of_others * 440 * 1e-3, 0.02);
+    EXPECT_LT(busy(0.01, 44'000), of_others * 44'000 * 1e-3 / 4) << "five members of 10 ms in each 50 ms";
+    EXPECT_GT(busy(0.01, 44'000), of_others * 44'000 * 1e-3 / 6);
+}
+
 TEST(Simulate, BytesCostTheMasterTime) {
     DriverCosts costs;
     costs.keep_per_byte = 1e-9;

@@ -65,7 +65,7 @@ class Surroundings {
             auto chosen = held_.begin();
             std::advance(chosen, below(static_cast<int>(held_.size())));
             const auto end = below(4) == 0 ? AttemptEnd::failed : AttemptEnd::done;
-            answer({chosen->second, chosen->first.first, chosen->first.second, end});
+            answer({chosen->second, chosen->first.first, chosen->first.second, end, 0.01 * below(30)});
         }
     }
 

@@ -58,6 +58,39 @@ TEST(Scheduler, GivesMembersAheadOfTheCoresOnlyWhileManyArePending) {
     EXPECT_EQ(scheduler.pending(), 1);
 }
 
+/// Of 1000 members of cost 1, those that two workers hold once one was done in `run_time` seconds.
+std::vector<int> held_after(double run_time, double affordable = 1e9) {
+    std::vector<MemberTask> tasks;
+    for (int i = 0; i < 1000; ++i) tasks.push_back({i, 1.0});
+    Scheduler scheduler(tasks);
+    std::vector<Command> all;
+    const auto tell = [&](const Event& event) {
+        for (const Command& command : handle(scheduler, event)) all.push_back(command);
+    };
+    tell(WorkerJoined{0, 1, 1});
+    tell(WorkerJoined{1, 4, 4});
+    tell(TimeLeft{affordable});
+    tell(MemberFinished{0, 0, 1, AttemptEnd::done, run_time});
+    std::vector<int> held{-1, 0};
+    for (const Command& command : all) {
+        if (const auto* assign = std::get_if<Assign>(&command)) ++held[static_cast<std::size_t>(assign->worker)];
+    }
+    return held;
+}
+
+TEST(Scheduler, GivesShortMembersAheadByTheDozen) {
+    EXPECT_EQ(held_after(60.0), (std::vector<int>{1 + 1, 4 + 4}));
+    EXPECT_EQ(held_after(0.2), (std::vector<int>{1 + 1, 4 + 4}));
+    EXPECT_EQ(held_after(0.01), (std::vector<int>{1 + 20, 4 + 80})) << "0.2 s of members for each core";
+    EXPECT_EQ(held_after(0.0), (std::vector<int>{1 + 64, 4 + 256}));
+}
+
+// The third round ahead begins when three others have ended.
+TEST(Scheduler, CountsTheRoundsAheadAgainstTheTimeLeft) {
+    EXPECT_EQ(held_after(0.01, 4.5), (std::vector<int>{1 + 3, 4 + 12}));
+    EXPECT_EQ(held_after(0.01, 1.5), (std::vector<int>{1, 4}));
+}
+
 TEST(Scheduler, KeepsAnAnswerOnceAndDismissesWhenAllIsDone) {
     Scheduler scheduler({{7, 1.0}});
     handle(scheduler, WorkerJoined{0, 1, 0});

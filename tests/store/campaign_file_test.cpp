@@ -162,6 +162,7 @@ TEST(CampaignFile, TakesHistoriesFromTheJournal) {
     publish(folder / "a.h5", campaign, records, {});
     Journal journal = open_journal(folder / "b.journal", campaign, Existing::refuse);
     for (const MemberRecord& record : records) journal.append(record);
+    journal.hand_over();
     publish(folder / "b.h5", campaign, journal.records(), {}, {},
             [&](const MemberRecord& record) { return journal.history(record); });
     EXPECT_EQ(compare(folder / "a.h5", folder / "b.h5"), 0);

@@ -103,6 +103,7 @@ TEST(JournalFaults, LeavesHistoriesInTheFile) {
     const SmallJournal small;
     Journal journal = open_journal(small.path, "", Existing::resume);
     journal.append(small_record(3));
+    journal.hand_over();
     for (const MemberRecord& record : journal.records()) EXPECT_EQ(record.history, PackedHistory());
     expect_small_records(journal, 4);
     std::fstream file(small.path, std::ios::in | std::ios::out | std::ios::binary);
@@ -135,11 +136,13 @@ TEST(JournalFaults, StaysWholeWhenTheDiskIsFull) {
     const auto handler = std::signal(SIGXFSZ, SIG_IGN);
     const rlimit full{small.ends[3] + 20, before.rlim_max};
     ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &full), 0);
-    EXPECT_THROW(journal.append(small_record(3)), RunError);
+    journal.append(small_record(3));
+    EXPECT_THROW(journal.hand_over(), RunError);
     ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
     std::signal(SIGXFSZ, handler);
     EXPECT_EQ(std::filesystem::file_size(small.path), small.ends[3]);
     journal.append(small_record(3));
+    journal.hand_over();
     expect_small_records(read_journal(small.path).members, 4);
 }
 

@@ -65,6 +65,7 @@ TEST(KilledWriter, LosesNoRecordThatItAcknowledged) {
             while (true) {
                 record.attempt = static_cast<int>(journal.records().size());
                 journal.append(record);
+                journal.hand_over();
                 if (record.attempt % 16 == 0) journal.sync();
                 if (write(out, "a", 1) != 1) _exit(1);
             }

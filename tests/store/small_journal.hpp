@@ -47,6 +47,7 @@ struct SmallJournal {
         ends.push_back(std::filesystem::file_size(path));
         for (int k = 0; k < 3; ++k) {
             journal.append(small_record(k));
+            journal.hand_over();
             ends.push_back(std::filesystem::file_size(path));
         }
     }
