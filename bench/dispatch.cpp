@@ -82,6 +82,21 @@ Forecast forecast_of(const Campaign& campaign, double duration, int cores, int r
     return simulate(members, machine, costs);
 }
 
+/// What a message costs this rank, s of processor time: `send` one to, `receive` one from another rank. Ranks 0 and 1
+/// exchange many at once; the others take no part.
+nlohmann::ordered_json message_costs(Link& link) {
+    constexpr int messages = 2000;
+    if (link.size() == 1 || link.rank() > 1) return {};
+    const int other = 1 - link.rank();
+    double before = processor_time(RUSAGE_THREAD);
+    for (int i = 0; i < messages; ++i) link.send(other, Tag::alive, {});
+    const double sending = processor_time(RUSAGE_THREAD) - before;
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));  // they are all there when the clock begins
+    before = processor_time(RUSAGE_THREAD);
+    for (int taken = 0; taken < messages;) taken += link.poll() ? 1 : 0;
+    return {{"send", sending / messages}, {"receive", (processor_time(RUSAGE_THREAD) - before) / messages}};
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -97,10 +112,11 @@ int main(int count, char** arguments) {
     const MemberFunction compute = sleeper(std::chrono::duration<double>(duration), static_cast<std::size_t>(steps));
 
     const std::unique_ptr<Link> link = open_link();
+    const nlohmann::ordered_json of_message = message_costs(*link);
     const auto inside = Clock::now();
     const double thread_before = processor_time(RUSAGE_THREAD);
     const double process_before = processor_time(RUSAGE_SELF);
-    nlohmann::ordered_json line{{"rank", link->rank()}, {"ranks", link->size()}};
+    nlohmann::ordered_json line{{"rank", link->rank()}, {"ranks", link->size()}, {"message_s", of_message}};
     int status = 0;
     if (link->rank() != 0) {
         status = serve_campaign(*link, threads, compute);

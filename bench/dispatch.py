@@ -87,9 +87,13 @@ def costs(results, sync):
     def launch(ranks):
         return min(one["whole_s"] - one["inside_s"] for one in results if one["ranks"] == ranks)
 
+    def message(which):
+        return min(one["message_s"][which] for one in results if one["ranks"] > 1)
+
     return {
         "start_up": launch(1), "start_up_per_rank": (launch(32) - launch(2)) / 30,
-        "assign": other / 4, "answer": other * 3 / 4, "own_member": own,
+        "send": message("send"), "assign": other / 4, "receive": message("receive"), "answer": other * 3 / 4,
+        "own_member": own,
         "receive_per_byte": max(receive, 0), "keep_per_byte": keep, "sync": sync, "publish_per_member": publish_small - small * publish_byte,
         "publish_per_byte": publish_byte,
         "member": least(8, SMALL, lambda one: one["workers_crew_processor_s"] / (one["members"] - one["own_members"])),

@@ -57,6 +57,7 @@ TEST(Plan, TakesRunTimesFromACampaignFileAndFromItsJournal) {
     EXPECT_THAT(of_file, HasSubstr("10 measured members of synthetic"));  // of 12 one failed and one is missing
     Journal journal = open_journal(folder / "a.journal", campaign, Existing::refuse);
     for (const MemberRecord& record : records) journal.append(record);
+    journal.hand_over();
     const std::string of_journal = plan("--from " + (folder / "a.h5").string() + " --format json");
     EXPECT_EQ(json::parse(of_file).at("mean_run_time_s"), json::parse(of_journal).at("mean_run_time_s"));
 }

@@ -47,6 +47,7 @@ TEST(Status, IsReadFromTheJournalDuringARunAndAfterIt) {
         Journal journal = open_journal(journal_path(folder / "a.h5"), campaign, Existing::refuse);
         journal.begin_session(synthetic::session(0));
         for (const MemberRecord& record : some_records(campaign)) journal.append(record);
+        journal.hand_over();
         const CampaignStatus live = read_status(folder / "a.h5");
         expect_counts(live);
         EXPECT_TRUE(live.at_work);
@@ -76,6 +77,7 @@ TEST(Status, TellsFromTheHeartbeatWhatIsUnderWay) {
         Journal journal = open_journal(journal_path(folder / "a.h5"), campaign, Existing::refuse);
         journal.begin_session(synthetic::session(0));
         for (const MemberRecord& record : some_records(campaign)) journal.append(record);
+        journal.hand_over();
         const CampaignStatus live = read_status(folder / "a.h5");
         EXPECT_DOUBLE_EQ(*live.rate, 0.1);
         EXPECT_DOUBLE_EQ(*live.seconds_left, 180);
@@ -135,6 +137,7 @@ TEST(Status, JsonHasTheSameFigures) {
     journal.begin_session(synthetic::session(0));
     EXPECT_TRUE(nlohmann::json::parse(status_json(read_status(folder / "a.h5")))["seconds_left"].is_null());
     for (const MemberRecord& record : some_records(campaign)) journal.append(record);
+    journal.hand_over();
     const auto json = nlohmann::json::parse(status_json(read_status(folder / "a.h5")));
     EXPECT_EQ(json["done"], 8);
     EXPECT_EQ(json["failed"], 1);
@@ -170,6 +173,7 @@ TEST(Status, MissesNothingBeyondThePrecisionThatWasWanted) {
         Journal journal = open_journal(journal_path(folder / "a.h5"), precise.campaign, Existing::refuse);
         journal.begin_session(synthetic::session(0));
         for (const MemberRecord& record : precise.records) journal.append(record);
+        journal.hand_over();
         journal.end_session("complete");
     }
     const CampaignStatus status = read_status(folder / "a.h5");
