@@ -1,7 +1,7 @@
 #include "solver/contact_order.hpp"
 
 #include <algorithm>
-#include <tuple>
+#include <numeric>
 
 namespace floes {
 
@@ -9,17 +9,35 @@ void ContactOrder::find_pairs(std::span<const Contact> contacts, std::uint32_t s
     next_level_.assign(spare, 0);
     pairs_.clear();
     for (std::uint32_t i = 0; i < contacts.size(); ++i) {
-        const auto [slots, a_moves, b_moves, pressed] = contacts[i];
-        if (i > 0 && contacts[i - 1].slots.a == slots.a && contacts[i - 1].slots.b == slots.b) {
+        const auto [a, b, a_moves, b_moves, pressed] = contacts[i];
+        if (i > 0 && contacts[i - 1].a == a && contacts[i - 1].b == b) {
             ++pairs_.back().contacts;
             pairs_.back().pressed |= pressed;
             continue;
         }
-        const std::uint32_t level = std::max(a_moves ? next_level_[slots.a] : 0, b_moves ? next_level_[slots.b] : 0);
-        if (a_moves) next_level_[slots.a] = level + 1;
-        if (b_moves) next_level_[slots.b] = level + 1;
+        const std::uint32_t level = std::max(a_moves ? next_level_[a] : 0, b_moves ? next_level_[b] : 0);
+        if (a_moves) next_level_[a] = level + 1;
+        if (b_moves) next_level_[b] = level + 1;
         pairs_.push_back({level, pressed, 1, i});
     }
+}
+
+void ContactOrder::sort_pairs() {
+    // Within a level, side by side those with as many contacts, since a pack has the rows of its longest pair, and
+    // those that will likely bear nothing, for which there is no friction to solve.
+    constexpr std::uint32_t lengths = 8;
+    const auto rank = [&](const Pair& pair) {
+        return (2 * pair.level + (pair.pressed ? 0 : 1)) * lengths + lengths - std::min(pair.contacts, lengths);
+    };
+    std::uint32_t ranks = 0;
+    for (const Pair& pair : pairs_) ranks = std::max(ranks, rank(pair) + 1);
+    // Grown by resize(), which takes more room than asked for: a number that rises one by one allocates seldom.
+    start_.resize(std::max<std::size_t>(start_.size(), ranks + 1));
+    std::fill(start_.begin(), start_.end(), 0U);
+    for (const Pair& pair : pairs_) ++start_[rank(pair) + 1];
+    std::partial_sum(start_.begin(), start_.end(), start_.begin());
+    sorted_.resize(pairs_.size());
+    for (const Pair& pair : pairs_) sorted_[start_[rank(pair)]++] = pair;
 }
 
 void ContactOrder::add_pack(std::span<const Contact> contacts, std::span<const Pair> pairs, std::uint32_t spare,
@@ -33,8 +51,8 @@ void ContactOrder::add_pack(std::span<const Contact> contacts, std::span<const P
         const auto [level, pressed, count, first] = pairs[i];
         const std::uint32_t turn = i / width;
         std::uint32_t* const slots = &pack_slots_[first_slot + 2 * width * turn + i % width];
-        slots[0] = contacts[first].slots.a;
-        slots[width] = contacts[first].slots.b;
+        slots[0] = contacts[first].a;
+        slots[width] = contacts[first].b;
         for (std::uint32_t k = 0; k < count; ++k) row_slots_[first + k] = (first_row + k * turns) * width + i;
         most = std::max(most, count);
     }
@@ -42,21 +60,17 @@ void ContactOrder::add_pack(std::span<const Contact> contacts, std::span<const P
 }
 
 void ContactOrder::lay_out(std::span<const Contact> contacts, std::uint32_t spare, int width, int turns) {
+    spare_ = spare;
     find_pairs(contacts, spare);
-    // Side by side those with as many contacts, since a pack has the rows of its longest pair, and those that will
-    // likely bear nothing, for which there is no friction to solve.
-    std::sort(pairs_.begin(), pairs_.end(), [](const Pair& x, const Pair& y) {
-        return std::tuple(x.level, y.pressed, y.contacts, x.first) <
-               std::tuple(y.level, x.pressed, x.contacts, y.first);
-    });
+    sort_pairs();
     const auto lanes = static_cast<std::uint32_t>(width);
     const auto most = static_cast<std::size_t>(width * turns);
     row_slots_.resize(contacts.size());
     pack_slots_.clear();
     packs_.clear();
-    for (std::size_t first = 0, end = 0; first < pairs_.size(); first = end) {
-        while (end < pairs_.size() && end < first + most && pairs_[end].level == pairs_[first].level) ++end;
-        add_pack(contacts, {&pairs_[first], end - first}, spare, lanes);
+    for (std::size_t first = 0, end = 0; first < sorted_.size(); first = end) {
+        while (end < sorted_.size() && end < first + most && sorted_[end].level == sorted_[first].level) ++end;
+        add_pack(contacts, {&sorted_[first], end - first}, spare, lanes);
     }
 }
 

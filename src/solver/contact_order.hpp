@@ -16,7 +16,7 @@ namespace floes {
 class ContactOrder {
   public:
     struct Contact {
-        ContactBodies slots;
+        std::uint32_t a, b;  ///< slots of the bodies
         bool a_moves, b_moves;
         bool pressed;  ///< it bears something already
     };
@@ -24,7 +24,7 @@ class ContactOrder {
     /// spare: the slot after those of all bodies; width and turns: see LaneKernels.
     void lay_out(std::span<const Contact> contacts, std::uint32_t spare, int width, int turns);
 
-    ContactPacks packs() const { return {pack_slots_.data(), packs_.data(), packs_.size()}; }
+    ContactPacks packs() const { return {pack_slots_.data(), packs_.data(), packs_.size(), spare_}; }
     std::size_t rows() const { return packs_.empty() ? 0 : packs_.back().end_row; }
 
     /// Of a contact's rows: row * width + lane.
@@ -40,8 +40,11 @@ class ContactOrder {
     void add_pack(std::span<const Contact> contacts, std::span<const Pair> pairs, std::uint32_t spare,
                   std::uint32_t width);
     void find_pairs(std::span<const Contact> contacts, std::uint32_t spare);
+    void sort_pairs();
 
-    std::vector<Pair> pairs_;
+    std::uint32_t spare_ = 0;
+    std::vector<Pair> pairs_, sorted_;
+    std::vector<std::uint32_t> start_;       ///< of each rank in sorted_
     std::vector<std::uint32_t> next_level_;  ///< by body slot
     std::vector<ContactPack> packs_;
     std::vector<std::uint32_t> pack_slots_, row_slots_;

@@ -36,16 +36,19 @@ class ContactRows {
   private:
     /// The rows of one kind, in lanes.
     struct Rows {
-        AlignedArray<double> row, target, impulse;
-        std::vector<double> scale;  ///< by contact
+        AlignedArray<double> row, target, impulse, scale;
 
-        void clear(std::size_t slots, std::size_t contacts);
-        ContactRowArrays arrays() { return {row.data(), target.data(), impulse.data()}; }
+        void reserve(std::size_t slots);
+        ContactRowArrays arrays() { return {row.data(), target.data(), impulse.data(), scale.data()}; }
     };
+    void order(std::span<const SolverContact> contacts, std::span<const std::uint32_t> slot_of_body,
+               const LaneArrays& arrays, std::size_t body_slots, const LaneKernels& kernels);
+    void fill_points(std::span<const SolverContact> contacts);
 
     int width_ = 1;
     std::vector<ContactOrder::Contact> to_order_;
     ContactOrder order_;
+    AlignedArray<double> points_;
     Rows normals_, frictions_;
     bool any_split_ = false;
     AlignedArray<double> split_target_, split_impulse_;  ///< of the normal rows, for deep penetrations

@@ -84,11 +84,16 @@ struct LaneArrays {
                     ///< and a spare slot
 };
 
-/// Slots of the two bodies of a contact.
-struct ContactBodies {
-    std::uint32_t a;
-    std::uint32_t b;
-};
+/// Fields of a point at which two bodies touch.
+namespace point_field {
+inline constexpr int on_a = 0;
+inline constexpr int on_b = 3;
+inline constexpr int normal = 6;    ///< unit, from b to a
+inline constexpr int distance = 9;  ///< infinite for a point that there is not
+inline constexpr int friction = 10;
+inline constexpr int impulse = 11;
+inline constexpr int count = 12;
+}  // namespace point_field
 
 /// Fields of a contact's normal or friction row, scaled like a joint row. Sweeps only read them: targets and
 /// accumulated impulses, over s, are in arrays of their own.
@@ -110,18 +115,26 @@ struct ContactPack {
     std::uint32_t end_row;
 };
 
-/// An empty lane has the spare slot and rows of zeros.
+/// A pair with fewer contacts than others, or none, has rows that exert nothing.
 struct ContactPacks {
     const std::uint32_t* slots;  ///< by pack and turn: those of the bodies a, then those of b
     const ContactPack* packs;
     std::size_t count;
+    std::uint32_t spare;  ///< the slot of both bodies in an empty lane
 };
 
 /// Normal or friction rows, by groups of `width`.
 struct ContactRowArrays {
-    const double* row;
-    const double* target;
+    double* row;
+    double* target;
     double* impulse;
+    double* scale;  ///< s
+};
+
+struct ContactStep {
+    double inverse_step;  ///< 1/s
+    double erp;
+    double split_depth;  ///< penetrations this deep are corrected outside the impulse; m
 };
 
 /// The kernels of one lane width. Every width gives the same bits.
@@ -140,6 +153,11 @@ struct LaneKernels {
     /// sweep -> delta and back, for the bodies of a block.
     void (*to_contacts)(const LaneArrays&, const LaneBlock&);
     void (*from_contacts)(const LaneArrays&, const LaneBlock&);
+    /// Rows of the points; targets of those normal rows that correct a penetration outside the impulse, minus infinity,
+    /// which exerts nothing, for the others.
+    void (*prepare_contacts)(const LaneArrays&, const ContactPacks&, const double* points,
+                             const ContactRowArrays& normals, const ContactRowArrays& frictions, double* split_target,
+                             const ContactStep&);
     /// What the impulses do that rows begin with; one sweep over all normal rows; one over all friction rows.
     void (*start_contacts)(double* delta, const ContactPacks&, const ContactRowArrays&);
     void (*solve_normals)(double* delta, const ContactPacks&, const ContactRowArrays&);

@@ -6,7 +6,8 @@
 
 namespace floes {
 
-/// One point of a contact: what the narrow phase says, and after a solve what was exerted. World axes, SI units.
+/// One point of a contact of which at least one body moves: what the narrow phase says, and after a solve what was
+/// exerted. World axes, SI units.
 struct SolverContact {
     std::uint32_t a = 0;
     std::uint32_t b = 0;
