@@ -150,9 +150,9 @@ struct LaneKernels {
     void (*reactions)(const LaneArrays&, const LaneBlock&, double time_step);
     /// body groups [0, groups): velocity and spin at the end of the step, and the pose they lead to.
     void (*advance_bodies)(const LaneArrays&, std::size_t groups, double time_step);
-    /// sweep -> delta and back, for the bodies of a block.
-    void (*to_contacts)(const LaneArrays&, const LaneBlock&);
-    void (*from_contacts)(const LaneArrays&, const LaneBlock&);
+    /// sweep -> delta and back, for some body groups.
+    void (*to_contacts)(const LaneArrays&, const std::uint32_t* groups, std::size_t count);
+    void (*from_contacts)(const LaneArrays&, const std::uint32_t* groups, std::size_t count);
     /// Rows of the points; targets of those normal rows that correct a penetration outside the impulse, minus infinity,
     /// which exerts nothing, for the others.
     void (*prepare_contacts)(const LaneArrays&, const ContactPacks&, const double* points,

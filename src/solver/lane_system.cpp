@@ -65,21 +65,31 @@ void LaneSystem::prepare(double time_step) {
     for (const LaneBlock& block : blocks_) kernels_->prepare_joints(arrays(), block, time_step);
 }
 
-void LaneSystem::sort_blocks(std::span<const SolverContact> contacts) {
-    std::fill(touched_.begin(), touched_.end(), std::uint8_t{0});
-    for (const SolverContact& contact : contacts)
-        touched_[block_of_body_[contact.a]] = touched_[block_of_body_[contact.b]] = 1;
+void LaneSystem::find_touched(std::span<const SolverContact> contacts) {
+    std::fill(block_touched_.begin(), block_touched_.end(), std::uint8_t{0});
+    std::fill(group_touched_.begin(), group_touched_.end(), std::uint8_t{0});
+    const auto lanes = static_cast<std::uint32_t>(width());
+    for (const SolverContact& contact : contacts) {
+        for (const std::uint32_t body : {contact.a, contact.b}) {
+            block_touched_[block_of_body_[body]] = 1;
+            group_touched_[slot_of_body_[body] / lanes] = 1;
+        }
+    }
+    touched_groups_.clear();
+    for (std::uint32_t i = 0; i < group_touched_.size(); ++i) {
+        if (group_touched_[i] != 0) touched_groups_.push_back(i);
+    }
     touched_blocks_.clear();
     free_blocks_.clear();
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
-        if (blocks_[i].joints > 0) (touched_[i] != 0 ? touched_blocks_ : free_blocks_).push_back(blocks_[i]);
+        if (blocks_[i].joints > 0) (block_touched_[i] != 0 ? touched_blocks_ : free_blocks_).push_back(blocks_[i]);
     }
 }
 
 void LaneSystem::solve(std::span<SolverContact> contacts, const ContactRules& rules, int iterations) {
     const LaneArrays all = arrays();
-    sort_blocks(contacts);
-    for (const LaneBlock& block : blocks_) kernels_->to_contacts(all, block);
+    find_touched(contacts);
+    kernels_->to_contacts(all, touched_groups_.data(), touched_groups_.size());
     contact_rows_.prepare(contacts, slot_of_body_, body_groups_ * static_cast<std::size_t>(width()), all, *kernels_,
                           rules, time_step_);
     contact_rows_.start(*kernels_, all.delta);
@@ -89,17 +99,14 @@ void LaneSystem::solve(std::span<SolverContact> contacts, const ContactRules& ru
     for (std::size_t i = 0; i < free_blocks_.size(); i += 2) {
         kernels_->sweep(all, &free_blocks_[i], std::min<std::size_t>(2, free_blocks_.size() - i), iterations);
     }
-    for (const LaneBlock& block : touched_blocks_) kernels_->from_contacts(all, block);
+    kernels_->from_contacts(all, touched_groups_.data(), touched_groups_.size());
     for (int iteration = 0; iteration < iterations; ++iteration) {
         kernels_->sweep(all, touched_blocks_.data(), touched_blocks_.size(), 1);
-        for (const LaneBlock& block : touched_blocks_) kernels_->to_contacts(all, block);
+        kernels_->to_contacts(all, touched_groups_.data(), touched_groups_.size());
         contact_rows_.sweep(*kernels_, all.delta);
-        for (const LaneBlock& block : touched_blocks_) kernels_->from_contacts(all, block);
+        kernels_->from_contacts(all, touched_groups_.data(), touched_groups_.size());
     }
-    for (const LaneBlock& block : blocks_) {
-        if (block.joints == 0) kernels_->from_contacts(all, block);
-        kernels_->reactions(all, block, time_step_);
-    }
+    for (const LaneBlock& block : blocks_) kernels_->reactions(all, block, time_step_);
     contact_rows_.finish(contacts);
 }
 

@@ -98,7 +98,7 @@ class LaneSystem {
                  const std::vector<std::vector<Floe>>& kinds);
     void fill(std::size_t slot, const SolverJoint& joint);
     LaneArrays arrays();
-    void sort_blocks(std::span<const SolverContact> contacts);
+    void find_touched(std::span<const SolverContact> contacts);
 
     const LaneKernels* kernels_;
     std::vector<std::int32_t> pairs_;
@@ -106,9 +106,10 @@ class LaneSystem {
     std::vector<std::uint32_t> slot_of_body_;  ///< group * width + lane
     std::vector<std::uint32_t> slot_of_joint_;
     std::vector<std::uint32_t> block_of_body_;
-    std::vector<std::uint8_t> touched_;      ///< by block, in this step
-    std::vector<LaneBlock> touched_blocks_;  ///< with joints and contacts
-    std::vector<LaneBlock> free_blocks_;     ///< with joints, no contact
+    std::vector<std::uint8_t> block_touched_, group_touched_;  ///< in this step
+    std::vector<std::uint32_t> touched_groups_;                ///< of bodies with contacts
+    std::vector<LaneBlock> touched_blocks_;                    ///< with joints and contacts
+    std::vector<LaneBlock> free_blocks_;                       ///< with joints, no contact
     std::size_t body_groups_ = 0;
     double time_step_ = 0;
     AlignedArray<double> body_, sweep_, frame_, row_, reaction_, delta_;

@@ -109,7 +109,8 @@ void LaneSystem::lay_out(std::span<const SolverBody> bodies, std::span<const Sol
         }
     }
     for (std::size_t i = 0; i < blocks_.size(); ++i) blocks_[i].pairs = pairs_.data() + pairs_at[i];
-    touched_.resize(blocks_.size());
+    block_touched_.resize(blocks_.size());
+    group_touched_.resize(body_groups_);
 
     body_ = AlignedArray<double>(body_groups_ * lanes * body_field::count);
     sweep_ = AlignedArray<double>(body_groups_ * lanes * sweep_field::count);

@@ -57,20 +57,20 @@ template <class At>
     }
 }
 
-void to_contacts(const LaneArrays& arrays, const LaneBlock& block) {
-    for (std::int32_t body = 0; body < block.bodies; ++body) {
-        const double* from = body_group(arrays.sweep, sweep_field::count, block, body);
-        double* to = body_group(arrays.delta, 8, block, body);
+void to_contacts(const LaneArrays& arrays, const std::uint32_t* groups, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const double* from = arrays.sweep + static_cast<std::size_t>(groups[i]) * (sweep_field::count * lanes);
+        double* to = arrays.delta + static_cast<std::size_t>(groups[i]) * (8 * lanes);
         scatter([to](int lane) { return to + 8 * lane; },
                 {load3(from, sweep_field::velocity), load(from, sweep_field::inverse_mass),
                  load3(from, sweep_field::spin)});
     }
 }
 
-void from_contacts(const LaneArrays& arrays, const LaneBlock& block) {
-    for (std::int32_t body = 0; body < block.bodies; ++body) {
-        const double* from = body_group(arrays.delta, 8, block, body);
-        double* to = body_group(arrays.sweep, sweep_field::count, block, body);
+void from_contacts(const LaneArrays& arrays, const std::uint32_t* groups, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const double* from = arrays.delta + static_cast<std::size_t>(groups[i]) * (8 * lanes);
+        double* to = arrays.sweep + static_cast<std::size_t>(groups[i]) * (sweep_field::count * lanes);
         const Motion motion = gather([from](int lane) { return from + 8 * lane; });
         store3(to, sweep_field::velocity, motion.velocity);
         store3(to, sweep_field::spin, motion.spin);
