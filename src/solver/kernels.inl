@@ -13,6 +13,7 @@ namespace {
 // clang-format off
 #include "solver/pack.inl"
 #include "solver/angles.inl"
+#include "solver/joint_setup.inl"
 #include "solver/joint_kernels.inl"
 #include "solver/body_kernels.inl"
 #include "solver/motion.inl"
