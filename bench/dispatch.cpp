@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <sys/resource.h>
+#include <time.h>
 
 #include <algorithm>
 #include <chrono>
@@ -85,16 +86,20 @@ Forecast forecast_of(const Campaign& campaign, double duration, int cores, int r
 /// What a message costs this rank, s of processor time: `send` one to, `receive` one from another rank. Ranks 0 and 1
 /// exchange many at once; the others take no part.
 nlohmann::ordered_json message_costs(Link& link) {
-    constexpr int messages = 2000;
+    constexpr int messages = 200;
     if (link.size() == 1 || link.rank() > 1) return {};
-    const int other = 1 - link.rank();
-    double before = processor_time(RUSAGE_THREAD);
-    for (int i = 0; i < messages; ++i) link.send(other, Tag::alive, {});
-    const double sending = processor_time(RUSAGE_THREAD) - before;
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));  // they are all there when the clock begins
-    before = processor_time(RUSAGE_THREAD);
+    const auto processor_seconds = [] {
+        timespec time{};
+        ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+        return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+    };
+    const double begin = processor_seconds();
+    for (int i = 0; i < messages; ++i) link.send(1 - link.rank(), Tag::alive, {});
+    const double sent = processor_seconds();
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));  // they are all there when the clock goes on
+    const double all_there = processor_seconds();
     for (int taken = 0; taken < messages;) taken += link.poll() ? 1 : 0;
-    return {{"send", sending / messages}, {"receive", (processor_time(RUSAGE_THREAD) - before) / messages}};
+    return {{"send", (sent - begin) / messages}, {"receive", (processor_seconds() - all_there) / messages}};
 }
 
 }  // namespace
