@@ -19,28 +19,28 @@ DriverCosts measured_costs() {
         // Not measured but assumed: nodes launch their ranks side by side, and the master greets one after the other.
         // Where two processors launch them all it is 0.12 s.
         .start_up_per_rank = 2e-3,
-        .send = 5e-6,
-        .assign = 2.4e-6,
-        .receive = 10e-6,
-        .answer = 12e-6,
-        .own_member = 35e-6,
+        .send = 0.43e-6,
+        .assign = 2e-6,
+        .receive = 2.7e-6,
+        .answer = 6e-6,
+        .own_member = 54e-6,
         .receive_per_byte = 0,  // lost in the scatter of keep_per_byte
-        .keep_per_byte = 5.7e-9,
+        .keep_per_byte = 1.6e-9,
         .sync = 2.1e-3,
         .sync_interval = 0.9,  // this one and those for publishing as in driver/recorder.cpp
         .publish = 0.02,
-        .publish_per_member = 110e-6,
-        .publish_per_byte = 23e-9,
+        .publish_per_member = 16e-6,
+        .publish_per_byte = 0.9e-9,
         .publish_interval = 300,
         .publish_share = 1.0 / 20,
-        .member = 21e-6,
-        .report = 54e-6,
-        .report_per_byte = 7.2e-9,
+        .member = 120e-6,
+        .report = 30e-6,
+        .report_per_byte = 1e-9,
         .longest_held_back = 0.05,  // as in driver/worker.cpp
         .most_held_back = 256,
         .latency = 5e-6,  // between ranks of one machine
         .transfer_per_byte = 0.2e-9,
-        .longest_pause = 2e-3,  // as in driver/pause.hpp
+        .longest_pause = 10e-3,  // as in driver/pause.hpp
     };
 }
 
