@@ -111,12 +111,11 @@ void Master::advance() {
 
 void Master::receive(const Message& message) {
     switch (message.tag) {
-        case Tag::answer: {
+        case Tag::answer:
             for (Answer& answer : decode_answers(message.bytes)) {
                 finished(message.from, answer.number, std::move(answer.record));
             }
             return;
-        }
         case Tag::farewell:
             handle(WorkerLeft{message.from});
             return;

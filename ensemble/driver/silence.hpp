@@ -13,6 +13,7 @@ struct Patience {
     double sign_of_life = 5;       ///< s between two of them
     double with_a_worker = 60;     ///< s of silence after which its members are given to others
     double with_the_master = 600;  ///< s of silence after which a worker leaves
+    double with_answers = 0.05;    ///< s that a worker holds one back while it has others to compute
 };
 
 class Silence {

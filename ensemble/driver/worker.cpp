@@ -25,8 +25,7 @@ namespace floes {
 namespace {
 
 constexpr int master = 0;
-constexpr std::chrono::milliseconds longest_held_back{50};  // an answer; the rank has members for longer than that
-constexpr std::size_t most_held_back = 256;                 // bounds a message
+constexpr std::size_t most_held_back = 256;  // answers: bounds a message
 
 std::string no_file(const std::string& path) {
     throw InputError(fmt::format("The campaign that the master sent refers to the file {}.", path));
@@ -134,8 +133,9 @@ class Worker {
     /// At once when a core has nothing to do after what it computes now; else a message is shared.
     void send_answers() {
         if (answers_.empty()) return;
+        const std::chrono::duration<double> held_back = std::chrono::steady_clock::now() - first_answer_;
         const bool waits = crew_.waiting() >= crew_.threads() && answers_.size() < most_held_back &&
-                           std::chrono::steady_clock::now() - first_answer_ < longest_held_back;
+                           held_back.count() < patience_.with_answers;
         if (waits) return;
         link_.send(master, Tag::answer, encode(answers_));
         answers_.clear();

@@ -36,7 +36,7 @@ DriverCosts measured_costs() {
         .member = 120e-6,
         .report = 30e-6,
         .report_per_byte = 1e-9,
-        .longest_held_back = 0.05,  // as in driver/worker.cpp
+        .longest_held_back = 0.05,  // as in driver/silence.hpp; the next as in driver/worker.cpp
         .most_held_back = 256,
         .latency = 5e-6,  // between ranks of one machine
         .transfer_per_byte = 0.2e-9,

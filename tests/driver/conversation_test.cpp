@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <csignal>
 
 #include "core/error.hpp"
@@ -63,6 +64,37 @@ TEST(WorkerConversation, SaysHelloAnswersAndLeaves) {
     link.expect(0, Tag::farewell);
     link.deliver(0, Tag::leave, encode_status(1));
     EXPECT_EQ(serve_campaign(link, 0, fake::compute), 1);
+    link.finish();
+}
+
+// With one thread: those done while another waits behind the one at work go together, the last by itself.
+TEST(WorkerConversation, AnswersTogetherWhileOthersWait) {
+    const Campaign campaign = synthetic::campaign(2);
+    FakeLink link(1, 2);
+    link.deliver(0, Tag::campaign, text_of(campaign));
+    link.expect(0, Tag::hello);
+    link.deliver(0, Tag::assign, encode(Assignments{{0, 1}, {1, 1}, {2, 1}, {3, 1}, {4, 1}, {5, 1}}));
+    std::vector<int> answered;
+    std::atomic<bool> some_answered = false;
+    const auto look = [&](std::size_t count) {
+        return [&, count](const Bytes& bytes) {
+            const auto answers = decode_answers(bytes);
+            EXPECT_EQ(answers.size(), count);
+            for (const Answer& answer : answers) answered.push_back(answer.number);
+            some_answered = true;
+        };
+    };
+    link.expect(0, Tag::answer, look(5));
+    link.expect(0, Tag::answer, look(1));
+    link.deliver(0, Tag::dismiss);
+    link.expect(0, Tag::farewell);
+    link.deliver(0, Tag::leave, encode_status(0));
+    const MemberFunction compute = [&](const Campaign& of, int number, std::stop_token stop) {
+        while (number == 5 && !some_answered) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        return fake::compute(of, number, std::move(stop));
+    };
+    EXPECT_EQ(serve_campaign(link, 1, compute, nullptr, {.with_answers = 60}), 0);
+    EXPECT_EQ(answered, (std::vector<int>{0, 1, 2, 3, 4, 5}));
     link.finish();
 }
 
