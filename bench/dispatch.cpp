@@ -72,15 +72,16 @@ MemberFunction sleeper(std::chrono::duration<double> duration, std::size_t steps
 }
 
 /// What the simulated run gives for the same members, without the launch, which is over when the clock begins.
-Forecast forecast_of(const Campaign& campaign, double duration, int cores, int ranks) {
-    std::vector<SimulatedMember> members = expected_members(campaign).members;
-    for (SimulatedMember& member : members) member.run_time = duration;
+Forecast forecast_of(const Campaign& campaign, double duration, double record_bytes, int cores, int ranks) {
+    PlannedMembers planned = expected_members(campaign);
+    set_record_bytes(planned, record_bytes);  // noise packs worse than loads do
+    for (SimulatedMember& member : planned.members) member.run_time = duration;
     DriverCosts costs = measured_costs();
     costs.start_up = 0;
     costs.start_up_per_rank = 0;
     Machine machine = machine_of(cores, ranks);
     machine.processors = static_cast<int>(std::thread::hardware_concurrency());
-    return simulate(members, machine, costs);
+    return simulate(planned.members, machine, costs);
 }
 
 /// What a message costs this rank, s of processor time: `send` one to, `receive` one from another rank. Ranks 0 and 1
@@ -142,12 +143,13 @@ int main(int count, char** arguments) {
             line["publish_s"] = since(publish_begin);
             line["publish_processor_s"] = processor_time(RUSAGE_THREAD) - before;
             const int cores = threads * link->size();
-            const Forecast forecast = forecast_of(campaign, duration, cores, link->size());
+            const double record_bytes = static_cast<double>(std::filesystem::file_size(journal_path(file))) / members;
+            const Forecast forecast = forecast_of(campaign, duration, record_bytes, cores, link->size());
             line["cores"] = cores;
             line["members"] = members;
             line["member_s"] = duration;
             line["own_members"] = std::ranges::count(contents.members, 0, &MemberRecord::rank);
-            line["record_bytes"] = std::filesystem::file_size(journal_path(file)) / static_cast<unsigned>(members);
+            line["record_bytes"] = record_bytes;
             line["wall_s"] = wall;
             line["predicted_wall_s"] = forecast.wall_time;
             line["members_per_s"] = members / (wall - line["publish_s"].get<double>());

@@ -87,6 +87,11 @@ def costs(results, sync):
     def launch(ranks):
         return min(one["whole_s"] - one["inside_s"] for one in results if one["ranks"] == ranks)
 
+    def crew(ranks, steps):
+        return least(ranks, steps, lambda one: one["workers_crew_processor_s"] / (one["members"] - one["own_members"]))
+
+    member = crew(8, SMALL)
+
     def message(which):
         return min(one["message_s"][which] for one in results if one["ranks"] > 1)
 
@@ -96,7 +101,7 @@ def costs(results, sync):
         "own_member": own,
         "receive_per_byte": max(receive, 0), "keep_per_byte": keep, "sync": sync, "publish_per_member": publish_small - small * publish_byte,
         "publish_per_byte": publish_byte,
-        "member": least(8, SMALL, lambda one: one["workers_crew_processor_s"] / (one["members"] - one["own_members"])),
+        "member": member, "member_per_byte": (crew(2, LARGE) - member) / large,
         "report": report, "report_per_byte": max(report_large - report, 0) / large,
     }
 

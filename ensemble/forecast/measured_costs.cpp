@@ -34,6 +34,7 @@ DriverCosts measured_costs() {
         .publish_interval = 300,
         .publish_share = 1.0 / 20,
         .member = 120e-6,
+        .member_per_byte = 25e-9,
         .report = 30e-6,
         .report_per_byte = 1e-9,
         .longest_held_back = 0.05,  // as in driver/silence.hpp; the next as in driver/worker.cpp

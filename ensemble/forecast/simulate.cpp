@@ -150,7 +150,9 @@ class Play {
         const Assign next = here.waiting.front();
         here.waiting.pop_front();
         --here.idle_cores;
-        foresee(processors_.run(time, costs_.member) + member(next.number).run_time, Kind::computed, next.worker, next);
+        const SimulatedMember& what = member(next.number);
+        const double work = costs_.member + costs_.member_per_byte * what.record_bytes;
+        foresee(processors_.run(time, work) + what.run_time, Kind::computed, next.worker, next);
     }
 
     void computed(const Happening& at) {

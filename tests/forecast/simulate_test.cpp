@@ -93,6 +93,13 @@ TEST(Simulate, BytesCostTheMasterTime) {
     EXPECT_DOUBLE_EQ(forecast.file_bytes, 5e7);
 }
 
+TEST(Simulate, BytesCostTheCoresTime) {
+    DriverCosts costs;
+    costs.member_per_byte = 1e-6;
+    const std::vector<SimulatedMember> members(100, {1.0, 1, 1e5, 5e4});
+    EXPECT_NEAR(simulate(members, machine_of(4, 2), costs).wall_time, 25 * 1.1, 1e-9);
+}
+
 TEST(Simulate, TheJournalIsSyncedEveryIntervalAndTwiceAtTheEnd) {
     DriverCosts costs;
     costs.sync = 0.1;
