@@ -49,10 +49,10 @@ PackedNumbers pack(std::span<const double> numbers) {
 
 std::vector<double> unpack(const PackedNumbers& packed) {
     if (packed.count == 0) return {};
-    // A stream cannot hold more than about a thousand times its size, so a damaged count cannot ask for memory.
-    constexpr std::uint64_t most_per_byte = 1100;
+    // Deflate makes bytes 1032 times fewer at best, so a damaged count cannot ask for memory.
+    constexpr std::uint64_t most_in_a_byte = 1032 / width + 1;
     uLongf size = width * packed.count;
-    if (packed.count > most_per_byte * packed.chunk.size())
+    if (packed.count > most_in_a_byte * packed.chunk.size())
         throw RunError("a stored load history counts more numbers than it has room for; it was damaged");
     Bytes plain(size);
     const int code = uncompress(reinterpret_cast<Bytef*>(plain.data()), &size,
