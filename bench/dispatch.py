@@ -90,7 +90,7 @@ def costs(results, sync):
     def crew(ranks, steps):
         return least(ranks, steps, lambda one: one["workers_crew_processor_s"] / (one["members"] - one["own_members"]))
 
-    member = crew(8, SMALL)
+    member = crew(8, SMALL)  # its history is too short to be packed
 
     def message(which):
         return min(one["message_s"][which] for one in results if one["ranks"] > 1)

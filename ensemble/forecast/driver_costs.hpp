@@ -28,7 +28,7 @@ struct DriverCosts {
 
     // -- a worker
     double member = 0;             ///< begin and end a member on a core
-    double member_per_byte = 0;    ///< more for every byte of the record: histories are packed there
+    double member_per_byte = 0;    ///< more for every byte that histories are packed to
     double report = 0;             ///< of the rank's message thread: write an answer and send it
     double report_per_byte = 0;    ///< more for every byte of the record
     double longest_held_back = 0;  ///< an answer, while others are to come

@@ -30,9 +30,18 @@ double record_bytes(const Scenario& scenario) {
     return static_cast<double>(encode(record).size());
 }
 
-double history_bytes(const Analysis& analysis, int steps) {
-    return analysis.keep_history ? 3.0 * (steps / analysis.history_stride) * measured_member_costs().history_bytes : 0;
-}
+/// Of its three rows of numbers, packed.
+struct HistoryBytes {
+    double all = 0;
+    double deflated = 0;  ///< of these: few numbers are left as they are
+
+    HistoryBytes(const Analysis& analysis, int steps) {
+        if (!analysis.keep_history) return;
+        const int numbers = steps / analysis.history_stride;
+        all = 3.0 * numbers * measured_member_costs().history_bytes;
+        if (PackedNumbers{static_cast<std::uint64_t>(numbers), {}}.deflated()) deflated = all;
+    }
+};
 
 /// Two independent uniform numbers in (0, 1) that belong to a member.
 std::array<double, 2> draw(const Campaign& campaign, int number) {
@@ -51,18 +60,21 @@ double scatter(const std::array<double, 2>& uniform, double variation) {
 /// `file_of`: what a record takes in the campaign file, of the bytes of its history and of all others.
 std::vector<SimulatedMember> members_of(const Campaign& campaign,
                                         const std::function<double(double history, double others)>& file_of) {
-    std::vector<double> histories;
+    std::vector<HistoryBytes> histories;
     std::vector<double> others;  // stay in the master's memory; it leaves histories in the journal
     for (const Case& one : campaign.cases) {
-        histories.push_back(history_bytes(one.scenario.analysis, one.scenario.step_count()));
+        histories.emplace_back(one.scenario.analysis, one.scenario.step_count());
         others.push_back(record_bytes(one.scenario));
     }
     std::vector<SimulatedMember> members;
     members.reserve(static_cast<std::size_t>(member_count(campaign)));
     for (int number = 0; number < member_count(campaign); ++number) {
         const auto k = static_cast<std::size_t>(member_key(campaign, number).case_index);
-        members.push_back({0, expected_cost(campaign, number), histories[k] + others[k],
-                           file_of(histories[k], others[k]), others[k]});
+        members.push_back({.expected_cost = expected_cost(campaign, number),
+                           .record_bytes = histories[k].all + others[k],
+                           .file_bytes = file_of(histories[k].all, others[k]),
+                           .memory_bytes = others[k],
+                           .packed_bytes = histories[k].deflated});
     }
     return members;
 }
@@ -134,6 +146,7 @@ PlannedMembers measured_members(const Campaign& campaign, const MeasuredRun& run
 void set_record_bytes(PlannedMembers& planned, double bytes) {
     for (SimulatedMember& member : planned.members) {
         member.file_bytes *= bytes / member.record_bytes;
+        member.packed_bytes *= bytes / member.record_bytes;
         member.record_bytes = bytes;
         member.memory_bytes = std::min(member.memory_bytes, bytes);
     }

@@ -151,7 +151,7 @@ class Play {
         here.waiting.pop_front();
         --here.idle_cores;
         const SimulatedMember& what = member(next.number);
-        const double work = costs_.member + costs_.member_per_byte * what.record_bytes;
+        const double work = costs_.member + costs_.member_per_byte * what.packed_bytes;
         foresee(processors_.run(time, work) + what.run_time, Kind::computed, next.worker, next);
     }
 

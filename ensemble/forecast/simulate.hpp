@@ -19,6 +19,7 @@ struct SimulatedMember {
     double record_bytes = 0;   ///< in a message and in the journal
     double file_bytes = 0;     ///< in the campaign file
     double memory_bytes = 0;   ///< that stay with the master
+    double packed_bytes = 0;   ///< of the record: of histories that the rank has to pack
 };
 
 struct Machine {

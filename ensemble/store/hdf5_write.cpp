@@ -241,7 +241,8 @@ void Rows::write(std::size_t row, std::span<const double> values) {
 void Rows::write(std::size_t row, const PackedNumbers& values) {
     if (values.count != width_) return write(row, unpack(values));
     const std::array<hsize_t, 2> first{row, 0};
-    check(H5Dwrite_chunk(dataset_.id(), H5P_DEFAULT, 0, first.data(), values.chunk.size(), values.chunk.data()),
+    const std::uint32_t left_out = values.deflated() ? 0 : 0b11;  // of the two filters
+    check(H5Dwrite_chunk(dataset_.id(), H5P_DEFAULT, left_out, first.data(), values.chunk.size(), values.chunk.data()),
           "H5Dwrite_chunk", name_);
 }
 

@@ -13,11 +13,13 @@ namespace floes {
 
 inline constexpr int compression_level = 4;
 
-/// Numbers as one chunk of HDF5's filters shuffle and deflate: first the first byte of each (little endian), then the
-/// second …, and that as a zlib stream.
+/// Numbers, little endian, as one chunk of HDF5's filters shuffle and deflate: first the first byte of each, then the
+/// second …, and that as a zlib stream. A few are left as they are: zlib's start costs more than there is to save.
 struct PackedNumbers {
     std::uint64_t count = 0;  ///< of the numbers
     Bytes chunk;              ///< empty when there are none
+
+    bool deflated() const { return count >= 128; }
     friend bool operator==(const PackedNumbers&, const PackedNumbers&) = default;
 };
 

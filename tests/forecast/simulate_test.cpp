@@ -96,7 +96,7 @@ TEST(Simulate, BytesCostTheMasterTime) {
 TEST(Simulate, BytesCostTheCoresTime) {
     DriverCosts costs;
     costs.member_per_byte = 1e-6;
-    const std::vector<SimulatedMember> members(100, {1.0, 1, 1e5, 5e4});
+    const std::vector<SimulatedMember> members(100, {.run_time = 1.0, .packed_bytes = 1e5});
     EXPECT_NEAR(simulate(members, machine_of(4, 2), costs).wall_time, 25 * 1.1, 1e-9);
 }
 

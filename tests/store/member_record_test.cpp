@@ -46,9 +46,24 @@ TEST(PackedHistory, IsTheHistoryBitForBit) {
     EXPECT_LT(pack(std::vector<double>(1000, 0.1)).chunk.size(), 100u) << "equal numbers must take next to nothing";
 }
 
-TEST(PackedHistory, IsRefusedWhenItIsDamaged) {
-    const PackedNumbers whole = pack(std::vector{1.0, 2.0, 3.0});
-    for (const std::uint64_t count : {std::uint64_t{2}, std::uint64_t{4}, std::uint64_t{1} << 60})
+TEST(PackedHistory, HoldsAFewNumbersAsTheyAre) {
+    for (const std::size_t count : {1u, 127u, 128u, 1000u}) {
+        std::vector<double> numbers(count);
+        for (std::size_t i = 0; i < count; ++i) numbers[i] = std::sin(static_cast<double>(i));
+        const PackedNumbers packed = pack(numbers);
+        EXPECT_EQ(packed.deflated(), count >= 128);
+        EXPECT_EQ(packed.chunk.size() == 8 * count, count < 128) << count;
+        EXPECT_EQ(unpack(packed), numbers) << count;
+    }
+}
+
+class DamagedHistory : public testing::TestWithParam<std::size_t> {};
+
+INSTANTIATE_TEST_SUITE_P(PlainAndDeflated, DamagedHistory, testing::Values(3, 300));
+
+TEST_P(DamagedHistory, IsRefused) {
+    const PackedNumbers whole = pack(std::vector<double>(GetParam(), 0.1));
+    for (const std::uint64_t count : {whole.count - 1, whole.count + 1, std::uint64_t{1} << 60})
         EXPECT_THROW(unpack(PackedNumbers{count, whole.chunk}), RunError) << count;
     for (std::size_t size = 0; size < whole.chunk.size(); ++size)
         EXPECT_THROW(unpack(PackedNumbers{whole.count, Bytes(whole.chunk.begin(),
