@@ -6,8 +6,10 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <climits>
+#include <csignal>
 #include <exception>
 #include <iterator>
 #include <set>
@@ -36,6 +38,29 @@ void check(int code, const char* call) {
 }
 
 #define FLOES_MPI(call) check(call, #call)
+
+// Open MPI catches crashes to print where they were. That takes memory: when it was malloc that crashed, or was just at
+// work, the handler waits for ever, and with it everybody else. So crashes stay what they were before MPI.
+class CrashSignals {
+  public:
+    CrashSignals() {
+        each([](int signal, struct sigaction& former) { ::sigaction(signal, nullptr, &former); });
+    }
+    ~CrashSignals() {
+        each([](int signal, struct sigaction& former) { ::sigaction(signal, &former, nullptr); });
+    }
+    CrashSignals(const CrashSignals&) = delete;
+    CrashSignals& operator=(const CrashSignals&) = delete;
+
+  private:
+    template <class Use>
+    void each(const Use& use) {
+        for (std::size_t i = 0; i < signals.size(); ++i) use(signals[i], former_[i]);
+    }
+
+    static constexpr std::array signals{SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV};
+    std::array<struct sigaction, signals.size()> former_{};
+};
 
 std::vector<CoreMask> masks_of(MPI_Comm node) {
     int ranks = 0;
@@ -71,7 +96,10 @@ struct MpiLink::Transfer {
 
 MpiLink::MpiLink() : exceptions_(std::uncaught_exceptions()) {
     int provided = MPI_THREAD_SINGLE;
-    FLOES_MPI(MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided));
+    {
+        const CrashSignals former;
+        FLOES_MPI(MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided));
+    }
     if (provided < MPI_THREAD_FUNNELED) {
         throw RunError("This MPI library does not let a rank have threads (MPI_THREAD_FUNNELED); floes needs that.");
     }

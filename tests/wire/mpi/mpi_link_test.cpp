@@ -4,6 +4,7 @@
 
 #include <sys/resource.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <string>
 
@@ -46,6 +47,15 @@ TEST(MpiLink, DeliversWhatIsSent) {
 
 TEST(MpiLink, RefusesARankThatIsNotThere) {
     EXPECT_THROW(link->send(link->size(), Tag::assign, {}), RunError);
+}
+
+// Open MPI's handler of crashes may wait for ever.
+TEST(MpiLink, LeavesCrashesAlone) {
+    for (const int signal : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV}) {
+        struct sigaction action {};
+        ASSERT_EQ(::sigaction(signal, nullptr, &action), 0);
+        EXPECT_TRUE(action.sa_handler == SIG_DFL) << signal;
+    }
 }
 
 TEST(MpiLink, WaitingCostsAlmostNothing) {
