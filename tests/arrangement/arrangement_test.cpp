@@ -8,6 +8,7 @@
 #include "arrangement/check.hpp"
 #include "arrangement/starts.hpp"
 #include "core/error.hpp"
+#include "support/refusal.hpp"
 
 namespace floes {
 namespace {
@@ -21,12 +22,7 @@ Scenario quick() {
 }
 
 std::string refusal(const Scenario& scenario) {
-    try {
-        make_arrangement(scenario, 1, 0);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "nothing refused";
+    return floes::refusal([&] { make_arrangement(scenario, 1, 0); });
 }
 
 bool same(const Arrangement& a, const Arrangement& b) {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "campaign/campaign.hpp"
-#include "core/error.hpp"
+#include "support/refusal.hpp"
 
 namespace floes {
 namespace {
@@ -35,12 +35,8 @@ TEST(StopKeys, ChangeNoMember) {
 }
 
 TEST(StopKeys, AreForAllCases) {
-    try {
-        read("[[case]]\nname = \"A\"\nstop.minimum = 3\n");
-        FAIL() << "a case has its own stop rule";
-    } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), testing::HasSubstr("stop.minimum = 3 is for all cases; write it in [stop]"));
-    }
+    EXPECT_THAT(refusal([] { read("[[case]]\nname = \"A\"\nstop.minimum = 3\n"); }),
+                testing::HasSubstr("stop.minimum = 3 is for all cases; write it in [stop]"));
 }
 
 }  // namespace

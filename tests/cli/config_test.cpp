@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "campaign/campaign_keys.hpp"
-#include "cli/commands.hpp"
 #include "cli/config_file.hpp"
+#include "cli/verb_output.hpp"
 #include "core/error.hpp"
 
 namespace floes {
@@ -18,20 +18,8 @@ const std::string table3 = std::string(FLOES_SOURCE_DIR) + "/configs/table3.toml
 
 /// Standard output of `floes config ARGUMENTS`; throws what main() would turn into an exit status.
 std::string config(std::vector<std::string> arguments) {
-    CLI::App program("floes");
-    int exit_status = -1;
-    add_config(program, exit_status);
     arguments.insert(arguments.begin(), "config");
-    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // as CLI11 takes them
-    testing::internal::CaptureStdout();
-    try {
-        program.parse(reversed);
-    } catch (...) {
-        testing::internal::GetCapturedStdout();
-        throw;
-    }
-    EXPECT_EQ(exit_status, 0);
-    return testing::internal::GetCapturedStdout();
+    return verb_output(add_config, std::vector<std::string>(arguments.rbegin(), arguments.rend()));
 }
 
 TEST(Config, PrintsDefaultsAndReference) {

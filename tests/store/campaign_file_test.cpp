@@ -14,6 +14,7 @@
 #include "store/journal.hpp"
 #include "store/synthetic.hpp"
 #include "store/temporary_folder.hpp"
+#include "support/refusal.hpp"
 
 namespace floes {
 namespace {
@@ -170,13 +171,8 @@ TEST(CampaignFile, TakesHistoriesFromTheJournal) {
 
 TEST(CampaignFile, RefusesWhatIsNoCampaignFile) {
     const TemporaryFolder folder;
-    const auto refusal = [](const std::filesystem::path& path) -> std::string {
-        try {
-            read_campaign_file(path);
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "not refused";
+    const auto refusal = [](const std::filesystem::path& path) {
+        return floes::refusal([&] { read_campaign_file(path); });
     };
     EXPECT_THAT(refusal(folder / "none.h5"), HasSubstr("there is no file"));
     const std::string text = "Dear reader";

@@ -6,24 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
 #include "store/journal.hpp"
 #include "store/temporary_folder.hpp"
 #include "store/whole_records.hpp"
+#include "support/refusal.hpp"
 
 namespace floes {
-
-// Runs the action and gives the message of the InputError that it must throw.
-template <class Action>
-std::string refusal(const Action& action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    ADD_FAILURE() << "not refused";
-    return {};
-}
 
 // A record of a few hundred bytes, so that every byte can be damaged in turn.
 inline MemberRecord small_record(int number) {
