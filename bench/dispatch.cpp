@@ -3,7 +3,6 @@
 // its processor time went. The line of rank 0 has the times as well, beside those that the simulated run gives.
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 #include <time.h>
 
 #include <algorithm>
@@ -31,11 +30,11 @@ double since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-double processor_time(int whose) {
-    rusage usage{};
-    ::getrusage(whose, &usage);
-    const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * t.tv_usec; };
-    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+/// Of this thread or process, by its clock, s.
+double processor_time(clockid_t whose) {
+    timespec time{};
+    ::clock_gettime(whose, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 /// Six floes, one case, so many members and steps.
@@ -89,18 +88,14 @@ Forecast forecast_of(const Campaign& campaign, double duration, double record_by
 nlohmann::ordered_json message_costs(Link& link) {
     constexpr int messages = 200;
     if (link.size() == 1 || link.rank() > 1) return {};
-    const auto processor_seconds = [] {
-        timespec time{};
-        ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-        return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-    };
-    const double begin = processor_seconds();
+    const double begin = processor_time(CLOCK_THREAD_CPUTIME_ID);
     for (int i = 0; i < messages; ++i) link.send(1 - link.rank(), Tag::alive, {});
-    const double sent = processor_seconds();
+    const double sent = processor_time(CLOCK_THREAD_CPUTIME_ID);
     std::this_thread::sleep_for(std::chrono::milliseconds(200));  // they are all there when the clock goes on
-    const double all_there = processor_seconds();
+    const double all_there = processor_time(CLOCK_THREAD_CPUTIME_ID);
     for (int taken = 0; taken < messages;) taken += link.poll() ? 1 : 0;
-    return {{"send", (sent - begin) / messages}, {"receive", (processor_seconds() - all_there) / messages}};
+    return {{"send", (sent - begin) / messages},
+            {"receive", (processor_time(CLOCK_THREAD_CPUTIME_ID) - all_there) / messages}};
 }
 
 }  // namespace
@@ -120,8 +115,8 @@ int main(int count, char** arguments) {
     const std::unique_ptr<Link> link = open_link();
     const nlohmann::ordered_json of_message = message_costs(*link);
     const auto inside = Clock::now();
-    const double thread_before = processor_time(RUSAGE_THREAD);
-    const double process_before = processor_time(RUSAGE_SELF);
+    const double thread_before = processor_time(CLOCK_THREAD_CPUTIME_ID);
+    const double process_before = processor_time(CLOCK_PROCESS_CPUTIME_ID);
     nlohmann::ordered_json line{{"rank", link->rank()}, {"ranks", link->size()}, {"message_s", of_message}};
     int status = 0;
     if (link->rank() != 0) {
@@ -134,14 +129,14 @@ int main(int count, char** arguments) {
             const auto begin = Clock::now();
             const int done = run_campaign(campaign, {{file, Existing::replace}, threads, ""}, *link, compute, progress);
             const double wall = since(begin);
-            line["message_thread_processor_s"] = processor_time(RUSAGE_THREAD) - thread_before;
+            line["message_thread_processor_s"] = processor_time(CLOCK_THREAD_CPUTIME_ID) - thread_before;
 
             const JournalContents contents = read_journal(journal_path(file));
             const auto publish_begin = Clock::now();
-            const double before = processor_time(RUSAGE_THREAD);
+            const double before = processor_time(CLOCK_THREAD_CPUTIME_ID);
             publish(file, campaign, contents.members, contents.sessions);
             line["publish_s"] = since(publish_begin);
-            line["publish_processor_s"] = processor_time(RUSAGE_THREAD) - before;
+            line["publish_processor_s"] = processor_time(CLOCK_THREAD_CPUTIME_ID) - before;
             const int cores = threads * link->size();
             const double record_bytes = static_cast<double>(std::filesystem::file_size(journal_path(file))) / members;
             const Forecast forecast = forecast_of(campaign, duration, record_bytes, cores, link->size());
@@ -158,10 +153,10 @@ int main(int count, char** arguments) {
             return done;
         });
     }
-    const double of_thread = processor_time(RUSAGE_THREAD) - thread_before;
+    const double of_thread = processor_time(CLOCK_THREAD_CPUTIME_ID) - thread_before;
     if (link->rank() != 0) line["message_thread_processor_s"] = of_thread;
     line["inside_s"] = since(inside);
-    line["crew_processor_s"] = processor_time(RUSAGE_SELF) - process_before - of_thread;
+    line["crew_processor_s"] = processor_time(CLOCK_PROCESS_CPUTIME_ID) - process_before - of_thread;
     fmt::print("{}\n", line.dump());
     return status;
 }

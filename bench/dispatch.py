@@ -64,6 +64,11 @@ def costs(results, sync):
     def least(ranks, steps, value):
         return min(value(one) for one in results if one["ranks"] == ranks and one["steps"] == steps and not one["member_s"])
 
+    def of_workers(ranks, steps, which):
+        """For each member that they computed."""
+        return least(ranks, steps,
+                     lambda one: one[f"workers_{which}_processor_s"] / (one["members"] - one["own_members"]))
+
     def publishing(one):
         same = [other for other in results if (other["members"], other["steps"]) == (one["members"], one["steps"])]
         return min(other["publish_processor_s"] for other in same)
@@ -80,17 +85,13 @@ def costs(results, sync):
     small = next(one["record_bytes"] for one in results if one["steps"] == SMALL)
     publish_small = least(1, SMALL, lambda one: publishing(one) / one["members"])
     publish_byte = least(1, LARGE, lambda one: publishing(one) / one["members"] - publish_small) / (large - small)
-    report = least(8, SMALL, lambda one: one["workers_message_thread_processor_s"] / (one["members"] - one["own_members"]))
-    report_large = least(2, LARGE, lambda one: one["workers_message_thread_processor_s"]
-                         / (one["members"] - one["own_members"]))
+    report = of_workers(8, SMALL, "message_thread")
+    report_large = of_workers(2, LARGE, "message_thread")
 
     def launch(ranks):
         return min(one["whole_s"] - one["inside_s"] for one in results if one["ranks"] == ranks)
 
-    def crew(ranks, steps):
-        return least(ranks, steps, lambda one: one["workers_crew_processor_s"] / (one["members"] - one["own_members"]))
-
-    member = crew(8, SMALL)  # its history is too short to be packed
+    member = of_workers(8, SMALL, "crew")  # its history is too short to be packed
 
     def message(which):
         return min(one["message_s"][which] for one in results if one["ranks"] > 1)
@@ -101,7 +102,7 @@ def costs(results, sync):
         "own_member": own,
         "receive_per_byte": max(receive, 0), "keep_per_byte": keep, "sync": sync, "publish_per_member": publish_small - small * publish_byte,
         "publish_per_byte": publish_byte,
-        "member": member, "member_per_byte": (crew(2, LARGE) - member) / large,
+        "member": member, "member_per_byte": (of_workers(2, LARGE, "crew") - member) / large,
         "report": report, "report_per_byte": max(report_large - report, 0) / large,
     }
 
