@@ -215,6 +215,7 @@ void Master::handle(const Event& event, MemberRecord* record) {
 
 /// All that was handed out of late, in one message to each worker. The journal knows of an attempt before it begins.
 void Master::hand_out() {
+    if (handed_out_.empty()) return;
     for (const auto& [worker, assignments] : handed_out_) {
         for (const Assignment& assignment : assignments) recorder_.started(assignment.number, assignment.attempt);
     }

@@ -236,7 +236,6 @@ void Recorder::finish(const std::string& outcome) {
 }
 
 void Recorder::publish_now() {
-    journal_.hand_over();  // it is asked for the histories
     publish(places_.campaign_file, published(), journal_.records(), journal_.sessions(), journal_.calibrations(),
             [this](const MemberRecord& record) { return journal_.history(record); });
     published_ = true;

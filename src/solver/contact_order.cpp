@@ -5,8 +5,8 @@
 
 namespace floes {
 
-void ContactOrder::find_pairs(std::span<const Contact> contacts, std::uint32_t spare) {
-    next_level_.assign(spare, 0);
+void ContactOrder::find_pairs(std::span<const Contact> contacts) {
+    next_level_.assign(spare_, 0);
     pairs_.clear();
     for (std::uint32_t i = 0; i < contacts.size(); ++i) {
         const auto [a, b, a_moves, b_moves, pressed] = contacts[i];
@@ -40,13 +40,12 @@ void ContactOrder::sort_pairs() {
     for (const Pair& pair : pairs_) sorted_[start_[rank(pair)]++] = pair;
 }
 
-void ContactOrder::add_pack(std::span<const Contact> contacts, std::span<const Pair> pairs, std::uint32_t spare,
-                            std::uint32_t width) {
+void ContactOrder::add_pack(std::span<const Contact> contacts, std::span<const Pair> pairs, std::uint32_t width) {
     const std::uint32_t turns = pairs.size() > width ? 2 : 1;
     const std::uint32_t first_row = packs_.empty() ? 0 : packs_.back().end_row;
     const std::size_t first_slot = pack_slots_.size();
     std::uint32_t most = 0;
-    pack_slots_.resize(first_slot + 2 * width * turns, spare);
+    pack_slots_.resize(first_slot + 2 * width * turns, spare_);
     for (std::uint32_t i = 0; i < pairs.size(); ++i) {
         const auto [level, pressed, count, first] = pairs[i];
         const std::uint32_t turn = i / width;
@@ -61,7 +60,7 @@ void ContactOrder::add_pack(std::span<const Contact> contacts, std::span<const P
 
 void ContactOrder::lay_out(std::span<const Contact> contacts, std::uint32_t spare, int width, int turns) {
     spare_ = spare;
-    find_pairs(contacts, spare);
+    find_pairs(contacts);
     sort_pairs();
     const auto lanes = static_cast<std::uint32_t>(width);
     const auto most = static_cast<std::size_t>(width * turns);
@@ -70,7 +69,7 @@ void ContactOrder::lay_out(std::span<const Contact> contacts, std::uint32_t spar
     packs_.clear();
     for (std::size_t first = 0, end = 0; first < sorted_.size(); first = end) {
         while (end < sorted_.size() && end < first + most && sorted_[end].level == sorted_[first].level) ++end;
-        add_pack(contacts, {&sorted_[first], end - first}, spare, lanes);
+        add_pack(contacts, {&sorted_[first], end - first}, lanes);
     }
 }
 

@@ -37,9 +37,8 @@ class ContactOrder {
         std::uint32_t contacts;
         std::uint32_t first;
     };
-    void add_pack(std::span<const Contact> contacts, std::span<const Pair> pairs, std::uint32_t spare,
-                  std::uint32_t width);
-    void find_pairs(std::span<const Contact> contacts, std::uint32_t spare);
+    void add_pack(std::span<const Contact> contacts, std::span<const Pair> pairs, std::uint32_t width);
+    void find_pairs(std::span<const Contact> contacts);
     void sort_pairs();
 
     std::uint32_t spare_ = 0;
