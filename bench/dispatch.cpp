@@ -16,10 +16,10 @@
 #include <string>
 #include <thread>
 
+#include "campaign_file/campaign_file.hpp"
 #include "driver/run_campaign.hpp"
 #include "driver/worker.hpp"
 #include "forecast/plan.hpp"
-#include "store/campaign_file.hpp"
 
 namespace {
 

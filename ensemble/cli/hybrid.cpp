@@ -9,7 +9,7 @@
 #include "cli/commands.hpp"
 #include "cli/config_file.hpp"
 #include "core/units.hpp"
-#include "report/hybrid_curve.hpp"
+#include "findings/hybrid_curve.hpp"
 
 namespace floes {
 namespace {

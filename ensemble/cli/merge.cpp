@@ -11,8 +11,8 @@
 
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
-#include "report/formats.hpp"
-#include "store/merge.hpp"
+#include "driver/merge.hpp"
+#include "findings/formats.hpp"
 
 namespace floes {
 

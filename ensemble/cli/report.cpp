@@ -13,7 +13,7 @@
 
 #include "cli/commands.hpp"
 #include "core/error.hpp"
-#include "report/page.hpp"
+#include "page/page.hpp"
 
 namespace floes {
 namespace {

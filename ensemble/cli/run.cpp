@@ -19,8 +19,8 @@
 #include "driver/run_campaign.hpp"
 #include "driver/signals.hpp"
 #include "driver/worker.hpp"
+#include "findings/formats.hpp"
 #include "member/run_member.hpp"
-#include "report/formats.hpp"
 
 namespace floes {
 

@@ -8,14 +8,14 @@
 
 #include <fmt/format.h>
 
+#include "campaign_file/read_details.hpp"
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "report/findings.hpp"
-#include "report/pairs_text.hpp"
-#include "report/steady_text.hpp"
-#include "store/read_details.hpp"
+#include "findings/findings.hpp"
+#include "findings/pairs_text.hpp"
+#include "findings/steady_text.hpp"
 
 namespace floes {
 

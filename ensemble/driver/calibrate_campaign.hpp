@@ -7,7 +7,7 @@
 #include "campaign/campaign.hpp"
 #include "driver/progress.hpp"
 #include "driver/recorder.hpp"
-#include "store/calibration_record.hpp"
+#include "records/calibration_record.hpp"
 
 namespace floes {
 

@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "campaign_file/campaign_file.hpp"
+#include "campaign_file/read_details.hpp"
 #include "core/error.hpp"
 #include "driver/precision.hpp"
-#include "store/campaign_file.hpp"
-#include "store/journal.hpp"
-#include "store/read_details.hpp"
+#include "journal/journal.hpp"
 
 namespace floes {
 namespace {

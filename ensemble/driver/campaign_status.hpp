@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "campaign/stop_rule.hpp"
-#include "store/heartbeat.hpp"
-#include "store/session.hpp"
+#include "driver/heartbeat.hpp"
+#include "records/session.hpp"
 
 namespace floes {
 

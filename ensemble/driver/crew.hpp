@@ -16,7 +16,7 @@
 
 #include "attempt/attempt_here.hpp"
 #include "attempt/helper.hpp"
-#include "store/packed_history.hpp"
+#include "records/packed_history.hpp"
 
 namespace floes {
 

@@ -8,7 +8,7 @@
 
 #include "core/bytes.hpp"
 #include "driver/crew.hpp"
-#include "store/member_record.hpp"
+#include "records/member_record.hpp"
 
 namespace floes {
 

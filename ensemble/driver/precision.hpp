@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "campaign_file/campaign_file.hpp"
 #include "inference/precision_stop.hpp"
-#include "store/campaign_file.hpp"
 
 namespace floes {
 

@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "campaign_file/campaign_file.hpp"
 #include "core/error.hpp"
+#include "driver/heartbeat.hpp"
 #include "driver/precision.hpp"
-#include "store/campaign_file.hpp"
-#include "store/heartbeat.hpp"
 
 namespace floes {
 

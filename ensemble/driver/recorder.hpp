@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "inference/precision_stop.hpp"
+#include "journal/journal.hpp"
 #include "schedule/events.hpp"
-#include "store/journal.hpp"
 
 namespace floes {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "driver/crew.hpp"
-#include "store/member_record.hpp"
+#include "records/member_record.hpp"
 
 namespace floes {
 

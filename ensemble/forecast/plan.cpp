@@ -10,7 +10,7 @@
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "forecast/member_costs.hpp"
-#include "store/member_record.hpp"
+#include "records/member_record.hpp"
 
 namespace floes {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "campaign/campaign.hpp"
+#include "forecast/measured_run.hpp"
 #include "forecast/simulate.hpp"
-#include "store/measured_run.hpp"
 
 namespace floes {
 

@@ -7,11 +7,11 @@
 #include <iterator>
 #include <string>
 
+#include "campaign_file/campaign_file.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
-#include "store/campaign_file.hpp"
-#include "store/synthetic.hpp"
-#include "store/temporary_folder.hpp"
+#include "support/synthetic.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace floes {
 namespace {

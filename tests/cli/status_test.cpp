@@ -4,12 +4,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "campaign_file/campaign_file.hpp"
 #include "cli/status_text.hpp"
 #include "core/error.hpp"
-#include "store/campaign_file.hpp"
-#include "store/journal.hpp"
-#include "store/synthetic.hpp"
-#include "store/temporary_folder.hpp"
+#include "journal/journal.hpp"
+#include "support/synthetic.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace floes {
 namespace {

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "campaign_file/campaign_file.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
-#include "store/campaign_file.hpp"
-#include "store/synthetic.hpp"
-#include "store/temporary_folder.hpp"
+#include "support/synthetic.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace floes {
 namespace {

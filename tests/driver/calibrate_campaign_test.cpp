@@ -5,9 +5,9 @@
 
 #include <sstream>
 
+#include "campaign_file/campaign_file.hpp"
 #include "core/error.hpp"
 #include "driver/fakes.hpp"
-#include "store/campaign_file.hpp"
 
 namespace floes {
 namespace {

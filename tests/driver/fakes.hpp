@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "driver/run_campaign.hpp"
-#include "store/synthetic.hpp"
-#include "store/temporary_folder.hpp"
+#include "support/synthetic.hpp"
+#include "support/temporary_folder.hpp"
 #include "wire/local_link.hpp"
 
 namespace floes::fake {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
-#include "store/synthetic.hpp"
+#include "support/synthetic.hpp"
 
 namespace floes {
 namespace {

@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "campaign_file/campaign_file.hpp"
 #include "core/error.hpp"
 #include "driver/campaign_status.hpp"
 #include "driver/fakes.hpp"
-#include "store/campaign_file.hpp"
 
 namespace floes {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "campaign_file/campaign_file.hpp"
 #include "driver/fakes.hpp"
-#include "store/campaign_file.hpp"
 
 namespace floes {
 namespace {

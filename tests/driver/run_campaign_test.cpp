@@ -10,9 +10,9 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "campaign_file/campaign_file.hpp"
 #include "core/error.hpp"
 #include "driver/fakes.hpp"
-#include "store/campaign_file.hpp"
 
 namespace floes {
 namespace {

@@ -21,7 +21,7 @@
 #include "attempt/helper.hpp"
 #include "driver/run_campaign.hpp"
 #include "driver/worker.hpp"
-#include "store/synthetic.hpp"
+#include "support/synthetic.hpp"
 
 namespace {
 

@@ -7,8 +7,8 @@
 
 #include "core/error.hpp"
 #include "forecast/member_costs.hpp"
-#include "store/member_record.hpp"
-#include "store/synthetic.hpp"
+#include "records/member_record.hpp"
+#include "support/synthetic.hpp"
 
 namespace floes {
 namespace {

@@ -25,7 +25,7 @@ const std::array<Door, 5>& doors() {
         {"Bullet", std::regex{R"((bt[A-Z]|Bullet|LinearMath/).*)"}, "world"},
         {"toml++", std::regex{R"(toml(\+\+|\.hpp).*)"}, "keys"},
         {"MPI", std::regex{R"((mpi|openmpi/).*)"}, "wire"},
-        {"HDF5", std::regex{R"((hdf5|H5).*)"}, "store"},
+        {"HDF5", std::regex{R"((hdf5(_hl)?\.h|hdf5/serial/.*|H5.*))"}, "hdf5"},
         {"GSL", std::regex{R"(gsl/.*)"}, "inference"},
     }};
     return all;
@@ -66,11 +66,12 @@ void check_foreign(const std::string& path, int line, const std::string& header,
 
 const std::map<std::string, int>& floors() {
     static const std::map<std::string, int> table{
-        {"core", 0},      {"keys", 1},       {"solver", 1},     {"scenario", 2},   {"arrangement", 3},
-        {"structure", 3}, {"water", 3},      {"theory", 3},     {"statistics", 3}, {"world", 3},
-        {"ice", 4},       {"simulation", 5}, {"laboratory", 5}, {"member", 6},     {"campaign", 7},
-        {"schedule", 7},  {"wire", 8},       {"store", 8},      {"inference", 8},  {"attempt", 8},
-        {"driver", 9},    {"forecast", 9},   {"report", 9},     {"view", 9},       {"cli", 10},
+        {"core", 0},      {"keys", 1},       {"solver", 1},         {"scenario", 2},   {"arrangement", 3},
+        {"structure", 3}, {"water", 3},      {"theory", 3},         {"statistics", 3}, {"world", 3},
+        {"ice", 4},       {"simulation", 5}, {"laboratory", 5},     {"member", 6},     {"campaign", 7},
+        {"schedule", 7},  {"wire", 8},       {"records", 8},        {"inference", 8},  {"attempt", 8},
+        {"journal", 9},   {"hdf5", 9},       {"campaign_file", 10}, {"driver", 11},    {"forecast", 11},
+        {"findings", 11}, {"page", 12},      {"cli", 13},
     };
     return table;
 }

@@ -79,7 +79,7 @@ TEST(BrokenRules, RefuseAForeignLibraryOutsideItsDoor) {
     EXPECT_THAT(broken_rules("src/world/world.cpp", "#include <btBulletDynamicsCommon.h>\n"), IsEmpty());
     EXPECT_THAT(broken_rules("src/keys/reader.cpp", "#include <toml++/toml.h>\n"), IsEmpty());
     EXPECT_THAT(broken_rules("ensemble/wire/mpi_link.cpp", "#include <mpi.h>\n"), IsEmpty());
-    EXPECT_THAT(broken_rules("ensemble/store/group.cpp", "#include <hdf5.h>\n#include <hdf5_hl.h>\n"), IsEmpty());
+    EXPECT_THAT(broken_rules("ensemble/hdf5/group.cpp", "#include <hdf5.h>\n#include <hdf5_hl.h>\n"), IsEmpty());
 }
 
 TEST(BrokenRules, RefuseFilesAndOutputInThePhysics) {

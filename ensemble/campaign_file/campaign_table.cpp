@@ -1,0 +1,106 @@
+#include <algorithm>
+#include <limits>
+
+#include "campaign_file/arrangement_rows.hpp"
+#include "campaign_file/campaign_columns.hpp"
+#include "campaign_file/campaign_file.hpp"
+
+namespace floes {
+namespace {
+
+/// Those of all cases, rising, each once.
+std::vector<double> levels_of(const Campaign& campaign) {
+    std::vector<double> levels;
+    for (const Case& one : campaign.cases) {
+        const std::vector<double>& own = one.scenario.analysis.exceedance_levels;
+        levels.insert(levels.end(), own.begin(), own.end());
+    }
+    std::ranges::sort(levels);
+    levels.erase(std::ranges::unique(levels).begin(), levels.end());
+    return levels;
+}
+
+void set_missing(MemberRow& row, int segments, std::size_t levels) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const RealColumn& column : real_columns) column.field(row) = nan;
+    row.segment_maximum.assign(static_cast<std::size_t>(segments), nan);
+    row.steps_above.assign(levels, nan);
+    row.upcrossings.assign(levels, nan);
+}
+
+void set_numbers(MemberRow& row, const MemberResult& result) {
+    set_load(row, result.load);
+    row.failure_ratio = result.failure_ratio;
+    row.failures_bending = result.failures_bending;
+    row.failures_shear = result.failures_shear;
+    row.failures_compression = result.failures_compression;
+    row.mean_sway = result.mean_sway;
+    row.mean_heave = result.mean_heave;
+    row.peaks = result.peaks;
+}
+
+CaseRow case_row(const Case& one) {
+    const Scenario& scenario = one.scenario;
+    return {one.name,
+            scenario.joint.cfm,
+            scenario.ice.elastic_modulus,
+            scenario.field.far_end,
+            scenario.contact.erp,
+            scenario.structure.profile,
+            scenario.analysis,
+            scenario.general.time_step};
+}
+
+}  // namespace
+
+void set_load(MemberRow& row, const LoadStatistics& load) {
+    row.mean_load = load.mean;
+    row.sd_load = load.sd;
+    row.maximum_load = load.maximum;
+    row.segment_maximum = load.segment_maximum;
+    row.mean_maximum = load.mean_maximum;
+    row.sd_maximum = load.sd_maximum;
+    row.skewness = load.skewness;
+    row.excess_kurtosis = load.excess_kurtosis;
+    row.trend = load.trend;
+    row.trend_p = load.trend_p;
+    row.steady = load.steady;
+}
+
+void set_levels(MemberRow& row, std::span<const double> all, std::span<const double> own,
+                std::span<const LevelCount> counts) {
+    for (std::size_t k = 0; k < std::min(own.size(), counts.size()); ++k) {
+        const auto place = static_cast<std::size_t>(std::ranges::lower_bound(all, own[k]) - all.begin());
+        row.steps_above.at(place) = counts[k].steps_above;
+        row.upcrossings.at(place) = counts[k].upcrossings;
+    }
+}
+
+CampaignTable campaign_table(const Campaign& campaign, std::span<const MemberRecord> records) {
+    CampaignTable table;
+    table.title = campaign.name;
+    for (const Case& one : campaign.cases) table.cases.push_back(case_row(one));
+    table.levels = levels_of(campaign);
+    const ArrangementRows arrangements(campaign);
+    int number = 0;
+    for (const MemberRecord* record : match_records(campaign, records)) {
+        const MemberKey key = member_key(campaign, number++);
+        MemberRow& row = table.members.emplace_back();
+        row.case_index = key.case_index;
+        row.arrangement = arrangements.row(key);
+        const Analysis& analysis = table.cases[static_cast<std::size_t>(key.case_index)].analysis;
+        set_missing(row, analysis.segments, table.levels.size());
+        if (record == nullptr) continue;
+        row.reason = record->result.reason;
+        if (record->result.status == MemberStatus::done) {
+            row.status = RowStatus::done;
+            set_numbers(row, record->result);
+            set_levels(row, table.levels, analysis.exceedance_levels, record->result.levels);
+        } else {
+            row.status = RowStatus::failed;
+        }
+    }
+    return table;
+}
+
+}  // namespace floes

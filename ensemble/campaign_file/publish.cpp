@@ -1,0 +1,69 @@
+#include <fcntl.h>
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "campaign_file/campaign_content.hpp"
+#include "campaign_file/campaign_file.hpp"
+#include "core/error.hpp"
+#include "records/build_info.hpp"
+#include "records/file_calls.hpp"
+
+namespace floes {
+namespace {
+
+void write_root(hid_t file, const Campaign& campaign) {
+    const std::vector<std::int32_t> version(campaign_file_version.begin(), campaign_file_version.end());
+    hdf5::write_attribute(file, "title", campaign.name);
+    hdf5::write_attribute(file, "Conventions", std::string("CF-1.8"));
+    hdf5::write_attribute(file, "filetype", std::string(campaign_filetype));
+    hdf5::write_attribute(file, "version", version);
+    hdf5::write_attribute(file, "software", std::string("floes"));
+    hdf5::write_attribute(file, "softwareVersion", floes_version());
+    hdf5::write_attribute(file, "fingerprint", fingerprint(campaign));
+}
+
+void write_file(const std::filesystem::path& path, CampaignContent& content, std::span<const Session> sessions,
+                std::span<const CalibrationRecord> calibrations, const HistoryOf& history_of) {
+    const hdf5::QuietErrors quiet;
+    hdf5::Handle file = hdf5::create_file(path);
+    {
+        // All handles are closed before the file is: only then does closing write everything.
+        write_root(file.id(), content.campaign);
+        const CampaignScales scales(file.id(), content);
+        write_members(file.id(), content, scales);
+        write_levels(file.id(), content, scales);
+        write_cases(file.id(), content, scales);
+        write_arrangements(file.id(), content, scales);
+        write_history(file.id(), content, scales, history_of);
+        write_breaks(file.id(), content, scales);
+        write_calibration(file.id(), content, calibrations);
+        write_provenance(file.id(), content, sessions);
+    }
+    file.close("H5Fclose", path.string());
+}
+
+}  // namespace
+
+void publish(const std::filesystem::path& path, const Campaign& campaign, std::span<const MemberRecord> records,
+             std::span<const Session> sessions, std::span<const CalibrationRecord> calibrations,
+             const HistoryOf& history_of) {
+    CampaignContent content(campaign, records);
+    const std::filesystem::path aside = path.string() + ".tmp";
+    try {
+        write_file(aside, content, sessions, calibrations, history_of);
+        sync_data(open_file(aside, O_RDWR), aside);
+    } catch (const RunError&) {
+        std::error_code ignored;
+        std::filesystem::remove(aside, ignored);  // on a full disk the journal needs the room
+        throw;
+    }
+    std::error_code error;
+    std::filesystem::rename(aside, path, error);
+    if (error)
+        throw RunError(fmt::format("renaming {} to {} failed: {}", aside.string(), path.string(), error.message()));
+    sync_folder_of(path);
+}
+
+}  // namespace floes

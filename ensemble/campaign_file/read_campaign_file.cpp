@@ -1,0 +1,131 @@
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "campaign_file/campaign_columns.hpp"
+#include "campaign_file/campaign_file.hpp"
+#include "core/error.hpp"
+#include "hdf5/read.hpp"
+
+namespace floes {
+namespace {
+
+using hdf5::Handle;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+void check_kind(hid_t file, const std::filesystem::path& path) {
+    if (!hdf5::has_attribute(file, "filetype") || hdf5::read_text_attribute(file, "filetype") != campaign_filetype)
+        throw InputError(fmt::format("{} is an HDF5 file, but no campaign of floes.", path.string()));
+    const std::vector<std::int32_t> version = hdf5::read_int_attribute(file, "version");
+    if (version.size() != campaign_file_version.size() || version[0] != campaign_file_version[0])
+        throw InputError(
+            fmt::format("{} has layout version {}, and this program reads version {}. Use the version of "
+                        "floes that wrote it.",
+                        path.string(), version.empty() ? 0 : version[0], campaign_file_version[0]));
+}
+
+std::vector<CaseRow> read_cases(hid_t file) {
+    const auto names = hdf5::read_texts(file, "cases/name");
+    const auto cfm = hdf5::read_values<double>(file, "cases/cfm");
+    const auto modulus = hdf5::read_values<double>(file, "cases/elastic_modulus");
+    const auto far_end = hdf5::read_values<std::int8_t>(file, "cases/far_end");
+    const auto contact_erp = hdf5::read_values<double>(file, "cases/contact_erp");
+    const auto heights = hdf5::read_values<double>(file, "cases/profile_height");
+    const auto radii = hdf5::read_values<double>(file, "cases/profile_radius");
+    const auto steady_start = hdf5::read_values<double>(file, "cases/steady_start");
+    const auto window = hdf5::read_values<double>(file, "cases/window");
+    const auto segments = hdf5::read_values<std::int32_t>(file, "cases/segments");
+    const auto time_step = hdf5::read_values<double>(file, "cases/time_step");
+    std::vector<std::int32_t> stride(names.size(), 1);  // of files before layout 1.3
+    if (hdf5::exists(file, "cases/history_stride"))
+        stride = hdf5::read_values<std::int32_t>(file, "cases/history_stride");
+    const std::size_t points = names.empty() ? 0 : heights.size() / names.size();
+    std::vector<CaseRow> cases;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        CaseRow& row = cases.emplace_back();
+        row.name = names[k];
+        row.cfm = cfm.at(k);
+        row.elastic_modulus = modulus.at(k);
+        row.far_end = static_cast<FarEnd>(far_end.at(k));
+        row.contact_erp = contact_erp.at(k);
+        row.analysis = {.steady_start = steady_start.at(k),
+                        .window = window.at(k),
+                        .segments = segments.at(k),
+                        .history_stride = stride.at(k)};
+        row.time_step = time_step.at(k);
+        for (std::size_t p = k * points; p < (k + 1) * points; ++p)
+            if (!std::isnan(heights.at(p))) row.profile.push_back({heights.at(p), radii.at(p)});
+    }
+    return cases;
+}
+
+std::vector<MemberRow> read_members(hid_t file, const std::vector<CaseRow>& cases) {
+    const auto case_index = hdf5::read_values<std::int32_t>(file, "members/case");
+    const auto arrangement = hdf5::read_values<std::int32_t>(file, "members/arrangement");
+    const auto status = hdf5::read_values<std::int8_t>(file, "members/status");
+    const auto steady = hdf5::read_values<std::int8_t>(file, "members/steady");
+    const auto reason = hdf5::read_texts(file, "members/reason");
+    const auto maxima = hdf5::read_values<double>(file, "members/segment_maximum");
+    std::vector<MemberRow> members(case_index.size());
+    const std::size_t width = members.empty() ? 0 : maxima.size() / members.size();
+    for (std::size_t k = 0; k < members.size(); ++k) {
+        MemberRow& row = members[k];
+        row.case_index = case_index[k];
+        row.arrangement = arrangement.at(k);
+        row.status = static_cast<RowStatus>(status.at(k));
+        row.steady = steady.at(k) == 1;
+        row.reason = reason.at(k);
+        // Rows are as wide as the case with most segments needs.
+        const int segments = cases.at(static_cast<std::size_t>(row.case_index)).analysis.segments;
+        const auto first = maxima.begin() + static_cast<std::ptrdiff_t>(k * width);
+        row.segment_maximum.assign(first, first + segments);
+    }
+    for (const RealColumn& column : real_columns) {
+        const std::string name = fmt::format("members/{}", column.name);
+        std::vector<double> values(members.size(), nan);
+        if (!column.later || hdf5::exists(file, name)) values = hdf5::read_values<double>(file, name);
+        for (std::size_t k = 0; k < members.size(); ++k) column.field(members[k]) = values.at(k);
+    }
+    for (const CountColumn& column : count_columns) {
+        const auto values = hdf5::read_values<double>(file, fmt::format("members/{}", column.name));
+        for (std::size_t k = 0; k < members.size(); ++k)
+            members[k].*column.field = std::isnan(values.at(k)) ? 0 : static_cast<int>(values.at(k));
+    }
+    return members;
+}
+
+}  // namespace
+
+void read_levels(hid_t file, CampaignTable& table) {
+    if (!hdf5::exists(file, "exceedance")) return;
+    table.levels = hdf5::read_values<double>(file, "level");
+    const auto width = static_cast<std::ptrdiff_t>(table.levels.size());
+    const auto counts = [&](const char* name, std::vector<double> MemberRow::*field) {
+        const auto values = hdf5::read_values<double>(file, name);
+        if (values.size() != table.members.size() * table.levels.size())
+            throw RunError(fmt::format("{} does not have a value for each member and level", name));
+        auto first = values.begin();
+        for (MemberRow& row : table.members) {
+            (row.*field).assign(first, first + width);
+            first += width;
+        }
+    };
+    counts("exceedance/steps_above", &MemberRow::steps_above);
+    counts("exceedance/upcrossings", &MemberRow::upcrossings);
+}
+
+CampaignTable read_campaign_file(const std::filesystem::path& path) {
+    const hdf5::QuietErrors quiet;
+    const Handle file = hdf5::open_for_reading(path);
+    check_kind(file.id(), path);
+    CampaignTable table;
+    table.title = hdf5::read_text_attribute(file.id(), "title");
+    table.cases = read_cases(file.id());
+    table.members = read_members(file.id(), table.cases);
+    read_levels(file.id(), table);
+    return table;
+}
+
+}  // namespace floes

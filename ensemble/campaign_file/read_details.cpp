@@ -1,0 +1,73 @@
+#include "campaign_file/read_details.hpp"
+
+#include <cmath>
+
+#include "hdf5/read.hpp"
+
+namespace floes {
+namespace {
+
+constexpr const char* told_facts[]{"date",  "floes", "git_revision", "machine", "compiler", "compiler_flags", "bullet",
+                                   "eigen", "hdf5",  "tbb",          "boost",   "mpi",      "math_library",   "seed"};
+
+std::string fact(hid_t group, const char* name) {
+    const hdf5::Handle attribute(H5Aopen(group, name, H5P_DEFAULT), H5Aclose, "H5Aopen", name);
+    const hdf5::Handle type(H5Aget_type(attribute.id()), H5Tclose, "H5Aget_type", name);
+    if (H5Tget_class(type.id()) == H5T_STRING) return hdf5::read_text_attribute(group, name);
+    unsigned long long number = 0;
+    hdf5::check(H5Aread(attribute.id(), H5T_NATIVE_ULLONG, &number), "H5Aread", name);
+    return std::to_string(number);
+}
+
+}  // namespace
+
+CampaignOrigin read_origin(const std::filesystem::path& path) {
+    const hdf5::QuietErrors quiet;
+    const hdf5::Handle file = hdf5::open_for_reading(path);
+    const hdf5::Handle group(H5Gopen2(file.id(), "provenance", H5P_DEFAULT), H5Gclose, "H5Gopen", "provenance");
+    CampaignOrigin origin;
+    origin.configuration = hdf5::read_texts(file.id(), "provenance/configuration").at(0);
+    for (const char* name : told_facts) {
+        if (hdf5::has_attribute(group.id(), name)) origin.facts.emplace_back(name, fact(group.id(), name));
+    }
+    return origin;
+}
+
+Campaign campaign_of(const CampaignOrigin& origin, const std::filesystem::path& path) {
+    return read_campaign({origin.configuration, path.stem().string() + ".toml", {}}, nullptr);
+}
+
+std::vector<PlanarPose> read_poses(const std::filesystem::path& path, int arrangement_row) {
+    const hdf5::QuietErrors quiet;
+    const hdf5::Handle file = hdf5::open_for_reading(path);
+    const auto rows = hdf5::read_values<double>(file.id(), "arrangements/psi4").size();
+    const auto values = hdf5::read_values<double>(file.id(), "arrangements/pose");
+    const std::size_t width = rows > 0 ? values.size() / rows : 0;
+    std::vector<PlanarPose> poses;
+    const std::size_t first = static_cast<std::size_t>(arrangement_row) * width;
+    for (std::size_t i = first; i + 2 < first + width; i += 3) {
+        if (!std::isnan(values.at(i))) poses.push_back({values[i], values[i + 1], values[i + 2]});
+    }
+    return poses;
+}
+
+std::vector<double> read_wall_times(const std::filesystem::path& path) {
+    const hdf5::QuietErrors quiet;
+    const hdf5::Handle file = hdf5::open_for_reading(path);
+    return hdf5::read_values<double>(file.id(), "provenance/wall_time");
+}
+
+std::vector<BreakRow> read_breaks(const std::filesystem::path& path) {
+    const hdf5::QuietErrors quiet;
+    const hdf5::Handle file = hdf5::open_for_reading(path);
+    if (!hdf5::exists(file.id(), "breaks")) return {};
+    const auto member = hdf5::read_values<std::int32_t>(file.id(), "breaks/member");
+    const auto time = hdf5::read_values<double>(file.id(), "breaks/time");
+    const auto floe = hdf5::read_values<std::int32_t>(file.id(), "breaks/floe");
+    const auto mode = hdf5::read_values<std::int32_t>(file.id(), "breaks/mode");
+    std::vector<BreakRow> rows;
+    for (std::size_t i = 0; i < member.size(); ++i) rows.push_back({member[i], time.at(i), floe.at(i), mode.at(i)});
+    return rows;
+}
+
+}  // namespace floes

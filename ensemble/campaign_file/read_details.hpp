@@ -1,0 +1,42 @@
+#pragma once
+// What a report wants of a campaign file beside its table: the configuration, who made it, one arrangement, the breaks.
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "campaign/campaign.hpp"
+#include "core/vector.hpp"
+
+namespace floes {
+
+/// How the file came about, as /provenance has it.
+struct CampaignOrigin {
+    std::string configuration;                               ///< resolved TOML: running it gives the same members
+    std::vector<std::pair<std::string, std::string>> facts;  ///< attribute and value: date, revision, libraries, …
+};
+
+/// Throws as read_campaign_file() does; so do the others.
+CampaignOrigin read_origin(const std::filesystem::path& path);
+
+/// The campaign that the file's own configuration, read from the file at `path`, describes.
+Campaign campaign_of(const CampaignOrigin& origin, const std::filesystem::path& path);
+
+/// Where the floes of a row of /arrangements lay at the start.
+std::vector<PlanarPose> read_poses(const std::filesystem::path& path, int arrangement_row);
+
+/// Wall time of each member, s, in member order.
+std::vector<double> read_wall_times(const std::filesystem::path& path);
+
+struct BreakRow {
+    int member = 0;
+    double time = 0;  ///< s
+    int floe = 0;
+    int mode = 0;  ///< as /breaks/mode: 0 bending, 1 shear, 2 compression, …
+};
+
+/// All breaks of done members in order of member and time; empty where the file keeps none.
+std::vector<BreakRow> read_breaks(const std::filesystem::path& path);
+
+}  // namespace floes

@@ -1,0 +1,87 @@
+#include "campaign_file/campaign_content.hpp"
+
+#include <limits>
+
+namespace floes {
+namespace {
+
+using hdf5::Handle;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+template <class Value, class Function>
+std::vector<Value> of_cases(const CampaignContent& content, Function function) {
+    std::vector<Value> values;
+    for (const Case& one : content.campaign.cases) values.push_back(function(one.scenario));
+    return values;
+}
+
+}  // namespace
+
+void write_cases(hid_t file, const CampaignContent& content, const CampaignScales& scales) {
+    const Handle group = hdf5::create_group(file, "cases");
+    const hid_t id = group.id();
+    const hdf5::Dimensions one{scales.case_};
+    std::vector<std::string> names;
+    for (const CaseRow& row : content.table.cases) names.push_back(row.name);
+    hdf5::write_values(id, {"name", "1", "name of the case"}, one, names);
+    const auto real = [&](const char* name, const char* unit, const char* long_name, auto function) {
+        hdf5::write_values(id, {name, unit, long_name}, one, of_cases<double>(content, function));
+    };
+    real("cfm", "1", "constraint force mixing of the joints (Sigma)", [](const Scenario& s) { return s.joint.cfm; });
+    real("elastic_modulus", "Pa", "elastic modulus that the case stands for",
+         [](const Scenario& s) { return s.ice.elastic_modulus; });
+    real("contact_erp", "1", "error reduction parameter of contacts (Gamma)",
+         [](const Scenario& s) { return s.contact.erp; });
+    real("time_step", "s", "time step", [](const Scenario& s) { return s.general.time_step; });
+    real("steady_start", "s", "begin of the analysis window",
+         [](const Scenario& s) { return s.analysis.steady_start; });
+    real("window", "s", "length of the analysis window", [](const Scenario& s) { return s.analysis.window; });
+    hdf5::write_values(id, {"segments", "1", "equal parts of the analysis window"}, one,
+                       of_cases<std::int32_t>(content, [](const Scenario& s) { return s.analysis.segments; }));
+    hdf5::write_values(id, {"history_stride", "1", "successive steps whose mean is one value of /history"}, one,
+                       of_cases<std::int32_t>(content, [](const Scenario& s) { return s.analysis.history_stride; }));
+    hdf5::write_values(
+        id, {"far_end", "1", "what stands behind the ice field"}, one,
+        of_cases<std::int8_t>(content, [](const Scenario& s) { return static_cast<std::int8_t>(s.field.far_end); }),
+        hdf5::Flags{{static_cast<std::int8_t>(FarEnd::ice_sheet), static_cast<std::int8_t>(FarEnd::open)},
+                    "ice_sheet open"});
+    const auto profile = [&](const char* name, const char* long_name, double ProfilePoint::*field) {
+        std::vector<double> values(scales.case_.size() * scales.profile_point.size(), nan);
+        for (std::size_t k = 0; k < content.table.cases.size(); ++k)
+            for (std::size_t p = 0; p < content.table.cases[k].profile.size(); ++p)
+                values[k * scales.profile_point.size() + p] = content.table.cases[k].profile[p].*field;
+        hdf5::write_values(id, {name, "m", long_name}, {scales.case_, scales.profile_point}, values);
+    };
+    profile("profile_height", "height of a profile point above the waterline", &ProfilePoint::height);
+    profile("profile_radius", "radius of the structure at a profile point", &ProfilePoint::radius);
+}
+
+void write_arrangements(hid_t file, const CampaignContent& content, const CampaignScales& scales) {
+    const Handle group = hdf5::create_group(file, "arrangements");
+    const std::size_t floes = scales.floe.size();
+    std::vector<double> poses(scales.arrangement.size() * floes * 3, nan);
+    std::vector<double> psi4(scales.arrangement.size(), nan);
+    std::vector<std::int32_t> numbers;
+    for (int row = 0; row < content.arrangement_rows.count(); ++row)
+        numbers.push_back(content.arrangement_rows.number(row));
+    for (std::size_t member = 0; member < content.records.size(); ++member) {
+        if (content.records[member] == nullptr || content.records[member]->result.arrangement.empty()) continue;
+        const MemberResult& result = content.records[member]->result;
+        const auto row = static_cast<std::size_t>(content.table.members[member].arrangement);
+        psi4[row] = result.psi4;
+        for (std::size_t floe = 0; floe < std::min(floes, result.arrangement.size()); ++floe) {
+            double* pose = &poses[(row * floes + floe) * 3];
+            pose[0] = result.arrangement[floe].x;
+            pose[1] = result.arrangement[floe].z;
+            pose[2] = result.arrangement[floe].yaw;
+        }
+    }
+    hdf5::write_values(group.id(), {"number", "1", "arrangement number"}, {scales.arrangement}, numbers);
+    hdf5::write_values(group.id(), {"pose", "m, m, rad", "pose of each floe at the start: x, z, yaw"},
+                       {scales.arrangement, scales.floe, scales.coordinate}, poses);
+    hdf5::write_values(group.id(), {"psi4", "1", "fourfold orientational order of the arrangement"},
+                       {scales.arrangement}, psi4);
+}
+
+}  // namespace floes

@@ -1,0 +1,98 @@
+#include "driver/merge.hpp"
+
+#include <fcntl.h>
+
+#include <algorithm>
+#include <string>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "campaign_file/campaign_file.hpp"
+#include "core/error.hpp"
+#include "journal/journal.hpp"
+#include "journal/journal_format.hpp"
+
+namespace floes {
+namespace {
+
+namespace fs = std::filesystem;
+
+void check_output(std::span<const fs::path> parts, const fs::path& output, bool overwrite) {
+    const fs::path journal = journal_path(output);
+    for (const fs::path& part : parts) {
+        if (fs::weakly_canonical(journal_path(part)) == fs::weakly_canonical(journal))
+            throw InputError(fmt::format("{} cannot be merged into itself; -o names another file.", part.string()));
+    }
+    if (!overwrite && (fs::exists(output) || fs::exists(journal)))
+        throw InputError(fmt::format("{} exists already: --overwrite merges into its place, -o names another file.",
+                                     fs::exists(output) ? output.string() : journal.string()));
+    if (fs::exists(journal) && is_being_written(journal))
+        throw InputError(fmt::format("{} is being written by a run.", journal.string()));
+}
+
+/// Throws unless the part belongs to the campaign of the first.
+void check_part(const Campaign& first, const JournalContents& contents, const fs::path& path) {
+    const Campaign campaign = read_stored_campaign(contents, path);
+    if (fingerprint(campaign) == fingerprint(first)) return;
+    throw InputError(fmt::format("{} belongs to another campaign than the first part: {}.", path.string(),
+                                 fmt::join(differences(first, campaign), "; ")));
+}
+
+/// Where the records of a journal begin.
+std::uint64_t begin_of_records(const Descriptor& file, const fs::path& path) {
+    Bytes fixed(journal_format::fixed_header_bytes);
+    read_at(file, path, 0, fixed);
+    ByteReader in(fixed);
+    in.u64();  // magic
+    in.u32();  // schema
+    return journal_format::fixed_header_bytes + in.u64() + journal_format::crc_bytes;
+}
+
+/// The first `good_bytes` of `part` without the header, as they stand there: sessions, attempts and their order mean
+/// something.
+void copy_records(const Descriptor& out, const fs::path& out_path, const fs::path& part, std::uint64_t good_bytes) {
+    const Descriptor file = open_file(part, O_RDONLY);
+    constexpr std::uint64_t piece = 1 << 20;
+    for (std::uint64_t at = begin_of_records(file, part); at < good_bytes;) {
+        Bytes bytes(std::min(piece, good_bytes - at));
+        if (!read_at(file, part, at, bytes))
+            throw RunError(fmt::format("{} became shorter while it was read", part.string()));
+        write_all(out, out_path, bytes);
+        at += bytes.size();
+    }
+}
+
+}  // namespace
+
+void merge_campaigns(std::span<const fs::path> parts, const fs::path& output, bool overwrite) {
+    check_output(parts, output, overwrite);
+    const JournalContents first = read_journal(journal_path(parts.front()), Histories::leave);
+    const Campaign campaign = read_stored_campaign(first, journal_path(parts.front()));
+
+    const fs::path journal = journal_path(output);
+    const fs::path aside = journal.string() + ".tmp";
+    try {
+        const Descriptor out = open_file(aside, O_WRONLY | O_CREAT | O_TRUNC);
+        write_all(out, aside, journal_format::header(first.campaign_text));
+        for (const fs::path& part : parts) {
+            const fs::path path = journal_path(part);
+            const JournalContents contents = read_journal(path, Histories::leave);
+            check_part(campaign, contents, path);
+            copy_records(out, aside, path, contents.good_bytes);
+        }
+        sync_data(out, aside);
+    } catch (...) {
+        std::error_code ignored;
+        fs::remove(aside, ignored);
+        throw;
+    }
+    fs::rename(aside, journal);
+    sync_folder_of(journal);
+    const Journal merged = open_journal(journal, campaign, Existing::resume);
+    publish(output, campaign, merged.records(), merged.sessions(), merged.calibrations(),
+            [&merged](const MemberRecord& record) { return merged.history(record); });
+}
+
+}  // namespace floes

@@ -1,0 +1,28 @@
+#pragma once
+// The conditions without which no load means anything, in words: structure wall, far end and contact Γ decide it
+// together.
+
+#include <string>
+#include <vector>
+
+#include "findings/summary.hpp"
+
+namespace floes {
+
+/// "straight, 45.0° from the horizontal (radius 0.171 m at -0.443 m to 0.736 m at 0.122 m)"; of a bent wall every part,
+/// from the bottom up.
+std::string wall_words(const std::vector<ProfilePoint>& profile);
+
+/// "an ice sheet" or "open".
+std::string far_end_words(FarEnd far_end);
+
+/// The key's value in the configuration: "ice_sheet" or "open".
+std::string far_end_key(FarEnd far_end);
+
+/// "80 to 230 s after the tow began, in 3 segments".
+std::string window_words(const Analysis& analysis);
+
+/// One sentence a condition; where cases differ, one for each value with the names of its cases.
+std::vector<std::string> condition_lines(const Summary& summary);
+
+}  // namespace floes

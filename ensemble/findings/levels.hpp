@@ -1,0 +1,24 @@
+#pragma once
+// How long and how often the load is beyond the levels that the members counted, over arrangements. Needs no histories.
+
+#include <cstddef>
+#include <vector>
+
+#include "campaign_file/campaign_file.hpp"
+#include "inference/interval.hpp"
+
+namespace floes {
+
+/// One level in one case.
+struct LevelRow {
+    std::size_t case_index = 0;
+    double level = 0;        ///< N
+    int runs = 0;            ///< done members that counted it
+    Interval time_above{};   ///< share of the window's time steps with a surge load above it, 0-1
+    Interval upcrossings{};  ///< rises of the load through it, 1/s
+};
+
+/// Every level of every case with a done member that counted it, cases in the order of the file, levels rising.
+std::vector<LevelRow> find_levels(const CampaignTable& table);
+
+}  // namespace floes

@@ -1,0 +1,92 @@
+#include "findings/pairs.hpp"
+
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace floes {
+
+namespace {
+
+constexpr std::size_t fewest_shared = 2;
+
+/// Done members of a case by arrangement.
+std::map<int, const MemberRow*> by_arrangement(const CampaignTable& table, std::size_t of_case) {
+    std::map<int, const MemberRow*> rows;
+    for (const MemberRow& row : table.members) {
+        if (row.case_index == static_cast<int>(of_case) && row.status == RowStatus::done) rows[row.arrangement] = &row;
+    }
+    return rows;
+}
+
+struct SharedMembers {
+    std::size_t first;
+    std::size_t second;
+    std::vector<std::pair<const MemberRow*, const MemberRow*>> members;
+};
+
+std::vector<SharedMembers> find_pairs(const CampaignTable& table, std::optional<std::size_t> reference) {
+    std::vector<std::map<int, const MemberRow*>> rows;
+    for (std::size_t one = 0; one < table.cases.size(); ++one) rows.push_back(by_arrangement(table, one));
+    std::vector<SharedMembers> pairs;
+    for (std::size_t one = 0; one < rows.size(); ++one) {
+        for (std::size_t other = one + 1; other < rows.size(); ++other) {
+            SharedMembers pair{one, other, {}};
+            if (reference == other) std::swap(pair.first, pair.second);
+            for (const auto& [arrangement, member] : rows[pair.first]) {
+                const auto partner = rows[pair.second].find(arrangement);
+                if (partner != rows[pair.second].end()) pair.members.emplace_back(member, partner->second);
+            }
+            if (pair.members.size() >= fewest_shared) pairs.push_back(std::move(pair));
+        }
+    }
+    return pairs;
+}
+
+PairRow compare(const SharedMembers& pair, std::size_t quantity, const PairOptions& options) {
+    std::vector<double> first;
+    std::vector<double> second;
+    for (const auto& [one, other] : pair.members) {
+        first.push_back(quantities[quantity].value(*one));
+        second.push_back(quantities[quantity].value(*other));
+    }
+    PairRow row;
+    row.quantity = quantity;
+    row.first = pair.first;
+    row.second = pair.second;
+    row.found = compare_paired(first, second);
+    row.first_mean = std::accumulate(first.begin(), first.end(), 0.0) / static_cast<double>(first.size());
+    const auto needed = [&](double difference) {
+        return arrangements_to_resolve(difference, row.found.sd, 0.95, options.power);
+    };
+    row.to_resolve_observed = needed(row.found.difference);
+    row.to_resolve_wished = needed(options.resolve * row.first_mean);
+    return row;
+}
+
+}  // namespace
+
+std::vector<PairRow> compare_pairs(const CampaignTable& table, const PairOptions& options) {
+    const std::vector<SharedMembers> pairs = find_pairs(table, options.reference);
+    std::vector<PairRow> all;
+    for (std::size_t quantity = 0; quantity < table3_quantities.size(); ++quantity) {
+        std::vector<PairRow> rows;
+        std::vector<double> t_p;
+        std::vector<double> wilcoxon_p;
+        for (const SharedMembers& pair : pairs) {
+            rows.push_back(compare(pair, quantity, options));
+            t_p.push_back(rows.back().found.t_p);
+            wilcoxon_p.push_back(rows.back().found.wilcoxon_p);
+        }
+        t_p = holm(t_p);
+        wilcoxon_p = holm(wilcoxon_p);
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            rows[i].t_p_holm = t_p[i];
+            rows[i].wilcoxon_p_holm = wilcoxon_p[i];
+            all.push_back(std::move(rows[i]));
+        }
+    }
+    return all;
+}
+
+}  // namespace floes

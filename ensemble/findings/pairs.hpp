@@ -1,0 +1,37 @@
+#pragma once
+// Cases against each other, arrangement by arrangement: only cases of one field geometry meet the same floes, and only
+// they are paired.
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "findings/summary.hpp"
+#include "inference/paired.hpp"
+
+namespace floes {
+
+/// One quantity of one pair of cases, over the arrangements that both have done.
+struct PairRow {
+    std::size_t quantity = 0;  ///< index into `quantities`
+    std::size_t first = 0;     ///< index of the case that the other is compared with
+    std::size_t second = 0;
+    PairedComparison found;  ///< second - first
+    double first_mean = 0;   ///< over the same arrangements
+    double t_p_holm = 0;     ///< Holm over all pairs of this quantity
+    double wilcoxon_p_holm = 0;
+    int to_resolve_observed = 0;  ///< arrangements in all with which a true difference as large is found; 0: unknown
+    int to_resolve_wished = 0;    ///< the same for `resolve` of first_mean
+};
+
+struct PairOptions {
+    std::optional<std::size_t> reference;  ///< stands first in its pairs
+    double resolve = 0.1;                  ///< difference to be resolved, as a part of the first case's mean
+    double power = 0.8;                    ///< probability of finding it at the level of 5 %
+};
+
+/// Every pair of cases that share at least two done arrangements, for each quantity of Table 3 in order, pairs in order
+/// of the file.
+std::vector<PairRow> compare_pairs(const CampaignTable& table, const PairOptions& options = {});
+
+}  // namespace floes

@@ -1,0 +1,148 @@
+#include "findings/steady.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "campaign_file/read_history.hpp"
+#include "core/error.hpp"
+#include "inference/bootstrap.hpp"
+#include "statistics/level_counts.hpp"
+#include "statistics/load_statistics.hpp"
+#include "statistics/steady_state.hpp"
+
+namespace floes {
+
+namespace {
+
+double median(std::vector<double> values) {
+    std::erase_if(values, [](double value) { return !std::isfinite(value); });
+    if (values.empty()) return std::nan("");
+    std::ranges::sort(values);
+    return quantile_of_sorted(values, 0.5);
+}
+
+/// Values of the history in the window, which ends the run.
+std::size_t values_in_window(const Analysis& analysis, double step) {
+    return static_cast<std::size_t>(std::llround(analysis.window / step));
+}
+
+std::span<const double> last(std::span<const double> history, std::size_t count) {
+    return history.last(std::min(count, history.size()));
+}
+
+/// Values of the history that make a batch of at least correlation_batch steps.
+std::size_t batch_of(const Analysis& analysis) {
+    const auto stride = static_cast<std::size_t>(analysis.history_stride);
+    return (correlation_batch + stride - 1) / stride;
+}
+
+struct MeanHistory {
+    std::vector<double> sum;
+    double step = 0;
+
+    void add(const SurgeHistory& history) {
+        step = history.step;
+        sum.resize(std::max(sum.size(), history.surge.size()));
+        for (std::size_t i = 0; i < history.surge.size(); ++i) sum[i] += history.surge[i];
+    }
+};
+
+CaseSteady case_steady(const CampaignTable& table, std::size_t index, const std::vector<MemberSteady>& members,
+                       const MeanHistory& mean) {
+    CaseSteady found;
+    // The sum is as steady as the mean.
+    if (const auto start = steady_start(mean.sum)) found.start = static_cast<double>(*start) * mean.step;
+    std::vector<double> starts;
+    std::vector<double> times;
+    std::vector<double> effective;
+    for (const MemberSteady& member : members) {
+        if (table.members[static_cast<std::size_t>(member.member)].case_index != static_cast<int>(index)) continue;
+        if (member.start) starts.push_back(*member.start);
+        found.without_start += member.start ? 0 : 1;
+        times.push_back(member.decorrelation_time);
+        effective.push_back(member.effective_samples);
+    }
+    if (!starts.empty()) found.median_start = median(starts);
+    found.median_decorrelation_time = median(times);
+    found.median_effective_samples = median(effective);
+    return found;
+}
+
+void measure(MemberRow& row, const SurgeHistory& history, const Analysis& analysis, std::span<const double> levels) {
+    const auto window = last(history.surge, values_in_window(analysis, history.step));
+    set_load(row, load_statistics(window, history.step, analysis.segments));
+    const std::vector<LevelCount> counts = count_levels(window, levels);
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+        if (std::isnan(row.steps_above[k])) continue;
+        row.steps_above[k] = counts[k].steps_above;
+        row.upcrossings[k] = counts[k].upcrossings;
+    }
+}
+
+/// Throws unless the loads can be measured anew.
+void check_histories(const CampaignTable& table, const SteadyReport& steady) {
+    if (steady.members.empty())
+        throw InputError("--window auto measures the loads anew, and the file has no load histories to do it from.");
+    for (const MemberSteady& member : steady.members) {
+        const auto of_case = table.members[static_cast<std::size_t>(member.member)].case_index;
+        const CaseRow& about = table.cases[static_cast<std::size_t>(of_case)];
+        if (about.analysis.history_stride > 1)
+            throw InputError(
+                fmt::format("--window auto measures maxima and deviations anew, which needs the load of every step, "
+                            "and the histories of case {} are means over {} steps (analysis.history_stride).",
+                            about.name, about.analysis.history_stride));
+    }
+}
+
+}  // namespace
+
+SteadyReport find_steady(const std::filesystem::path& path, const CampaignTable& table) {
+    SteadyReport report;
+    std::vector<MeanHistory> means(table.cases.size());
+    for_each_history(path, [&](const SurgeHistory& history) {
+        const auto of_case =
+            static_cast<std::size_t>(table.members.at(static_cast<std::size_t>(history.member)).case_index);
+        means.at(of_case).add(history);
+        MemberSteady member{history.member, {}, 0, 0};
+        const Analysis& analysis = table.cases[of_case].analysis;
+        if (const auto start = steady_start(history.surge)) member.start = static_cast<double>(*start) * history.step;
+        std::optional<double> variance;  // of single steps, which means over several do not show
+        const double sd = table.members[static_cast<std::size_t>(history.member)].sd_load;
+        if (analysis.history_stride > 1) variance = sd * sd;
+        const Autocorrelation found = autocorrelation(last(history.surge, values_in_window(analysis, history.step)),
+                                                      history.step, batch_of(analysis), variance);
+        member.decorrelation_time = found.time;
+        member.effective_samples = found.effective_samples;
+        report.members.push_back(member);
+    });
+    for (std::size_t index = 0; index < table.cases.size(); ++index) {
+        report.cases.push_back(case_steady(table, index, report.members, means[index]));
+    }
+    return report;
+}
+
+CampaignTable with_automatic_window(const std::filesystem::path& path, CampaignTable table,
+                                    const SteadyReport& steady) {
+    check_histories(table, steady);
+    for (std::size_t index = 0; index < table.cases.size(); ++index) {
+        Analysis& analysis = table.cases[index].analysis;
+        const double end = analysis.steady_start + analysis.window;
+        const double segment = analysis.window / analysis.segments;
+        if (!steady.cases[index].start) continue;
+        // A start that misses a whole segment by rounding alone still has it.
+        const int segments = static_cast<int>(std::floor((end - *steady.cases[index].start) / segment + 1e-9));
+        if (segments < 1) continue;
+        analysis.steady_start = end - segments * segment;
+        analysis.window = segments * segment;
+        analysis.segments = segments;
+    }
+    for_each_history(path, [&](const SurgeHistory& history) {
+        MemberRow& row = table.members.at(static_cast<std::size_t>(history.member));
+        measure(row, history, table.cases.at(static_cast<std::size_t>(row.case_index)).analysis, table.levels);
+    });
+    return table;
+}
+
+}  // namespace floes

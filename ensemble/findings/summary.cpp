@@ -1,0 +1,89 @@
+#include "findings/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "campaign/name_list.hpp"
+#include "core/error.hpp"
+
+namespace floes {
+
+namespace {
+
+void count(const MemberRow& member, CaseSummary& row) {
+    ++row.members;
+    switch (member.status) {
+        case RowStatus::missing:
+            ++row.missing_members;
+            return;
+        case RowStatus::failed:
+            ++row.failed_members;
+            return;
+        case RowStatus::done:
+            break;
+    }
+    ++row.done;
+    row.not_steady += member.steady ? 0 : 1;
+    if (!row.failures) row.failures = FailureCounts{};
+    row.failures->bending += member.failures_bending;
+    row.failures->shear += member.failures_shear;
+    row.failures->compression += member.failures_compression;
+}
+
+CaseSummary summarise_case(const CampaignTable& table, int number) {
+    CaseSummary row;
+    row.about = table.cases[static_cast<std::size_t>(number)];
+    std::vector<const MemberRow*> done;
+    for (const MemberRow& member : table.members) {
+        if (member.case_index != number) continue;
+        count(member, row);
+        if (member.status == RowStatus::done) done.push_back(&member);
+    }
+    std::vector<double> values(done.size());
+    for (const Quantity& quantity : quantities) {
+        std::ranges::transform(done, values.begin(), [&](const MemberRow* member) { return quantity.value(*member); });
+        // The bootstrap's limits cannot leave the range that the values keep to; Student's can.
+        row.*quantity.interval = {clipped(mean_interval(values), quantity.least, quantity.most),
+                                  bca_mean_interval(values)};
+    }
+    return row;
+}
+
+}  // namespace
+
+bool Summary::complete() const {
+    return std::ranges::all_of(cases, [](const CaseSummary& row) { return row.missing_members == 0; });
+}
+
+Summary summarise(const CampaignTable& table) {
+    Summary summary;
+    summary.title = table.title;
+    for (int number = 0; number < static_cast<int>(table.cases.size()); ++number) {
+        summary.cases.push_back(summarise_case(table, number));
+    }
+    for (int number = 0; number < static_cast<int>(table.members.size()); ++number) {
+        const MemberRow& member = table.members[static_cast<std::size_t>(number)];
+        if (member.status == RowStatus::failed) summary.failed.push_back({number, member.reason});
+    }
+    return summary;
+}
+
+std::size_t case_index(const Summary& summary, std::string_view name) {
+    std::vector<std::string> names;
+    for (std::size_t index = 0; index < summary.cases.size(); ++index) {
+        if (summary.cases[index].about.name == name) return index;
+        names.push_back(summary.cases[index].about.name);
+    }
+    throw InputError(fmt::format("There is no case '{}' in this campaign; its cases are {}.", name, name_list(names)));
+}
+
+double difference_percent(const Summary& summary, std::size_t of_case, std::size_t reference,
+                          const Quantity& quantity) {
+    const double value = (summary.cases.at(of_case).*quantity.interval).estimate;
+    const double base = (summary.cases.at(reference).*quantity.interval).estimate;
+    return base == 0 ? std::numeric_limits<double>::quiet_NaN() : 100 * (value - base) / base;
+}
+
+}  // namespace floes

@@ -1,0 +1,31 @@
+#pragma once
+// Reading named datasets and attributes of an HDF5 file. For the .cpp files of this room only.
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "hdf5/handle.hpp"
+
+namespace floes::hdf5 {
+
+/// Opens an HDF5 file for reading. Throws InputError when there is no such file or it is no HDF5 file.
+Handle open_for_reading(const std::filesystem::path& path);
+
+/// Whether there is something of that name; `name` may be a path.
+bool exists(hid_t parent, const std::string& name);
+
+bool has_attribute(hid_t object, const std::string& name);
+std::string read_text_attribute(hid_t object, const std::string& name);
+std::vector<std::int32_t> read_int_attribute(hid_t object, const std::string& name);
+
+/// All values of a dataset, row-major; `name` may be a path. Throws RunError where it is not there.
+template <class Value>
+std::vector<Value> read_values(hid_t parent, const std::string& name);
+extern template std::vector<double> read_values<double>(hid_t, const std::string&);
+extern template std::vector<std::int32_t> read_values<std::int32_t>(hid_t, const std::string&);
+extern template std::vector<std::int8_t> read_values<std::int8_t>(hid_t, const std::string&);
+std::vector<std::string> read_texts(hid_t parent, const std::string& name);
+
+}  // namespace floes::hdf5

@@ -1,0 +1,94 @@
+#pragma once
+// Writing a self-describing HDF5 file in the manner of netCDF-4: labelled datasets on named dimension scales.
+// For the .cpp files of this room only.
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hdf5/handle.hpp"
+#include "records/packed_history.hpp"
+
+namespace floes::hdf5 {
+
+/// What stands on every dataset.
+struct Label {
+    std::string name;
+    std::string unit;
+    std::string long_name;
+};
+
+/// The meanings of the small integers of a dataset (CF flag_values, flag_meanings).
+struct Flags {
+    std::vector<std::int8_t> values;
+    std::string meanings;                     ///< one word a value, spaces between
+    std::optional<std::int8_t> missing = {};  ///< stands for a missing value
+};
+
+/// A dimension, named by the dataset that lists its coordinates.
+class Scale {
+  public:
+    Scale(Handle dataset, hsize_t size) : dataset_(std::move(dataset)), size_(size) {}
+    hid_t id() const { return dataset_.id(); }
+    hsize_t size() const { return size_; }
+
+  private:
+    Handle dataset_;
+    hsize_t size_;
+};
+
+using Dimensions = std::vector<std::reference_wrapper<const Scale>>;
+
+/// A new file; one of that name is emptied. Order of creation is kept, no times are stored.
+Handle create_file(const std::filesystem::path& path);
+Handle create_group(hid_t parent, const std::string& name);
+
+void write_attribute(hid_t object, const std::string& name, const std::string& value);
+void write_attribute(hid_t object, const std::string& name, double value);
+void write_attribute(hid_t object, const std::string& name, std::uint64_t value);
+void write_attribute(hid_t object, const std::string& name, std::span<const std::int8_t> values);
+void write_attribute(hid_t object, const std::string& name, std::span<const std::int32_t> values);
+
+Scale write_scale(hid_t parent, const Label& label, std::span<const std::int32_t> coordinates);
+Scale write_scale(hid_t parent, const Label& label, std::span<const double> coordinates);
+Scale write_scale(hid_t parent, const Label& label, std::span<const std::string> coordinates);
+
+/// Values in row-major order over the dimensions. Doubles: NaN is the missing value.
+void write_values(hid_t parent, const Label& label, const Dimensions& dimensions, std::span<const double> values);
+void write_values(hid_t parent, const Label& label, const Dimensions& dimensions, std::span<const std::string> values);
+/// `missing`: the number that stands for a missing value.
+void write_values(hid_t parent, const Label& label, const Dimensions& dimensions, std::span<const std::int32_t> values,
+                  std::int32_t missing);
+/// No value is ever missing.
+void write_values(hid_t parent, const Label& label, const Dimensions& dimensions, std::span<const std::int32_t> values);
+void write_values(hid_t parent, const Label& label, const Dimensions& dimensions, std::span<const std::int8_t> values,
+                  const Flags& flags);
+/// One text, without dimensions.
+void write_text(hid_t parent, const Label& label, const std::string& text);
+
+/// A compressed table of doubles, a chunk a row, whose rows are written one at a time.
+class Rows {
+  public:
+    Rows(hid_t parent, const Label& label, const Scale& rows, const Scale& columns);
+    /// A row may be shorter than the table is wide; the rest is NaN, as is a row that is never written.
+    void write(std::size_t row, std::span<const double> values);
+    /// Likewise; a row of full width goes into the file as it is.
+    void write(std::size_t row, const PackedNumbers& values);
+
+  private:
+    std::string name_;
+    hsize_t width_;
+    Handle dataset_;
+    Handle space_;
+};
+
+/// Such a table whose rows are at hand.
+void write_rows(hid_t parent, const Label& label, const Scale& rows, const Scale& columns,
+                const std::function<std::span<const double>(std::size_t row)>& row_values);
+
+}  // namespace floes::hdf5

@@ -1,0 +1,51 @@
+#pragma once
+// The layout of a journal, for journal.cpp and journal_reader.cpp alone. All numbers little endian.
+//
+//     header   magic (8)  schema (u32)  text length (u64)  CRC32C of these 20 bytes (u32)  text  CRC32C of the text
+//     (u32) record   payload length (u64)  type (u32)  payload  CRC32C of all before in the record (u32)
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "core/bytes.hpp"
+#include "journal/journal.hpp"
+#include "records/file_calls.hpp"
+
+namespace floes::journal_format {
+
+inline constexpr std::string_view magic = "floesjnl";
+inline constexpr std::uint32_t schema = 2;  ///< 2: histories are packed
+inline constexpr std::uint64_t fixed_header_bytes = 24;
+inline constexpr std::uint64_t record_head_bytes = 12;
+inline constexpr std::uint64_t crc_bytes = 4;
+
+/// Append only. A reader passes over types that it does not know.
+enum class RecordType : std::uint32_t {
+    member = 1,
+    session_begin = 2,
+    session_end = 3,
+    calibration = 4,
+    attempt_started = 5,
+    campaign = 6
+};
+
+std::uint32_t crc32c(std::span<const std::byte> bytes);
+Bytes header(std::string_view text);
+Bytes record(RecordType type, std::span<const std::byte> payload);
+
+/// Enters a member into the contents: what appending and reading have in common.
+void take_member(JournalContents& contents, MemberRecord record, JournalContents::Place place, Histories histories);
+/// The member whose record stands at `place`. Throws RunError when it is damaged.
+MemberRecord read_member(const Descriptor& file, const std::filesystem::path& path, JournalContents::Place place);
+
+/// What a file that was opened for reading holds. `begun` is false when it ends inside the header: a journal whose
+/// writer was stopped before it could keep anything. Throws InputError when the file is no readable journal.
+struct Reading {
+    bool begun = false;
+    JournalContents contents;
+};
+Reading read(const Descriptor& file, const std::filesystem::path& path, Histories histories);
+
+}  // namespace floes::journal_format

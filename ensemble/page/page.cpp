@@ -1,0 +1,195 @@
+#include "page/page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/units.hpp"
+#include "findings/conditions.hpp"
+#include "findings/figures.hpp"
+#include "findings/pairs_text.hpp"
+#include "findings/sensitivity_text.hpp"
+#include "page/page_style.hpp"
+#include "page/page_tables.hpp"
+#include "page/plot.hpp"
+#include "page/report_figures.hpp"
+
+namespace floes {
+namespace {
+
+std::string section(const std::string& title, const std::string& body) {
+    return fmt::format("<section><h2>{}</h2>\n{}</section>\n", html_escaped(title), body);
+}
+
+std::string figure(const std::string& svg, const std::string& caption) {
+    if (svg.empty()) return "";
+    return fmt::format("<figure>\n{}<figcaption>{}</figcaption></figure>\n", svg, html_escaped(caption));
+}
+
+std::string paragraph(const std::string& text) {
+    return fmt::format("<p>{}</p>\n", html_escaped(text));
+}
+
+std::string note(const std::string& text) {
+    return fmt::format("<p class=\"note\">{}</p>\n", html_escaped(text));
+}
+
+std::string what_was_run(const ReportData& data) {
+    const Summary& summary = data.findings.summary;
+    int done = 0;
+    int failed = 0;
+    int missing = 0;
+    for (const CaseSummary& row : summary.cases) {
+        done += row.done;
+        failed += row.failed_members;
+        missing += row.missing_members;
+    }
+    std::string body = paragraph(fmt::format(
+        "{} cases, each over up to {} random arrangements of {} floes: {} simulations done, {} set aside as failed, {} "
+        "not computed.",
+        summary.cases.size(), data.campaign.arrangements, data.campaign.cases.front().scenario.field.floes, done,
+        failed, missing));
+    for (const std::string& line : condition_lines(summary)) body += paragraph(line);
+    const Scenario& scenario = data.campaign.cases.front().scenario;
+    body +=
+        figure(section_figure(scenario), "Section of the structure (first case) and the ice on the water, to scale.");
+    body +=
+        figure(joint_figure(scenario),
+               fmt::format("A floe of {:g} m × {:g} m: elements of {:g} m, {:g} m thick; dots are breakable joints.",
+                           scenario.floe.length, scenario.floe.breadth, scenario.floe.element, scenario.ice.thickness));
+    return body;
+}
+
+std::string loads(const ReportData& data) {
+    std::string body = table3(data);
+    body += note(
+        "Mean over arrangements with its 95 % confidence interval; below it the 95 % prediction interval, where one "
+        "further arrangement falls. The paper's figures are one run each, and the experiment's maximum is one value.");
+    body +=
+        figure(strips_figure(data, quantities[0], 1),
+               "Each dot is one arrangement. Below the dots: mean, its 95 % interval (thick), and where one further "
+               "run falls with 95 % (dashed).");
+    body += figure(strips_figure(data, quantities[3], 1), "The same for the mean of the segments' maxima.");
+    body += figure(strips_figure(data, quantities[5], 1 / unit::percent), "The same for the share of broken floes.");
+    return body;
+}
+
+std::string over_time(const ReportData& data) {
+    if (data.histories.empty())
+        return section("Load over time",
+                       paragraph("No figure: the file has no load histories of an arrangement that every case has "
+                                 "done."));
+    std::string caption =
+        "One arrangement, every case, shifted upwards (the paper's Fig. 6). Dashed: the window in which the load is "
+        "measured begins.";
+    if (std::ranges::any_of(data.findings.table.cases,
+                            [](const CaseRow& one) { return one.analysis.history_stride > 1; }))
+        caption += " The file keeps means over several steps, whose peaks are lower than those that were measured.";
+    return section("Load over time", figure(histories_figure(data), caption));
+}
+
+std::string comparisons(const ReportData& data) {
+    const Summary& summary = data.findings.summary;
+    if (summary.cases.size() < 2) return "";
+    const std::string title = "Do the cases differ?";
+    if (!data.findings.pairs) return section(title, paragraph(unasked_text(summary)));
+    const std::string left_out = left_out_text(summary, *data.findings.pairs);
+    if (data.findings.pairs->empty()) return section(title, paragraph(left_out));
+    std::string body = pairs_table_html(data);
+    if (!left_out.empty()) body += paragraph(left_out);
+    body += note(
+        "Cases met the same arrangements, so they are compared arrangement by arrangement. p by Student's t and "
+        "by Wilcoxon's signed ranks, Holm over all pairs of a quantity.");
+    body += figure(pairs_figure(data, 0, 1), "Mean load: differences within an arrangement.");
+    body += figure(pairs_figure(data, 3, 1), "Mean maximum load: differences within an arrangement.");
+    return section(title, body);
+}
+
+std::string sensitivity(const ReportData& data) {
+    if (!data.findings.sensitivity) return "";
+    const Sensitivity& found = *data.findings.sensitivity;
+    std::string body = found.rows.empty() ? "" : sensitivity_table_html(found);
+    for (const std::string& sentence : sensitivity_notes(found)) body += note(sentence);
+    body +=
+        "<details><summary>Points of the design</summary>" + points_table_html(*data.findings.points) + "</details>\n";
+    return section("What decides the load?", body);
+}
+
+std::string extremes(const ReportData& data) {
+    std::string body;
+    if (data.findings.extremes)
+        body += figure(exceedance_figure(data),
+                       "Dots: maxima of all segments. Lines: Gumbel, dashed: GEV, fitted by maximum likelihood.") +
+                return_levels_table(data);
+    body += figure(levels_figure(data),
+                   "Share of the time in the window with a surge load above the levels that the members counted at "
+                   "every step: mean over arrangements with its 95 % interval.");
+    return body.empty() ? "" : section("Extremes", body);
+}
+
+std::string failures(const ReportData& data) {
+    if (data.breaks.empty()) return section("Broken floes", paragraph("No joint failed in any member."));
+    return section("Broken floes",
+                   figure(failures_figure(data),
+                          "Failed joints so far, mean over arrangements: full line bending, dashed shear, "
+                          "dotted compression."));
+}
+
+std::string largest(const ReportData& data) {
+    if (data.largest_member < 0) return "";
+    const MemberRow& member = data.findings.table.members[static_cast<std::size_t>(data.largest_member)];
+    return section(
+        "The arrangement with the largest load",
+        figure(arrangement_figure(data),
+               fmt::format("Member {}, case {}: largest load {:.1f} N, mean {:.1f} N, {:.1f} % of the floes broke "
+                           "(marked).",
+                           data.largest_member,
+                           data.findings.summary.cases[static_cast<std::size_t>(member.case_index)].about.name,
+                           member.maximum_load, member.mean_load, member.failure_ratio / unit::percent)));
+}
+
+std::string theory(const ReportData& data) {
+    std::string body;
+    if (data.hybrid)
+        body += figure(hybrid_figure(data),
+                       "The hybrid model of Eqs. (6)-(7) (the paper's Fig. 8). KPR's coefficient k1 is chosen so that "
+                       "both limits cross at 10 MPa as in the paper: its line is a calibration, not a prediction.");
+    body += figure(modulus_figure(data),
+                   "Elastic modulus shown by this ice in a plate test over Σ (the paper's Fig. 2), a sheet of 13 "
+                   "elements square.");
+    return body.empty() ? "" : section("Elastic modulus and closed formulas", body);
+}
+
+std::string provenance(const ReportData& data) {
+    std::string rows;
+    for (const auto& [name, value] : data.origin.facts)
+        rows +=
+            fmt::format("<tr><td>{}</td><td class=\"words\">{}</td></tr>\n", html_escaped(name), html_escaped(value));
+    return section("Where it comes from",
+                   fmt::format("<p>To repeat it, save the configuration below as <code>{}.toml</code> and run</p>\n"
+                               "<pre>{}</pre>\n<div class=\"wide\"><table>{}</table></div>\n"
+                               "<details><summary>Configuration</summary><pre>{}</pre></details>\n",
+                               html_escaped(data.findings.summary.title), html_escaped(data.command), rows,
+                               html_escaped(data.origin.configuration)));
+}
+
+}  // namespace
+
+std::string report_page(const ReportData& data) {
+    const std::string title = html_escaped(data.findings.summary.title);
+    return fmt::format(
+               "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
+               "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n"
+               "<link rel=\"icon\" href=\"data:,\">\n<title>{0}: loads of managed ice "
+               "floes</title>\n<style>{1}</style></head>\n"
+               "<body>\n<h1>Loads of managed ice floes: {0}</h1>\n",
+               title, page_style) +
+           section("Loads", loads(data)) + section("What was run", what_was_run(data)) + sensitivity(data) +
+           comparisons(data) + over_time(data) + extremes(data) +
+           section("How sure is the mean?",
+                   figure(convergence_figure(data), "Mean load of the first n arrangements with its 95 % interval.")) +
+           failures(data) + largest(data) + theory(data) + provenance(data) + "</body></html>\n";
+}
+
+}  // namespace floes

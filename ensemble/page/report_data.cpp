@@ -1,0 +1,98 @@
+// Gathers what the page tells from a campaign file.
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "campaign_file/read_history.hpp"
+#include "core/error.hpp"
+#include "core/units.hpp"
+#include "page/page.hpp"
+
+namespace floes {
+namespace {
+
+constexpr std::size_t drawn_columns = 700;
+constexpr double drawn_moduli[]{3, 5, 7, 10, 14, 20, 30, 45, 60, 90, 130, 200, 300, 450, 700, 1000};  // MPa
+constexpr double crossing_of_the_paper = 10 * unit::megapascal;                                       // Fig. 8
+
+/// The smallest and the largest value of each column, in order of time: peaks survive.
+std::vector<std::pair<double, double>> thinned(const SurgeHistory& history) {
+    std::vector<std::pair<double, double>> points;
+    const std::size_t width = std::max<std::size_t>(1, history.surge.size() / drawn_columns);
+    for (std::size_t first = 0; first < history.surge.size(); first += width) {
+        const auto column = history.surge.subspan(first, std::min(width, history.surge.size() - first));
+        const auto [low, high] = std::ranges::minmax_element(column);
+        const auto [early, late] = std::minmax(low, high);
+        for (const auto& value : {early, late})
+            points.emplace_back(history.step * static_cast<double>(first + 1 + (value - column.begin())), *value);
+    }
+    return points;
+}
+
+/// The first arrangement that every case has done; -1 where there is none.
+int common_arrangement(const CampaignTable& table) {
+    std::vector<std::size_t> done;
+    for (const MemberRow& member : table.members) {
+        const auto row = static_cast<std::size_t>(member.arrangement);
+        if (row >= done.size()) done.resize(row + 1);
+        done[row] += member.status == RowStatus::done ? 1 : 0;
+    }
+    const auto found = std::ranges::find(done, table.cases.size());
+    return found == done.end() ? -1 : static_cast<int>(found - done.begin());
+}
+
+int member_with_largest_load(const CampaignTable& table) {
+    int largest = -1;
+    for (std::size_t i = 0; i < table.members.size(); ++i) {
+        if (table.members[i].status != RowStatus::done) continue;
+        if (largest < 0 ||
+            table.members[i].maximum_load > table.members[static_cast<std::size_t>(largest)].maximum_load)
+            largest = static_cast<int>(i);
+    }
+    return largest;
+}
+
+std::optional<HybridCurve> hybrid_of(const Scenario& scenario) {
+    std::vector<double> moduli;
+    for (const double modulus : drawn_moduli) moduli.push_back(modulus * unit::megapascal);
+    try {
+        return hybrid_curve(scenario, hybrid_model(scenario).crossing_at(crossing_of_the_paper), moduli);
+    } catch (const InputError&) {
+        return std::nullopt;  // a wall that Lindqvist has no load for
+    }
+}
+
+}  // namespace
+
+ReportData read_report_data(const std::filesystem::path& path) {
+    ReportData data;
+    data.origin = read_origin(path);
+    data.campaign = campaign_of(data.origin, path);
+    Findings& findings = data.findings;
+    findings.table = read_campaign_file(path);
+    findings.summary = summarise(findings.table);
+    if (data.campaign.design.active()) {
+        findings.points = find_points(data.campaign);
+        findings.sensitivity = find_sensitivity(data.campaign, findings.table);
+    }
+    if (in_detail(data.campaign)) {
+        findings.pairs = compare_pairs(findings.table, {});
+        findings.extremes = find_extremes(findings.table);
+    }
+    findings.levels = find_levels(findings.table);
+    const int arrangement = common_arrangement(findings.table);
+    for_each_history(path, [&](const SurgeHistory& history) {
+        const MemberRow& member = findings.table.members[static_cast<std::size_t>(history.member)];
+        if (member.arrangement == arrangement) data.histories.push_back({member.case_index, thinned(history)});
+    });
+    data.breaks = read_breaks(path);
+    data.largest_member = member_with_largest_load(findings.table);
+    if (data.largest_member >= 0)
+        data.largest_poses =
+            read_poses(path, findings.table.members[static_cast<std::size_t>(data.largest_member)].arrangement);
+    data.hybrid = hybrid_of(data.campaign.cases.front().scenario);
+    return data;
+}
+
+}  // namespace floes

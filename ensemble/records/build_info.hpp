@@ -1,0 +1,20 @@
+#pragma once
+// What this program was built from and with.
+
+#include <string>
+#include <vector>
+
+#include "records/session.hpp"
+
+namespace floes {
+
+/// Version of floes, e.g. "0.1.0".
+std::string floes_version();
+
+/// Revision of the source tree, with "-dirty" behind it when files differed from it; "unknown" outside a git checkout.
+std::string git_revision();
+
+/// floes, its revision, compiler, flags, and the libraries.
+std::vector<Software> built_with();
+
+}  // namespace floes

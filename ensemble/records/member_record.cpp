@@ -1,0 +1,103 @@
+#include "records/member_record.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "core/error.hpp"
+#include "member/result_bytes.hpp"
+
+namespace floes {
+namespace {
+
+// Cases of equal physics share their records, hence several numbers to an identity.
+std::multimap<MemberIdentity, std::size_t> member_numbers(const Campaign& campaign) {
+    std::vector<std::string> keys;
+    for (std::size_t k = 0; k < campaign.cases.size(); ++k)
+        keys.push_back(case_fingerprint(campaign, static_cast<int>(k)));
+    std::multimap<MemberIdentity, std::size_t> numbers;
+    for (int number = 0; number < member_count(campaign); ++number) {
+        const MemberKey key = member_key(campaign, number);
+        numbers.emplace(MemberIdentity{keys[static_cast<std::size_t>(key.case_index)], key.arrangement},
+                        static_cast<std::size_t>(number));
+    }
+    return numbers;
+}
+
+void write(ByteWriter& out, const PackedNumbers& numbers) {
+    out.u64(numbers.count);
+    out.blob(numbers.chunk);
+}
+
+PackedNumbers read_numbers(ByteReader& in) {
+    const std::uint64_t count = in.u64();
+    return {count, in.blob()};
+}
+
+}  // namespace
+
+MemberIdentity identity(const MemberRecord& record) {
+    return {record.case_key, record.arrangement};
+}
+
+Bytes encode(const MemberRecord& record) {
+    ByteWriter out;
+    out.text(record.case_key);
+    out.i32(record.arrangement);
+    out.i32(record.attempt);
+    out.i32(record.rank);
+    out.text(record.host);
+    out.u64(record.peak_memory);
+    write(out, record.result);
+    write(out, record.history.surge);
+    write(out, record.history.sway);
+    write(out, record.history.heave);
+    return out.take();
+}
+
+MemberRecord decode_member_record(std::span<const std::byte> bytes) {
+    ByteReader in(bytes);
+    MemberRecord record;
+    record.case_key = in.text();
+    record.arrangement = in.i32();
+    record.attempt = in.i32();
+    record.rank = in.i32();
+    record.host = in.text();
+    record.peak_memory = in.u64();
+    record.result = read_member_result(in);
+    if (in.left() == 0) {
+        record.history = pack(std::exchange(record.result.history, {}));
+        return record;
+    }
+    record.history.surge = read_numbers(in);
+    record.history.sway = read_numbers(in);
+    record.history.heave = read_numbers(in);
+    if (in.left() != 0) throw RunError("a stored member goes on after its end; it was written by another version");
+    return record;
+}
+
+std::vector<const MemberRecord*> match_records(const Campaign& campaign, std::span<const MemberRecord> records) {
+    std::vector<const MemberRecord*> matched(static_cast<std::size_t>(member_count(campaign)), nullptr);
+    const auto numbers = member_numbers(campaign);
+    for (const MemberRecord& record : records) {
+        const auto [first, last] = numbers.equal_range({record.case_key, record.arrangement});
+        for (auto place = first; place != last; ++place) {
+            const MemberRecord*& known = matched[place->second];
+            if (known == nullptr || known->result.status == MemberStatus::failed) known = &record;
+        }
+    }
+    return matched;
+}
+
+std::vector<int> last_attempts(const Campaign& campaign, std::span<const MemberRecord> records) {
+    std::vector<int> attempts(static_cast<std::size_t>(member_count(campaign)), 0);
+    const auto numbers = member_numbers(campaign);
+    for (const MemberRecord& record : records) {
+        const auto [first, last] = numbers.equal_range({record.case_key, record.arrangement});
+        for (auto place = first; place != last; ++place)
+            attempts[place->second] = std::max(attempts[place->second], record.attempt);
+    }
+    return attempts;
+}
+
+}  // namespace floes

@@ -1,0 +1,46 @@
+#pragma once
+// A finished member as it is kept: what it is the result of, who computed it, and the result to the last bit.
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "campaign/campaign.hpp"
+#include "core/bytes.hpp"
+#include "member/result.hpp"
+#include "records/attempt_book.hpp"
+#include "records/packed_history.hpp"
+
+namespace floes {
+
+/// Identity is (case_key, arrangement) rather than the member's number, so that a record stays valid when the
+/// campaign it stands in grows. Everything but identity and result is provenance.
+struct MemberRecord {
+    std::string case_key;  ///< case_fingerprint() of the member's case
+    int arrangement = 0;   ///< arrangement number, from 0
+    int attempt = 1;       ///< from 1
+    int rank = 0;          ///< that computed it
+    std::string host;
+    std::uint64_t peak_memory = 0;  ///< largest resident set of the computing process so far, bytes
+    MemberResult result;            ///< its own history is empty: it stands, packed, in
+    PackedHistory history;          ///< of the load
+};
+
+MemberIdentity identity(const MemberRecord& record);
+
+/// The bytes of a record, the same on every machine.
+Bytes encode(const MemberRecord& record);
+
+/// The record that encode() was given, bit for bit; one from before histories were packed gets its own packed. Throws
+/// RunError when the bytes are not exactly one record.
+MemberRecord decode_member_record(std::span<const std::byte> bytes);
+
+/// For each member of the campaign, in member order, the record that counts; nullptr where there is none.
+/// Among several records of one member the first done one counts; where none is done, the last failure.
+std::vector<const MemberRecord*> match_records(const Campaign& campaign, std::span<const MemberRecord> records);
+
+/// The largest attempt number recorded of each member, in member order; 0 where there is none.
+std::vector<int> last_attempts(const Campaign& campaign, std::span<const MemberRecord> records);
+
+}  // namespace floes

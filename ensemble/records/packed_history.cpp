@@ -1,0 +1,92 @@
+#include "records/packed_history.hpp"
+
+#include <zlib.h>
+
+#include <fmt/format.h>
+#include <bit>
+
+#include "core/error.hpp"
+
+namespace floes {
+namespace {
+
+constexpr std::size_t width = sizeof(double);
+
+/// Where byte k of number i stands.
+struct Layout {
+    std::size_t of_number, of_byte;
+    std::size_t operator()(std::size_t i, std::size_t k) const { return i * of_number + k * of_byte; }
+};
+
+Layout layout(bool shuffled, std::size_t count) {
+    return shuffled ? Layout{1, count} : Layout{width, 1};
+}
+
+Bytes bytes_of(std::span<const double> numbers, const Layout& at) {
+    Bytes bytes(width * numbers.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const auto bits = std::bit_cast<std::uint64_t>(numbers[i]);
+        for (std::size_t k = 0; k < width; ++k) bytes[at(i, k)] = static_cast<std::byte>(bits >> (8 * k));
+    }
+    return bytes;
+}
+
+std::vector<double> numbers_of(const Bytes& bytes, const Layout& at) {
+    std::vector<double> numbers(bytes.size() / width);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        std::uint64_t bits = 0;
+        for (std::size_t k = 0; k < width; ++k) bits |= std::to_integer<std::uint64_t>(bytes[at(i, k)]) << (8 * k);
+        numbers[i] = std::bit_cast<double>(bits);
+    }
+    return numbers;
+}
+
+Bytes deflated(const Bytes& plain) {
+    uLongf size = compressBound(plain.size());
+    Bytes chunk(size);
+    const int code = compress2(reinterpret_cast<Bytef*>(chunk.data()), &size,
+                               reinterpret_cast<const Bytef*>(plain.data()), plain.size(), compression_level);
+    if (code != Z_OK) throw RunError(fmt::format("zlib cannot compress a load history: {}.", zError(code)));
+    chunk.resize(size);
+    chunk.shrink_to_fit();  // it waits in a message
+    return chunk;
+}
+
+/// To `size` bytes.
+Bytes inflated(const Bytes& chunk, std::size_t size) {
+    uLongf found = size;
+    Bytes plain(size);
+    const int code = uncompress(reinterpret_cast<Bytef*>(plain.data()), &found,
+                                reinterpret_cast<const Bytef*>(chunk.data()), chunk.size());
+    if (code != Z_OK || found != size) throw RunError("a stored load history cannot be decompressed; it was damaged");
+    return plain;
+}
+
+}  // namespace
+
+PackedNumbers pack(std::span<const double> numbers) {
+    PackedNumbers packed{numbers.size(), {}};
+    packed.chunk = bytes_of(numbers, layout(packed.deflated(), numbers.size()));
+    if (packed.deflated()) packed.chunk = deflated(packed.chunk);
+    return packed;
+}
+
+std::vector<double> unpack(const PackedNumbers& packed) {
+    // Deflate makes bytes 1032 times fewer at best, so a damaged count cannot ask for memory.
+    constexpr std::uint64_t most_in_a_byte = 1032 / width + 1;
+    const bool possible = packed.deflated() ? packed.count <= most_in_a_byte * packed.chunk.size()
+                                            : packed.chunk.size() == width * packed.count;
+    if (!possible) throw RunError("a stored load history has another length than it says; it was damaged");
+    const Layout at = layout(packed.deflated(), packed.count);
+    return numbers_of(packed.deflated() ? inflated(packed.chunk, width * packed.count) : packed.chunk, at);
+}
+
+PackedHistory pack(const LoadHistory& history) {
+    return {pack(history.surge), pack(history.sway), pack(history.heave)};
+}
+
+LoadHistory unpack(const PackedHistory& packed) {
+    return {unpack(packed.surge), unpack(packed.sway), unpack(packed.heave)};
+}
+
+}  // namespace floes

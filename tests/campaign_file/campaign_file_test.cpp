@@ -1,0 +1,214 @@
+#include "campaign_file/campaign_file.hpp"
+
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "campaign_file/campaign_columns.hpp"
+#include "core/error.hpp"
+#include "hdf5/write.hpp"
+#include "journal/journal.hpp"
+#include "support/file_bytes.hpp"
+#include "support/refusal.hpp"
+#include "support/synthetic.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace floes {
+namespace {
+
+using testing::HasSubstr;
+
+bool same(double a, double b) {
+    return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+void expect_same_case(const CaseRow& a, const CaseRow& b) {
+    EXPECT_EQ(a.name, b.name);
+    EXPECT_EQ(a.cfm, b.cfm);
+    EXPECT_EQ(a.elastic_modulus, b.elastic_modulus);
+    EXPECT_EQ(a.far_end, b.far_end);
+    EXPECT_EQ(a.contact_erp, b.contact_erp);
+    EXPECT_EQ(a.profile, b.profile);
+    EXPECT_EQ(a.analysis.steady_start, b.analysis.steady_start);
+    EXPECT_EQ(a.analysis.window, b.analysis.window);
+    EXPECT_EQ(a.analysis.segments, b.analysis.segments);
+    EXPECT_EQ(a.analysis.history_stride, b.analysis.history_stride);
+    EXPECT_EQ(a.time_step, b.time_step);
+}
+
+void expect_same_member(MemberRow a, MemberRow b) {
+    EXPECT_EQ(a.case_index, b.case_index);
+    EXPECT_EQ(a.arrangement, b.arrangement);
+    EXPECT_EQ(a.status, b.status);
+    EXPECT_EQ(a.reason, b.reason);
+    EXPECT_EQ(a.steady, b.steady);
+    for (const RealColumn& column : real_columns) EXPECT_TRUE(same(column.field(a), column.field(b))) << column.name;
+    for (const CountColumn& column : count_columns) EXPECT_EQ(a.*column.field, b.*column.field) << column.name;
+    EXPECT_TRUE(std::equal(a.segment_maximum.begin(), a.segment_maximum.end(), b.segment_maximum.begin(),
+                           b.segment_maximum.end(), same));
+    EXPECT_TRUE(std::ranges::equal(a.steps_above, b.steps_above, same));
+    EXPECT_TRUE(std::ranges::equal(a.upcrossings, b.upcrossings, same));
+}
+
+// Exit status of h5diff outside /provenance: 0 equal, 1 different.
+int compare(const std::filesystem::path& a, const std::filesystem::path& b) {
+    const int status = std::system(("h5diff --exclude-path /provenance " + a.string() + " " + b.string()).c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(CampaignTable, HasEveryMemberWithItsNumbers) {
+    const Campaign campaign = synthetic::campaign();
+    const CampaignTable table = campaign_table(campaign, synthetic::records(campaign));
+    EXPECT_EQ(table.title, "synthetic");
+    ASSERT_EQ(table.cases.size(), 3u);
+    EXPECT_EQ(table.cases[2].far_end, FarEnd::open);
+    EXPECT_EQ(table.cases[2].profile.size(), 3u);
+    ASSERT_EQ(table.members.size(), 12u);
+    const MemberRow& row = table.members[8];
+    const MemberResult& result = synthetic::record(campaign, 8).result;
+    EXPECT_EQ(row.status, RowStatus::done);
+    EXPECT_EQ(row.case_index, 2);
+    EXPECT_EQ(row.mean_load, result.load.mean);
+    EXPECT_EQ(row.sd_load, result.load.sd);
+    EXPECT_EQ(row.maximum_load, result.load.maximum);
+    EXPECT_EQ(row.segment_maximum, result.load.segment_maximum);
+    EXPECT_EQ(row.mean_maximum, result.load.mean_maximum);
+    EXPECT_EQ(row.sd_maximum, result.load.sd_maximum);
+    EXPECT_EQ(row.failure_ratio, result.failure_ratio);
+    EXPECT_EQ(row.failures_bending, result.failures_bending);
+    EXPECT_EQ(row.failures_shear, result.failures_shear);
+    EXPECT_EQ(row.failures_compression, result.failures_compression);
+    EXPECT_EQ(row.mean_sway, result.mean_sway);
+    EXPECT_EQ(row.mean_heave, result.mean_heave);
+    EXPECT_EQ(row.trend, result.load.trend);
+    EXPECT_EQ(row.trend_p, result.load.trend_p);
+    EXPECT_TRUE(row.steady);
+    EXPECT_EQ(row.peaks, result.peaks);
+}
+
+TEST(CampaignTable, FailedAndMissingMembersHaveNoNumbers) {
+    const Campaign campaign = synthetic::campaign();
+    CampaignTable table = campaign_table(campaign, synthetic::records(campaign));
+    EXPECT_EQ(table.members[4].status, RowStatus::failed);
+    EXPECT_THAT(table.members[4].reason, HasSubstr("ran away"));
+    EXPECT_EQ(table.members[7].status, RowStatus::missing);
+    for (const std::size_t member : {4u, 7u}) {
+        for (const RealColumn& column : real_columns)
+            EXPECT_TRUE(std::isnan(column.field(table.members[member]))) << column.name;
+        EXPECT_EQ(table.members[member].failures_bending, 0);
+        EXPECT_FALSE(table.members[member].steady);
+    }
+}
+
+TEST(CampaignTable, CasesOfOneGeometryShareArrangements) {
+    const Campaign campaign = synthetic::campaign();
+    const CampaignTable table = campaign_table(campaign, {});
+    EXPECT_EQ(table.members[0].arrangement, 0);
+    EXPECT_EQ(table.members[1].arrangement, 0);
+    EXPECT_EQ(table.members[2].arrangement, 1);
+    EXPECT_EQ(table.members[9].arrangement, 6);
+    EXPECT_EQ(table.members[11].arrangement, 7);
+}
+
+TEST(CampaignFile, GivesBackTheTable) {
+    const TemporaryFolder folder;
+    const Campaign campaign = synthetic::campaign();
+    const auto records = synthetic::records(campaign);
+    publish(folder / "a.h5", campaign, records, {});
+    const CampaignTable written = campaign_table(campaign, records);
+    const CampaignTable read = read_campaign_file(folder / "a.h5");
+    EXPECT_EQ(read.title, written.title);
+    EXPECT_EQ(read.levels, (std::vector<double>{100, 300, 500}));
+    EXPECT_EQ(read.levels, written.levels);
+    ASSERT_EQ(read.cases.size(), written.cases.size());
+    for (std::size_t k = 0; k < read.cases.size(); ++k) expect_same_case(read.cases[k], written.cases[k]);
+    ASSERT_EQ(read.members.size(), written.members.size());
+    for (std::size_t k = 0; k < read.members.size(); ++k) {
+        SCOPED_TRACE(k);
+        expect_same_member(read.members[k], written.members[k]);
+    }
+}
+
+TEST(CampaignFile, SameMembersGiveTheSameValuesWhateverTheirOrderAndOrigin) {
+    const TemporaryFolder folder;
+    const Campaign campaign = synthetic::campaign();
+    auto records = synthetic::records(campaign);
+    const std::vector<Session> one{synthetic::session(0)};
+    const std::vector<Session> two{synthetic::session(0), synthetic::session(1)};
+    publish(folder / "a.h5", campaign, records, one);
+    std::reverse(records.begin(), records.end());
+    for (MemberRecord& record : records) {
+        record.rank += 5;
+        record.host = "elsewhere";
+        record.attempt += 1;
+        record.result.wall_time *= 2;
+    }
+    publish(folder / "b.h5", campaign, records, two);
+    EXPECT_EQ(compare(folder / "a.h5", folder / "b.h5"), 0);
+
+    LoadHistory history = unpack(records[0].history);
+    history.heave.back() += 1e-12;
+    records[0].history = pack(history);
+    publish(folder / "c.h5", campaign, records, two);
+    EXPECT_EQ(compare(folder / "a.h5", folder / "c.h5"), 1) << "the comparison must see a difference";
+}
+
+TEST(CampaignFile, TakesHistoriesFromTheJournal) {
+    const TemporaryFolder folder;
+    const Campaign campaign = synthetic::campaign();
+    const auto records = synthetic::records(campaign);
+    publish(folder / "a.h5", campaign, records, {});
+    Journal journal = open_journal(folder / "b.journal", campaign, Existing::refuse);
+    for (const MemberRecord& record : records) journal.append(record);
+    journal.hand_over();
+    publish(folder / "b.h5", campaign, journal.records(), {}, {},
+            [&](const MemberRecord& record) { return journal.history(record); });
+    EXPECT_EQ(compare(folder / "a.h5", folder / "b.h5"), 0);
+}
+
+TEST(CampaignFile, RefusesWhatIsNoCampaignFile) {
+    const TemporaryFolder folder;
+    const auto refusal = [](const std::filesystem::path& path) {
+        return floes::refusal([&] { read_campaign_file(path); });
+    };
+    EXPECT_THAT(refusal(folder / "none.h5"), HasSubstr("there is no file"));
+    const std::string text = "Dear reader";
+    write_file_bytes(folder / "text.h5", std::as_bytes(std::span(text)));
+    EXPECT_THAT(refusal(folder / "text.h5"), HasSubstr("is not an HDF5 file"));
+    hdf5::create_file(folder / "bare.h5");
+    EXPECT_THAT(refusal(folder / "bare.h5"), HasSubstr("no campaign of floes"));
+    {
+        const hdf5::Handle file = hdf5::create_file(folder / "next.h5");
+        hdf5::write_attribute(file.id(), "filetype", std::string("floes campaign"));
+        hdf5::write_attribute(file.id(), "version", std::vector<std::int32_t>{2, 0});
+    }
+    EXPECT_THAT(refusal(folder / "next.h5"), HasSubstr("layout version 2"));
+}
+
+TEST(CampaignFile, StaysAsItWasWhenPublishingFails) {
+    const TemporaryFolder folder;
+    const Campaign campaign = synthetic::campaign();
+    publish(folder / "a.h5", campaign, {}, {});
+    const Bytes before = file_bytes(folder / "a.h5");
+    std::filesystem::create_directory(folder / "a.h5.tmp");
+    try {
+        publish(folder / "a.h5", campaign, synthetic::records(campaign), {});
+        FAIL() << "published through a folder";
+    } catch (const RunError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("H5Fcreate"));
+        EXPECT_THAT(error.what(), HasSubstr("a.h5.tmp"));
+    }
+    EXPECT_EQ(file_bytes(folder / "a.h5"), before);
+}
+
+TEST(CampaignFile, LeavesNothingAside) {
+    const TemporaryFolder folder;
+    publish(folder / "a.h5", synthetic::campaign(), {}, {});
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.h5.tmp"));
+}
+
+}  // namespace
+}  // namespace floes

@@ -1,0 +1,201 @@
+// The parts of what is found, as table, JSON and CSV.
+
+#include "findings/findings.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "findings/columns.hpp"
+#include "findings/example.hpp"
+#include "findings/pairs_text.hpp"
+
+namespace floes {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+/// Twelve arrangements of the example's cases; E60 is E30 and 4 N, but for 0.5 N to and fro.
+Findings findings() {
+    Findings made;
+    made.table = example::campaign();
+    made.table.members.clear();
+    for (int arrangement = 0; arrangement < 12; ++arrangement) {
+        const double load = 20 + (arrangement * 5) % 12;
+        for (int one = 0; one < 3; ++one) {
+            const double own = one == 0 ? load : one == 1 ? load + 4 + (arrangement % 2 - 0.5) : 50 - load;
+            MemberRow row = example::done(one, arrangement, own, 0.01 * arrangement, arrangement);
+            row.segment_maximum = {2 * own, 3 * own + arrangement, 4 * own};
+            made.table.members.push_back(row);
+        }
+    }
+    made.summary = summarise(made.table);
+    made.pairs = compare_pairs(made.table);
+    made.extremes = find_extremes(made.table);
+    return made;
+}
+
+TEST(Pairs, ShareArrangements) {
+    const Findings found = findings();
+    ASSERT_EQ(found.pairs->size(), 3 * table3_quantities.size());
+    const PairRow& first = found.pairs->front();
+    EXPECT_EQ(first.found.arrangements, 12);
+    EXPECT_DOUBLE_EQ(first.found.difference, 4);
+    EXPECT_GT(first.found.variance_saved, 0.95);
+    EXPECT_LT(first.t_p_holm, 1e-6);
+    EXPECT_LT(found.pairs->at(1).found.variance_saved, -0.9);  // E200 goes against E30
+    EXPECT_LE(first.to_resolve_observed, 4);
+}
+
+TEST(Pairs, PutTheReferenceFirst) {
+    const std::vector<PairRow> rows = compare_pairs(findings().table, {.reference = 1});
+    EXPECT_EQ(rows[0].first, 1u);
+    EXPECT_EQ(rows[0].second, 0u);
+    EXPECT_DOUBLE_EQ(rows[0].found.difference, -4);
+    EXPECT_EQ(rows[1].first, 0u);
+}
+
+// Members that failed or are missing leave two arrangements to E30 and E60, and E60 and E200.
+TEST(Pairs, LeaveOutWhatOneOfThemDoesNotHave) {
+    const std::vector<PairRow> rows = compare_pairs(example::campaign());
+    ASSERT_EQ(rows.size(), 3 * table3_quantities.size());
+    EXPECT_EQ(rows[0].found.arrangements, 2);
+    EXPECT_EQ(rows[1].found.arrangements, 4);
+}
+
+TEST(Pairs, AreNotMadeOfDifferentFields) {
+    CampaignTable table = example::campaign();
+    for (MemberRow& row : table.members) row.arrangement = 3 * row.arrangement + row.case_index;
+    EXPECT_TRUE(compare_pairs(table).empty());
+    const Summary summary = summarise(table);
+    EXPECT_THAT(pairs_table(summary, {}, {}, 100),
+                testing::StartsWith("Pairs are not compared: cases are paired over"));
+}
+
+TEST(Pairs, SayWhichAreLeftOut) {
+    CampaignTable table = example::campaign();
+    for (MemberRow& row : table.members) row.arrangement += row.case_index == 1 ? 100 : 0;  // a field of its own
+    const std::vector<PairRow> rows = compare_pairs(table);
+    EXPECT_EQ(rows.size(), table3_quantities.size());
+    EXPECT_THAT(pairs_table(summarise(table), rows, {}, 100), HasSubstr("\n2 of 3 pairs are not compared: "));
+    EXPECT_EQ(left_out_text(summarise(example::campaign()), compare_pairs(example::campaign())), "");
+}
+
+TEST(Extremes, TakeTheSegmentsOfEveryDoneMember) {
+    const CaseExtremes soft = findings().extremes->front();
+    EXPECT_EQ(soft.maxima, 36u);
+    EXPECT_EQ(soft.segment, 50);
+    EXPECT_TRUE(soft.gumbel.fit.valid());
+    ASSERT_EQ(soft.gev.levels.size(), 3u);
+    for (const ReturnLevel& level : soft.gumbel.levels) {
+        EXPECT_LT(level.interval.low, level.level);
+        EXPECT_GT(level.interval.high, level.level);
+    }
+    EXPECT_EQ(soft.exceedance.size(), 36u);
+}
+
+TEST(Findings, ComeInOrderAsATable) {
+    const std::string text = findings_table(findings(), 120);
+    EXPECT_LT(text.find("Campaign example"), text.find("Pairs over the same arrangements"));
+    EXPECT_LT(text.find("Pairs over the same arrangements"), text.find("Extremes\n"));
+    EXPECT_THAT(text, testing::ContainsRegex("E60 - E30 +12 +4\\.00 +\\[3\\.67, 4\\.33\\] +16 % +<0\\.001"));
+    EXPECT_THAT(text, HasSubstr("E30, 36 maxima"));
+    EXPECT_THAT(text, Not(HasSubstr("nan")));
+}
+
+TEST(Findings, HaveEveryPartInJson) {
+    Findings found = findings();
+    found.exceedance = true;
+    const json parsed = json::parse(findings_json(found));
+    EXPECT_EQ(parsed.at("cases").size(), 3u);
+    EXPECT_EQ(parsed.at("pairs").size(), 18u);
+    EXPECT_EQ(parsed.at("pairs").at(0).at("quantity"), "mean_N");
+    EXPECT_EQ(parsed.at("extremes").at(2).at("exceedance").size(), 36u);
+    EXPECT_FALSE(parsed.contains("steady"));
+}
+
+TEST(Findings, AreOneTableAPartInCsv) {
+    Findings found = findings();
+    found.show_cases = false;
+    found.extremes.reset();
+    const std::string text = findings_csv(found);
+    EXPECT_TRUE(text.starts_with("quantity,first,second,arrangements,"));
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 19);
+}
+
+TEST(Findings, HaveALineAMemberInCsv) {
+    Findings found;
+    found.table = example::campaign();
+    found.table.members[0].segment_maximum = {120.5, 80, 111.25};
+    found.table.members[1].segment_maximum = {70, 90};  // a case of two segments
+    found.summary = summarise(found.table);
+    found.show_cases = false;
+    found.members = true;
+    const std::string text = findings_csv(found);
+    EXPECT_TRUE(text.starts_with("member,case,arrangement,status,mean_N,sd_N,maximum_N,mean_maximum_N,"));
+    EXPECT_THAT(text, HasSubstr(",segment_1_maximum_N,segment_2_maximum_N,segment_3_maximum_N,trend_p\n"));
+    EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')), found.table.members.size() + 1);
+    const MemberRow& first = found.table.members.front();
+    EXPECT_THAT(text, HasSubstr(fmt::format("\n0,{},{},done,{},", found.table.cases[0].name, first.arrangement,
+                                            first.mean_load)));
+    EXPECT_THAT(text, HasSubstr(fmt::format(",120.5,80,111.25,{}\n", first.trend_p)));
+    EXPECT_THAT(text, HasSubstr(fmt::format(",70,90,,{}\n", found.table.members[1].trend_p)));
+    EXPECT_THAT(text, HasSubstr(",failed,,,,,,,,,,,,,\n"));
+    EXPECT_THAT(text, HasSubstr(",missing,,,,,,,,,,,,,\n"));
+}
+
+TEST(Columns, PutBelowWhatDoesNotFit) {
+    const std::vector<std::vector<std::string>> rows{{"name", "one", "two"}, {"ξ", "1", "22222"}};
+    EXPECT_EQ(columns(rows, 80), "name  one    two\n----------------\nξ       1  22222\n");
+    EXPECT_EQ(columns(rows, 10), "name  one\n---------\nξ       1\n\nname    two\n-----------\nξ     22222\n");
+}
+
+/// Two levels, counted in E30 and E60 alone; E30 counts 0, 100, …, 1100 steps above the lower one.
+Findings with_levels() {
+    Findings made = findings();
+    made.table.levels = {20, 50};
+    for (CaseRow& one : made.table.cases) one.time_step = 0.02;
+    for (std::size_t k = 0; k < made.table.members.size(); ++k) {
+        MemberRow& row = made.table.members[k];
+        const double count = row.case_index == 2 ? std::nan("") : 100.0 * static_cast<double>(k / 3);
+        row.steps_above = {count, 0 * count};
+        row.upcrossings = {count / 10, 0 * count};
+    }
+    made.levels = find_levels(made.table);
+    return made;
+}
+
+TEST(Levels, AreMeansOverTheArrangementsThatCountedThem) {
+    const std::vector<LevelRow> rows = *with_levels().levels;
+    ASSERT_EQ(rows.size(), 4u);
+    EXPECT_EQ(rows[1].case_index, 0u);
+    EXPECT_EQ(rows[1].level, 50);
+    EXPECT_EQ(rows[1].time_above.high, 0);
+    EXPECT_EQ(rows[0].runs, 12);
+    EXPECT_DOUBLE_EQ(rows[0].time_above.estimate, 550.0 / 7500);
+    // t(11) s / √12 = 2.201 · 360.6 / 3.464 = 229.1 steps.
+    EXPECT_NEAR(rows[0].time_above.high - rows[0].time_above.estimate, 229.1 / 7500, 0.1 / 7500);
+    EXPECT_DOUBLE_EQ(rows[0].upcrossings.estimate, 55.0 / 150);
+}
+
+TEST(Levels, AreToldInEveryFormat) {
+    Findings found = with_levels();
+    EXPECT_THAT(findings_table(found, 120), testing::ContainsRegex("E30 +20 +12 +7\\.333 +\\[4\\.27.*22\\.00 +\\["));
+    const json levels = json::parse(findings_json(found)).at("load_levels");
+    ASSERT_EQ(levels.size(), 4u);
+    EXPECT_EQ(levels[2].at("case"), "E60");
+    EXPECT_DOUBLE_EQ(levels[0].at("time_above").at("estimate").get<double>(), 550.0 / 7500);
+    EXPECT_THAT(findings_csv(found), HasSubstr("\ncase,level_N,runs,time_above,"));
+    EXPECT_THAT(findings_csv(found), HasSubstr("\nE60,50,12,0,0,0,0,0,0\n"));
+    found.levels->clear();
+    EXPECT_THAT(findings_table(found, 120), HasSubstr("no member counted any (analysis.exceedance_levels_N)"));
+    EXPECT_THAT(findings_csv(found), Not(HasSubstr("level_N")));
+}
+
+}  // namespace
+}  // namespace floes

@@ -1,0 +1,202 @@
+// The same figures as a table, as JSON and as CSV.
+
+#include "findings/formats.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "findings/conditions.hpp"
+#include "findings/example.hpp"
+
+namespace floes {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream{text};
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+std::size_t places(const std::string& line) {
+    std::size_t count = 0;
+    for (const char byte : line) count += (byte & 0xC0) != 0x80;
+    return count;
+}
+
+// -- JSON
+
+TEST(SummaryJson, HasEveryNameOfTheFormat) {
+    const json summary = json::parse(summary_json(summarise(example::campaign())));
+    ASSERT_EQ(summary.at("cases").size(), 3u);
+    EXPECT_EQ(summary.at("complete"), false);
+    const json& row = summary.at("cases").at(0);
+    EXPECT_EQ(row.at("name"), "E30");
+    EXPECT_EQ(row.at("cfm"), 0.03);
+    EXPECT_EQ(row.at("elastic_modulus_MPa"), 30.0);
+    EXPECT_EQ(row.at("members"), 4);
+    EXPECT_EQ(row.at("failed_members"), 0);
+    EXPECT_EQ(row.at("not_steady"), 1);
+    for (const char* name : {"mean_N", "maximum_N", "mean_maximum_N", "failure_ratio", "failures_bending_per_run"}) {
+        for (const char* part : {"estimate", "low", "high", "bca_low", "bca_high", "prediction_low"}) {
+            EXPECT_TRUE(row.at(name).at(part).is_number()) << name << "." << part;
+        }
+    }
+    EXPECT_EQ(row.at("mean_N").at("estimate"), 27.0);
+    EXPECT_EQ(row.at("failures"), json::parse(R"({"bending": 10, "shear": 4, "compression": 0})"));
+    EXPECT_FALSE(row.contains("difference_percent"));
+}
+
+TEST(SummaryJson, CarriesTheConditions) {
+    const json row = json::parse(summary_json(summarise(example::campaign()))).at("cases").at(2);
+    EXPECT_EQ(row.at("conditions"), json::parse(R"({"structure_profile_m": [[-0.443, 0.171], [0.122, 0.736]],
+        "far_end": "ice_sheet", "contact_erp": 0.2, "steady_start_s": 80, "window_s": 150, "segments": 3})"));
+}
+
+TEST(SummaryJson, HasNullWhereUndefined) {
+    CampaignTable table = example::campaign();
+    table.members.resize(2);
+    const json cases = json::parse(summary_json(summarise(table))).at("cases");
+    EXPECT_EQ(cases.at(0).at("mean_N"),
+              json::parse(R"({"estimate": 26, "low": null, "high": null, "bca_low": null, "bca_high": null,
+                       "prediction_low": null, "prediction_high": null})"));
+    EXPECT_TRUE(cases.at(2).at("mean_N").at("estimate").is_null());
+    EXPECT_TRUE(cases.at(2).at("failures").at("bending").is_null());
+    EXPECT_EQ(cases.at(2).at("members"), 0);
+}
+
+TEST(SummaryJson, KeepsEveryDigit) {
+    CampaignTable table = example::campaign();
+    table.members = {example::done(0, 0, 0.1 + 0.2, 0, 0)};
+    EXPECT_EQ(json::parse(summary_json(summarise(table))).at("cases").at(0).at("mean_N").at("estimate"), 0.1 + 0.2);
+}
+
+TEST(SummaryJson, ComparesWithAReference) {
+    const json summary = json::parse(summary_json(summarise(example::campaign()), 1));
+    EXPECT_EQ(summary.at("reference"), "E60");
+    EXPECT_DOUBLE_EQ(summary.at("cases").at(0).at("difference_percent").at("mean_N").get<double>(),
+                     100.0 * (27 - 32) / 32);
+    EXPECT_EQ(summary.at("cases").at(1).at("difference_percent").at("mean_N"), 0.0);
+}
+
+// -- CSV
+
+TEST(SummaryCsv, HasOneLineACaseAndAValueForEveryColumn) {
+    CampaignTable table = example::campaign();
+    table.cases[1].name = "E60, \"stiff\"";
+    const auto lines = lines_of(summary_csv(summarise(table)));
+    ASSERT_EQ(lines.size(), 4u);
+    EXPECT_TRUE(
+        lines[0].starts_with("name,cfm,elastic_modulus_MPa,members,failed_members,missing_members,not_steady,"
+                             "mean_N,mean_N_low,mean_N_high,mean_N_bca_low,mean_N_bca_high,mean_N_prediction_low,"))
+        << lines[0];
+    EXPECT_TRUE(lines[1].starts_with("E30,0.03,30,4,0,0,1,27,")) << lines[1];
+    EXPECT_TRUE(lines[2].starts_with("\"E60, \"\"stiff\"\"\",0.016,60,4,1,1,0,32,")) << lines[2];
+    EXPECT_THAT(lines[3], HasSubstr(",34,4,0,"));  // failures by mode
+    EXPECT_TRUE(lines[3].ends_with(",ice_sheet,0.2,80,150,3")) << lines[3];
+    const auto commas = [](const std::string& line) { return std::ranges::count(line, ','); };
+    // The wall's words hold no comma of their own but the one after "straight", inside quotes.
+    EXPECT_EQ(commas(lines[1]), commas(lines[0]) + 1);
+}
+
+TEST(SummaryCsv, LeavesUndefinedEmpty) {
+    CampaignTable table = example::campaign();
+    table.members.resize(2);
+    const auto lines = lines_of(summary_csv(summarise(table)));
+    EXPECT_THAT(lines[1], HasSubstr(",26,,,,,,,13,,,,,,,"));
+    EXPECT_TRUE(lines[3].starts_with("E200,1e-10,200,0,0,0,0,,,,,,")) << lines[3];
+    EXPECT_THAT(lines[3], Not(HasSubstr("nan")));
+}
+
+TEST(SummaryCsv, ComparesWithAReference) {
+    const auto lines = lines_of(summary_csv(summarise(example::campaign()), 1));
+    EXPECT_THAT(lines[0], HasSubstr("mean_N_prediction_high,mean_N_difference_percent,sd_N,"));
+    EXPECT_THAT(lines[1], HasSubstr(",-15.625,"));
+}
+
+// -- table
+
+TEST(SummaryTable, SaysWallFarEndAndContact) {
+    const std::string text = summary_table(summarise(example::campaign()), 120);
+    EXPECT_THAT(
+        text, HasSubstr("Structure wall: straight, 45.0° from the horizontal (radius 0.171 m at -0.443 m to 0.736 m "
+                        "at +0.122 m).\nFar end: an ice sheet.\nContact Γ: 0.2.\nLoad measured: 80 to 230 s after the "
+                        "tow began, in 3 segments.\n"));
+}
+
+TEST(SummaryTable, SaysWhatIsMissing) {
+    const std::string text = summary_table(summarise(example::campaign()), 120);
+    EXPECT_TRUE(
+        text.starts_with("Campaign example: 12 members in 3 cases, 1 failed. INCOMPLETE: 1 without a result yet.\n"))
+        << text;
+    EXPECT_THAT(text, HasSubstr("Member 4 failed: floe 3 sank\n"));
+    EXPECT_THAT(text, HasSubstr("Not steady: in 1 of 10 members"));
+    CampaignTable whole = example::campaign();
+    whole.members.resize(3);
+    EXPECT_THAT(summary_table(summarise(whole), 120), Not(HasSubstr("INCOMPLETE")));
+}
+
+TEST(SummaryTable, ShowsTheFigures) {
+    const std::string text = summary_table(summarise(example::campaign()), 150, 1);
+    EXPECT_THAT(text, testing::ContainsRegex("mean, N +27\\.00 \\[22\\.89, 31\\.11\\] +32\\.00 \\[6\\.59, 57\\.41\\]"));
+    EXPECT_THAT(text, testing::ContainsRegex("against E60 +-15\\.6 % +– +-18\\.8 %"));
+    EXPECT_THAT(text, testing::ContainsRegex("mean maximum, N +108\\.0 "));
+    EXPECT_THAT(text, testing::ContainsRegex("failure ratio, % +2\\.0 "));
+    EXPECT_THAT(text, testing::ContainsRegex("joints failed in bending +2\\.5 \\[0\\.4, 4\\.6\\] +5\\.5 .* +8\\.5 "));
+}
+
+TEST(SummaryTable, FitsTheWidth) {
+    const Summary summary = summarise(example::campaign());
+    const std::string wide = summary_table(summary, 140, 1);
+    const std::string narrow = summary_table(summary, 60, 1);
+    const auto headers = [](const std::string& text) {
+        std::size_t count = 0;
+        for (const std::string& line : lines_of(text)) count += line.starts_with("case ");
+        return count;
+    };
+    EXPECT_EQ(headers(wide), 1u);
+    EXPECT_EQ(headers(narrow), 3u);
+    const std::string panels =
+        narrow.substr(narrow.find("case "), narrow.find("One arrangement") - narrow.find("case "));
+    EXPECT_THAT(panels, HasSubstr("E200"));
+    for (const std::string& line : lines_of(panels)) EXPECT_LE(places(line), 60u) << line;
+}
+
+TEST(SummaryTable, OfACaseWithoutResultsHasNoFigures) {
+    CampaignTable table = example::campaign();
+    table.members.clear();
+    table.members.push_back(example::without_result(0, 0, RowStatus::failed, "gone"));
+    const std::string text = summary_table(summarise(table), 120);
+    EXPECT_THAT(text, testing::ContainsRegex("mean, N +– +– +–\n"));
+    EXPECT_THAT(text, Not(HasSubstr("nan")));
+}
+
+// -- conditions
+
+TEST(Conditions, SayWhichCasesDiffer) {
+    CampaignTable table = example::campaign();
+    table.cases[1].far_end = FarEnd::open;
+    const auto lines = condition_lines(summarise(table));
+    EXPECT_THAT(lines, testing::Contains("Far end: an ice sheet (E30, E200)."));
+    EXPECT_THAT(lines, testing::Contains("Far end: open (E60)."));
+    EXPECT_THAT(lines, testing::Contains("Contact Γ: 0.2."));
+}
+
+TEST(Conditions, SayEveryPartOfABentWall) {
+    // 0.43 m at the bottom: 67° below the waterline, 45° above.
+    EXPECT_EQ(
+        wall_words({{-0.443, 0.426}, {0.0, 0.614}, {0.122, 0.736}}),
+        "67.0° from the horizontal (radius 0.426 m at -0.443 m to 0.614 m at +0.000 m), then 45.0° from the horizontal "
+        "(radius 0.614 m at +0.000 m to 0.736 m at +0.122 m)");
+}
+
+}  // namespace
+}  // namespace floes

@@ -1,0 +1,127 @@
+// Members become statistics of their case; a member without a result is missing, never zero.
+
+#include "findings/summary.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "findings/example.hpp"
+
+namespace floes {
+namespace {
+
+TEST(Summary, CountsTheMembersOfEachCase) {
+    const Summary summary = summarise(example::campaign());
+    ASSERT_EQ(summary.cases.size(), 3u);
+    const CaseSummary& whole = summary.cases[0];
+    EXPECT_EQ(whole.about.name, "E30");
+    EXPECT_EQ(whole.members, 4);
+    EXPECT_EQ(whole.done, 4);
+    EXPECT_EQ(whole.not_steady, 1);
+    const CaseSummary& partial = summary.cases[1];
+    EXPECT_EQ(partial.members, 4);
+    EXPECT_EQ(partial.done, 2);
+    EXPECT_EQ(partial.failed_members, 1);
+    EXPECT_EQ(partial.missing_members, 1);
+    EXPECT_EQ(partial.not_steady, 0);
+    EXPECT_FALSE(summary.complete());
+    ASSERT_EQ(summary.failed.size(), 1u);
+    EXPECT_EQ(summary.failed[0].member, 4);
+    EXPECT_EQ(summary.failed[0].reason, "floe 3 sank");
+}
+
+// 26, 28, 24, 30 N: mean 27, s = √(20/3), t(3) = 3.18244630528371 (python3 -c "from scipy.stats import t;
+// print(t.ppf(.975, 3))")
+TEST(Summary, TakesEachArrangementAsOneValue) {
+    const CaseSummary row = summarise(example::campaign()).cases[0];
+    const double s = std::sqrt(20.0 / 3.0);
+    EXPECT_DOUBLE_EQ(row.mean.estimate, 27);
+    EXPECT_NEAR(row.mean.low, 27 - 3.18244630528371 * s / 2, 1e-8);
+    EXPECT_NEAR(row.mean.prediction_high, 27 + 3.18244630528371 * s * std::sqrt(1.25), 1e-8);
+    EXPECT_DOUBLE_EQ(row.sd.estimate, 13.5);
+    EXPECT_DOUBLE_EQ(row.maximum.estimate, 135);
+    EXPECT_DOUBLE_EQ(row.mean_maximum.estimate, 108);
+    EXPECT_DOUBLE_EQ(row.sd_maximum.estimate, 28);
+    EXPECT_DOUBLE_EQ(row.failure_ratio.estimate, 0.02);
+}
+
+TEST(Summary, LeavesMembersWithoutAResultOut) {
+    const CaseSummary row = summarise(example::campaign()).cases[1];
+    EXPECT_DOUBLE_EQ(row.mean.estimate, 32);
+    EXPECT_TRUE(std::isfinite(row.mean.low));
+    EXPECT_EQ(row.failures->bending, 11);
+    EXPECT_EQ(row.failures->shear, 2);
+    EXPECT_EQ(row.failures->compression, 0);
+}
+
+TEST(Summary, CutsTheFailureRatioToItsRange) {
+    const Interval ratio = summarise(example::campaign()).cases[2].failure_ratio;
+    EXPECT_EQ(ratio.estimate, 0.5);
+    EXPECT_EQ(ratio.low, 0.0);
+    EXPECT_EQ(ratio.high, 1.0);
+    EXPECT_EQ(ratio.prediction_low, 0.0);
+    EXPECT_EQ(ratio.prediction_high, 1.0);
+}
+
+TEST(Summary, OfACaseWithoutResultsIsUndefined) {
+    CampaignTable table = example::campaign();
+    for (MemberRow& member : table.members)
+        member = example::without_result(member.case_index, 0, RowStatus::failed, "x");
+    const Summary summary = summarise(table);
+    EXPECT_TRUE(summary.complete());
+    for (const CaseSummary& row : summary.cases) {
+        EXPECT_EQ(row.done, 0);
+        EXPECT_FALSE(row.failures.has_value());
+        for (const Quantity& quantity : quantities) EXPECT_TRUE(std::isnan((row.*quantity.interval).estimate));
+    }
+}
+
+TEST(Summary, OfOneArrangementHasNoLimits) {
+    CampaignTable table = example::campaign();
+    table.members.resize(3);
+    const Summary summary = summarise(table);
+    EXPECT_TRUE(summary.complete());
+    EXPECT_EQ(summary.cases[0].mean.estimate, 26);
+    EXPECT_TRUE(std::isnan(summary.cases[0].mean.low));
+    EXPECT_TRUE(std::isnan(summary.cases[0].failure_ratio.prediction_high));
+}
+
+// The brackets of Table 3, which print the size alone: 12.5 and 6.5 % for the mean, 20.8 and 2.9 % for the mean
+// maximum.
+TEST(Summary, ComparesAsTable3Does) {
+    CampaignTable table = example::campaign();
+    table.members = {example::done(0, 0, 26.50, 0.106, 0), example::done(1, 0, 30.28, 0.101, 0),
+                     example::done(2, 0, 28.32, 0.175, 0)};
+    table.members[0].mean_maximum = 93.39;
+    table.members[1].mean_maximum = 117.94;
+    table.members[2].mean_maximum = 121.38;
+    const Summary summary = summarise(table);
+    const std::size_t reference = case_index(summary, "E60");
+    EXPECT_EQ(reference, 1u);
+    const Quantity& mean = quantities[0];
+    const Quantity& mean_maximum = quantities[3];
+    const Quantity& ratio = quantities[5];
+    EXPECT_NEAR(difference_percent(summary, 0, reference, mean), -12.5, 0.05);
+    EXPECT_NEAR(difference_percent(summary, 2, reference, mean), -6.5, 0.05);
+    EXPECT_NEAR(difference_percent(summary, 0, reference, mean_maximum), -20.8, 0.05);
+    EXPECT_NEAR(difference_percent(summary, 2, reference, mean_maximum), 2.9, 0.05);
+    EXPECT_EQ(difference_percent(summary, 1, reference, mean), 0.0);
+    table.members[1].failure_ratio = 0;
+    EXPECT_TRUE(std::isnan(difference_percent(summarise(table), 0, reference, ratio)));
+}
+
+TEST(Summary, NamesTheCasesThereAre) {
+    const Summary summary = summarise(example::campaign());
+    try {
+        case_index(summary, "E61");
+        FAIL() << "E61 was found";
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(), "There is no case 'E61' in this campaign; its cases are E30, E60, E200.");
+    }
+}
+
+}  // namespace
+}  // namespace floes

@@ -1,0 +1,150 @@
+// What disks and other processes do to a journal: cut, flipped, full, gone, shared.
+
+#include <gmock/gmock.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <fstream>
+
+#include "core/error.hpp"
+#include "journal/journal.hpp"
+#include "support/file_bytes.hpp"
+#include "support/small_journal.hpp"
+
+namespace floes {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(JournalFaults, CutAtEveryByteKeepsEveryWholeRecordAndGoesOn) {
+    const SmallJournal small;
+    const Bytes whole = file_bytes(small.path);
+    const auto torn = small.folder / "torn.journal";
+    for (std::size_t size = 0; size <= whole.size(); ++size) {
+        SCOPED_TRACE(size);
+        write_file_bytes(torn, std::span(whole).first(size));
+        const std::size_t kept = small.whole_records(size);
+        if (size >= small.ends[0]) {
+            const JournalContents contents = read_journal(torn);
+            expect_small_records(contents.members, kept);
+            EXPECT_EQ(contents.torn_bytes, size - small.ends[kept]);
+            EXPECT_EQ(std::filesystem::file_size(torn), size) << "reading must not change the file";
+        } else {
+            EXPECT_THAT(refusal([&] { read_journal(torn); }), HasSubstr("holds nothing yet"));
+        }
+        {
+            Journal journal = open_journal(torn, "name = \"small\"\n", Existing::resume);
+            expect_small_records(journal, kept);
+            EXPECT_EQ(journal.cut_bytes(), size >= small.ends[0] ? size - small.ends[kept] : 0);
+            journal.append(small_record(static_cast<int>(kept)));
+        }
+        expect_small_records(read_journal(torn).members, kept + 1);
+        EXPECT_EQ(read_journal(torn).torn_bytes, 0u);
+    }
+}
+
+TEST(JournalFaults, FlippedBitAtEveryByteNeverGivesAFalseRecord) {
+    const SmallJournal small;
+    const Bytes whole = file_bytes(small.path);
+    const auto damaged = small.folder / "damaged.journal";
+    for (std::size_t k = 0; k < whole.size(); ++k) {
+        for (int bit = 0; bit < 8; ++bit) {
+            SCOPED_TRACE(testing::Message() << "byte " << k << " bit " << bit);
+            Bytes bytes = whole;
+            bytes[k] ^= std::byte{1} << bit;
+            write_file_bytes(damaged, bytes);
+            if (k < small.ends[0]) {
+                EXPECT_THROW(read_journal(damaged), InputError);
+                EXPECT_THROW(open_journal(damaged, "", Existing::resume), InputError);
+                EXPECT_EQ(file_bytes(damaged), bytes) << "what cannot be read must not be cut";
+            } else {
+                // All but the damaged one, and opening for writing does not cut those behind it off.
+                const std::size_t lost = small.whole_records(k);
+                { const Journal journal = open_journal(damaged, "", Existing::resume); }
+                const JournalContents contents = read_journal(damaged);
+                ASSERT_EQ(contents.members.size(), 2u);
+                for (std::size_t i = 0, number = 0; i < 2; ++i, ++number) {
+                    if (number == lost) ++number;
+                    EXPECT_EQ(encode(contents.members[i]), encode(small_record(static_cast<int>(number))));
+                }
+                EXPECT_EQ(contents.damaged_bytes, lost == 2 ? 0 : small.ends[lost + 1] - small.ends[lost]);
+            }
+        }
+    }
+}
+
+TEST(JournalFaults, GarbageLengthAsksForNoMemory) {
+    const SmallJournal small;
+    Bytes bytes = file_bytes(small.path);
+    ByteWriter garbage;
+    garbage.u64(0x7fffffffffffffff);
+    for (int k = 0; k < 20; ++k) garbage.u32(1);
+    bytes.insert(bytes.end(), garbage.bytes().begin(), garbage.bytes().end());
+    write_file_bytes(small.path, bytes);
+    expect_small_records(read_journal(small.path).members, 3);
+    EXPECT_EQ(read_journal(small.path).torn_bytes, 88u);
+}
+
+TEST(JournalFaults, AdmitsOneWriter) {
+    const SmallJournal small;
+    EXPECT_FALSE(is_being_written(small.path));
+    {
+        const Journal first = open_journal(small.path, "", Existing::resume);
+        EXPECT_TRUE(is_being_written(small.path));
+        for (const Existing existing : {Existing::resume, Existing::replace, Existing::refuse})
+            EXPECT_THAT(refusal([&] { open_journal(small.path, "", existing); }), HasSubstr("written by another run"));
+        expect_small_records(read_journal(small.path).members, 3);
+    }
+    EXPECT_FALSE(is_being_written(small.path));
+    expect_small_records(open_journal(small.path, "", Existing::resume), 3);
+}
+
+TEST(JournalFaults, LeavesHistoriesInTheFile) {
+    const SmallJournal small;
+    Journal journal = open_journal(small.path, "", Existing::resume);
+    journal.append(small_record(3));
+    journal.hand_over();
+    for (const MemberRecord& record : journal.records()) EXPECT_EQ(record.history, PackedHistory());
+    expect_small_records(journal, 4);
+    std::fstream file(small.path, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(static_cast<std::streamoff>(small.ends[1]) + 40);
+    file.put('!');  // as if the disk lost something during the run
+    file.close();
+    EXPECT_THROW(journal.history(journal.records()[1]), RunError);
+    EXPECT_EQ(journal.history(journal.records()[2]), small_record(2).history);
+}
+
+TEST(JournalFaults, SaysWhenItsFolderIsGone) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "run");
+    Journal journal = open_journal(folder / "run/a.journal", "", Existing::refuse);
+    journal.append(small_record(0));
+    journal.sync();
+    std::filesystem::rename(folder / "run", folder / "moved");
+    journal.append(small_record(1));
+    EXPECT_THROW(journal.sync(), RunError);
+    expect_small_records(read_journal(folder / "moved/a.journal").members, 2);
+    std::filesystem::remove_all(folder / "moved");
+    EXPECT_THROW(journal.sync(), RunError);
+}
+
+TEST(JournalFaults, StaysWholeWhenTheDiskIsFull) {
+    const SmallJournal small;
+    Journal journal = open_journal(small.path, "", Existing::resume);
+    rlimit before{};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit full{small.ends[3] + 20, before.rlim_max};
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &full), 0);
+    journal.append(small_record(3));
+    EXPECT_THROW(journal.hand_over(), RunError);
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_EQ(std::filesystem::file_size(small.path), small.ends[3]);
+    journal.append(small_record(3));
+    journal.hand_over();
+    expect_small_records(read_journal(small.path).members, 4);
+}
+
+}  // namespace
+}  // namespace floes

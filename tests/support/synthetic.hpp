@@ -1,0 +1,135 @@
+#pragma once
+// A small campaign and made-up results of its members, for tests of the store: every field differs from every other.
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "campaign/campaign.hpp"
+#include "records/calibration_record.hpp"
+#include "records/member_record.hpp"
+#include "records/session.hpp"
+
+namespace floes::synthetic {
+
+/// Three cases: the second shares the first one's geometry, the third has fewer floes, segments and steps.
+inline Campaign campaign(int arrangements = 4) {
+    Scenario scenario;
+    scenario.field.floes = 6;
+    scenario.field.concentration = 0.3;
+    scenario.structure.speed = 1.75;
+    scenario.analysis = {.steady_start = 1.0, .window = 1.2, .segments = 3, .exceedance_levels = {100, 300}};
+    Campaign made;
+    made.name = "synthetic";
+    made.seed = 7;
+    made.arrangements = arrangements;
+    made.cases.push_back({"soft", scenario});
+    scenario.joint.cfm = 1e-10;
+    scenario.ice.elastic_modulus = 200e6;
+    made.cases.push_back({"stiff", scenario});
+    scenario.field.floes = 4;
+    scenario.field.far_end = FarEnd::open;
+    scenario.structure.profile = {{-0.443, 0.3}, {0.0, 0.6}, {0.122, 0.736}};
+    scenario.contact.erp = 0.8;
+    scenario.analysis = {.steady_start = 1.2, .window = 0.8, .segments = 2, .exceedance_levels = {300, 500}};
+    made.cases.push_back({"open", scenario});
+    return made;
+}
+
+/// The first case at the six points of a grid.
+inline Campaign campaign_with_design() {
+    Campaign one = campaign();
+    one.cases.resize(1);
+    return read_campaign(
+        {write_campaign(one) +
+             "[design]\nmethod = \"grid\"\n[[design.axis]]\nkey = \"ice.thickness_m\"\nvalues = [0.03, "
+             "0.04, 0.05]\n[[design.axis]]\nkey = \"joint.cfm\"\nvalues = [0.01, 0.1]\nscale = \"log\"\n",
+         "synthetic.toml",
+         {}},
+        nullptr);
+}
+
+/// A done member. Values depend on the member alone; floe poses on arrangement number and floe count alone.
+inline MemberRecord record(const Campaign& campaign, int number) {
+    const MemberKey key = member_key(campaign, number);
+    const Scenario& scenario = campaign.cases[static_cast<std::size_t>(key.case_index)].scenario;
+    const double base = 100.0 * (number + 1);
+    MemberRecord made;
+    made.case_key = case_fingerprint(campaign, key.case_index);
+    made.arrangement = key.arrangement;
+    made.attempt = 1 + number % 2;
+    made.rank = number % 3;
+    made.host = "node" + std::to_string(number % 2);
+    made.peak_memory = 1000000u + static_cast<unsigned>(number);
+    MemberResult& result = made.result;
+    result.load = {base + 0.1,  base + 0.2, base + 0.3,      {},         base + 0.4, base + 0.5,
+                   -base - 0.6, 0.25,       number % 2 == 0, base + 0.7, base + 0.8};
+    for (int k = 0; k < scenario.analysis.segments; ++k) result.load.segment_maximum.push_back(base + 0.01 * k);
+    result.levels = {{20 + number, 5 + number}, {10 + number, number}};
+    result.mean_sway = base + 0.7;
+    result.mean_heave = -base - 0.8;
+    result.failure_ratio = 1.0 / (number + 3);
+    result.failures_bending = 3 * number;
+    result.failures_shear = 3 * number + 1;
+    result.failures_compression = 3 * number + 2;
+    result.peaks = {base + 1, base + 2, base + 3, base + 4, base + 5, base + 6};
+    LoadHistory history;
+    for (int k = 0; k < scenario.step_count(); ++k) {
+        history.surge.push_back(base * std::sin(0.1 * k));
+        history.sway.push_back(base * std::cos(0.1 * k));
+        history.heave.push_back(base / (k + 1));
+    }
+    made.history = pack(history);
+    for (int k = 0; k < number % 4; ++k)
+        result.breaks.push_back({0.02 * (k + 1), k, k + 10, static_cast<FailureMode>((number + k) % 6)});
+    for (int k = 0; k < scenario.field.floes; ++k)
+        result.arrangement.push_back({6.0 + k + 0.1 * key.arrangement, 0.3 * scenario.field.floes - k, 0.01 * k});
+    result.psi4 = 0.9 + 0.001 * key.arrangement;
+    result.wall_time = 12.5 + number;
+    result.cpu_time = 12.0 + number;
+    return made;
+}
+
+inline MemberRecord failed_record(const Campaign& campaign, int number) {
+    MemberRecord made = record(campaign, number);
+    made.result.status = MemberStatus::failed;
+    made.result.reason = "an element ran away at 12.34 s: 11 m/s, allowed ≤ 10 m/s";
+    made.result.load.mean = std::numeric_limits<double>::infinity();
+    return made;
+}
+
+/// Members 0 to count - 1; number 4 failed, and number 7 stays missing.
+inline std::vector<MemberRecord> records(const Campaign& campaign) {
+    std::vector<MemberRecord> made;
+    for (int number = 0; number < member_count(campaign); ++number) {
+        if (number == 7) continue;
+        made.push_back(number == 4 ? failed_record(campaign, number) : record(campaign, number));
+    }
+    return made;
+}
+
+/// As if the second and the third case, of one ice, had given their elastic modulus in place of Σ; the values of a
+/// point rise by its index.
+inline CalibrationRecord calibration(const Campaign& campaign) {
+    const Scenario& scenario = campaign.cases[1].scenario;
+    CalibrationRecord made{calibration_key(scenario), {scenario.joint.cfm, 207e6, {}}};
+    for (int k = 0; k < 3; ++k)
+        made.found.curve.push_back(
+            {5.4 + k, 0.2 + k, 0.03 + k, 0.02 + k, 0.8 + k, 50 + k, 0.016 + k, 1e4 + k, 6e7 + k, 7e7 + k});
+    return made;
+}
+
+inline Session session(int number = 0) {
+    Session made;
+    made.started = "2026-01-0" + std::to_string(1 + number) + "T10:00:00Z";
+    made.host = "node0";
+    made.machine = "Linux 6.1 x86_64, a processor";
+    made.job = "4711";
+    made.ranks = 2 + number;
+    made.threads = 4 + number;
+    made.software = {{"floes", "0.1.0"}, {"bullet", "3.24"}};
+    return made;
+}
+
+}  // namespace floes::synthetic
