@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "quantities/quantity.hpp"
 #include "scenario/keys.hpp"
 
 namespace floes {
@@ -78,9 +79,11 @@ Keys describe(StopRule& stop) {
                    "The campaign ends when the 95 % interval of the mean over arrangements is no wider than so "
                    "much of it to either side; campaign.arrangements is then the most that are run. 0: all are "
                    "run. Only arrangements in index order count, whatever finishes first."));
-    keys.push_back(word_key("stop.of", stop.of,
-                            {"mean_load", "sd_load", "maximum_load", "mean_maximum", "failure_ratio"},
-                            "the first of Table 3", "Which figure of a member."));
+    std::vector<std::string> stoppable;
+    for (const Quantity& one : quantities)
+        if (one.stops) stoppable.emplace_back(one.key);
+    keys.push_back(
+        choice_key("stop.of", stop.of, std::move(stoppable), "the first of Table 3", "Which figure of a member."));
     keys.push_back(text_key("stop.case", stop.case_name, "every case",
                             "Case whose interval is asked for: \"all\", \"none\", or the name of one."));
     keys.push_back(text_key("stop.contrast", stop.contrast, "none",

@@ -5,12 +5,9 @@
 
 namespace floes {
 
-/// What the precision is asked of.
-enum class StopQuantity { mean_load, sd_load, maximum_load, mean_maximum, failure_ratio };
-
 struct StopRule {
-    double half_width = 0;  ///< of the 95 % interval over the mean, a part of 1; 0: all arrangements are run
-    StopQuantity of = StopQuantity::mean_load;
+    double half_width = 0;          ///< of the 95 % interval over the mean, a part of 1; 0: all arrangements are run
+    std::string of = "mean_load";   ///< key of the quantity whose precision is asked for
     std::string case_name = "all";  ///< or "none", or the name of one case
     std::string contrast = "none";  ///< or "all", or "B - A" for the paired difference of two cases
     int minimum = 20;               ///< fewest arrangements before the rule is asked

@@ -52,7 +52,7 @@ struct CampaignScales {
 /// A scale 0, 1, …, count - 1.
 hdf5::Scale write_index_scale(hid_t parent, const char* name, const char* long_name, std::size_t count);
 
-void write_members(hid_t file, CampaignContent& content, const CampaignScales& scales);
+void write_members(hid_t file, const CampaignContent& content, const CampaignScales& scales);
 /// Nothing where no case counts steps above a load level.
 void write_levels(hid_t file, const CampaignContent& content, const CampaignScales& scales);
 void write_cases(hid_t file, const CampaignContent& content, const CampaignScales& scales);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "campaign/campaign.hpp"
+#include "quantities/quantity.hpp"
 #include "records/calibration_record.hpp"
 #include "records/member_record.hpp"
 #include "records/session.hpp"
@@ -52,36 +53,19 @@ struct CaseRow {
     double window_steps() const { return analysis.window / time_step; }
 };
 
-/// A member as the file has it. Numbers are NaN, and counts 0, unless the member is done.
-struct MemberRow {
+/// A member as the file has it. Unless the member is done, its outputs are unmeasured().
+struct MemberRow : MemberOutputs {
     int case_index = 0;   ///< row of CampaignTable::cases
     int arrangement = 0;  ///< row of /arrangements; equal for members that began from the same floes
     RowStatus status = RowStatus::missing;
-    std::string reason;                   ///< of a failure
-    double mean_load = 0;                 ///< N
-    double sd_load = 0;                   ///< N
-    double skewness = 0;                  ///< of the load in the window
-    double excess_kurtosis = 0;           ///< likewise
-    double maximum_load = 0;              ///< N
-    std::vector<double> segment_maximum;  ///< N
-    double mean_maximum = 0;              ///< N
-    double sd_maximum = 0;                ///< N
-    double failure_ratio = 0;             ///< 0-1
-    int failures_bending = 0;
-    int failures_shear = 0;
-    int failures_compression = 0;
-    double mean_sway = 0;   ///< N
-    double mean_heave = 0;  ///< N
-    double trend = 0;       ///< N/s
-    double trend_p = 0;
-    bool steady = false;
-    PeakReactions peaks;              ///< over all joints and the whole run, N and N m
+    std::string reason;               ///< of a failure
     std::vector<double> steps_above;  ///< of each of CampaignTable::levels; NaN where the case does not count it
     std::vector<double> upcrossings;  ///< likewise
-};
 
-/// The fields of the row that are of the surge load in the window.
-void set_load(MemberRow& row, const LoadStatistics& load);
+    bool done() const { return status == RowStatus::done; }
+    /// The quantity; NaN unless the member is done, counts too.
+    double value(const Quantity& quantity) const;
+};
 
 /// Puts `counts`, which belong to the levels `own`, to their places among `all` levels, which have them all.
 void set_levels(MemberRow& row, std::span<const double> all, std::span<const double> own,

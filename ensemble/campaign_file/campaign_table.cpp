@@ -2,11 +2,12 @@
 #include <limits>
 
 #include "campaign_file/arrangement_rows.hpp"
-#include "campaign_file/campaign_columns.hpp"
 #include "campaign_file/campaign_file.hpp"
 
 namespace floes {
 namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Those of all cases, rising, each once.
 std::vector<double> levels_of(const Campaign& campaign) {
@@ -21,22 +22,9 @@ std::vector<double> levels_of(const Campaign& campaign) {
 }
 
 void set_missing(MemberRow& row, int segments, std::size_t levels) {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    for (const RealColumn& column : real_columns) column.field(row) = nan;
-    row.segment_maximum.assign(static_cast<std::size_t>(segments), nan);
+    static_cast<MemberOutputs&>(row) = unmeasured(segments);
     row.steps_above.assign(levels, nan);
     row.upcrossings.assign(levels, nan);
-}
-
-void set_numbers(MemberRow& row, const MemberResult& result) {
-    set_load(row, result.load);
-    row.failure_ratio = result.failure_ratio;
-    row.failures_bending = result.failures_bending;
-    row.failures_shear = result.failures_shear;
-    row.failures_compression = result.failures_compression;
-    row.mean_sway = result.mean_sway;
-    row.mean_heave = result.mean_heave;
-    row.peaks = result.peaks;
 }
 
 CaseRow case_row(const Case& one) {
@@ -53,18 +41,8 @@ CaseRow case_row(const Case& one) {
 
 }  // namespace
 
-void set_load(MemberRow& row, const LoadStatistics& load) {
-    row.mean_load = load.mean;
-    row.sd_load = load.sd;
-    row.maximum_load = load.maximum;
-    row.segment_maximum = load.segment_maximum;
-    row.mean_maximum = load.mean_maximum;
-    row.sd_maximum = load.sd_maximum;
-    row.skewness = load.skewness;
-    row.excess_kurtosis = load.excess_kurtosis;
-    row.trend = load.trend;
-    row.trend_p = load.trend_p;
-    row.steady = load.steady;
+double MemberRow::value(const Quantity& quantity) const {
+    return done() ? quantity.of(*this) : nan;
 }
 
 void set_levels(MemberRow& row, std::span<const double> all, std::span<const double> own,
@@ -94,7 +72,7 @@ CampaignTable campaign_table(const Campaign& campaign, std::span<const MemberRec
         row.reason = record->result.reason;
         if (record->result.status == MemberStatus::done) {
             row.status = RowStatus::done;
-            set_numbers(row, record->result);
+            static_cast<MemberOutputs&>(row) = record->result;
             set_levels(row, table.levels, analysis.exceedance_levels, record->result.levels);
         } else {
             row.status = RowStatus::failed;

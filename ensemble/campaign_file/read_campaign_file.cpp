@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "campaign_file/campaign_columns.hpp"
 #include "campaign_file/campaign_file.hpp"
 #include "core/error.hpp"
 #include "hdf5/read.hpp"
@@ -75,23 +74,18 @@ std::vector<MemberRow> read_members(hid_t file, const std::vector<CaseRow>& case
         row.case_index = case_index[k];
         row.arrangement = arrangement.at(k);
         row.status = static_cast<RowStatus>(status.at(k));
-        row.steady = steady.at(k) == 1;
+        row.load.steady = steady.at(k) == 1;
         row.reason = reason.at(k);
         // Rows are as wide as the case with most segments needs.
         const int segments = cases.at(static_cast<std::size_t>(row.case_index)).analysis.segments;
         const auto first = maxima.begin() + static_cast<std::ptrdiff_t>(k * width);
-        row.segment_maximum.assign(first, first + segments);
+        row.load.segment_maximum.assign(first, first + segments);
     }
-    for (const RealColumn& column : real_columns) {
-        const std::string name = fmt::format("members/{}", column.name);
+    for (const Quantity& one : quantities) {
+        const std::string name = fmt::format("members/{}", one.key);
         std::vector<double> values(members.size(), nan);
-        if (!column.later || hdf5::exists(file, name)) values = hdf5::read_values<double>(file, name);
-        for (std::size_t k = 0; k < members.size(); ++k) column.field(members[k]) = values.at(k);
-    }
-    for (const CountColumn& column : count_columns) {
-        const auto values = hdf5::read_values<double>(file, fmt::format("members/{}", column.name));
-        for (std::size_t k = 0; k < members.size(); ++k)
-            members[k].*column.field = std::isnan(values.at(k)) ? 0 : static_cast<int>(values.at(k));
+        if (one.since == 0 || hdf5::exists(file, name)) values = hdf5::read_values<double>(file, name);
+        for (std::size_t k = 0; k < members.size(); ++k) one.place.set(members[k], values.at(k));
     }
     return members;
 }

@@ -12,7 +12,7 @@
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "driver/merge.hpp"
-#include "findings/formats.hpp"
+#include "findings/summary_section.hpp"
 
 namespace floes {
 
@@ -37,7 +37,7 @@ int merge(const MergeOptions& options) {
         fmt::print(stderr, "floes: floes run CONFIG.toml -o {} --resume computes those that are in no part\n",
                    options.output);
     }
-    std::fputs(summary_table(summarise(table), terminal_width()).c_str(), stdout);
+    std::fputs(text(std::vector{summary_section(summarise(table))}, terminal_width()).c_str(), stdout);
     return failed + missing > 0 ? 1 : 0;
 }
 

@@ -52,7 +52,7 @@ void report(const ReportOptions& options) {
     const std::filesystem::path output = options.output.empty() ? file.stem().string() + ".html" : options.output;
     ReportData data = read_report_data(file);
     if (!options.skip_plate_tests) data.curve = measured_curve(data.campaign.cases.front().scenario);
-    data.command = fmt::format("./floes run {0}.toml -o {0}.h5", data.findings.summary.title);
+    data.command = fmt::format("./floes run {0}.toml -o {0}.h5", data.summary.title);
     write_page(output, report_page(data));
     std::printf("%s\n", output.string().c_str());
 }

@@ -19,7 +19,7 @@
 #include "driver/run_campaign.hpp"
 #include "driver/signals.hpp"
 #include "driver/worker.hpp"
-#include "findings/formats.hpp"
+#include "findings/summary_section.hpp"
 #include "member/run_member.hpp"
 
 namespace floes {
@@ -117,7 +117,7 @@ int lead(const RunVerb& verb, const std::string& program, Link& link, Helper& he
     }
     if (status != exit_stopped) {
         const Summary summary = summarise(read_campaign_file(options.places.campaign_file));
-        std::fputs(summary_table(summary, terminal_width()).c_str(), stdout);
+        std::fputs(text(std::vector{summary_section(summary)}, terminal_width()).c_str(), stdout);
     }
     return status;
 }

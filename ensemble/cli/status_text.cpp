@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "campaign/campaign_keys.hpp"
 #include "driver/progress.hpp"
 
 namespace floes {
@@ -60,10 +59,7 @@ std::string work_line(const CampaignStatus& status, int missing) {
 
 /// "mean_load of every case", "mean_load of E200 - E60".
 std::string what_of(const StopRule& rule) {
-    StopRule copy = rule;
-    const Keys keys = describe(copy);
-    const auto& of = std::get<WordField>(find_key(keys, "stop.of")->field);
-    std::string text = of.words[of.get()];
+    std::string text = rule.of;
     if (rule.case_name != "none") text += rule.case_name == "all" ? " of every case" : " of case " + rule.case_name;
     if (rule.contrast != "none") {
         text += rule.case_name != "none" ? " and" : "";

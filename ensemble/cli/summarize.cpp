@@ -8,14 +8,13 @@
 
 #include <fmt/format.h>
 
-#include "campaign_file/read_details.hpp"
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "findings/findings.hpp"
-#include "findings/pairs_text.hpp"
-#include "findings/steady_text.hpp"
+#include "findings/pairs_section.hpp"
+#include "findings/parts.hpp"
+#include "findings/sensitivity.hpp"
 
 namespace floes {
 
@@ -31,53 +30,40 @@ struct SummarizeOptions {
 };
 
 /// What is shown unless parts are named: what suits the campaign as table and JSON, and the one CSV that most want.
-std::vector<std::string> default_parts(const std::string& format, const Campaign& campaign) {
-    if (format == "csv") return {"cases"};
-    std::vector<std::string> parts{"cases"};
-    if (campaign.design.active()) parts.push_back("sensitivity");
-    if (in_detail(campaign)) parts.insert(parts.end(), {"pairs", "extremes"});
-    return parts;
+bool is_wanted(const Part& part, const SummarizeOptions& options, const Campaign& campaign) {
+    if (!options.parts.empty()) return std::ranges::find(options.parts, part.name) != options.parts.end();
+    return options.format == "csv" ? part.name == parts().front().name : part.unasked(campaign);
 }
 
-Findings find(const SummarizeOptions& options) {
-    Findings findings;
-    findings.table = read_campaign_file(options.file);
-    const Campaign campaign = campaign_of(read_origin(options.file), options.file);
-    const std::vector<std::string> parts =
-        options.parts.empty() ? default_parts(options.format, campaign) : options.parts;
-    const auto wanted = [&](const char* part) { return std::ranges::find(parts, part) != parts.end(); };
-    const bool automatic = options.window == "auto";
-    if (automatic || wanted("steady")) findings.steady = find_steady(options.file, findings.table);
-    if (automatic) findings.table = with_automatic_window(options.file, findings.table, *findings.steady);
-    findings.summary = summarise(findings.table);
-    if (!options.reference.empty()) findings.reference = case_index(findings.summary, options.reference);
-    findings.show_cases = wanted("cases");
-    if (wanted("pairs")) {
-        findings.pair_options = {findings.reference, options.resolve_percent * unit::percent};
-        findings.pairs = compare_pairs(findings.table, findings.pair_options);
+std::vector<Section> find(const SummarizeOptions& options, const Evidence& evidence) {
+    std::vector<Section> sections;
+    for (const Part& part : parts()) {
+        const bool wanted = is_wanted(part, options, evidence.campaign);
+        if (wanted && part.for_csv_alone && options.format != "csv")
+            throw InputError(fmt::format("--parts {0}, a line for each member, is for --format csv.", part.name));
+        const bool always = options.format == "json" && part.name == parts().front().name;
+        if (wanted || always) sections.push_back(part.section(evidence));
+        if (wanted && !sections.back().missing.empty() && options.format != "table")
+            std::fputs(fmt::format("floes: {}", sections.back().missing).c_str(), stderr);
     }
-    if (wanted("points")) findings.points = find_points(campaign);
-    if (wanted("sensitivity")) findings.sensitivity = find_sensitivity(campaign, findings.table);
-    findings.show_extremes = wanted("extremes");
-    findings.exceedance = wanted("exceedance");
-    if (findings.show_extremes || findings.exceedance) findings.extremes = find_extremes(findings.table);
-    if (findings.exceedance) findings.levels = find_levels(findings.table);
-    if (!wanted("steady")) findings.steady.reset();
-    if (findings.steady && findings.steady->members.empty() && options.format != "table")
-        std::fputs(fmt::format("floes: {}", no_histories).c_str(), stderr);
-    findings.members = wanted("members");
-    if (findings.members && options.format != "csv")
-        throw InputError("--parts members, a line for each member, is for --format csv.");
-    return findings;
+    return sections;
 }
 
-/// `parts_chosen`: by us, and not named.
-std::string text_of(const Findings& findings, const std::string& format, bool parts_chosen) {
-    if (format == "json") return findings_json(findings);
-    if (format == "csv") return findings_csv(findings);
-    std::string text = findings_table(findings, terminal_width());
-    if (!findings.pairs && parts_chosen) text += "\n" + unasked_text(findings.summary) + "\n";
-    return text;
+std::string answer(const SummarizeOptions& options) {
+    Evidence evidence = read_evidence(options.file, options.window == "auto", options.reference);
+    evidence.resolve = options.resolve_percent * unit::percent;
+    const std::vector<Section> sections = find(options, evidence);
+    if (options.format == "json") return json(sections);
+    if (options.format == "csv") return csv(sections);
+    std::string told = text(sections, terminal_width());
+    if (options.parts.empty() && !in_detail(evidence.campaign)) told += "\n" + unasked_text(evidence.summary) + "\n";
+    return told;
+}
+
+std::vector<std::string> part_names() {
+    std::vector<std::string> names;
+    for (const Part& part : parts()) names.emplace_back(part.name);
+    return names;
 }
 
 }  // namespace
@@ -96,8 +82,7 @@ void add_summarize(CLI::App& program, int& exit_status) {
                      "with commas between")
         ->delimiter(',')
         ->allow_extra_args(false)
-        ->check(
-            CLI::IsMember({"cases", "points", "sensitivity", "pairs", "extremes", "exceedance", "steady", "members"}));
+        ->check(CLI::IsMember(part_names()));
     verb->add_option("--resolve", options->resolve_percent,
                      "Difference of a pair, in percent of the first case, whose arrangements are told")
         ->check(CLI::PositiveNumber)
@@ -109,7 +94,7 @@ void add_summarize(CLI::App& program, int& exit_status) {
         ->check(CLI::IsMember({"given", "auto"}))
         ->capture_default_str();
     verb->callback([options, &exit_status] {
-        std::fputs(text_of(find(*options), options->format, options->parts.empty()).c_str(), stdout);
+        std::fputs(answer(*options).c_str(), stdout);
         exit_status = 0;
     });
 }

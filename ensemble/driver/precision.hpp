@@ -11,9 +11,6 @@ namespace floes {
 /// The rule without any member; none where the campaign has no rule. Throws InputError as PrecisionStop does.
 std::optional<PrecisionStop> stop_rule_of(const Campaign& campaign);
 
-/// What the rule looks at in a member; NaN unless it is done.
-double stop_value(StopQuantity of, const MemberRow& row);
-
 /// The rule with every done and every failed member of `table`, which is of the campaign.
 std::optional<PrecisionStop> stop_rule_of(const Campaign& campaign, const CampaignTable& table);
 

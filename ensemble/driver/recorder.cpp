@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -114,14 +115,9 @@ void Recorder::take_stock() {
 
 void Recorder::tell_precision(int arrangement, int case_index, const MemberResult* result) {
     if (!precision_) return;
-    MemberRow row;
-    row.status = RowStatus::failed;
-    if (result != nullptr) {
-        row.status = RowStatus::done;
-        set_load(row, result->load);
-        row.failure_ratio = result->failure_ratio;
-    }
-    precision_->put(arrangement, case_index, stop_value(campaign_.stop.of, row));
+    constexpr double no_result = std::numeric_limits<double>::quiet_NaN();
+    precision_->put(arrangement, case_index,
+                    result == nullptr ? no_result : find_quantity(campaign_.stop.of)->of(*result));
 }
 
 int Recorder::failed() const {

@@ -71,4 +71,28 @@ std::vector<std::string> condition_lines(const Summary& summary) {
     return lines;
 }
 
+std::vector<ConditionColumn> condition_columns(const Summary& summary) {
+    std::size_t points = 0;  // the most that a case has
+    for (const CaseSummary& row : summary.cases) points = std::max(points, row.about.profile.size());
+    std::vector<ConditionColumn> columns;
+    for (std::size_t k = 0; k < points; ++k) {
+        for (const auto& [place, field] : {std::pair{0, &ProfilePoint::height}, {1, &ProfilePoint::radius}})
+            columns.push_back({Names{"", fmt::format("conditions/structure_profile_m/{}/{}", k, place)},
+                               [k, field](const CaseRow& about) {
+                                   return k < about.profile.size() ? Datum(about.profile[k].*field) : Datum(Absent{});
+                               }});
+    }
+    const auto add = [&](const std::string& name, auto value) {
+        columns.push_back(
+            {Names{name, "conditions/" + name}, [value](const CaseRow& about) { return Datum(value(about)); }});
+    };
+    columns.push_back({Names{"structure_wall", ""}, [](const CaseRow& about) { return wall_words(about.profile); }});
+    add("far_end", [](const CaseRow& about) { return far_end_key(about.far_end); });
+    add("contact_erp", [](const CaseRow& about) { return about.contact_erp; });
+    add("steady_start_s", [](const CaseRow& about) { return about.analysis.steady_start; });
+    add("window_s", [](const CaseRow& about) { return about.analysis.window; });
+    add("segments", [](const CaseRow& about) { return about.analysis.segments; });
+    return columns;
+}
+
 }  // namespace floes

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "findings/summary.hpp"
+#include "tables/records.hpp"
 
 namespace floes {
 
@@ -24,5 +25,10 @@ std::string window_words(const Analysis& analysis);
 
 /// One sentence a condition; where cases differ, one for each value with the names of its cases.
 std::vector<std::string> condition_lines(const Summary& summary);
+
+using ConditionColumn = RecordField<CaseRow>;
+
+/// The conditions as columns of a record of a case: "structure_wall" in CSV, under "conditions" in JSON.
+std::vector<ConditionColumn> condition_columns(const Summary& summary);
 
 }  // namespace floes

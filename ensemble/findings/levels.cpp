@@ -1,9 +1,20 @@
 #include "findings/levels.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 
+#include "core/units.hpp"
+#include "tables/number_text.hpp"
+
 namespace floes {
+
+namespace {
+
+constexpr double minute = 60;  // s
+
+}  // namespace
 
 std::vector<LevelRow> find_levels(const CampaignTable& table) {
     std::vector<LevelRow> rows;
@@ -24,6 +35,42 @@ std::vector<LevelRow> find_levels(const CampaignTable& table) {
         }
     }
     return rows;
+}
+
+Section levels_section(const Summary& summary, const std::vector<LevelRow>& rows) {
+    using Row = const LevelRow&;
+    Records records = make_records<LevelRow>(
+        "load_levels", rows,
+        {{"case", [&](Row row) { return summary.name_of(row.case_index); }},
+         {Names{"level_N", "level_N"}, &LevelRow::level},
+         {"runs", &LevelRow::runs},
+         {Names{"time_above", "time_above/estimate"}, [](Row row) { return row.time_above.estimate; }},
+         {Names{"time_above_low", "time_above/low"}, [](Row row) { return row.time_above.low; }},
+         {Names{"time_above_high", "time_above/high"}, [](Row row) { return row.time_above.high; }},
+         {Names{"upcrossings_per_s", "upcrossings_per_s/estimate"}, [](Row row) { return row.upcrossings.estimate; }},
+         {Names{"upcrossings_low", "upcrossings_per_s/low"}, [](Row row) { return row.upcrossings.low; }},
+         {Names{"upcrossings_high", "upcrossings_per_s/high"}, [](Row row) { return row.upcrossings.high; }}});
+    if (rows.empty())
+        return {.before =
+                    "Load levels: no member counted any (analysis.exceedance_levels_N). The curve of the segment "
+                    "maxima is in\n--format csv and json.\n",
+                .records = {json_only(records)}};
+    Table table{{"case", "load, N", "runs", "time above, %", "95 %", "rises a minute", "95 %"}};
+    for (const LevelRow& row : rows) {
+        const auto range = [](const Interval& found, double factor, int decimals) {
+            return bracket(factor * found.low, factor * found.high, decimals);
+        };
+        table.push_back({summary.name_of(row.case_index), fmt::format("{:g}", row.level), fmt::format("{}", row.runs),
+                         fixed(row.time_above.estimate / unit::percent, 3), range(row.time_above, 1 / unit::percent, 3),
+                         fixed(row.upcrossings.estimate * minute, 2), range(row.upcrossings, minute, 2)});
+    }
+    return {.before = "Load levels\n\n",
+            .table = std::move(table),
+            .after =
+                "\nTime above: share of the window with a surge load beyond the level; rises: how often the load "
+                "rises through it.\nCounted in each member at every time step; mean over arrangements with its "
+                "95 % interval (t).\n",
+            .records = {records}};
 }
 
 }  // namespace floes

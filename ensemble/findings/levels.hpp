@@ -4,8 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "campaign_file/campaign_file.hpp"
-#include "inference/interval.hpp"
+#include "findings/summary.hpp"
 
 namespace floes {
 
@@ -20,5 +19,7 @@ struct LevelRow {
 
 /// Every level of every case with a done member that counted it, cases in the order of the file, levels rising.
 std::vector<LevelRow> find_levels(const CampaignTable& table);
+
+Section levels_section(const Summary& summary, const std::vector<LevelRow>& rows);
 
 }  // namespace floes

@@ -14,7 +14,7 @@ constexpr std::size_t fewest_shared = 2;
 std::map<int, const MemberRow*> by_arrangement(const CampaignTable& table, std::size_t of_case) {
     std::map<int, const MemberRow*> rows;
     for (const MemberRow& row : table.members) {
-        if (row.case_index == static_cast<int>(of_case) && row.status == RowStatus::done) rows[row.arrangement] = &row;
+        if (row.case_index == static_cast<int>(of_case) && row.done()) rows[row.arrangement] = &row;
     }
     return rows;
 }
@@ -43,15 +43,15 @@ std::vector<SharedMembers> find_pairs(const CampaignTable& table, std::optional<
     return pairs;
 }
 
-PairRow compare(const SharedMembers& pair, std::size_t quantity, const PairOptions& options) {
+PairRow compare(const SharedMembers& pair, const Quantity& quantity, const PairOptions& options) {
     std::vector<double> first;
     std::vector<double> second;
     for (const auto& [one, other] : pair.members) {
-        first.push_back(quantities[quantity].value(*one));
-        second.push_back(quantities[quantity].value(*other));
+        first.push_back(quantity.of(*one));
+        second.push_back(quantity.of(*other));
     }
     PairRow row;
-    row.quantity = quantity;
+    row.quantity = &quantity;
     row.first = pair.first;
     row.second = pair.second;
     row.found = compare_paired(first, second);
@@ -69,7 +69,7 @@ PairRow compare(const SharedMembers& pair, std::size_t quantity, const PairOptio
 std::vector<PairRow> compare_pairs(const CampaignTable& table, const PairOptions& options) {
     const std::vector<SharedMembers> pairs = find_pairs(table, options.reference);
     std::vector<PairRow> all;
-    for (std::size_t quantity = 0; quantity < table3_quantities.size(); ++quantity) {
+    for (const Quantity& quantity : shown_in(Shown::in_table3)) {
         std::vector<PairRow> rows;
         std::vector<double> t_p;
         std::vector<double> wilcoxon_p;

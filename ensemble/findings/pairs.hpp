@@ -13,8 +13,8 @@ namespace floes {
 
 /// One quantity of one pair of cases, over the arrangements that both have done.
 struct PairRow {
-    std::size_t quantity = 0;  ///< index into `quantities`
-    std::size_t first = 0;     ///< index of the case that the other is compared with
+    const Quantity* quantity = nullptr;
+    std::size_t first = 0;  ///< index of the case that the other is compared with
     std::size_t second = 0;
     PairedComparison found;  ///< second - first
     double first_mean = 0;   ///< over the same arrangements

@@ -3,6 +3,9 @@
 
 #include <array>
 
+#include "findings/summary.hpp"
+#include "scenario/scenario.hpp"
+
 namespace floes {
 
 struct PaperRow {
@@ -23,9 +26,21 @@ inline constexpr std::array<PaperRow, 3> paper_table3{{
 
 /// Hasegawa et al. (2019b) at 60 MPa: mean and maximum load, N; failure ratio (Hasegawa et al., 2018).
 struct Experiment {
+    double elastic_modulus_mpa = 60;
     double mean = 38.8;
     double maximum = 102.7;
     double failure_ratio = 0.22;
 };
+
+/// Whether the scenario is the paper's: whatever the paper states has its value, but for E and Σ. What it leaves open
+/// (wall below the waterline, far end, contact Γ, iterations) may differ.
+bool is_the_papers(const Scenario& scenario);
+
+/// The paper's run at this case; nullptr where it has none.
+const PaperRow* paper_row(const Case& one);
+
+/// A line a case, its estimates with confidence and prediction intervals, and those of the paper and of the experiment
+/// that stand beside a case of theirs.
+Table table3(const Campaign& campaign, const Summary& summary);
 
 }  // namespace floes

@@ -1,8 +1,7 @@
 #include "findings/points.hpp"
 
-#include "findings/columns.hpp"
-#include "findings/figures.hpp"
-#include "findings/json.hpp"
+#include <fmt/format.h>
+
 #include "keys/key.hpp"
 #include "scenario/keys.hpp"
 
@@ -37,47 +36,40 @@ DesignPoints find_points(const Campaign& campaign) {
     return points;
 }
 
-std::vector<std::vector<std::string>> points_lines(const DesignPoints& points) {
-    std::vector<std::vector<std::string>> lines{{"case"}};
-    for (const std::string& key : points.keys) lines.front().push_back(key);
+Table points_table(const DesignPoints& points) {
+    Table table{{"case"}};
+    for (const std::string& key : points.keys) table.front().emplace_back(key);
     for (const PointRow& row : points.rows) {
-        lines.push_back({row.name});
-        for (const auto& value : row.values) lines.back().push_back(value_text(value));
+        std::vector<Cell>& line = table.emplace_back(std::vector<Cell>{row.name});
+        for (const auto& value : row.values) line.emplace_back(value_text(value));
     }
-    return lines;
+    return table;
 }
 
-std::string points_table(const DesignPoints& points, int width) {
-    if (points.keys.empty()) return "The campaign has no design: its cases lie on no axes.\n";
-    return "Points of the design\n\n" + columns(points_lines(points), width);
-}
-
-std::string points_csv(const DesignPoints& points, const Summary& summary) {
-    std::string text = "case,base,point";
-    for (const std::string& key : points.keys) text += "," + key;
-    text += ",done";
-    for (const Quantity& quantity : quantities) text += fmt::format(",{}", quantity.key);
-    text += "\n";
-    for (std::size_t k = 0; k < points.rows.size(); ++k) {
-        const PointRow& row = points.rows[k];
-        text += fmt::format("{},{},{}", row.name, row.base, row.point);
-        for (const auto& value : row.values) text += "," + csv_text(value_text(value));
-        text += fmt::format(",{}", summary.cases.at(k).done);
-        for (const Quantity& quantity : quantities)
-            text += "," + csv_number((summary.cases.at(k).*quantity.interval).estimate);
-        text += "\n";
+Section points_section(const DesignPoints& points, const Summary& summary) {
+    using Row = const PointRow&;
+    const auto summary_of = [&](Row row) -> const CaseSummary& {
+        return summary.cases.at(static_cast<std::size_t>(&row - points.rows.data()));
+    };
+    std::vector<RecordField<PointRow>> columns{
+        {"case", &PointRow::name}, {"base", &PointRow::base}, {"point", &PointRow::point}};
+    for (std::size_t k = 0; k < points.keys.size(); ++k)
+        columns.push_back({Names{points.keys[k], fmt::format("values/{}", k)}, [k](Row row) {
+                               return std::visit([](const auto& value) { return Datum(value); }, row.values[k]);
+                           }});
+    columns.push_back({Names{"done", ""}, [=](Row row) { return summary_of(row).done; }});
+    for (const Quantity& one : shown_in(Shown::in_summary))
+        columns.push_back(
+            {Names{std::string{one.name}, ""}, [=, &one](Row row) { return summary_of(row).of(one).estimate; }});
+    Section section{.records = {make_list("design/axes", points.keys),
+                                make_records<PointRow>("design/points", points.rows, columns)}};
+    if (points.keys.empty()) {
+        section.before = "The campaign has no design: its cases lie on no axes.\n";
+    } else {
+        section.before = "Points of the design\n\n";
+        section.table = points_table(points);
     }
-    return text;
-}
-
-Json points_as_json(const DesignPoints& points) {
-    Json rows = Json::array();
-    for (const PointRow& row : points.rows) {
-        Json values = Json::array();
-        for (const auto& value : row.values) std::visit([&values](const auto& one) { values.push_back(one); }, value);
-        rows.push_back({{"case", row.name}, {"base", row.base}, {"point", row.point}, {"values", values}});
-    }
-    return {{"axes", points.keys}, {"points", rows}};
+    return section;
 }
 
 }  // namespace floes

@@ -25,13 +25,10 @@ struct DesignPoints {
 /// Of a campaign without a design there are no keys and no rows.
 DesignPoints find_points(const Campaign& campaign);
 
-/// Case and values, the heading first.
-std::vector<std::vector<std::string>> points_lines(const DesignPoints& points);
+/// Case and values.
+Table points_table(const DesignPoints& points);
 
-/// The same as a table.
-std::string points_table(const DesignPoints& points, int width);
-
-/// A header line and one line a case: where it lies, members done, and the estimate of each of `quantities`.
-std::string points_csv(const DesignPoints& points, const Summary& summary);
+/// The same with, in CSV, the members done and the estimate of each quantity of the summary.
+Section points_section(const DesignPoints& points, const Summary& summary);
 
 }  // namespace floes

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -11,9 +10,6 @@
 namespace floes {
 
 namespace {
-
-constexpr std::array shown{&CaseSummary::mean, &CaseSummary::sd, &CaseSummary::mean_maximum,
-                           &CaseSummary::failure_ratio};
 
 /// Cases of one [[case]] in order of their points.
 struct Points {
@@ -42,8 +38,7 @@ std::vector<std::vector<double>> values_of(const Points& points, const Quantity&
     for (std::size_t arrangement = 0; arrangement < values.size(); ++arrangement) {
         for (const std::size_t k : points.cases) {
             const MemberRow& member = table.members[arrangement * cases + k];
-            values[arrangement].push_back(member.status == RowStatus::done ? quantity.value(member)
-                                                                           : std::numeric_limits<double>::quiet_NaN());
+            values[arrangement].push_back(member.value(quantity));
         }
     }
     return values;
@@ -164,12 +159,12 @@ Sensitivity find_sensitivity(const Campaign& campaign, const CampaignTable& tabl
     for (const Points& points : by_base(campaign)) {
         const PointCoordinates places = coordinates(campaign, points, found.axes);
         bool fitted = false;
-        for (std::size_t quantity = 0; quantity < quantities.size(); ++quantity) {
-            if (std::ranges::find(shown, quantities[quantity].interval) == shown.end()) continue;
-            const auto values = values_of(points, quantities[quantity], table);
+        for (const Quantity& quantity : quantities) {
+            if (!quantity.in_designs) continue;
+            const auto values = values_of(points, quantity, table);
             const std::vector<double> means = means_of(values, points.cases.size());
             SensitivityRow& row = found.rows.emplace_back();
-            row.quantity = quantity;
+            row.quantity = &quantity;
             row.base = points.base;
             row.points =
                 static_cast<int>(std::ranges::count_if(means, [](double mean) { return std::isfinite(mean); }));

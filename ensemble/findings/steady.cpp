@@ -11,6 +11,7 @@
 #include "statistics/level_counts.hpp"
 #include "statistics/load_statistics.hpp"
 #include "statistics/steady_state.hpp"
+#include "tables/number_text.hpp"
 
 namespace floes {
 
@@ -72,7 +73,7 @@ CaseSteady case_steady(const CampaignTable& table, std::size_t index, const std:
 
 void measure(MemberRow& row, const SurgeHistory& history, const Analysis& analysis, std::span<const double> levels) {
     const auto window = last(history.surge, values_in_window(analysis, history.step));
-    set_load(row, load_statistics(window, history.step, analysis.segments));
+    row.load = load_statistics(window, history.step, analysis.segments);
     const std::vector<LevelCount> counts = count_levels(window, levels);
     for (std::size_t k = 0; k < levels.size(); ++k) {
         if (std::isnan(row.steps_above[k])) continue;
@@ -109,7 +110,7 @@ SteadyReport find_steady(const std::filesystem::path& path, const CampaignTable&
         const Analysis& analysis = table.cases[of_case].analysis;
         if (const auto start = steady_start(history.surge)) member.start = static_cast<double>(*start) * history.step;
         std::optional<double> variance;  // of single steps, which means over several do not show
-        const double sd = table.members[static_cast<std::size_t>(history.member)].sd_load;
+        const double sd = table.members[static_cast<std::size_t>(history.member)].load.sd;
         if (analysis.history_stride > 1) variance = sd * sd;
         const Autocorrelation found = autocorrelation(last(history.surge, values_in_window(analysis, history.step)),
                                                       history.step, batch_of(analysis), variance);
@@ -143,6 +144,54 @@ CampaignTable with_automatic_window(const std::filesystem::path& path, CampaignT
         measure(row, history, table.cases.at(static_cast<std::size_t>(row.case_index)).analysis, table.levels);
     });
     return table;
+}
+
+Section steady_section(const Summary& summary, const CampaignTable& table, const SteadyReport& steady) {
+    const auto or_undefined = [](const std::optional<double>& value) { return value ? Datum(*value) : Undefined{}; };
+    const auto case_of = [&](const CaseSteady& one) {
+        return summary.name_of(static_cast<std::size_t>(&one - steady.cases.data()));
+    };
+    const auto case_of_member = [&](const MemberSteady& one) {
+        return summary.name_of(
+            static_cast<std::size_t>(table.members.at(static_cast<std::size_t>(one.member)).case_index));
+    };
+    Section section;
+    section.records = {
+        json_only(make_records<CaseSteady>(
+            "steady/cases", steady.cases,
+            {{"case", case_of},
+             {"steady_start_s", [=](const CaseSteady& one) { return or_undefined(one.start); }},
+             {"median_member_start_s", [=](const CaseSteady& one) { return or_undefined(one.median_start); }},
+             {"members_without_start", &CaseSteady::without_start},
+             {"median_decorrelation_time_s", &CaseSteady::median_decorrelation_time},
+             {"median_effective_samples", &CaseSteady::median_effective_samples}})),
+        make_records<MemberSteady>(
+            "steady/members", steady.members,
+            {{"member", &MemberSteady::member},
+             {Names{"case", ""}, case_of_member},
+             {"steady_start_s", [=](const MemberSteady& one) { return or_undefined(one.start); }},
+             {"decorrelation_time_s", &MemberSteady::decorrelation_time},
+             {"effective_samples", &MemberSteady::effective_samples}})};
+    if (steady.members.empty()) {
+        section.missing =
+            "Steady state: the file has no load histories (/history/surge_load), so nothing is known of it.\n";
+        return section;
+    }
+    const auto seconds = [](const std::optional<double>& time) { return time ? fixed(*time, 1) : "none"; };
+    section.before = "Steady state\n\n";
+    section.table = {{"case", "window from, s", "steady from, s", "single runs, s", "without", "decorrelation, s",
+                      "effective samples"}};
+    for (const CaseSteady& one : steady.cases) {
+        const CaseRow& about = summary.cases[static_cast<std::size_t>(&one - steady.cases.data())].about;
+        section.table.push_back({about.name, fixed(about.analysis.steady_start, 1), seconds(one.start),
+                                 seconds(one.median_start), fmt::format("{}", one.without_start),
+                                 fixed(one.median_decorrelation_time, 2), fixed(one.median_effective_samples, 0)});
+    }
+    section.after =
+        "\nSteady from: MSER of the mean history of the case; single runs: median of its members' own; without: "
+        "members in\nwhich no steady part is seen. Decorrelation: load that counts as one independent value; "
+        "effective samples: of the\nwindow. Both are medians over the members.\n";
+    return section;
 }
 
 }  // namespace floes

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "campaign_file/campaign_file.hpp"
+#include "findings/summary.hpp"
 
 namespace floes {
 
@@ -39,5 +39,8 @@ SteadyReport find_steady(const std::filesystem::path& path, const CampaignTable&
 /// Throws InputError for histories that are thinned, since maxima and deviations need every step, and where there are
 /// none.
 CampaignTable with_automatic_window(const std::filesystem::path& path, CampaignTable table, const SteadyReport& steady);
+
+/// A line a case for people, a record a case and one a member in JSON, and in CSV a line a member.
+Section steady_section(const Summary& summary, const CampaignTable& table, const SteadyReport& steady);
 
 }  // namespace floes

@@ -25,11 +25,9 @@ void count(const MemberRow& member, CaseSummary& row) {
             break;
     }
     ++row.done;
-    row.not_steady += member.steady ? 0 : 1;
-    if (!row.failures) row.failures = FailureCounts{};
-    row.failures->bending += member.failures_bending;
-    row.failures->shear += member.failures_shear;
-    row.failures->compression += member.failures_compression;
+    row.not_steady += member.load.steady ? 0 : 1;
+    for (const Quantity& one : quantities)
+        if (one.count) row.totals[one.key] += static_cast<std::int64_t>(one.of(member));
 }
 
 CaseSummary summarise_case(const CampaignTable& table, int number) {
@@ -39,14 +37,14 @@ CaseSummary summarise_case(const CampaignTable& table, int number) {
     for (const MemberRow& member : table.members) {
         if (member.case_index != number) continue;
         count(member, row);
-        if (member.status == RowStatus::done) done.push_back(&member);
+        if (member.done()) done.push_back(&member);
     }
     std::vector<double> values(done.size());
-    for (const Quantity& quantity : quantities) {
-        std::ranges::transform(done, values.begin(), [&](const MemberRow* member) { return quantity.value(*member); });
+    for (const Quantity& quantity : shown_in(Shown::in_summary)) {
+        std::ranges::transform(done, values.begin(), [&](const MemberRow* member) { return quantity.of(*member); });
         // The bootstrap's limits cannot leave the range that the values keep to; Student's can.
-        row.*quantity.interval = {clipped(mean_interval(values), quantity.least, quantity.most),
-                                  bca_mean_interval(values)};
+        row.estimates[quantity.key] = {clipped(mean_interval(values), quantity.least, quantity.most),
+                                       bca_mean_interval(values)};
     }
     return row;
 }
@@ -81,8 +79,8 @@ std::size_t case_index(const Summary& summary, std::string_view name) {
 
 double difference_percent(const Summary& summary, std::size_t of_case, std::size_t reference,
                           const Quantity& quantity) {
-    const double value = (summary.cases.at(of_case).*quantity.interval).estimate;
-    const double base = (summary.cases.at(reference).*quantity.interval).estimate;
+    const double value = summary.cases.at(of_case).of(quantity).estimate;
+    const double base = summary.cases.at(reference).of(quantity).estimate;
     return base == 0 ? std::numeric_limits<double>::quiet_NaN() : 100 * (value - base) / base;
 }
 

@@ -102,11 +102,21 @@ std::uint64_t next_record(const Descriptor& file, const std::filesystem::path& p
     return size;
 }
 
+std::uint32_t type_of(std::span<const std::byte> record) {
+    return ByteReader(record.subspan(8)).u32();
+}
+
+MemberRecord decode_member(std::uint32_t type, std::span<const std::byte> payload) {
+    return static_cast<RecordType>(type) == RecordType::older_member ? decode_older_member_record(payload)
+                                                                     : decode_member_record(payload);
+}
+
 void take_record(JournalContents& contents, std::uint32_t type, std::span<const std::byte> payload,
                  JournalContents::Place place, Histories histories) {
     switch (static_cast<RecordType>(type)) {
         case RecordType::member:
-            take_member(contents, decode_member_record(payload), place, histories);
+        case RecordType::older_member:
+            take_member(contents, decode_member(type, payload), place, histories);
             break;
         case RecordType::session_begin:
             contents.attempts.close_session();
@@ -164,8 +174,8 @@ MemberRecord read_member(const Descriptor& file, const std::filesystem::path& pa
             fmt::format("{} was changed or damaged at byte {} while it was in use; --resume goes on with what is "
                         "whole.",
                         path.string(), place.offset));
-    return decode_member_record(
-        std::span(bytes).subspan(record_head_bytes).first(place.size - record_head_bytes - crc_bytes));
+    return decode_member(type_of(bytes),
+                         std::span(bytes).subspan(record_head_bytes).first(place.size - record_head_bytes - crc_bytes));
 }
 
 Bytes header(std::string_view text) {
@@ -222,7 +232,7 @@ Reading read(const Descriptor& file, const std::filesystem::path& path, Historie
             continue;
         }
         const std::uint64_t payload = bytes.size() - record_head_bytes - crc_bytes;
-        const std::uint32_t type = ByteReader(std::span(bytes).subspan(8)).u32();
+        const std::uint32_t type = type_of(bytes);
         take_record(contents, type, std::span(bytes).subspan(record_head_bytes, payload), {at, bytes.size()},
                     histories);
         at += bytes.size();

@@ -16,19 +16,20 @@
 namespace floes::journal_format {
 
 inline constexpr std::string_view magic = "floesjnl";
-inline constexpr std::uint32_t schema = 2;  ///< 2: histories are packed
+inline constexpr std::uint32_t schema = 3;  ///< 2: histories are packed; 3: quantities have their keys
 inline constexpr std::uint64_t fixed_header_bytes = 24;
 inline constexpr std::uint64_t record_head_bytes = 12;
 inline constexpr std::uint64_t crc_bytes = 4;
 
 /// Append only. A reader passes over types that it does not know.
 enum class RecordType : std::uint32_t {
-    member = 1,
+    older_member = 1,  ///< of schema 1 and 2
     session_begin = 2,
     session_end = 3,
     calibration = 4,
     attempt_started = 5,
-    campaign = 6
+    campaign = 6,
+    member = 7
 };
 
 std::uint32_t crc32c(std::span<const std::byte> bytes);

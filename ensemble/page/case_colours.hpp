@@ -19,7 +19,7 @@ inline std::string colour(std::size_t of_case) {
 
 inline std::vector<std::string> case_names(const ReportData& data) {
     std::vector<std::string> names;
-    for (const CaseSummary& row : data.findings.summary.cases) names.push_back(row.about.name);
+    for (const CaseSummary& row : data.summary.cases) names.push_back(row.about.name);
     return names;
 }
 

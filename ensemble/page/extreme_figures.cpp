@@ -12,7 +12,7 @@ namespace floes {
 std::string exceedance_figure(const ReportData& data) {
     std::vector<double> loads;
     double least = 1;
-    for (const CaseExtremes& one : *data.findings.extremes) {
+    for (const CaseExtremes& one : *data.extremes) {
         for (const ExceedancePoint& point : one.exceedance) {
             loads.push_back(point.load);
             least = std::min(least, point.probability);
@@ -23,8 +23,8 @@ std::string exceedance_figure(const ReportData& data) {
     x.high *= 1.4;
     Plot plot("Probability that a segment's largest load exceeds a load", x,
               {"probability of exceedance", floor, 1, true}, {720, 380});
-    for (std::size_t i = 0; i < data.findings.extremes->size(); ++i) {
-        const CaseExtremes& one = (*data.findings.extremes)[i];
+    for (std::size_t i = 0; i < data.extremes->size(); ++i) {
+        const CaseExtremes& one = (*data.extremes)[i];
         for (const ExceedancePoint& point : one.exceedance) plot.dot(point.load, point.probability, colour(i), 2.5);
         for (const FittedExtreme* fitted : {&one.gumbel, &one.gev}) {
             if (!fitted->fit.valid()) continue;
@@ -42,7 +42,7 @@ std::string exceedance_figure(const ReportData& data) {
 }
 
 std::string levels_figure(const ReportData& data) {
-    const std::vector<LevelRow>& rows = *data.findings.levels;
+    const std::vector<LevelRow>& rows = data.levels;
     std::vector<double> loads;
     double least = 1;
     for (const LevelRow& row : rows) {
@@ -54,7 +54,7 @@ std::string levels_figure(const ReportData& data) {
     Axis x = axis_around("surge load, N", loads, true);
     Plot plot("Share of the time with a surge load above a level", x, {"share of the time", floor, 1, true},
               {720, 340});
-    const std::size_t cases = data.findings.summary.cases.size();
+    const std::size_t cases = data.summary.cases.size();
     for (std::size_t i = 0; i < cases; ++i) {
         // A little aside, so that intervals of one level stand side by side.
         const double aside = 0.006 * (x.high - x.low) * (static_cast<double>(i) - 0.5 * static_cast<double>(cases - 1));

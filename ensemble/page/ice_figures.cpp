@@ -98,7 +98,7 @@ std::string section_figure(const Scenario& scenario) {
 
 std::string arrangement_figure(const ReportData& data) {
     if (data.largest_member < 0) return "";
-    const MemberRow& member = data.findings.table.members[static_cast<std::size_t>(data.largest_member)];
+    const MemberRow& member = data.table.members[static_cast<std::size_t>(data.largest_member)];
     const Scenario& scenario = data.campaign.cases[static_cast<std::size_t>(member.case_index)].scenario;
     const Field& field = scenario.field;
     const double low = std::min(scenario.structure.start - scenario.waterline_radius(), field.begin) - 0.3;
@@ -145,8 +145,13 @@ std::string modulus_figure(const ReportData& data) {
               {"constraint force mixing Σ (1e-10 at the left edge)", least_cfm, largest_cfm, true}, y);
     plot.line(points, "c0");
     for (const auto& [cfm, modulus] : points) plot.dot(cfm, modulus, "c0");
-    for (const PaperRow& row : paper_table3) plot.cross(std::max(row.cfm, least_cfm), row.elastic_modulus_mpa, "c1", 5);
-    plot.legend({{"c0", "plate tests of this ice"}, {"c1", "the paper's pairs ×"}});
+    std::vector<std::pair<std::string, std::string>> legend{{"c0", "plate tests of this ice"}};
+    if (is_the_papers(data.campaign.cases.front().scenario)) {
+        for (const PaperRow& row : paper_table3)
+            plot.cross(std::max(row.cfm, least_cfm), row.elastic_modulus_mpa, "c1", 5);
+        legend.emplace_back("c1", "the paper's pairs ×");
+    }
+    plot.legend(legend);
     return plot.svg();
 }
 
@@ -163,31 +168,34 @@ std::string hybrid_figure(const ReportData& data) {
         lower.emplace_back(modulus, point.load);
         loads.push_back(point.load);
     }
-    for (const CaseSummary& row : data.findings.summary.cases) loads.push_back(row.mean.high);
-    for (const PaperRow& row : paper_table3) loads.push_back(row.mean);
+    for (const CaseSummary& row : data.summary.cases) loads.push_back(row.of(quantity("mean_load")).high);
+    const bool papers = is_the_papers(data.campaign.cases.front().scenario);
+    if (papers)
+        for (const PaperRow& row : paper_table3) loads.push_back(row.mean);
     Axis y = axis_around("mean load, N", loads, true);
     y.high *= 1.3;
     for (Plot::Points* points : {&stress, &momentum})
         std::erase_if(*points, [&](const auto& point) { return point.second > y.high; });
-    Plot plot("Mean load over the elastic modulus: hybrid model, this campaign, the paper",
-              {"elastic modulus E, MPa", stress.empty() ? 1 : lower.front().first, lower.back().first, true}, y,
-              {720, 360});
+    Plot plot(
+        fmt::format("Mean load over the elastic modulus: hybrid model, this campaign{}", papers ? ", the paper" : ""),
+        {"elastic modulus E, MPa", stress.empty() ? 1 : lower.front().first, lower.back().first, true}, y, {720, 360});
     plot.line(stress, "c0 dashed");
     plot.line(momentum, "c1 dashed");
     plot.line(lower, "ink thick");
-    for (const CaseSummary& row : data.findings.summary.cases) {
+    for (const CaseSummary& row : data.summary.cases) {
         const double modulus = row.about.elastic_modulus / unit::megapascal;
-        plot.line({{modulus, row.mean.low}, {modulus, row.mean.high}}, "c2 thick");
-        plot.dot(modulus, row.mean.estimate, "c2", 4.5);
+        plot.line({{modulus, row.of(quantity("mean_load")).low}, {modulus, row.of(quantity("mean_load")).high}},
+                  "c2 thick");
+        plot.dot(modulus, row.of(quantity("mean_load")).estimate, "c2", 4.5);
     }
-    for (const PaperRow& row : paper_table3) plot.cross(row.elastic_modulus_mpa, row.mean, "c3", 5);
-    plot.dot(60, Experiment{}.mean, "c4", 4.5);
-    plot.legend({{"c0", "Lindqvist × IC"},
-                 {"c1", "KPR"},
-                 {"ink", "hybrid"},
-                 {"c2", "this campaign"},
-                 {"c3", "the paper ×"},
-                 {"c4", "experiment"}});
+    std::vector<std::pair<std::string, std::string>> legend{
+        {"c0", "Lindqvist × IC"}, {"c1", "KPR"}, {"ink", "hybrid"}, {"c2", "this campaign"}};
+    if (papers) {
+        for (const PaperRow& row : paper_table3) plot.cross(row.elastic_modulus_mpa, row.mean, "c3", 5);
+        plot.dot(Experiment{}.elastic_modulus_mpa, Experiment{}.mean, "c4", 4.5);
+        legend.insert(legend.end(), {{"c3", "the paper ×"}, {"c4", "experiment"}});
+    }
+    plot.legend(legend);
     return plot.svg();
 }
 

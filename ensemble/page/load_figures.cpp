@@ -17,9 +17,8 @@ namespace {
 /// Done members of a case in order of arrangement.
 std::vector<const MemberRow*> done_members(const ReportData& data, std::size_t of_case) {
     std::vector<const MemberRow*> members;
-    for (const MemberRow& member : data.findings.table.members) {
-        if (member.status == RowStatus::done && member.case_index == static_cast<int>(of_case))
-            members.push_back(&member);
+    for (const MemberRow& member : data.table.members) {
+        if (member.done() && member.case_index == static_cast<int>(of_case)) members.push_back(&member);
     }
     return members;
 }
@@ -58,19 +57,20 @@ std::string histories_figure(const ReportData& data) {
         for (auto& [time, load] : points) load += base;
         const auto style = colour(static_cast<std::size_t>(history.case_index));
         plot.line(points, style + " thin");
-        const CaseRow& about = data.findings.summary.cases[static_cast<std::size_t>(history.case_index)].about;
+        const CaseRow& about = data.summary.cases[static_cast<std::size_t>(history.case_index)].about;
         plot.text(end * 0.01, base + 0.45 * shift, about.name, "start", "key " + style);
         plot.upright(about.analysis.steady_start, "dashed");
     }
     return plot.svg();
 }
 
-std::string strips_figure(const ReportData& data, const Quantity& quantity, double factor) {
-    const auto& cases = data.findings.summary.cases;
+std::string strips_figure(const ReportData& data, const Quantity& quantity) {
+    const double factor = quantity.factor();
+    const auto& cases = data.summary.cases;
     std::vector<double> values;
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        for (const MemberRow* member : done_members(data, i)) values.push_back(factor * quantity.value(*member));
-        const Estimate& estimate = cases[i].*quantity.interval;
+        for (const MemberRow* member : done_members(data, i)) values.push_back(factor * quantity.of(*member));
+        const Estimate& estimate = cases[i].of(quantity);
         values.insert(values.end(), {factor * estimate.prediction_low, factor * estimate.prediction_high});
     }
     Plot plot(fmt::format("{} of every arrangement, with the mean of each case", quantity.label),
@@ -79,7 +79,7 @@ std::string strips_figure(const ReportData& data, const Quantity& quantity, doub
               {720, height_for(cases.size())});
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const double middle = static_cast<double>(cases.size() - i) - 0.5;
-        const Estimate& estimate = cases[i].*quantity.interval;
+        const Estimate& estimate = cases[i].of(quantity);
         plot.line(
             {{factor * estimate.prediction_low, middle - 0.28}, {factor * estimate.prediction_high, middle - 0.28}},
             "dashed");
@@ -88,30 +88,31 @@ std::string strips_figure(const ReportData& data, const Quantity& quantity, doub
         int turn = 0;  // spreads dots over the strip's height, the same way each time
         for (const MemberRow* member : done_members(data, i)) {
             const double lift = 0.08 * (turn++ * 2 % 5);
-            plot.dot(factor * quantity.value(*member), middle - 0.04 + lift, colour(i) + " faint");
+            plot.dot(factor * quantity.of(*member), middle - 0.04 + lift, colour(i) + " faint");
         }
     }
     return plot.svg();
 }
 
-std::string pairs_figure(const ReportData& data, std::size_t quantity, double factor) {
+std::string pairs_figure(const ReportData& data, const Quantity& quantity) {
+    const double factor = quantity.factor();
     const std::vector<std::string> names = case_names(data);
     std::vector<const PairRow*> rows;
     std::vector<std::string> labels;
     std::vector<double> values{0};
-    for (const PairRow& row : *data.findings.pairs) {
-        if (row.quantity != quantity) continue;
+    for (const PairRow& row : *data.pairs) {
+        if (row.quantity != &quantity) continue;
         rows.push_back(&row);
         labels.push_back(names[row.second] + " − " + names[row.first]);
         values.insert(values.end(), {factor * row.found.t_interval.low, factor * row.found.t_interval.high,
                                      factor * row.found.difference});
     }
     if (rows.empty()) return "";
-    Plot plot(
-        fmt::format("Paired differences of {}", quantities[quantity].label),
-        axis_around(fmt::format("difference of {} within an arrangement, 95 % interval", quantities[quantity].label),
-                    values, false),
-        {"", 0, static_cast<double>(rows.size()), false, from_the_bottom(labels)}, {720, height_for(rows.size())});
+    Plot plot(fmt::format("Paired differences of {}", quantity.label),
+              axis_around(fmt::format("difference of {} within an arrangement, 95 % interval", quantity.label), values,
+                          false),
+              {"", 0, static_cast<double>(rows.size()), false, from_the_bottom(labels)},
+              {720, height_for(rows.size())});
     plot.upright(0, "dashed");
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const double at = static_cast<double>(rows.size() - i) - 0.5;
@@ -131,11 +132,11 @@ std::string convergence_figure(const ReportData& data) {
     std::vector<Curve> curves;
     std::vector<double> values;
     double most = 2;
-    for (std::size_t i = 0; i < data.findings.summary.cases.size(); ++i) {
+    for (std::size_t i = 0; i < data.summary.cases.size(); ++i) {
         Curve& curve = curves.emplace_back();
         std::vector<double> so_far;
         for (const MemberRow* member : done_members(data, i)) {
-            so_far.push_back(member->mean_load);
+            so_far.push_back(member->load.mean);
             if (so_far.size() < 3) continue;  // two arrangements have an interval too wide to draw
             const double n = static_cast<double>(so_far.size());
             const Interval interval = mean_interval(so_far);
@@ -161,7 +162,7 @@ std::string convergence_figure(const ReportData& data) {
 std::string failures_figure(const ReportData& data) {
     constexpr std::array modes{"bending", "shear", "compression"};
     constexpr std::array strokes{"", " dashed", " dotted"};
-    const auto& cases = data.findings.summary.cases;
+    const auto& cases = data.summary.cases;
     double end = 1;
     for (const CaseSummary& row : cases)
         end = std::max(end, row.about.analysis.steady_start + row.about.analysis.window);
@@ -172,7 +173,7 @@ std::string failures_figure(const ReportData& data) {
         for (std::size_t mode = 0; mode < modes.size(); ++mode) {
             std::vector<double> times;
             for (const BreakRow& row : data.breaks) {
-                const MemberRow& member = data.findings.table.members[static_cast<std::size_t>(row.member)];
+                const MemberRow& member = data.table.members[static_cast<std::size_t>(row.member)];
                 if (member.case_index == static_cast<int>(i) && row.mode == static_cast<int>(mode))
                     times.push_back(row.time);
             }

@@ -7,11 +7,10 @@
 
 #include "core/units.hpp"
 #include "findings/conditions.hpp"
-#include "findings/figures.hpp"
-#include "findings/pairs_text.hpp"
-#include "findings/sensitivity_text.hpp"
+#include "findings/pairs_section.hpp"
+#include "findings/paper_table3.hpp"
+#include "findings/sensitivity_section.hpp"
 #include "page/page_style.hpp"
-#include "page/page_tables.hpp"
 #include "page/plot.hpp"
 #include "page/report_figures.hpp"
 
@@ -36,7 +35,7 @@ std::string note(const std::string& text) {
 }
 
 std::string what_was_run(const ReportData& data) {
-    const Summary& summary = data.findings.summary;
+    const Summary& summary = data.summary;
     int done = 0;
     int failed = 0;
     int missing = 0;
@@ -61,17 +60,24 @@ std::string what_was_run(const ReportData& data) {
     return body;
 }
 
+bool has_paper_rows(const Campaign& campaign) {
+    return std::ranges::any_of(campaign.cases, [](const Case& one) { return paper_row(one) != nullptr; });
+}
+
 std::string loads(const ReportData& data) {
-    std::string body = table3(data);
+    std::string body = html_table(table3(data.campaign, data.summary));
     body += note(
         "Mean over arrangements with its 95 % confidence interval; below it the 95 % prediction interval, where one "
-        "further arrangement falls. The paper's figures are one run each, and the experiment's maximum is one value.");
+        "further arrangement falls." +
+        std::string{has_paper_rows(data.campaign)
+                        ? " The paper's figures are one run each, and the experiment's maximum is one value."
+                        : ""});
     body +=
-        figure(strips_figure(data, quantities[0], 1),
+        figure(strips_figure(data, quantity("mean_load")),
                "Each dot is one arrangement. Below the dots: mean, its 95 % interval (thick), and where one further "
                "run falls with 95 % (dashed).");
-    body += figure(strips_figure(data, quantities[3], 1), "The same for the mean of the segments' maxima.");
-    body += figure(strips_figure(data, quantities[5], 1 / unit::percent), "The same for the share of broken floes.");
+    body += figure(strips_figure(data, quantity("mean_maximum")), "The same for the mean of the segments' maxima.");
+    body += figure(strips_figure(data, quantity("failure_ratio")), "The same for the share of broken floes.");
     return body;
 }
 
@@ -83,45 +89,50 @@ std::string over_time(const ReportData& data) {
     std::string caption =
         "One arrangement, every case, shifted upwards (the paper's Fig. 6). Dashed: the window in which the load is "
         "measured begins.";
-    if (std::ranges::any_of(data.findings.table.cases,
-                            [](const CaseRow& one) { return one.analysis.history_stride > 1; }))
+    if (std::ranges::any_of(data.table.cases, [](const CaseRow& one) { return one.analysis.history_stride > 1; }))
         caption += " The file keeps means over several steps, whose peaks are lower than those that were measured.";
     return section("Load over time", figure(histories_figure(data), caption));
 }
 
 std::string comparisons(const ReportData& data) {
-    const Summary& summary = data.findings.summary;
+    const Summary& summary = data.summary;
     if (summary.cases.size() < 2) return "";
     const std::string title = "Do the cases differ?";
-    if (!data.findings.pairs) return section(title, paragraph(unasked_text(summary)));
-    const std::string left_out = left_out_text(summary, *data.findings.pairs);
-    if (data.findings.pairs->empty()) return section(title, paragraph(left_out));
-    std::string body = pairs_table_html(data);
+    if (!data.pairs) return section(title, paragraph(unasked_text(summary)));
+    const std::string left_out = left_out_text(summary, *data.pairs);
+    if (data.pairs->empty()) return section(title, paragraph(left_out));
+    std::string body = html_table(pairs_page_table(summary, *data.pairs));
     if (!left_out.empty()) body += paragraph(left_out);
     body += note(
         "Cases met the same arrangements, so they are compared arrangement by arrangement. p by Student's t and "
         "by Wilcoxon's signed ranks, Holm over all pairs of a quantity.");
-    body += figure(pairs_figure(data, 0, 1), "Mean load: differences within an arrangement.");
-    body += figure(pairs_figure(data, 3, 1), "Mean maximum load: differences within an arrangement.");
+    body += figure(pairs_figure(data, quantity("mean_load")), "Mean load: differences within an arrangement.");
+    body +=
+        figure(pairs_figure(data, quantity("mean_maximum")), "Mean maximum load: differences within an arrangement.");
     return section(title, body);
 }
 
 std::string sensitivity(const ReportData& data) {
-    if (!data.findings.sensitivity) return "";
-    const Sensitivity& found = *data.findings.sensitivity;
-    std::string body = found.rows.empty() ? "" : sensitivity_table_html(found);
+    if (!data.sensitivity) return "";
+    const Sensitivity& found = *data.sensitivity;
+    std::string body = found.rows.empty() ? "" : html_table(sensitivity_table(found));
     for (const std::string& sentence : sensitivity_notes(found)) body += note(sentence);
     body +=
-        "<details><summary>Points of the design</summary>" + points_table_html(*data.findings.points) + "</details>\n";
+        "<details><summary>Points of the design</summary>" + html_table(points_table(*data.points)) + "</details>\n";
     return section("What decides the load?", body);
+}
+
+std::string return_levels(const ReportData& data) {
+    const Table table = extremes_page_table(data.summary, *data.extremes);
+    return table.size() > 1 ? html_table(table) : "";
 }
 
 std::string extremes(const ReportData& data) {
     std::string body;
-    if (data.findings.extremes)
+    if (data.extremes)
         body += figure(exceedance_figure(data),
                        "Dots: maxima of all segments. Lines: Gumbel, dashed: GEV, fitted by maximum likelihood.") +
-                return_levels_table(data);
+                return_levels(data);
     body += figure(levels_figure(data),
                    "Share of the time in the window with a surge load above the levels that the members counted at "
                    "every step: mean over arrangements with its 95 % interval.");
@@ -138,15 +149,15 @@ std::string failures(const ReportData& data) {
 
 std::string largest(const ReportData& data) {
     if (data.largest_member < 0) return "";
-    const MemberRow& member = data.findings.table.members[static_cast<std::size_t>(data.largest_member)];
+    const MemberRow& member = data.table.members[static_cast<std::size_t>(data.largest_member)];
     return section(
         "The arrangement with the largest load",
-        figure(arrangement_figure(data),
-               fmt::format("Member {}, case {}: largest load {:.1f} N, mean {:.1f} N, {:.1f} % of the floes broke "
-                           "(marked).",
-                           data.largest_member,
-                           data.findings.summary.cases[static_cast<std::size_t>(member.case_index)].about.name,
-                           member.maximum_load, member.mean_load, member.failure_ratio / unit::percent)));
+        figure(
+            arrangement_figure(data),
+            fmt::format("Member {}, case {}: largest load {:.1f} N, mean {:.1f} N, {:.1f} % of the floes broke "
+                        "(marked).",
+                        data.largest_member, data.summary.cases[static_cast<std::size_t>(member.case_index)].about.name,
+                        member.load.maximum, member.load.mean, member.failure_ratio / unit::percent)));
 }
 
 std::string theory(const ReportData& data) {
@@ -161,6 +172,19 @@ std::string theory(const ReportData& data) {
     return body.empty() ? "" : section("Elastic modulus and closed formulas", body);
 }
 
+/// The parts that have a title here and no place of their own: table and notes as in text.
+std::string further_parts(const ReportData& data) {
+    std::string sections;
+    for (const Part& part : parts()) {
+        if (part.page_title.empty() || !part.unasked(data.campaign)) continue;
+        const Section told = part.section(data);
+        sections += section(
+            std::string{part.page_title},
+            (told.table.empty() ? paragraph(told.before + told.missing) : html_table(told.table)) + note(told.after));
+    }
+    return sections;
+}
+
 std::string provenance(const ReportData& data) {
     std::string rows;
     for (const auto& [name, value] : data.origin.facts)
@@ -170,14 +194,14 @@ std::string provenance(const ReportData& data) {
                    fmt::format("<p>To repeat it, save the configuration below as <code>{}.toml</code> and run</p>\n"
                                "<pre>{}</pre>\n<div class=\"wide\"><table>{}</table></div>\n"
                                "<details><summary>Configuration</summary><pre>{}</pre></details>\n",
-                               html_escaped(data.findings.summary.title), html_escaped(data.command), rows,
+                               html_escaped(data.summary.title), html_escaped(data.command), rows,
                                html_escaped(data.origin.configuration)));
 }
 
 }  // namespace
 
 std::string report_page(const ReportData& data) {
-    const std::string title = html_escaped(data.findings.summary.title);
+    const std::string title = html_escaped(data.summary.title);
     return fmt::format(
                "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
                "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n"
@@ -186,7 +210,7 @@ std::string report_page(const ReportData& data) {
                "<body>\n<h1>Loads of managed ice floes: {0}</h1>\n",
                title, page_style) +
            section("Loads", loads(data)) + section("What was run", what_was_run(data)) + sensitivity(data) +
-           comparisons(data) + over_time(data) + extremes(data) +
+           comparisons(data) + over_time(data) + extremes(data) + further_parts(data) +
            section("How sure is the mean?",
                    figure(convergence_figure(data), "Mean load of the first n arrangements with its 95 % interval.")) +
            failures(data) + largest(data) + theory(data) + provenance(data) + "</body></html>\n";

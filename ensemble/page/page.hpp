@@ -7,8 +7,13 @@
 
 #include "campaign/campaign.hpp"
 #include "campaign_file/read_details.hpp"
-#include "findings/findings.hpp"
+#include "findings/extremes.hpp"
 #include "findings/hybrid_curve.hpp"
+#include "findings/levels.hpp"
+#include "findings/pairs.hpp"
+#include "findings/parts.hpp"
+#include "findings/points.hpp"
+#include "findings/sensitivity.hpp"
 #include "laboratory/calibration.hpp"
 
 namespace floes {
@@ -20,12 +25,14 @@ struct DrawnHistory {
 };
 
 /// All that the page tells.
-struct ReportData {
-    Campaign campaign;  ///< as the file's own configuration has it
+struct ReportData : Evidence {
     CampaignOrigin origin;
-    Findings findings;  ///< with pairs and extremes where in_detail(), points and sensitivity of a design, levels
-    std::vector<DrawnHistory>
-        histories;  ///< of the first arrangement that every case has done; empty where none is kept
+    std::optional<std::vector<PairRow>> pairs;          ///< where in_detail()
+    std::optional<std::vector<CaseExtremes>> extremes;  ///< likewise
+    std::optional<Sensitivity> sensitivity;             ///< of a design
+    std::optional<DesignPoints> points;                 ///< of a design
+    std::vector<LevelRow> levels;
+    std::vector<DrawnHistory> histories;  ///< of the first arrangement that every case has done; empty: none is kept
     std::vector<BreakRow> breaks;
     int largest_member = -1;  ///< the done member with the largest load; -1: none is done
     std::vector<PlanarPose> largest_poses;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "tables/table.hpp"
+
 namespace floes {
 namespace {
 
@@ -14,12 +16,8 @@ constexpr double top = 28;  // the legend's row
 constexpr double bottom = 46;
 constexpr double letter = 7;  // about how wide one is
 
-std::size_t letters(std::string_view text) {  // UTF-8 continuation bytes take no place
-    return static_cast<std::size_t>(std::ranges::count_if(text, [](unsigned char c) { return (c & 0xC0) != 0x80; }));
-}
-
 double width_of(std::string_view text) {
-    return letter * static_cast<double>(letters(text));
+    return letter * static_cast<double>(text_width(text));
 }
 
 std::string tick_text(double value) {
@@ -27,29 +25,6 @@ std::string tick_text(double value) {
 }
 
 }  // namespace
-
-std::string html_escaped(std::string_view text) {
-    std::string escaped;
-    for (const char c : text) {
-        switch (c) {
-            case '<':
-                escaped += "&lt;";
-                break;
-            case '>':
-                escaped += "&gt;";
-                break;
-            case '&':
-                escaped += "&amp;";
-                break;
-            case '"':
-                escaped += "&quot;";
-                break;
-            default:
-                escaped += c;
-        }
-    }
-    return escaped;
-}
 
 Axis axis_around(std::string label, std::span<const double> values, bool with_zero) {
     double low = std::numeric_limits<double>::infinity();

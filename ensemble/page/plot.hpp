@@ -10,9 +10,6 @@
 
 namespace floes {
 
-/// Text in which <, >, &, and quotes mean themselves.
-std::string html_escaped(std::string_view text);
-
 /// One axis: what it shows, with its unit, and from where to where (low < high; logarithmic: 0 < low).
 struct Axis {
     std::string label;

@@ -47,7 +47,7 @@ int member_with_largest_load(const CampaignTable& table) {
     for (std::size_t i = 0; i < table.members.size(); ++i) {
         if (table.members[i].status != RowStatus::done) continue;
         if (largest < 0 ||
-            table.members[i].maximum_load > table.members[static_cast<std::size_t>(largest)].maximum_load)
+            table.members[i].load.maximum > table.members[static_cast<std::size_t>(largest)].load.maximum)
             largest = static_cast<int>(i);
     }
     return largest;
@@ -67,30 +67,27 @@ std::optional<HybridCurve> hybrid_of(const Scenario& scenario) {
 
 ReportData read_report_data(const std::filesystem::path& path) {
     ReportData data;
+    static_cast<Evidence&>(data) = read_evidence(path);
     data.origin = read_origin(path);
-    data.campaign = campaign_of(data.origin, path);
-    Findings& findings = data.findings;
-    findings.table = read_campaign_file(path);
-    findings.summary = summarise(findings.table);
     if (data.campaign.design.active()) {
-        findings.points = find_points(data.campaign);
-        findings.sensitivity = find_sensitivity(data.campaign, findings.table);
+        data.points = find_points(data.campaign);
+        data.sensitivity = find_sensitivity(data.campaign, data.table);
     }
     if (in_detail(data.campaign)) {
-        findings.pairs = compare_pairs(findings.table, {});
-        findings.extremes = find_extremes(findings.table);
+        data.pairs = compare_pairs(data.table, {});
+        data.extremes = find_extremes(data.table);
     }
-    findings.levels = find_levels(findings.table);
-    const int arrangement = common_arrangement(findings.table);
+    data.levels = find_levels(data.table);
+    const int arrangement = common_arrangement(data.table);
     for_each_history(path, [&](const SurgeHistory& history) {
-        const MemberRow& member = findings.table.members[static_cast<std::size_t>(history.member)];
+        const MemberRow& member = data.table.members[static_cast<std::size_t>(history.member)];
         if (member.arrangement == arrangement) data.histories.push_back({member.case_index, thinned(history)});
     });
     data.breaks = read_breaks(path);
-    data.largest_member = member_with_largest_load(findings.table);
+    data.largest_member = member_with_largest_load(data.table);
     if (data.largest_member >= 0)
         data.largest_poses =
-            read_poses(path, findings.table.members[static_cast<std::size_t>(data.largest_member)].arrangement);
+            read_poses(path, data.table.members[static_cast<std::size_t>(data.largest_member)].arrangement);
     data.hybrid = hybrid_of(data.campaign.cases.front().scenario);
     return data;
 }

@@ -13,8 +13,8 @@ std::string hybrid_figure(const ReportData& data);       ///< Fig. 8
 std::string joint_figure(const Scenario& scenario);      ///< Fig. 1
 std::string section_figure(const Scenario& scenario);    ///< Fig. 4
 std::string arrangement_figure(const ReportData& data);  ///< of the member with the largest load
-std::string strips_figure(const ReportData& data, const Quantity& quantity, double factor);
-std::string pairs_figure(const ReportData& data, std::size_t quantity, double factor);
+std::string strips_figure(const ReportData& data, const Quantity& quantity);
+std::string pairs_figure(const ReportData& data, const Quantity& quantity);
 std::string exceedance_figure(const ReportData& data);
 std::string levels_figure(const ReportData& data);
 std::string convergence_figure(const ReportData& data);

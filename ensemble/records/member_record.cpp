@@ -34,6 +34,24 @@ PackedNumbers read_numbers(ByteReader& in) {
     return {count, in.blob()};
 }
 
+MemberRecord read_head(ByteReader& in) {
+    MemberRecord record;
+    record.case_key = in.text();
+    record.arrangement = in.i32();
+    record.attempt = in.i32();
+    record.rank = in.i32();
+    record.host = in.text();
+    record.peak_memory = in.u64();
+    return record;
+}
+
+void read_history(ByteReader& in, MemberRecord& record) {
+    record.history.surge = read_numbers(in);
+    record.history.sway = read_numbers(in);
+    record.history.heave = read_numbers(in);
+    if (in.left() != 0) throw RunError("a stored member goes on after its end; it was written by another version");
+}
+
 }  // namespace
 
 MemberIdentity identity(const MemberRecord& record) {
@@ -57,22 +75,21 @@ Bytes encode(const MemberRecord& record) {
 
 MemberRecord decode_member_record(std::span<const std::byte> bytes) {
     ByteReader in(bytes);
-    MemberRecord record;
-    record.case_key = in.text();
-    record.arrangement = in.i32();
-    record.attempt = in.i32();
-    record.rank = in.i32();
-    record.host = in.text();
-    record.peak_memory = in.u64();
+    MemberRecord record = read_head(in);
     record.result = read_member_result(in);
+    read_history(in, record);
+    return record;
+}
+
+MemberRecord decode_older_member_record(std::span<const std::byte> bytes) {
+    ByteReader in(bytes);
+    MemberRecord record = read_head(in);
+    record.result = read_older_member_result(in);
     if (in.left() == 0) {
         record.history = pack(std::exchange(record.result.history, {}));
-        return record;
+    } else {
+        read_history(in, record);
     }
-    record.history.surge = read_numbers(in);
-    record.history.sway = read_numbers(in);
-    record.history.heave = read_numbers(in);
-    if (in.left() != 0) throw RunError("a stored member goes on after its end; it was written by another version");
     return record;
 }
 

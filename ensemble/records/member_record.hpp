@@ -32,9 +32,11 @@ MemberIdentity identity(const MemberRecord& record);
 /// The bytes of a record, the same on every machine.
 Bytes encode(const MemberRecord& record);
 
-/// The record that encode() was given, bit for bit; one from before histories were packed gets its own packed. Throws
-/// RunError when the bytes are not exactly one record.
+/// The record that encode() was given, bit for bit. Throws RunError when the bytes are not exactly one record.
 MemberRecord decode_member_record(std::span<const std::byte> bytes);
+
+/// The same for records of journals of schema 1 and 2; one from before histories were packed gets its own packed.
+MemberRecord decode_older_member_record(std::span<const std::byte> bytes);
 
 /// For each member of the campaign, in member order, the record that counts; nullptr where there is none.
 /// Among several records of one member the first done one counts; where none is done, the last failure.

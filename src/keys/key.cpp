@@ -143,6 +143,14 @@ Key text_key(std::string path, std::string& field, std::string source, std::stri
     return {std::move(path), TextField{&field}, std::move(source), std::move(doc)};
 }
 
+Key choice_key(std::string path, std::string& field, std::vector<std::string> words, std::string source,
+               std::string doc) {
+    WordField binding{
+        words, [&field, words] { return static_cast<std::size_t>(std::ranges::find(words, field) - words.begin()); },
+        [&field, words](std::size_t word) { field = words.at(word); }};
+    return {std::move(path), std::move(binding), std::move(source), std::move(doc)};
+}
+
 std::string allowed(const Key& key) {
     return std::visit(Allowed{}, key.field);
 }

@@ -101,6 +101,10 @@ Key word_key(std::string path, Enum& field, std::vector<std::string> words, std:
     return {std::move(path), std::move(binding), std::move(source), std::move(doc)};
 }
 
+/// A field that holds one of `words`.
+Key choice_key(std::string path, std::string& field, std::vector<std::string> words, std::string source,
+               std::string doc);
+
 /// What the key takes, as said in messages and in the reference: "above 0 and at most 10".
 std::string allowed(const Key& key);
 

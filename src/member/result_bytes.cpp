@@ -1,31 +1,10 @@
 #include "member/result_bytes.hpp"
 
 #include "core/error.hpp"
+#include "quantities/quantity.hpp"
 
 namespace floes {
 namespace {
-
-// Reading visits the same fields in the same order as writing: one list for both.
-template <class Statistics, class Scalar>
-void visit_statistics(Statistics& load, const Scalar& scalar) {
-    scalar(load.mean);
-    scalar(load.sd);
-    scalar(load.maximum);
-    scalar(load.mean_maximum);
-    scalar(load.sd_maximum);
-    scalar(load.trend);
-    scalar(load.trend_p);
-}
-
-template <class Peaks, class Scalar>
-void visit_peaks(Peaks& peaks, const Scalar& scalar) {
-    scalar(peaks.compression);
-    scalar(peaks.tension);
-    scalar(peaks.shear);
-    scalar(peaks.bending);
-    scalar(peaks.torsion);
-    scalar(peaks.in_plane_bending);
-}
 
 constexpr std::size_t break_bytes = 8 + 4 + 4 + 1;
 constexpr std::size_t pose_bytes = 3 * 8;
@@ -37,22 +16,26 @@ std::uint8_t read_below(ByteReader& in, std::uint8_t limit) {
     return value;
 }
 
-}  // namespace
+/// Each with its key, so that a reader of another version knows which they are.
+void write_quantities(ByteWriter& out, const MemberOutputs& outputs) {
+    out.u32(static_cast<std::uint32_t>(quantities.size()));
+    for (const Quantity& one : quantities) {
+        out.text(one.key);
+        out.f64(one.of(outputs));
+    }
+}
 
-void write(ByteWriter& out, const MemberResult& result) {
-    const auto scalar = [&out](double value) { out.f64(value); };
-    out.u8(static_cast<std::uint8_t>(result.status));
-    out.text(result.reason);
-    visit_statistics(result.load, scalar);
-    out.u8(result.load.steady ? 1 : 0);
-    out.doubles(result.load.segment_maximum);
-    out.f64(result.mean_sway);
-    out.f64(result.mean_heave);
-    out.f64(result.failure_ratio);
-    out.i32(result.failures_bending);
-    out.i32(result.failures_shear);
-    out.i32(result.failures_compression);
-    visit_peaks(result.peaks, scalar);
+/// Those that are not in the bytes are NaN; keys that this version does not know are passed over.
+void read_quantities(ByteReader& in, MemberOutputs& outputs) {
+    outputs = unmeasured(0);
+    for (std::uint32_t left = in.u32(); left > 0; --left) {
+        const Quantity* known = find_quantity(in.text());
+        const double value = in.f64();
+        if (known != nullptr) known->place.set(outputs, value);
+    }
+}
+
+void write_record(ByteWriter& out, const MemberResult& result) {
     out.doubles(result.history.surge);
     out.doubles(result.history.sway);
     out.doubles(result.history.heave);
@@ -71,31 +54,9 @@ void write(ByteWriter& out, const MemberResult& result) {
     }
     out.f64(result.psi4);
     out.f64(result.wall_time);
-    out.f64(result.cpu_time);
-    out.f64(result.load.skewness);
-    out.f64(result.load.excess_kurtosis);
-    out.u64(result.levels.size());
-    for (const LevelCount& count : result.levels) {
-        out.i32(count.steps_above);
-        out.i32(count.upcrossings);
-    }
 }
 
-MemberResult read_member_result(ByteReader& in) {
-    MemberResult result;
-    const auto scalar = [&in](double& value) { value = in.f64(); };
-    result.status = static_cast<MemberStatus>(read_below(in, 2));
-    result.reason = in.text();
-    visit_statistics(result.load, scalar);
-    result.load.steady = read_below(in, 2) == 1;
-    result.load.segment_maximum = in.doubles();
-    result.mean_sway = in.f64();
-    result.mean_heave = in.f64();
-    result.failure_ratio = in.f64();
-    result.failures_bending = in.i32();
-    result.failures_shear = in.i32();
-    result.failures_compression = in.i32();
-    visit_peaks(result.peaks, scalar);
+void read_record(ByteReader& in, MemberResult& result) {
     result.history.surge = in.doubles();
     result.history.sway = in.doubles();
     result.history.heave = in.doubles();
@@ -114,18 +75,74 @@ MemberResult read_member_result(ByteReader& in) {
     }
     result.psi4 = in.f64();
     result.wall_time = in.f64();
-    // Journals from before it was measured end here,
-    result.cpu_time = in.left() > 0 ? in.f64() : MemberResult::not_measured;
-    result.load.skewness = MemberResult::not_measured;
-    result.load.excess_kurtosis = MemberResult::not_measured;
-    if (in.left() == 0) return result;  // and those from before these here.
-    result.load.skewness = in.f64();
-    result.load.excess_kurtosis = in.f64();
+}
+
+void read_levels(ByteReader& in, MemberResult& result) {
     result.levels.resize(in.count(level_bytes));
     for (LevelCount& count : result.levels) {
         count.steps_above = in.i32();
         count.upcrossings = in.i32();
     }
+}
+
+}  // namespace
+
+void write(ByteWriter& out, const MemberResult& result) {
+    out.u8(static_cast<std::uint8_t>(result.status));
+    out.text(result.reason);
+    write_quantities(out, result);
+    out.u8(result.load.steady ? 1 : 0);
+    out.doubles(result.load.segment_maximum);
+    write_record(out, result);
+    out.f64(result.cpu_time);
+    out.u64(result.levels.size());
+    for (const LevelCount& count : result.levels) {
+        out.i32(count.steps_above);
+        out.i32(count.upcrossings);
+    }
+}
+
+MemberResult read_member_result(ByteReader& in) {
+    MemberResult result;
+    result.status = static_cast<MemberStatus>(read_below(in, 2));
+    result.reason = in.text();
+    read_quantities(in, result);
+    result.load.steady = read_below(in, 2) == 1;
+    result.load.segment_maximum = in.doubles();
+    read_record(in, result);
+    result.cpu_time = in.f64();
+    read_levels(in, result);
+    return result;
+}
+
+MemberResult read_older_member_result(ByteReader& in) {
+    MemberResult result;
+    static_cast<MemberOutputs&>(result) = unmeasured(0);
+    const auto take = [&](const Quantity& one, double value) { one.place.set(result, value); };
+    result.status = static_cast<MemberStatus>(read_below(in, 2));
+    result.reason = in.text();
+    for (const Quantity* one :
+         {&quantity("mean_load"), &quantity("sd_load"), &quantity("maximum_load"), &quantity("mean_maximum"),
+          &quantity("sd_maximum"), &quantity("trend"), &quantity("trend_p")})
+        take(*one, in.f64());
+    result.load.steady = read_below(in, 2) == 1;
+    result.load.segment_maximum = in.doubles();
+    for (const Quantity* one : {&quantity("mean_sway"), &quantity("mean_heave"), &quantity("failure_ratio")})
+        take(*one, in.f64());
+    for (const Quantity* one :
+         {&quantity("failures_bending"), &quantity("failures_shear"), &quantity("failures_compression")})
+        take(*one, in.i32());
+    for (const Quantity* one :
+         {&quantity("peak_compression"), &quantity("peak_tension"), &quantity("peak_shear"), &quantity("peak_bending"),
+          &quantity("peak_torsion"), &quantity("peak_in_plane_bending")})
+        take(*one, in.f64());
+    read_record(in, result);
+    // The oldest end here,
+    if (in.left() > 0) result.cpu_time = in.f64();
+    if (in.left() == 0) return result;  // and those of layout 1.2 here.
+    take(quantity("skewness"), in.f64());
+    take(quantity("excess_kurtosis"), in.f64());
+    read_levels(in, result);
     return result;
 }
 

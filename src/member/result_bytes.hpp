@@ -9,7 +9,11 @@ namespace floes {
 
 void write(ByteWriter& out, const MemberResult& result);
 
-/// What write() wrote, bit for bit; the result is the last thing in the bytes. Throws RunError when they are no result.
+/// What write() wrote, bit for bit. Throws RunError when the bytes are no result.
 MemberResult read_member_result(ByteReader& in);
+
+/// What versions wrote before quantities had their keys beside them (journals of schema 1 and 2). Where the result is
+/// the last thing in the bytes, those of still older versions are read as well.
+MemberResult read_older_member_result(ByteReader& in);
 
 }  // namespace floes

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
 #include <span>
 #include <utility>
 
 #include "arrangement/arrangement.hpp"
 #include "core/error.hpp"
+#include "quantities/quantity.hpp"
 #include "simulation/simulation.hpp"
 #include "statistics/batch_means.hpp"
 
@@ -69,23 +69,9 @@ LoadHistory kept(LoadHistory history, const Analysis& analysis) {
 }
 
 void set_aside(MemberResult& result, const Scenario& scenario, const std::string& reason) {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    static_cast<MemberOutputs&>(result) = unmeasured(scenario.analysis.segments);
     result.status = MemberStatus::failed;
     result.reason = reason;
-    result.load = {.mean = nan,
-                   .sd = nan,
-                   .maximum = nan,
-                   .segment_maximum = std::vector<double>(static_cast<std::size_t>(scenario.analysis.segments), nan),
-                   .mean_maximum = nan,
-                   .sd_maximum = nan,
-                   .trend = nan,
-                   .trend_p = nan,
-                   .steady = false,
-                   .skewness = nan,
-                   .excess_kurtosis = nan};
-    result.mean_sway = nan;
-    result.mean_heave = nan;
-    result.failure_ratio = nan;
 }
 
 }  // namespace
@@ -106,8 +92,8 @@ MemberResult run_member(const Scenario& scenario, std::uint64_t seed, std::uint3
         take_record(result, simulation);
         take_statistics(result, scenario, simulation);
     } catch (const MemberFailure& failure) {
-        take_record(result, simulation);
         set_aside(result, scenario, failure.what());
+        take_record(result, simulation);
     }
     result.history = kept(std::move(result.history), scenario.analysis);
     result.wall_time = seconds_since(start);

@@ -17,7 +17,7 @@ TEST(StopKeys, AreReadAndWritten) {
     const Campaign campaign = read(
         "[stop]\nhalf_width_percent = 5\nof = \"mean_maximum\"\ncase = \"none\"\ncontrast = \"B - A\"\nminimum = 30\n"
         "look_ahead = 4\nbatch = 7\n[[case]]\nname = \"A\"\n[[case]]\nname = \"B\"\njoint.cfm = 0.01\n");
-    StopRule wanted{0.05, StopQuantity::mean_maximum, "none", "B - A", 30, 4, 7};
+    StopRule wanted{0.05, "mean_maximum", "none", "B - A", 30, 4, 7};
     EXPECT_EQ(campaign.stop, wanted);
     EXPECT_EQ(read(write_campaign(campaign)).stop, wanted);
 }

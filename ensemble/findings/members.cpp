@@ -1,0 +1,46 @@
+#include "findings/members.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace floes {
+namespace {
+
+const char* status_word(RowStatus status) {
+    switch (status) {
+        case RowStatus::done:
+            return "done";
+        case RowStatus::failed:
+            return "failed";
+        case RowStatus::missing:
+            break;
+    }
+    return "missing";
+}
+
+}  // namespace
+
+Section members_section(const CampaignTable& table) {
+    using Row = const MemberRow&;
+    std::vector<RecordField<MemberRow>> columns{
+        {"member", [&](Row row) { return &row - table.members.data(); }},
+        {"case", [&](Row row) { return table.cases.at(static_cast<std::size_t>(row.case_index)).name; }},
+        {"arrangement", &MemberRow::arrangement},
+        {"status", [](Row row) { return status_word(row.status); }}};
+    const auto add = [&](const Quantity& quantity, std::string_view name) {
+        columns.push_back({std::string{name}, [&quantity](Row row) { return row.value(quantity); }});
+    };
+    for (const Quantity& one : shown_in(Shown::in_summary)) add(one, one.name);
+    std::size_t segments = 0;  // the most that a case has
+    for (const MemberRow& row : table.members) segments = std::max(segments, row.load.segment_maximum.size());
+    for (std::size_t k = 0; k < segments; ++k)
+        columns.push_back({fmt::format("segment_{}_maximum_N", k + 1), [k](Row row) {
+                               const std::vector<double>& maxima = row.load.segment_maximum;
+                               return row.done() && k < maxima.size() ? Datum(maxima[k]) : Datum(Absent{});
+                           }});
+    add(quantity("trend_p"), "trend_p");
+    return {.records = {csv_only(make_records<MemberRow>("", table.members, columns))}};
+}
+
+}  // namespace floes

@@ -1,0 +1,13 @@
+#pragma once
+// One line a member, for whoever wants to go on with the values themselves.
+
+#include "campaign_file/campaign_file.hpp"
+#include "tables/section.hpp"
+
+namespace floes {
+
+/// In CSV: member,case,arrangement,status,…: the quantities of a case's summary under the same names, the maximum of
+/// each segment, and whether the load was steady. Fields are empty where a member failed or is missing.
+Section members_section(const CampaignTable& table);
+
+}  // namespace floes

@@ -1,0 +1,156 @@
+#include "findings/pairs_section.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/units.hpp"
+#include "tables/number_text.hpp"
+
+namespace floes {
+
+namespace {
+
+std::string needed_text(int arrangements) {
+    return arrangements == 0 ? "–" : arrangements >= 1'000'000 ? ">10⁶" : fmt::format("{}", arrangements);
+}
+
+std::string percent(double part) {
+    // 0.0 added: no "-0".
+    return std::isfinite(part) ? fmt::format("{:.0f} %", std::round(part / unit::percent) + 0.0) : "–";
+}
+
+std::vector<Cell> line(const Summary& summary, const PairRow& row) {
+    const double factor = row.quantity->factor();
+    const int decimals = row.quantity->percent ? 1 : decimals_for(std::abs(row.first_mean));
+    const PairedComparison& found = row.found;
+    return {fmt::format("  {} - {}", summary.name_of(row.second), summary.name_of(row.first)),
+            fmt::format("{}", found.arrangements),
+            fixed(found.difference * factor, decimals),
+            bracket(factor * found.t_interval.low, factor * found.t_interval.high, decimals),
+            percent(found.difference / row.first_mean),
+            p_text(row.t_p_holm),
+            p_text(row.wilcoxon_p_holm),
+            percent(found.variance_saved),
+            needed_text(row.to_resolve_observed),
+            needed_text(row.to_resolve_wished)};
+}
+
+std::size_t all_pairs(const Summary& summary) {
+    return summary.cases.size() * (summary.cases.size() - 1) / 2;
+}
+
+/// Each pair has a row for each of these.
+std::size_t compared_quantities() {
+    return static_cast<std::size_t>(std::ranges::distance(shown_in(Shown::in_table3)));
+}
+
+/// Three quantities say most; a table of all would be too long.
+Table headlines(const Summary& summary, const std::vector<PairRow>& rows, const PairOptions& options) {
+    Table table{{"pair", "n", "difference", "95 %", "of first", "p t", "p Wilcoxon", "saved", "n for it",
+                 fmt::format("n for {:g} %", options.resolve / unit::percent)}};
+    const Quantity* last = nullptr;
+    for (const PairRow& row : rows) {
+        if (row.quantity->shown < Shown::in_headlines) continue;
+        if (row.quantity != last) {
+            table.emplace_back(table.front().size(), "").front() = std::string{row.quantity->label};
+            last = row.quantity;
+        }
+        table.push_back(line(summary, row));
+    }
+    return table;
+}
+
+std::string notes(const std::vector<PairRow>& rows, const PairOptions& options) {
+    const std::size_t pairs = rows.size() / compared_quantities();
+    return fmt::format(
+        "\np: two-sided, paired t and Wilcoxon's signed ranks, Holm over the {} of a quantity. Saved: variance "
+        "of the difference that\npairing took away. n for it: arrangements with which a true difference as "
+        "large as the one seen, or of {:g} % of the first\ncase, is found with a probability of {:g} %.\nThe "
+        "other quantities of Table 3: --format csv --parts pairs.\n",
+        pairs == 1 ? std::string{"one pair"} : fmt::format("{} pairs", pairs), options.resolve / unit::percent,
+        options.power / unit::percent);
+}
+
+std::vector<RecordField<PairRow>> columns_of(const Summary& summary, const PairOptions& options) {
+    using Row = const PairRow&;
+    const auto needed = [](int count) { return count == 0 ? Datum(Undefined{}) : Datum(count); };
+    return {
+        {"quantity", [](Row row) { return row.quantity->name; }},
+        {"first", [&](Row row) { return summary.name_of(row.first); }},
+        {"second", [&](Row row) { return summary.name_of(row.second); }},
+        {"arrangements", [](Row row) { return row.found.arrangements; }},
+        {Names{"", "first_mean"}, &PairRow::first_mean},
+        {"difference", [](Row row) { return row.found.difference; }},
+        {Names{"", "sd"}, [](Row row) { return row.found.sd; }},
+        {Names{"low", "t_interval/low"}, [](Row row) { return row.found.t_interval.low; }},
+        {Names{"high", "t_interval/high"}, [](Row row) { return row.found.t_interval.high; }},
+        {Names{"bca_low", "bca/low"}, [](Row row) { return row.found.bca.low; }},
+        {Names{"bca_high", "bca/high"}, [](Row row) { return row.found.bca.high; }},
+        {Names{"sd", ""}, [](Row row) { return row.found.sd; }},
+        {"t", [](Row row) { return row.found.t; }},
+        {"t_p", [](Row row) { return row.found.t_p; }},
+        {"t_p_holm", &PairRow::t_p_holm},
+        {"rank_sum", [](Row row) { return row.found.rank_sum; }},
+        {"wilcoxon_p", [](Row row) { return row.found.wilcoxon_p; }},
+        {"wilcoxon_p_holm", &PairRow::wilcoxon_p_holm},
+        {"wilcoxon_exact", [](Row row) { return row.found.wilcoxon_exact; }},
+        {"variance_saved", [](Row row) { return row.found.variance_saved; }},
+        {Names{"", "power"}, [&](Row) { return options.power; }},
+        {Names{"", "arrangements_for_observed"}, [=](Row row) { return needed(row.to_resolve_observed); }},
+        {Names{"", "resolve"}, [&](Row) { return options.resolve; }},
+        {Names{"", "arrangements_for_resolve"}, [=](Row row) { return needed(row.to_resolve_wished); }},
+        {Names{"to_resolve_observed", ""}, &PairRow::to_resolve_observed},
+        {Names{"to_resolve_wished", ""}, &PairRow::to_resolve_wished},
+    };
+}
+
+}  // namespace
+
+std::string left_out_text(const Summary& summary, const std::vector<PairRow>& rows) {
+    const std::size_t all = all_pairs(summary);
+    const std::size_t left_out = all - rows.size() / compared_quantities();
+    if (left_out == 0) return "";
+    return fmt::format(
+        "{} not compared: cases are paired over arrangements that both have done and begin from with the same floes, "
+        "and {} no two of these (campaign.common_arrangements = false, or fields of another geometry).",
+        left_out == all ? (all == 1 ? "The pair is" : "Pairs are") : fmt::format("{} of {} pairs are", left_out, all),
+        left_out == 1 ? "it has" : "they have");
+}
+
+std::string unasked_text(const Summary& summary) {
+    return fmt::format(
+        "The {} pairs of these {} cases, and the extremes of each: floes summarize --parts pairs,extremes.",
+        all_pairs(summary), summary.cases.size());
+}
+
+Section pairs_section(const Summary& summary, const std::vector<PairRow>& rows, const PairOptions& options) {
+    Section section{.records = {make_records<PairRow>("pairs", rows, columns_of(summary, options))}};
+    const std::string left_out = left_out_text(summary, rows);
+    if (rows.empty()) {
+        section.before = summary.cases.size() < 2 ? "Pairs: there is but one case.\n" : left_out + "\n";
+        return section;
+    }
+    section.before = "Pairs over the same arrangements\n\n";
+    section.table = headlines(summary, rows, options);
+    section.after = notes(rows, options) + (left_out.empty() ? "" : left_out + "\n");
+    return section;
+}
+
+Table pairs_page_table(const Summary& summary, const std::vector<PairRow>& rows) {
+    Table table{{"quantity", "pair", "n", "difference", "95 % interval", "p (t, Holm)", "p (Wilcoxon, Holm)",
+                 "variance saved, %", "n to resolve it"}};
+    for (const PairRow& row : rows) {
+        const double factor = row.quantity->factor();
+        table.push_back({std::string{row.quantity->label},
+                         fmt::format("{} − {}", summary.name_of(row.second), summary.name_of(row.first)),
+                         fmt::format("{}", row.found.arrangements), fixed(factor * row.found.difference, 2),
+                         bracket(factor * row.found.t_interval.low, factor * row.found.t_interval.high, 2),
+                         p_text(row.t_p_holm), p_text(row.wilcoxon_p_holm),
+                         fixed(row.found.variance_saved / unit::percent, 0),
+                         row.to_resolve_observed > 0 ? fmt::format("{}", row.to_resolve_observed) : "–"});
+    }
+    return table;
+}
+
+}  // namespace floes

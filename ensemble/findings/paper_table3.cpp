@@ -1,0 +1,94 @@
+#include "findings/paper_table3.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/units.hpp"
+#include "scenario/keys.hpp"
+#include "tables/number_text.hpp"
+
+namespace floes {
+
+namespace {
+
+/// The source of a key says whether its default is a value that the paper states.
+bool stated(const Key& key) {
+    const auto begins = [&](const char* words) { return key.source.starts_with(words); };
+    return begins("Table 1") || begins("Table 3") || begins("the paper, ");
+}
+
+bool of_the_case(const Key& key) {
+    return key.path == "ice.elastic_modulus_MPa" || key.path == "joint.cfm";
+}
+
+Cell estimate_cell(const Estimate& estimate, double factor, int decimals) {
+    return {fixed(factor * estimate.estimate, decimals),
+            bracket(factor * estimate.low, factor * estimate.high, decimals),
+            bracket(factor * estimate.prediction_low, factor * estimate.prediction_high, decimals)};
+}
+
+std::vector<Cell> paper_line(const PaperRow& paper) {
+    return {fmt::format("the paper at {:g} MPa", paper.elastic_modulus_mpa),
+            "1",
+            fixed(paper.mean, 1),
+            fixed(paper.sd, 1),
+            fixed(paper.mean_maximum, 0),
+            fixed(paper.sd_maximum, 0),
+            fixed(paper.failure_ratio / unit::percent, 1)};
+}
+
+std::vector<Cell> experiment_line() {
+    const Experiment found;
+    return {fmt::format("experiment at {:g} MPa", found.elastic_modulus_mpa),
+            "",
+            fixed(found.mean, 1),
+            "",
+            fmt::format("{:.1f} (largest)", found.maximum),
+            "",
+            fixed(found.failure_ratio / unit::percent, 0)};
+}
+
+}  // namespace
+
+bool is_the_papers(const Scenario& scenario) {
+    Scenario own = scenario;
+    Scenario papers;
+    const Keys keys = describe(own);
+    const Keys defaults = describe(papers);
+    return std::ranges::all_of(keys, [&](const Key& key) {
+        return !stated(key) || of_the_case(key) || exact_text(key) == exact_text(*find_key(defaults, key.path));
+    });
+}
+
+const PaperRow* paper_row(const Case& one) {
+    if (!is_the_papers(one.scenario)) return nullptr;
+    const double modulus = one.scenario.ice.elastic_modulus / unit::megapascal;
+    const auto found = std::ranges::find_if(
+        paper_table3, [&](const PaperRow& row) { return std::abs(row.elastic_modulus_mpa - modulus) < 0.5; });
+    return found == paper_table3.end() ? nullptr : &*found;
+}
+
+Table table3(const Campaign& campaign, const Summary& summary) {
+    Table table{{"case", "n", "mean, N", "SD, N", "mean maximum, N", "SD maximum, N", "broken floes, %"}};
+    bool experiment = false;
+    for (std::size_t k = 0; k < summary.cases.size(); ++k) {
+        const CaseSummary& row = summary.cases[k];
+        table.push_back(
+            {row.about.name, fmt::format("{}", row.done), estimate_cell(row.of(quantity("mean_load")), 1, 1),
+             estimate_cell(row.of(quantity("sd_load")), 1, 1), estimate_cell(row.of(quantity("mean_maximum")), 1, 0),
+             estimate_cell(row.of(quantity("sd_maximum")), 1, 0),
+             estimate_cell(row.of(quantity("failure_ratio")), 1 / unit::percent, 1)});
+        const PaperRow* paper = paper_row(campaign.cases.at(k));
+        if (paper == nullptr) continue;
+        const bool again =
+            k + 1 < campaign.cases.size() && paper_row(campaign.cases[k + 1]) == paper;  // of a design: once is enough
+        if (!again) table.push_back(paper_line(*paper));
+        experiment = experiment || paper->elastic_modulus_mpa == Experiment{}.elastic_modulus_mpa;
+    }
+    if (experiment) table.push_back(experiment_line());
+    return table;
+}
+
+}  // namespace floes

@@ -1,0 +1,100 @@
+#include "findings/parts.hpp"
+
+#include <array>
+#include <utility>
+
+#include "campaign_file/read_details.hpp"
+#include "findings/extremes.hpp"
+#include "findings/levels.hpp"
+#include "findings/members.hpp"
+#include "findings/pairs_section.hpp"
+#include "findings/points.hpp"
+#include "findings/sensitivity_section.hpp"
+#include "findings/summary_section.hpp"
+
+namespace floes {
+namespace {
+
+bool always(const Campaign&) {
+    return true;
+}
+
+bool never(const Campaign&) {
+    return false;
+}
+
+bool of_a_design(const Campaign& campaign) {
+    return campaign.design.active();
+}
+
+Section cases(const Evidence& evidence) {
+    return summary_section(evidence.summary, evidence.reference);
+}
+
+Section points(const Evidence& evidence) {
+    return points_section(find_points(evidence.campaign), evidence.summary);
+}
+
+Section sensitivity(const Evidence& evidence) {
+    return sensitivity_section(find_sensitivity(evidence.campaign, evidence.table));
+}
+
+Section pairs(const Evidence& evidence) {
+    const PairOptions options{evidence.reference, evidence.resolve};
+    return pairs_section(evidence.summary, compare_pairs(evidence.table, options), options);
+}
+
+Section extremes(const Evidence& evidence) {
+    return extremes_section(evidence.summary, find_extremes(evidence.table));
+}
+
+/// The curve of the maxima and the time above the levels that members counted.
+Section exceedance(const Evidence& evidence) {
+    Section curve = exceedance_section(evidence.summary, find_extremes(evidence.table));
+    Section levels = levels_section(evidence.summary, find_levels(evidence.table));
+    levels.records.insert(levels.records.begin(), curve.records.begin(), curve.records.end());
+    return levels;
+}
+
+Section steady(const Evidence& evidence) {
+    return steady_section(evidence.summary, evidence.table,
+                          evidence.steady ? *evidence.steady : find_steady(evidence.file, evidence.table));
+}
+
+Section members(const Evidence& evidence) {
+    return members_section(evidence.table);
+}
+
+constexpr std::array all{
+    Part{"cases", cases, always},
+    Part{"points", points, never},
+    Part{"sensitivity", sensitivity, of_a_design},
+    Part{"pairs", pairs, in_detail},
+    Part{"extremes", extremes, in_detail},
+    Part{"exceedance", exceedance, never},
+    Part{"steady", steady, never},
+    Part{.name = "members", .section = members, .unasked = never, .for_csv_alone = true},
+};
+
+}  // namespace
+
+std::span<const Part> parts() {
+    return all;
+}
+
+Evidence read_evidence(const std::filesystem::path& file, bool automatic_window, std::string_view reference) {
+    Evidence evidence{.file = file,
+                      .campaign = campaign_of(read_origin(file), file),
+                      .table = read_campaign_file(file),
+                      .summary = {},
+                      .reference = {}};
+    if (automatic_window) {
+        evidence.steady = find_steady(file, evidence.table);
+        evidence.table = with_automatic_window(file, std::move(evidence.table), *evidence.steady);
+    }
+    evidence.summary = summarise(evidence.table);
+    if (!reference.empty()) evidence.reference = case_index(evidence.summary, reference);
+    return evidence;
+}
+
+}  // namespace floes

@@ -1,0 +1,233 @@
+#include "findings/summary_section.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/units.hpp"
+#include "findings/conditions.hpp"
+#include "tables/number_text.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr std::size_t most_reasons = 10;  // shown; `floes status` has all of them
+
+// -- for people: a line a quantity, a column a case
+
+template <typename MakeCell>
+void add_line(const Summary& summary, std::string label, MakeCell make_cell, Table& table) {
+    std::vector<Cell>& line = table.emplace_back(std::vector<Cell>{std::move(label)});
+    for (const CaseSummary& row : summary.cases) line.push_back(make_cell(row));
+}
+
+void add_counts(const Summary& summary, Table& table) {
+    using Row = const CaseSummary&;
+    const auto add = [&](const char* label, auto value) {
+        add_line(
+            summary, label, [&](Row row) { return Cell{fmt::format("{:g}", static_cast<double>(value(row)))}; }, table);
+    };
+    add_line(
+        summary, "case", [](Row row) { return Cell{row.about.name}; }, table);
+    add("E, MPa", [](Row row) { return row.about.elastic_modulus / unit::megapascal; });
+    add("Σ", [](Row row) { return row.about.cfm; });
+    add("arrangements", [](Row row) { return row.members; });
+    add("  done", [](Row row) { return row.done; });
+    add("  failed", [](Row row) { return row.failed_members; });
+    add("  not steady", [](Row row) { return row.not_steady; });
+}
+
+/// Decimals that suit the largest estimate.
+int decimals_of(const Summary& summary, const Quantity& quantity) {
+    if (quantity.percent || quantity.count) return 1;
+    double largest = 0;
+    for (const CaseSummary& row : summary.cases) {
+        const double estimate = std::abs(row.of(quantity).estimate);
+        if (estimate > largest) largest = estimate;  // NaN is not
+    }
+    return decimals_for(largest);
+}
+
+void add_estimate(const Summary& summary, const Quantity& quantity, Table& table) {
+    const int decimals = decimals_of(summary, quantity);
+    const auto range = [&, factor = quantity.factor()](double low, double high) {
+        return bracket(factor * low, factor * high, decimals);
+    };
+    add_line(
+        summary, std::string{quantity.label},
+        [&](const CaseSummary& row) {
+            const Estimate& found = row.of(quantity);
+            return Cell{fixed(quantity.factor() * found.estimate, decimals), range(found.low, found.high)};
+        },
+        table);
+    // Failures by mode are no row of Table 3: the estimate will do, the rest is in JSON and CSV.
+    if (quantity.shown < Shown::in_table3) return;
+    add_line(
+        summary, "  bootstrap",
+        [&](const CaseSummary& row) {
+            const Limits& bca = row.of(quantity).bca;
+            return Cell{"", range(bca.low, bca.high)};
+        },
+        table);
+    add_line(
+        summary, "  one further run",
+        [&](const CaseSummary& row) {
+            const Estimate& found = row.of(quantity);
+            return Cell{"", range(found.prediction_low, found.prediction_high)};
+        },
+        table);
+}
+
+void add_difference(const Summary& summary, const Quantity& quantity, std::size_t reference, Table& table) {
+    std::vector<Cell>& line =
+        table.emplace_back(std::vector<Cell>{fmt::format("  against {}", summary.name_of(reference))});
+    for (std::size_t index = 0; index < summary.cases.size(); ++index) {
+        const double difference = difference_percent(summary, index, reference, quantity);
+        const bool said = index != reference && std::isfinite(difference);
+        line.emplace_back(said ? fmt::format("{:+.1f} %", difference) : "–");
+    }
+}
+
+struct Totals {
+    int members = 0, done = 0, failed = 0, missing = 0, not_steady = 0;
+
+    explicit Totals(const Summary& summary) {
+        for (const CaseSummary& row : summary.cases) {
+            members += row.members;
+            done += row.done;
+            failed += row.failed_members;
+            missing += row.missing_members;
+            not_steady += row.not_steady;
+        }
+    }
+};
+
+std::string heading(const Summary& summary, const Totals& totals) {
+    std::string text = fmt::format("Campaign {}: {} members in {} case{}", summary.title, totals.members,
+                                   summary.cases.size(), summary.cases.size() == 1 ? "" : "s");
+    if (totals.failed > 0) text += fmt::format(", {} failed", totals.failed);
+    text += totals.missing > 0 ? fmt::format(". INCOMPLETE: {} without a result yet.\n", totals.missing) : ".\n";
+    for (const std::string& condition : condition_lines(summary)) text += condition + "\n";
+    return text;
+}
+
+std::string notes(const Summary& summary, const Totals& totals) {
+    std::string text =
+        "\nOne arrangement is one value. Brackets: where the mean over all arrangements lies, 95 %, by Student's t; "
+        "below "
+        "it by\nBCa bootstrap, which assumes no shape; then where one further run falls, 95 %. Failure ratio: broken "
+        "floes of all floes.\nJoints failed: mean of a run.\n";
+    if (totals.missing > 0 && totals.done > 0) {
+        text += "Members that end sooner come first: until the campaign is complete the figures lean towards them.\n";
+    }
+    if (totals.not_steady > 0) {
+        text += fmt::format(
+            "Not steady: in {} of {} members the load still had a trend in the window; they are in the figures "
+            "above.\n",
+            totals.not_steady, totals.done);
+    }
+    for (std::size_t index = 0; index < std::min(summary.failed.size(), most_reasons); ++index) {
+        text += fmt::format("Member {} failed: {}\n", summary.failed[index].member, summary.failed[index].reason);
+    }
+    if (summary.failed.size() > most_reasons) {
+        text += fmt::format("… and {} more failed.\n", summary.failed.size() - most_reasons);
+    }
+    return text;
+}
+
+// -- for programs: a record a case
+
+using CaseColumn = RecordField<CaseSummary>;
+
+void add_estimate(const Quantity& quantity, std::vector<CaseColumn>& columns) {
+    const std::string name{quantity.name};
+    const auto add = [&](const char* part, const std::string& csv, auto value) {
+        columns.push_back({Names{csv, fmt::format("{}/{}", name, part)},
+                           [&quantity, value](const CaseSummary& row) { return Datum(value(row.of(quantity))); }});
+    };
+    add("estimate", name, [](const Estimate& found) { return found.estimate; });
+    add("low", name + "_low", [](const Estimate& found) { return found.low; });
+    add("high", name + "_high", [](const Estimate& found) { return found.high; });
+    add("bca_low", name + "_bca_low", [](const Estimate& found) { return found.bca.low; });
+    add("bca_high", name + "_bca_high", [](const Estimate& found) { return found.bca.high; });
+    add("prediction_low", name + "_prediction_low", [](const Estimate& found) { return found.prediction_low; });
+    add("prediction_high", name + "_prediction_high", [](const Estimate& found) { return found.prediction_high; });
+}
+
+CaseColumn difference_column(const Summary& summary, std::size_t reference, const Quantity& quantity, Names names) {
+    return {std::move(names), [&summary, &quantity, reference](const CaseSummary& row) {
+                const auto index = static_cast<std::size_t>(&row - summary.cases.data());
+                return Datum(difference_percent(summary, index, reference, quantity));
+            }};
+}
+
+/// "failures_bending" is "bending" of "failures".
+CaseColumn total_column(const Quantity& quantity) {
+    const std::string key{quantity.key};
+    std::string place = key;
+    place.at(place.find('_')) = '/';
+    return {Names{key, place}, [key](const CaseSummary& row) {
+                const auto total = row.totals.find(key);
+                return total == row.totals.end() ? Datum(Undefined{}) : Datum(total->second);
+            }};
+}
+
+std::vector<CaseColumn> case_columns(const Summary& summary, Reference reference) {
+    std::vector<CaseColumn> columns{
+        {"name", [](const CaseSummary& row) { return row.about.name; }},
+        {"cfm", [](const CaseSummary& row) { return row.about.cfm; }},
+        {"elastic_modulus_MPa", [](const CaseSummary& row) { return row.about.elastic_modulus / unit::megapascal; }},
+        {"members", &CaseSummary::members},
+        {"failed_members", &CaseSummary::failed_members},
+        {"missing_members", &CaseSummary::missing_members},
+        {"not_steady", &CaseSummary::not_steady}};
+    for (const Quantity& quantity : shown_in(Shown::in_summary)) {
+        add_estimate(quantity, columns);
+        if (reference)
+            columns.push_back(difference_column(summary, *reference, quantity,
+                                                {fmt::format("{}_difference_percent", quantity.name), ""}));
+    }
+    for (const Quantity& quantity : quantities)
+        if (quantity.count) columns.push_back(total_column(quantity));
+    for (const ConditionColumn& condition : condition_columns(summary))
+        columns.push_back(
+            {condition.names, [condition](const CaseSummary& row) { return condition.value(row.about); }});
+    if (reference) {
+        for (const Quantity& quantity : shown_in(Shown::in_summary))
+            columns.push_back(difference_column(summary, *reference, quantity,
+                                                {"", fmt::format("difference_percent/{}", quantity.name)}));
+    }
+    return columns;
+}
+
+std::vector<Records> records_of(const Summary& summary, Reference reference) {
+    std::vector<RecordField<Summary>> about{
+        {Names{"", "campaign"}, &Summary::title},
+        {Names{"", "complete"}, &Summary::complete},
+    };
+    if (reference)
+        about.push_back({Names{"", "reference"}, [&](const Summary&) { return summary.name_of(*reference); }});
+    return {make_object("", summary, about),
+            make_records<CaseSummary>("cases", summary.cases, case_columns(summary, reference))};
+}
+
+}  // namespace
+
+Section summary_section(const Summary& summary, Reference reference) {
+    const Totals totals{summary};
+    Table table;
+    add_counts(summary, table);
+    for (const Quantity& quantity : shown_in(Shown::in_summary)) {
+        add_estimate(summary, quantity, table);
+        if (reference && quantity.shown >= Shown::in_table3) add_difference(summary, quantity, *reference, table);
+    }
+    return {.before = heading(summary, totals) + "\n",
+            .table = std::move(table),
+            .after = notes(summary, totals),
+            .records = records_of(summary, reference),
+            .layout = Section::Layout::panels};
+}
+
+}  // namespace floes

@@ -1,0 +1,32 @@
+#pragma once
+// How figures are written in tables for people.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+namespace floes {
+
+/// Decimals that leave about four digits of a quantity as large as `largest`.
+inline int decimals_for(double largest) {
+    return largest >= 1000 ? 0 : largest >= 100 ? 1 : largest >= 1 ? 2 : 4;
+}
+
+/// "–" where undefined.
+inline std::string fixed(double value, int decimals) {
+    return std::isfinite(value) ? fmt::format("{:.{}f}", value, decimals) : "–";
+}
+
+/// "[1.2, 3.4]"; empty where undefined.
+inline std::string bracket(double low, double high, int decimals) {
+    if (!std::isfinite(low) && !std::isfinite(high)) return "";
+    return fmt::format("[{}, {}]", fixed(low, decimals), fixed(high, decimals));
+}
+
+/// "0.034", "<0.001"; "–" where undefined.
+inline std::string p_text(double p) {
+    return !std::isfinite(p) ? "–" : p < 0.001 ? "<0.001" : fmt::format("{:.3f}", p);
+}
+
+}  // namespace floes

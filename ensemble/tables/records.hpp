@@ -1,0 +1,104 @@
+#pragma once
+// Figures for programs: the same values as CSV and as JSON, under the names that their columns give them.
+
+#include <concepts>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace floes {
+
+/// No value: left out of JSON, empty in CSV.
+struct Absent {};
+/// Undefined: null in JSON, empty in CSV. So is a number that is not finite.
+struct Undefined {};
+
+/// One value of a record. true and false are 1 and 0 in CSV.
+class Datum {
+  public:
+    Datum(Absent none) : value_(none) {}                         // NOLINT: each of these is a value
+    Datum(Undefined none) : value_(none) {}                      // NOLINT
+    Datum(bool value) : value_(value) {}                         // NOLINT
+    Datum(double value) : value_(value) {}                       // NOLINT
+    Datum(std::string text) : value_(std::move(text)) {}         // NOLINT
+    Datum(std::string_view text) : value_(std::string{text}) {}  // NOLINT
+    Datum(const char* text) : value_(std::string{text}) {}       // NOLINT
+    template <std::integral Count>
+    Datum(Count count) : value_(static_cast<std::int64_t>(count)) {}  // NOLINT
+
+    const auto& get() const { return value_; }
+
+  private:
+    std::variant<Absent, Undefined, bool, std::int64_t, double, std::string> value_;
+};
+
+/// Where a value goes.
+struct Names {
+    std::string csv;   ///< column; empty: not in CSV
+    std::string json;  ///< place in the record's object, "interval/low"; ".": the record itself; empty: not in JSON
+};
+
+/// A column of records that are made of rows: its names, and the value of a row.
+template <class Row>
+struct RecordField {
+    /// One name for both.
+    RecordField(std::string name, std::function<Datum(const Row&)> of) : names{name, name}, value(std::move(of)) {}
+    RecordField(Names both, std::function<Datum(const Row&)> of) : names(std::move(both)), value(std::move(of)) {}
+
+    Names names;
+    std::function<Datum(const Row&)> value;
+};
+
+struct Records {
+    enum class Shape { list, object };
+
+    std::string place;  ///< in JSON: of the list, or of the object that the only record is; empty: the root
+    std::vector<Names> names;
+    std::vector<std::vector<Datum>> rows;  ///< as long as names
+    Shape shape = Shape::list;
+};
+
+template <class Row>
+Records make_records(std::string place, std::span<const Row> rows, const std::vector<RecordField<Row>>& columns) {
+    Records records{std::move(place), {}, {}};
+    for (const RecordField<Row>& column : columns) records.names.push_back(column.names);
+    for (const Row& row : rows) {
+        std::vector<Datum>& values = records.rows.emplace_back();
+        values.reserve(columns.size());
+        for (const RecordField<Row>& column : columns) values.push_back(column.value(row));
+    }
+    return records;
+}
+
+/// An object of JSON.
+template <class Row>
+Records make_object(std::string place, const Row& row, const std::vector<RecordField<Row>>& columns) {
+    Records records = make_records(std::move(place), std::span<const Row>(&row, 1), columns);
+    records.shape = Records::Shape::object;
+    return records;
+}
+
+/// A list of values in JSON.
+template <class Element>
+Records make_list(std::string place, const std::vector<Element>& values) {
+    return make_records<Element>(std::move(place), values,
+                                 {{Names{"", "."}, [](const Element& value) { return Datum(value); }}});
+}
+
+/// The same for one of the two alone.
+Records csv_only(Records records);
+Records json_only(Records records);
+
+/// A header line and one line a record (RFC 4180), numbers with all their digits; empty where no column is for CSV.
+std::string csv(const Records& records);
+
+/// All of them in one JSON document, names in order; ends in a newline. Where two write to one place the later one
+/// holds.
+std::string json(std::span<const Records> records);
+
+}  // namespace floes

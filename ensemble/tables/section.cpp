@@ -1,0 +1,47 @@
+#include "tables/section.hpp"
+
+#include <fmt/ranges.h>
+
+namespace floes {
+namespace {
+
+/// Each part ends in a newline.
+std::string joined(const std::vector<std::string>& parts) {
+    return fmt::format("{}", fmt::join(parts, "\n"));
+}
+
+std::string table_text(const Section& section, int width) {
+    if (section.table.empty()) return "";
+    return section.layout == Section::Layout::panels ? text_panels(section.table, width)
+                                                     : text_columns(section.table, width);
+}
+
+}  // namespace
+
+std::string text(std::span<const Section> sections, int width) {
+    std::vector<std::string> parts;
+    for (const Section& one : sections) {
+        std::string part = one.before + table_text(one, width) + one.after + one.missing;
+        if (!part.empty()) parts.push_back(std::move(part));
+    }
+    return joined(parts);
+}
+
+std::string csv(std::span<const Section> sections) {
+    std::vector<std::string> parts;
+    for (const Section& one : sections) {
+        for (const Records& records : one.records) {
+            std::string part = csv(records);
+            if (!part.empty()) parts.push_back(std::move(part));
+        }
+    }
+    return joined(parts);
+}
+
+std::string json(std::span<const Section> sections) {
+    std::vector<Records> all;
+    for (const Section& one : sections) all.insert(all.end(), one.records.begin(), one.records.end());
+    return json(all);
+}
+
+}  // namespace floes

@@ -1,0 +1,232 @@
+#pragma once
+// The list of what a member gives as single numbers. It drives the journal, the columns of the campaign file and their
+// page, the stop rule, summaries, pairs and designs. A new quantity is its field in MemberOutputs, one line here, and
+// the computation in member/run_member.cpp.
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <ranges>
+#include <string_view>
+#include <type_traits>
+
+#include "quantities/member_outputs.hpp"
+
+namespace floes {
+
+/// Where a quantity stands in the outputs.
+struct Place {
+    double (*get)(const MemberOutputs&);
+    void (*set)(MemberOutputs&, double);  ///< a count takes NaN as 0
+};
+
+/// at<&MemberOutputs::load, &LoadStatistics::mean>: the members to follow, a double or an int at the end.
+template <auto... Path>
+constexpr Place at() {
+    return {[](const MemberOutputs& outputs) { return static_cast<double>((outputs.*....*Path)); },
+            [](MemberOutputs& outputs, double value) {
+                auto& field = (outputs.*....*Path);
+                if constexpr (std::is_integral_v<std::remove_reference_t<decltype(field)>>)
+                    field = value == value ? static_cast<int>(value) : 0;
+                else
+                    field = value;
+            }};
+}
+
+inline constexpr double no_least = -std::numeric_limits<double>::infinity();
+inline constexpr double no_most = std::numeric_limits<double>::infinity();
+
+/// How far up a quantity is shown.
+enum class Shown {
+    in_file,      ///< a column of /members, no more
+    in_summary,   ///< and a line of each case's summary
+    in_table3,    ///< and with every interval, and in comparisons of cases: the rows of Table 3
+    in_headlines  ///< and where there is room for few
+};
+
+struct Quantity {
+    std::string_view key;        ///< column of /members, word of stop.of
+    std::string_view unit;       ///< in the file
+    std::string_view long_name;  ///< in the file and on its page
+    Place place;
+    Shown shown = Shown::in_file;
+    std::string_view name = {};   ///< in JSON and CSV of summaries; ends in the unit
+    std::string_view label = {};  ///< in tables, with the unit
+    double least = 0;             ///< values keep to [least, most], and so do intervals
+    double most = no_most;
+    bool percent = false;     ///< shown in percent
+    bool count = false;       ///< a whole number, whose total over runs says something too
+    bool stops = false;       ///< a stop rule may look at it
+    bool in_designs = false;  ///< followed along the axes of a design
+    int since = 0;            ///< minor version of the file's layout 1 that brought it
+
+    double of(const MemberOutputs& outputs) const { return place.get(outputs); }
+    constexpr double factor() const { return percent ? 100 : 1; }  ///< from the value to what is shown
+};
+
+/// In the order in which they are shown.
+inline constexpr std::array quantities{
+    Quantity{.key = "mean_load",
+             .unit = "N",
+             .long_name = "mean surge load over the window",
+             .place = at<&MemberOutputs::load, &LoadStatistics::mean>(),
+             .shown = Shown::in_headlines,
+             .name = "mean_N",
+             .label = "mean, N",
+             .least = no_least,
+             .stops = true,
+             .in_designs = true},
+    Quantity{.key = "sd_load",
+             .unit = "N",
+             .long_name = "population standard deviation of the surge load over the window",
+             .place = at<&MemberOutputs::load, &LoadStatistics::sd>(),
+             .shown = Shown::in_table3,
+             .name = "sd_N",
+             .label = "SD, N",
+             .stops = true,
+             .in_designs = true},
+    Quantity{.key = "maximum_load",
+             .unit = "N",
+             .long_name = "largest surge load in the window",
+             .place = at<&MemberOutputs::load, &LoadStatistics::maximum>(),
+             .shown = Shown::in_table3,
+             .name = "maximum_N",
+             .label = "maximum, N",
+             .least = no_least,
+             .stops = true},
+    Quantity{.key = "skewness",
+             .unit = "1",
+             .long_name = "skewness of the surge load over the window",
+             .place = at<&MemberOutputs::load, &LoadStatistics::skewness>(),
+             .least = no_least,
+             .since = 3},
+    Quantity{.key = "excess_kurtosis",
+             .unit = "1",
+             .long_name = "excess kurtosis of the surge load over the window",
+             .place = at<&MemberOutputs::load, &LoadStatistics::excess_kurtosis>(),
+             .least = no_least,
+             .since = 3},
+    Quantity{.key = "mean_maximum",
+             .unit = "N",
+             .long_name = "mean of the segment maxima of the surge load",
+             .place = at<&MemberOutputs::load, &LoadStatistics::mean_maximum>(),
+             .shown = Shown::in_headlines,
+             .name = "mean_maximum_N",
+             .label = "mean maximum, N",
+             .least = no_least,
+             .stops = true,
+             .in_designs = true},
+    Quantity{.key = "sd_maximum",
+             .unit = "N",
+             .long_name = "population standard deviation of the segment maxima of the surge load",
+             .place = at<&MemberOutputs::load, &LoadStatistics::sd_maximum>(),
+             .shown = Shown::in_table3,
+             .name = "sd_maximum_N",
+             .label = "SD maximum, N"},
+    Quantity{.key = "failure_ratio",
+             .unit = "1",
+             .long_name = "broken floes over all floes at the end of the run",
+             .place = at<&MemberOutputs::failure_ratio>(),
+             .shown = Shown::in_headlines,
+             .name = "failure_ratio",
+             .label = "failure ratio, %",
+             .most = 1,
+             .percent = true,
+             .stops = true,
+             .in_designs = true},
+    Quantity{.key = "mean_sway",
+             .unit = "N",
+             .long_name = "mean sway load over the window",
+             .place = at<&MemberOutputs::mean_sway>(),
+             .least = no_least},
+    Quantity{.key = "mean_heave",
+             .unit = "N",
+             .long_name = "mean heave load over the window",
+             .place = at<&MemberOutputs::mean_heave>(),
+             .least = no_least},
+    Quantity{.key = "trend",
+             .unit = "N s-1",
+             .long_name = "slope of the surge load over the window",
+             .place = at<&MemberOutputs::load, &LoadStatistics::trend>(),
+             .least = no_least},
+    Quantity{.key = "trend_p",
+             .unit = "1",
+             .long_name = "probability of a slope at least so far from zero if there were none",
+             .place = at<&MemberOutputs::load, &LoadStatistics::trend_p>(),
+             .most = 1},
+    Quantity{.key = "peak_compression",
+             .unit = "N",
+             .long_name = "largest axial compression in any joint over the run",
+             .place = at<&MemberOutputs::peaks, &PeakReactions::compression>()},
+    Quantity{.key = "peak_tension",
+             .unit = "N",
+             .long_name = "largest axial tension in any joint over the run",
+             .place = at<&MemberOutputs::peaks, &PeakReactions::tension>()},
+    Quantity{.key = "peak_shear",
+             .unit = "N",
+             .long_name = "largest resultant shear in any joint over the run",
+             .place = at<&MemberOutputs::peaks, &PeakReactions::shear>()},
+    Quantity{.key = "peak_bending",
+             .unit = "N m",
+             .long_name = "largest bending moment in any joint over the run",
+             .place = at<&MemberOutputs::peaks, &PeakReactions::bending>()},
+    Quantity{.key = "peak_torsion",
+             .unit = "N m",
+             .long_name = "largest torsion in any joint over the run",
+             .place = at<&MemberOutputs::peaks, &PeakReactions::torsion>()},
+    Quantity{.key = "peak_in_plane_bending",
+             .unit = "N m",
+             .long_name = "largest in-plane bending moment in any joint over the run",
+             .place = at<&MemberOutputs::peaks, &PeakReactions::in_plane_bending>()},
+    Quantity{.key = "failures_bending",
+             .unit = "1",
+             .long_name = "joints that failed in bending",
+             .place = at<&MemberOutputs::failures_bending>(),
+             .shown = Shown::in_summary,
+             .name = "failures_bending_per_run",
+             .label = "joints failed in bending",
+             .count = true},
+    Quantity{.key = "failures_shear",
+             .unit = "1",
+             .long_name = "joints that failed in shear",
+             .place = at<&MemberOutputs::failures_shear>(),
+             .shown = Shown::in_summary,
+             .name = "failures_shear_per_run",
+             .label = "  in shear",
+             .count = true},
+    Quantity{.key = "failures_compression",
+             .unit = "1",
+             .long_name = "joints that failed in compression",
+             .place = at<&MemberOutputs::failures_compression>(),
+             .shown = Shown::in_summary,
+             .name = "failures_compression_per_run",
+             .label = "  in compression",
+             .count = true},
+};
+
+/// The quantity of that key; nullptr where there is none.
+constexpr const Quantity* find_quantity(std::string_view key) {
+    const auto* const found = std::ranges::find(quantities, key, &Quantity::key);
+    return found == quantities.end() ? nullptr : found;
+}
+
+/// quantity("mean_load"): a key that is not in the list does not compile.
+consteval const Quantity& quantity(std::string_view key) {
+    return *find_quantity(key);
+}
+
+/// Those that are shown at least so far up, in order.
+constexpr auto shown_in(Shown least) {
+    return std::views::filter(quantities, [least](const Quantity& one) { return one.shown >= least; });
+}
+
+/// Outputs of which nothing is known: every quantity is NaN, every count 0, each of `segments` maxima NaN.
+inline MemberOutputs unmeasured(int segments) {
+    MemberOutputs outputs;
+    outputs.load.steady = false;
+    outputs.load.segment_maximum.assign(static_cast<std::size_t>(segments), std::numeric_limits<double>::quiet_NaN());
+    for (const Quantity& one : quantities) one.place.set(outputs, std::numeric_limits<double>::quiet_NaN());
+    return outputs;
+}
+
+}  // namespace floes
