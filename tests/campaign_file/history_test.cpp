@@ -107,8 +107,8 @@ TEST(Levels, AreNotMissedInOlderFiles) {
     const CampaignTable table = read_campaign_file(path);
     EXPECT_TRUE(table.levels.empty());
     EXPECT_TRUE(table.members[0].steps_above.empty());
-    EXPECT_TRUE(std::isnan(table.members[0].skewness));
-    EXPECT_EQ(table.members[0].excess_kurtosis, 100.8);
+    EXPECT_TRUE(std::isnan(table.members[0].load.skewness));
+    EXPECT_EQ(table.members[0].load.excess_kurtosis, 100.8);
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ TEST(RunCampaign, ComputesEveryMemberOnceAndPublishes) {
     const CampaignTable table = read_campaign_file(run.file);
     ASSERT_EQ(table.members.size(), 12u);
     for (std::size_t i = 0; i < 12; ++i) {
-        EXPECT_EQ(table.members[i].mean_load, synthetic::record(run.campaign, static_cast<int>(i)).result.load.mean);
+        EXPECT_EQ(table.members[i].load.mean, synthetic::record(run.campaign, static_cast<int>(i)).result.load.mean);
     }
 }
 

@@ -17,15 +17,15 @@ inline MemberRow done(int case_index, int arrangement, double mean, double ratio
     row.case_index = case_index;
     row.arrangement = arrangement;
     row.status = RowStatus::done;
-    row.mean_load = mean;
-    row.sd_load = mean / 2;
-    row.maximum_load = 5 * mean;
-    row.mean_maximum = 4 * mean;
-    row.sd_maximum = mean + 1;
+    row.load.mean = mean;
+    row.load.sd = mean / 2;
+    row.load.maximum = 5 * mean;
+    row.load.mean_maximum = 4 * mean;
+    row.load.sd_maximum = mean + 1;
     row.failure_ratio = ratio;
     row.failures_bending = bending;
     row.failures_shear = 1;
-    row.steady = true;
+    row.load.steady = true;
     return row;
 }
 
@@ -36,7 +36,7 @@ inline MemberRow without_result(int case_index, int arrangement, RowStatus statu
     row.status = status;
     row.reason = std::move(reason);
     row.failures_shear = 0;
-    row.steady = false;
+    row.load.steady = false;
     return row;
 }
 
@@ -68,7 +68,7 @@ inline CampaignTable campaign() {
         without_result(1, 3, RowStatus::missing),
         done(2, 3, 32, 0.5, 10),
     };
-    table.members[3].steady = false;
+    table.members[3].load.steady = false;
     return table;
 }
 

@@ -1,6 +1,6 @@
 // The parts of what is found, as table, JSON and CSV.
 
-#include "findings/findings.hpp"
+#include "findings/parts.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -9,9 +9,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "findings/columns.hpp"
 #include "findings/example.hpp"
-#include "findings/pairs_text.hpp"
+#include "findings/extremes.hpp"
+#include "findings/levels.hpp"
+#include "findings/members.hpp"
+#include "findings/pairs_section.hpp"
 
 namespace floes {
 namespace {
@@ -21,8 +23,8 @@ using testing::HasSubstr;
 using testing::Not;
 
 /// Twelve arrangements of the example's cases; E60 is E30 and 4 N, but for 0.5 N to and fro.
-Findings findings() {
-    Findings made;
+Evidence evidence() {
+    Evidence made;
     made.table = example::campaign();
     made.table.members.clear();
     for (int arrangement = 0; arrangement < 12; ++arrangement) {
@@ -30,30 +32,43 @@ Findings findings() {
         for (int one = 0; one < 3; ++one) {
             const double own = one == 0 ? load : one == 1 ? load + 4 + (arrangement % 2 - 0.5) : 50 - load;
             MemberRow row = example::done(one, arrangement, own, 0.01 * arrangement, arrangement);
-            row.segment_maximum = {2 * own, 3 * own + arrangement, 4 * own};
+            row.load.segment_maximum = {2 * own, 3 * own + arrangement, 4 * own};
             made.table.members.push_back(row);
         }
     }
     made.summary = summarise(made.table);
-    made.pairs = compare_pairs(made.table);
-    made.extremes = find_extremes(made.table);
     return made;
 }
 
+/// The parts of these names.
+std::vector<Section> sections(const Evidence& of, const std::vector<std::string_view>& names) {
+    std::vector<Section> made;
+    for (const Part& part : parts())
+        if (std::ranges::find(names, part.name) != names.end()) made.push_back(part.section(of));
+    return made;
+}
+
+/// Rows of a pair: one for each quantity of Table 3.
+const std::size_t compared = static_cast<std::size_t>(std::ranges::distance(shown_in(Shown::in_table3)));
+
+std::string text_of(const Section& section) {
+    return text(std::vector{section}, 100);
+}
+
 TEST(Pairs, ShareArrangements) {
-    const Findings found = findings();
-    ASSERT_EQ(found.pairs->size(), 3 * table3_quantities.size());
-    const PairRow& first = found.pairs->front();
+    const std::vector<PairRow> pairs = compare_pairs(evidence().table);
+    ASSERT_EQ(pairs.size(), 3 * compared);
+    const PairRow& first = pairs.front();
     EXPECT_EQ(first.found.arrangements, 12);
     EXPECT_DOUBLE_EQ(first.found.difference, 4);
     EXPECT_GT(first.found.variance_saved, 0.95);
     EXPECT_LT(first.t_p_holm, 1e-6);
-    EXPECT_LT(found.pairs->at(1).found.variance_saved, -0.9);  // E200 goes against E30
+    EXPECT_LT(pairs.at(1).found.variance_saved, -0.9);  // E200 goes against E30
     EXPECT_LE(first.to_resolve_observed, 4);
 }
 
 TEST(Pairs, PutTheReferenceFirst) {
-    const std::vector<PairRow> rows = compare_pairs(findings().table, {.reference = 1});
+    const std::vector<PairRow> rows = compare_pairs(evidence().table, {.reference = 1});
     EXPECT_EQ(rows[0].first, 1u);
     EXPECT_EQ(rows[0].second, 0u);
     EXPECT_DOUBLE_EQ(rows[0].found.difference, -4);
@@ -63,7 +78,7 @@ TEST(Pairs, PutTheReferenceFirst) {
 // Members that failed or are missing leave two arrangements to E30 and E60, and E60 and E200.
 TEST(Pairs, LeaveOutWhatOneOfThemDoesNotHave) {
     const std::vector<PairRow> rows = compare_pairs(example::campaign());
-    ASSERT_EQ(rows.size(), 3 * table3_quantities.size());
+    ASSERT_EQ(rows.size(), 3 * compared);
     EXPECT_EQ(rows[0].found.arrangements, 2);
     EXPECT_EQ(rows[1].found.arrangements, 4);
 }
@@ -73,7 +88,7 @@ TEST(Pairs, AreNotMadeOfDifferentFields) {
     for (MemberRow& row : table.members) row.arrangement = 3 * row.arrangement + row.case_index;
     EXPECT_TRUE(compare_pairs(table).empty());
     const Summary summary = summarise(table);
-    EXPECT_THAT(pairs_table(summary, {}, {}, 100),
+    EXPECT_THAT(text_of(pairs_section(summary, {}, {})),
                 testing::StartsWith("Pairs are not compared: cases are paired over"));
 }
 
@@ -81,13 +96,13 @@ TEST(Pairs, SayWhichAreLeftOut) {
     CampaignTable table = example::campaign();
     for (MemberRow& row : table.members) row.arrangement += row.case_index == 1 ? 100 : 0;  // a field of its own
     const std::vector<PairRow> rows = compare_pairs(table);
-    EXPECT_EQ(rows.size(), table3_quantities.size());
-    EXPECT_THAT(pairs_table(summarise(table), rows, {}, 100), HasSubstr("\n2 of 3 pairs are not compared: "));
+    EXPECT_EQ(rows.size(), compared);
+    EXPECT_THAT(text_of(pairs_section(summarise(table), rows, {})), HasSubstr("\n2 of 3 pairs are not compared: "));
     EXPECT_EQ(left_out_text(summarise(example::campaign()), compare_pairs(example::campaign())), "");
 }
 
 TEST(Extremes, TakeTheSegmentsOfEveryDoneMember) {
-    const CaseExtremes soft = findings().extremes->front();
+    const CaseExtremes soft = find_extremes(evidence().table).front();
     EXPECT_EQ(soft.maxima, 36u);
     EXPECT_EQ(soft.segment, 50);
     EXPECT_TRUE(soft.gumbel.fit.valid());
@@ -100,7 +115,7 @@ TEST(Extremes, TakeTheSegmentsOfEveryDoneMember) {
 }
 
 TEST(Findings, ComeInOrderAsATable) {
-    const std::string text = findings_table(findings(), 120);
+    const std::string text = floes::text(sections(evidence(), {"cases", "pairs", "extremes"}), 120);
     EXPECT_LT(text.find("Campaign example"), text.find("Pairs over the same arrangements"));
     EXPECT_LT(text.find("Pairs over the same arrangements"), text.find("Extremes\n"));
     EXPECT_THAT(text, testing::ContainsRegex("E60 - E30 +12 +4\\.00 +\\[3\\.67, 4\\.33\\] +16 % +<0\\.001"));
@@ -109,9 +124,7 @@ TEST(Findings, ComeInOrderAsATable) {
 }
 
 TEST(Findings, HaveEveryPartInJson) {
-    Findings found = findings();
-    found.exceedance = true;
-    const json parsed = json::parse(findings_json(found));
+    const json parsed = json::parse(floes::json(sections(evidence(), {"cases", "pairs", "exceedance"})));
     EXPECT_EQ(parsed.at("cases").size(), 3u);
     EXPECT_EQ(parsed.at("pairs").size(), 18u);
     EXPECT_EQ(parsed.at("pairs").at(0).at("quantity"), "mean_N");
@@ -120,44 +133,31 @@ TEST(Findings, HaveEveryPartInJson) {
 }
 
 TEST(Findings, AreOneTableAPartInCsv) {
-    Findings found = findings();
-    found.show_cases = false;
-    found.extremes.reset();
-    const std::string text = findings_csv(found);
+    const std::string text = csv(sections(evidence(), {"pairs"}));
     EXPECT_TRUE(text.starts_with("quantity,first,second,arrangements,"));
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 19);
 }
 
 TEST(Findings, HaveALineAMemberInCsv) {
-    Findings found;
-    found.table = example::campaign();
-    found.table.members[0].segment_maximum = {120.5, 80, 111.25};
-    found.table.members[1].segment_maximum = {70, 90};  // a case of two segments
-    found.summary = summarise(found.table);
-    found.show_cases = false;
-    found.members = true;
-    const std::string text = findings_csv(found);
+    CampaignTable table = example::campaign();
+    table.members[0].load.segment_maximum = {120.5, 80, 111.25};
+    table.members[1].load.segment_maximum = {70, 90};  // a case of two segments
+    const std::string text = csv(std::vector{members_section(table)});
     EXPECT_TRUE(text.starts_with("member,case,arrangement,status,mean_N,sd_N,maximum_N,mean_maximum_N,"));
     EXPECT_THAT(text, HasSubstr(",segment_1_maximum_N,segment_2_maximum_N,segment_3_maximum_N,trend_p\n"));
-    EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')), found.table.members.size() + 1);
-    const MemberRow& first = found.table.members.front();
-    EXPECT_THAT(text, HasSubstr(fmt::format("\n0,{},{},done,{},", found.table.cases[0].name, first.arrangement,
-                                            first.mean_load)));
-    EXPECT_THAT(text, HasSubstr(fmt::format(",120.5,80,111.25,{}\n", first.trend_p)));
-    EXPECT_THAT(text, HasSubstr(fmt::format(",70,90,,{}\n", found.table.members[1].trend_p)));
+    EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')), table.members.size() + 1);
+    const MemberRow& first = table.members.front();
+    EXPECT_THAT(text,
+                HasSubstr(fmt::format("\n0,{},{},done,{},", table.cases[0].name, first.arrangement, first.load.mean)));
+    EXPECT_THAT(text, HasSubstr(fmt::format(",120.5,80,111.25,{}\n", first.load.trend_p)));
+    EXPECT_THAT(text, HasSubstr(fmt::format(",70,90,,{}\n", table.members[1].load.trend_p)));
     EXPECT_THAT(text, HasSubstr(",failed,,,,,,,,,,,,,\n"));
     EXPECT_THAT(text, HasSubstr(",missing,,,,,,,,,,,,,\n"));
 }
 
-TEST(Columns, PutBelowWhatDoesNotFit) {
-    const std::vector<std::vector<std::string>> rows{{"name", "one", "two"}, {"ξ", "1", "22222"}};
-    EXPECT_EQ(columns(rows, 80), "name  one    two\n----------------\nξ       1  22222\n");
-    EXPECT_EQ(columns(rows, 10), "name  one\n---------\nξ       1\n\nname    two\n-----------\nξ     22222\n");
-}
-
 /// Two levels, counted in E30 and E60 alone; E30 counts 0, 100, …, 1100 steps above the lower one.
-Findings with_levels() {
-    Findings made = findings();
+Evidence with_levels() {
+    Evidence made = evidence();
     made.table.levels = {20, 50};
     for (CaseRow& one : made.table.cases) one.time_step = 0.02;
     for (std::size_t k = 0; k < made.table.members.size(); ++k) {
@@ -166,12 +166,11 @@ Findings with_levels() {
         row.steps_above = {count, 0 * count};
         row.upcrossings = {count / 10, 0 * count};
     }
-    made.levels = find_levels(made.table);
     return made;
 }
 
 TEST(Levels, AreMeansOverTheArrangementsThatCountedThem) {
-    const std::vector<LevelRow> rows = *with_levels().levels;
+    const std::vector<LevelRow> rows = find_levels(with_levels().table);
     ASSERT_EQ(rows.size(), 4u);
     EXPECT_EQ(rows[1].case_index, 0u);
     EXPECT_EQ(rows[1].level, 50);
@@ -184,17 +183,19 @@ TEST(Levels, AreMeansOverTheArrangementsThatCountedThem) {
 }
 
 TEST(Levels, AreToldInEveryFormat) {
-    Findings found = with_levels();
-    EXPECT_THAT(findings_table(found, 120), testing::ContainsRegex("E30 +20 +12 +7\\.333 +\\[4\\.27.*22\\.00 +\\["));
-    const json levels = json::parse(findings_json(found)).at("load_levels");
+    const Evidence of = with_levels();
+    const Section told = levels_section(of.summary, find_levels(of.table));
+    EXPECT_THAT(text_of(told), testing::ContainsRegex("E30 +20 +12 +7\\.333 +\\[4\\.27.*22\\.00 +\\["));
+    const json levels = json::parse(floes::json(std::vector{told})).at("load_levels");
     ASSERT_EQ(levels.size(), 4u);
     EXPECT_EQ(levels[2].at("case"), "E60");
     EXPECT_DOUBLE_EQ(levels[0].at("time_above").at("estimate").get<double>(), 550.0 / 7500);
-    EXPECT_THAT(findings_csv(found), HasSubstr("\ncase,level_N,runs,time_above,"));
-    EXPECT_THAT(findings_csv(found), HasSubstr("\nE60,50,12,0,0,0,0,0,0\n"));
-    found.levels->clear();
-    EXPECT_THAT(findings_table(found, 120), HasSubstr("no member counted any (analysis.exceedance_levels_N)"));
-    EXPECT_THAT(findings_csv(found), Not(HasSubstr("level_N")));
+    EXPECT_THAT(csv(std::vector{told}), testing::StartsWith("case,level_N,runs,time_above,"));
+    EXPECT_THAT(csv(std::vector{told}), HasSubstr("\nE60,50,12,0,0,0,0,0,0\n"));
+    const Section none = levels_section(of.summary, {});
+    EXPECT_THAT(text_of(none), HasSubstr("no member counted any (analysis.exceedance_levels_N)"));
+    EXPECT_EQ(csv(std::vector{none}), "");
+    EXPECT_EQ(json::parse(floes::json(std::vector{none})).at("load_levels").size(), 0u);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // The same figures as a table, as JSON and as CSV.
 
-#include "findings/formats.hpp"
+#include "findings/summary_section.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,10 +26,16 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-std::size_t places(const std::string& line) {
-    std::size_t count = 0;
-    for (const char byte : line) count += (byte & 0xC0) != 0x80;
-    return count;
+std::string summary_json(const Summary& summary, Reference reference = {}) {
+    return floes::json(std::vector{summary_section(summary, reference)});
+}
+
+std::string summary_csv(const Summary& summary, Reference reference = {}) {
+    return csv(std::vector{summary_section(summary, reference)});
+}
+
+std::string summary_table(const Summary& summary, int width, Reference reference = {}) {
+    return text(std::vector{summary_section(summary, reference)}, width);
 }
 
 // -- JSON
@@ -167,7 +173,7 @@ TEST(SummaryTable, FitsTheWidth) {
     const std::string panels =
         narrow.substr(narrow.find("case "), narrow.find("One arrangement") - narrow.find("case "));
     EXPECT_THAT(panels, HasSubstr("E200"));
-    for (const std::string& line : lines_of(panels)) EXPECT_LE(places(line), 60u) << line;
+    for (const std::string& line : lines_of(panels)) EXPECT_LE(text_width(line), 60u) << line;
 }
 
 TEST(SummaryTable, OfACaseWithoutResultsHasNoFigures) {

@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "findings/example.hpp"
-#include "findings/findings.hpp"
-#include "findings/sensitivity_text.hpp"
+#include "findings/points.hpp"
+#include "findings/sensitivity_section.hpp"
 
 namespace floes {
 namespace {
@@ -42,6 +42,10 @@ key = "field.far_end"
 values = ["open", "ice_sheet"]
 )";
 
+std::string text_of(const Section& section) {
+    return text(std::vector{section}, 120);
+}
+
 Campaign read(const std::string& text) {
     return read_campaign({text, "a.toml", {}}, nullptr);
 }
@@ -71,7 +75,7 @@ TEST(Sensitivity, FindsWhatTheLoadFollows) {
     const Sensitivity found = find_sensitivity(campaign, table_of(campaign));
     ASSERT_EQ(found.rows.size(), 4u);
     const SensitivityRow& mean = found.rows[0];
-    EXPECT_EQ(quantities[mean.quantity].key, "mean_N");
+    EXPECT_EQ(mean.quantity->name, "mean_N");
     EXPECT_EQ(mean.points, 32);
     EXPECT_EQ(mean.base_points, 8);
     ASSERT_TRUE(mean.fit);
@@ -105,7 +109,7 @@ TEST(Sensitivity, IsOfEachCaseByItself) {
     const Campaign campaign =
         read(std::string(saltelli) + "[[case]]\nname = \"A\"\n[[case]]\nname = \"B\"\ngeneral.iterations = 20\n");
     CampaignTable table = table_of(campaign);
-    for (MemberRow& member : table.members) member.mean_load *= member.case_index >= 32 ? 2 : 1;
+    for (MemberRow& member : table.members) member.load.mean *= member.case_index >= 32 ? 2 : 1;
     const Sensitivity found = find_sensitivity(campaign, table);
     ASSERT_EQ(found.rows.size(), 8u);
     EXPECT_EQ(found.rows[4].base, "B");
@@ -116,20 +120,20 @@ TEST(Sensitivity, IsOfNumbersAlone) {
     const Campaign of_words = read(words);
     const Sensitivity found = find_sensitivity(of_words, table_of(of_words));
     EXPECT_THAT(found.rows, IsEmpty());
-    EXPECT_THAT(sensitivity_table(found, 120), HasSubstr("The axis field.far_end takes no numbers"));
+    EXPECT_THAT(text_of(sensitivity_section(found)), HasSubstr("The axis field.far_end takes no numbers"));
     const Campaign none = read("");
-    EXPECT_THAT(sensitivity_table(find_sensitivity(none, table_of(none)), 120), HasSubstr("has no design"));
+    EXPECT_THAT(text_of(sensitivity_section(find_sensitivity(none, table_of(none)))), HasSubstr("has no design"));
 }
 
 TEST(Points, SayWhereEachCaseLies) {
     const Campaign campaign = read(words);
     const DesignPoints points = find_points(campaign);
     const CampaignTable table = table_of(campaign);
-    EXPECT_THAT(points_csv(points, summarise(table)),
+    EXPECT_THAT(csv(std::vector{points_section(points, summarise(table))}),
                 testing::StartsWith("case,base,point,field.far_end,done,mean_N,"));
-    EXPECT_THAT(points_csv(points, summarise(table)), HasSubstr("\nice_sheet,,1,ice_sheet,1,"));
-    EXPECT_THAT(points_table(find_points(read(saltelli)), 100), HasSubstr("ice.thickness_m"));
-    EXPECT_THAT(points_table(find_points(read("")), 100), HasSubstr("has no design"));
+    EXPECT_THAT(csv(std::vector{points_section(points, summarise(table))}), HasSubstr("\nice_sheet,,1,ice_sheet,1,"));
+    EXPECT_THAT(text_columns(points_table(find_points(read(saltelli))), 100), HasSubstr("ice.thickness_m"));
+    EXPECT_THAT(text_of(points_section({}, {})), HasSubstr("has no design"));
 }
 
 TEST(Sensitivity, OfTooFewPointsHasNoPlane) {
@@ -137,24 +141,20 @@ TEST(Sensitivity, OfTooFewPointsHasNoPlane) {
         read("[design]\nmethod = \"grid\"\n[[design.axis]]\nkey = \"ice.thickness_m\"\nvalues = [0.02, 0.04]\n");
     const Sensitivity found = find_sensitivity(campaign, table_of(campaign));
     EXPECT_FALSE(found.rows[0].fit);
-    EXPECT_THAT(sensitivity_table(found, 120), HasSubstr("no plane"));
+    EXPECT_THAT(text_of(sensitivity_section(found)), HasSubstr("no plane"));
 }
 
 TEST(Sensitivity, IsATableJsonAndCsv) {
     const Campaign campaign = read(saltelli);
-    Findings findings;
-    findings.table = table_of(campaign);
-    findings.summary = summarise(findings.table);
-    findings.show_cases = false;
-    findings.sensitivity = find_sensitivity(campaign, findings.table);
-    const std::string text = findings_table(findings, 200);
+    const std::vector<Section> told{sensitivity_section(find_sensitivity(campaign, table_of(campaign)))};
+    const std::string text = floes::text(told, 200);
     EXPECT_THAT(text, HasSubstr("joint.cfm 0.001 … 0.1, log    2.00    [2.00, 2.00]"));
     EXPECT_THAT(text, HasSubstr("Student's t over 2 arrangements"));
-    const auto json = nlohmann::json::parse(findings_json(findings));
+    const auto json = nlohmann::json::parse(floes::json(told));
     const auto& row = json.at("sensitivity").at("rows").at(0);
     EXPECT_NEAR(row.at("axes").at(0).at("slope").at("estimate").get<double>(), 6, 1e-8);
     EXPECT_EQ(row.at("base_points"), 8);
-    const std::string csv = findings_csv(findings);
+    const std::string csv = floes::csv(told);
     EXPECT_EQ(std::ranges::count(csv, '\n'), 1 + 4 * 2);
     EXPECT_EQ(std::ranges::count(csv, ','), 18 * (1 + 4 * 2));
 }

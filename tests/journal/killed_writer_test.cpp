@@ -116,7 +116,7 @@ TEST(KilledWriter, LeavesTheOldCampaignFileOrTheNewOne) {
         ASSERT_GE(known, 1u);
         for (std::size_t k = 0; k < known; ++k) {
             const bool failed = table.members[k].status == RowStatus::failed;
-            ASSERT_TRUE(failed || table.members[k].mean_load == records[k].result.load.mean) << k;
+            ASSERT_TRUE(failed || table.members[k].load.mean == records[k].result.load.mean) << k;
         }
     }
     EXPECT_GT(published, 5u);
