@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "driver/master.hpp"
 #include "driver/worker.hpp"
+#include "wire/mpi_link.hpp"
 
 namespace floes {
 
