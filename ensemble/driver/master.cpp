@@ -44,24 +44,24 @@ std::string reason_of_all(std::span<const std::string> reasons) {
 
 }  // namespace
 
-Master::Master(const Campaign& campaign, const RunOptions& options, Link& link, Recorder& recorder, Progress& progress,
-               const StopSignals& signals, const MemberFunction& compute, Helper* helper, const Muster& mustered)
+Master::Master(const Campaign& campaign, const MasterTools& tools, const CrewSetup& setup, const Muster& mustered,
+               const MasterLimits& limits)
     : campaign_(campaign),
-      options_(options),
-      link_(link),
-      recorder_(recorder),
-      progress_(progress),
-      signals_(signals),
-      scheduler_(recorder.tasks(), campaign.run.attempts),
+      link_(tools.link),
+      recorder_(tools.recorder),
+      progress_(tools.progress),
+      signals_(tools.signals),
+      limits_(limits),
+      scheduler_(recorder_.tally().found().tasks, campaign.run.attempts),
       scribe_(campaign, self),
-      crew_(campaign, compute, mustered.hellos.at(self).cores, helper),
-      pause_(pause_between_polls(link.size())),
-      silence_(link.size(), std::chrono::steady_clock::now()),
-      pace_(recorder.pace()) {
+      crew_(campaign, setup),
+      pause_(pause_between_polls(link_.size())),
+      silence_(link_.size(), std::chrono::steady_clock::now()),
+      pace_(recorder_.tally().found().pace) {
     if (mustered.stop_requested) request_stop("another rank");
     tell_time_left();
     const std::string& here = mustered.hellos.at(self).host;
-    for (int rank = 0; rank < link.size(); ++rank) {
+    for (int rank = 0; rank < link_.size(); ++rank) {
         const Hello& hello = mustered.hellos.at(static_cast<std::size_t>(rank));
         if (rank != self && hello.host == here) ranks_.emplace(rank, open_process(hello.pid));
         const int cores = hello.cores;
@@ -141,18 +141,18 @@ void Master::finished(int worker, int number, MemberRecord record) {
 }
 
 void Master::tell_time_left() {
-    const std::optional<double> left = options_.walltime.left(std::chrono::steady_clock::now());
+    const std::optional<double> left = limits_.walltime.left(std::chrono::steady_clock::now());
     if (left && pace_ > 0) handle(TimeLeft{*left / pace_});
 }
 
 void Master::watch_ranks(std::chrono::steady_clock::time_point now) {
     silence_.listened(now);
     if (silence_.total() < next_sign_) return;
-    next_sign_ = silence_.total() + options_.patience.sign_of_life;
+    next_sign_ = silence_.total() + limits_.patience.sign_of_life;
     for (int rank = 1; rank < link_.size(); ++rank) {
         if (lost_.contains(rank)) continue;
         link_.send(rank, Tag::alive, {});
-        if (silence_.of(rank) < options_.patience.with_a_worker) continue;
+        if (silence_.of(rank) < limits_.patience.with_a_worker) continue;
         progress_.say(
             fmt::format("rank {} has been silent for {:.0f} s: others compute its members", rank, silence_.of(rank)));
         lost_.insert(rank);
@@ -162,7 +162,7 @@ void Master::watch_ranks(std::chrono::steady_clock::time_point now) {
 }
 
 void Master::watch_time(std::chrono::steady_clock::time_point now) {
-    const std::optional<double> left = options_.walltime.left(now);
+    const std::optional<double> left = limits_.walltime.left(now);
     if (!left) return;
     if (*left <= 0) request_stop("the end of the time limit");
     if (scheduler_.assigned() == 0 && scheduler_.pending() > 0) {
@@ -199,7 +199,7 @@ void Master::request_stop(const std::string& reason) {
 }
 
 void Master::end_when_precise() {
-    if (recorder_.precise() && !scheduler_.stopping()) handle(StopRequested{});
+    if (recorder_.tally().precise() && !scheduler_.stopping()) handle(StopRequested{});
 }
 
 void Master::handle(const Event& event, MemberRecord* record) {
@@ -263,12 +263,13 @@ void Master::keep(int number, MemberRecord& record) {
 }
 
 ProgressState Master::state() const {
+    const Tally& tally = recorder_.tally();
     ProgressState state;
-    state.total = recorder_.total();
-    state.done = recorder_.done();
-    state.failed = recorder_.failed();
+    state.total = tally.found().total;
+    state.done = tally.done();
+    state.failed = tally.failed();
     state.running = scheduler_.running();
-    if (const auto& precision = recorder_.precision()) {
+    if (const auto& precision = tally.precision()) {
         state.half_width = precision->achieved();
         state.half_width_target = precision->target();
         state.in_order = precision->arrangements();

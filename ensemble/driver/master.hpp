@@ -13,20 +13,33 @@
 #include "driver/pause.hpp"
 #include "driver/progress.hpp"
 #include "driver/recorder.hpp"
-#include "driver/run_campaign.hpp"
-#include "driver/scribe.hpp"
 #include "driver/signals.hpp"
 #include "driver/silence.hpp"
+#include "driver/walltime.hpp"
 #include "schedule/scheduler.hpp"
 #include "wire/link.hpp"
 
 namespace floes {
 
+/// What the master has at hand besides its crew.
+struct MasterTools {
+    Link& link;
+    Recorder& recorder;
+    Progress& progress;
+    const StopSignals& signals;
+};
+
+/// How long a run may take and what it waits for.
+struct MasterLimits {
+    Walltime walltime;
+    Patience patience;
+};
+
 class Master {
   public:
-    /// All references must outlive the master. `mustered`: of muster().
-    Master(const Campaign& campaign, const RunOptions& options, Link& link, Recorder& recorder, Progress& progress,
-           const StopSignals& signals, const MemberFunction& compute, Helper* helper, const Muster& mustered);
+    /// `campaign` and the tools must outlive the master. `setup`: of the crew of this rank. `mustered`: of muster().
+    Master(const Campaign& campaign, const MasterTools& tools, const CrewSetup& setup, const Muster& mustered,
+           const MasterLimits& limits);
 
     /// Until every member has an answer or the run was stopped, and every worker has said farewell. A run that nobody
     /// is left to compute for stops. Throws RunError when a rank is in trouble or the journal cannot be written.
@@ -58,11 +71,11 @@ class Master {
     ProgressState state() const;
 
     const Campaign& campaign_;
-    const RunOptions& options_;
     Link& link_;
     Recorder& recorder_;
     Progress& progress_;
     const StopSignals& signals_;
+    MasterLimits limits_;
     Scheduler scheduler_;
     Scribe scribe_;
     Crew crew_;
