@@ -9,7 +9,7 @@
 
 #include "core/error.hpp"
 #include "driver/master.hpp"
-#include "driver/muster.hpp"
+#include "driver/ranks.hpp"
 #include "driver/worker.hpp"
 #include "wire/mpi_link.hpp"
 
