@@ -9,7 +9,7 @@
 namespace floes {
 namespace {
 
-/// Two cases of one field geometry, over within half a second of simulated time.
+/// Two cases of one field geometry, in which the tow reaches the ice.
 Campaign short_campaign() {
     Campaign made;
     made.name = "short";
@@ -17,10 +17,14 @@ Campaign short_campaign() {
     made.arrangements = 2;
     Scenario scenario;
     scenario.field.floes = 4;
-    scenario.field.concentration = 0.3;
+    scenario.field.concentration = 0.4;
+    scenario.field.begin = 2.0;
+    scenario.field.half_width = 1.25;
     scenario.arrangement.sweeps = 50;
+    scenario.structure.start = 1.38;
+    scenario.structure.speed = 0.5;
     scenario.analysis.steady_start = 0.2;
-    scenario.analysis.window = 0.3;
+    scenario.analysis.window = 2.0;
     made.cases.push_back({"soft", scenario});
     scenario.joint.cfm = 1e-10;
     made.cases.push_back({"stiff", scenario});
@@ -48,6 +52,11 @@ TEST(ComputeMember, RunsTheScenarioOfItsCaseWithItsArrangement) {
         EXPECT_EQ(result.history.surge, expected.history.surge) << number;
         EXPECT_EQ(places(result), places(expected)) << number;
     }
+}
+
+TEST(ComputeMember, GivesCasesThatDifferOtherLoads) {
+    const Campaign campaign = short_campaign();
+    EXPECT_NE(computed(campaign, 0).history.surge, computed(campaign, 1).history.surge);
 }
 
 TEST(ComputeMember, DrawsFromTheSeedOfItsCase) {
