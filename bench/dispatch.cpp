@@ -20,6 +20,7 @@
 #include "driver/run_campaign.hpp"
 #include "driver/worker.hpp"
 #include "forecast/plan.hpp"
+#include "wire/open_link.hpp"
 
 namespace {
 

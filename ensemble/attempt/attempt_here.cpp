@@ -12,7 +12,6 @@
 #include <thread>
 #include <utility>
 
-#include "attempt/ending.hpp"
 #include "core/error.hpp"
 
 namespace floes {

@@ -18,6 +18,7 @@
 
 #include <fmt/format.h>
 
+#include "attempt/helper_process.hpp"
 #include "attempt/helper_protocol.hpp"
 #include "member/result_bytes.hpp"
 
@@ -108,7 +109,7 @@ Helper::Helper(MemberFunction compute) {
         mine.close();
         ::prctl(PR_SET_PDEATHSIG, SIGKILL);
         if (::getppid() != parent) ::_exit(0);  // it died before this process could ask to follow it
-        helper_protocol::serve(std::move(helpers), compute);
+        serve_as_helper(std::move(helpers), compute);
     }
     control_ = std::move(mine);
 }

@@ -1,4 +1,4 @@
-// The child of a helper: one member, one process.
+#include "attempt/helper_child.hpp"
 
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -9,12 +9,13 @@
 #include <string>
 
 #include "attempt/attempt_here.hpp"
-#include "attempt/helper_protocol.hpp"
 #include "member/result_bytes.hpp"
 
-namespace floes::helper_protocol {
+namespace floes {
 
 namespace {
+
+using namespace helper_protocol;
 
 /// Bytes of address space that this process has; 0 when the system does not tell.
 std::uint64_t mapped_bytes() {
@@ -77,4 +78,4 @@ void compute_and_leave(const Request& request, const Descriptor& socket, const C
     ::_exit(0);
 }
 
-}  // namespace floes::helper_protocol
+}  // namespace floes

@@ -1,5 +1,4 @@
-// The helper at work: a single thread that sleeps until a request, the end of a child, a parent that hung up, or a
-// deadline.
+#include "attempt/helper_process.hpp"
 
 #include <poll.h>
 #include <sys/resource.h>
@@ -19,14 +18,15 @@
 
 #include <fmt/format.h>
 
-#include "attempt/helper_protocol.hpp"
+#include "attempt/helper_child.hpp"
 #include "core/bytes.hpp"
 #include "core/error.hpp"
 
-namespace floes::helper_protocol {
+namespace floes {
 
 namespace {
 
+using namespace helper_protocol;
 using Clock = std::chrono::steady_clock;
 
 struct Child {
@@ -167,7 +167,7 @@ class Server {
 
 }  // namespace
 
-void serve(Descriptor control, const MemberFunction& compute) {
+void serve_as_helper(Descriptor control, const MemberFunction& compute) {
     int status = 0;
     try {
         Server(std::move(control), compute).serve();
@@ -177,4 +177,4 @@ void serve(Descriptor control, const MemberFunction& compute) {
     ::_exit(status);
 }
 
-}  // namespace floes::helper_protocol
+}  // namespace floes

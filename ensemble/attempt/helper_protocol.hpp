@@ -1,19 +1,16 @@
 #pragma once
-// What goes between a process and its helper, for helper.cpp and helper_process.cpp alone.
+// What goes between a process, its helper and the helper's children, for the files of these three alone.
 //
 // Requests travel over the control socket, each with a descriptor: of a file with the campaign's text, or of the socket
 // of one attempt. Over that comes the answer in frames: from the child parts of the bytes of a result or of a sentence,
 // and after the child's end, from the helper, the Ending. What has no Ending comes from a helper that is gone.
-
-#include <sys/types.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 
-#include "attempt/ending.hpp"
-#include "attempt/member_function.hpp"
+#include "attempt/limits.hpp"
 #include "core/descriptor.hpp"
 
 namespace floes::helper_protocol {
@@ -41,12 +38,5 @@ void send_frames(int socket, Frame kind, std::span<const std::byte> bytes);
 bool send(int control, const Request& request, int descriptor);
 /// The next request; nothing when the other end is closed.
 std::optional<RequestWithDescriptor> receive(int control);
-
-/// Does all that a helper does, until the control socket is closed. Never returns.
-[[noreturn]] void serve(Descriptor control, const MemberFunction& compute);
-
-/// Computes the member in this process, a fork of the helper, and leaves. Never returns.
-[[noreturn]] void compute_and_leave(const Request& request, const Descriptor& socket, const Campaign& campaign,
-                                    const MemberFunction& compute, pid_t helper);
 
 }  // namespace floes::helper_protocol

@@ -1,7 +1,9 @@
 #pragma once
-// What one attempt at a member may take.
+// What one attempt at a member may take, and sentences for an attempt that has no result to show. They depend on the
+// member alone where they can: a reason stands in the campaign file.
 
 #include <cstdint>
+#include <string>
 
 #include "campaign/run_rules.hpp"
 
@@ -14,8 +16,19 @@ struct AttemptLimits {
     double grace = 60;  ///< s that one who was asked to end, and looks at it every step, may still take
 };
 
-inline AttemptLimits limits_of(const RunRules& rules) {
-    return {.deadline = rules.member_deadline, .memory = static_cast<std::uint64_t>(rules.member_memory)};
-}
+AttemptLimits limits_of(const RunRules& rules);
+
+/// How the process of a member ended, as its helper saw it.
+struct Ending {
+    int wait_status = 0;            ///< of waitpid()
+    bool at_deadline = false;       ///< the helper ended it for that reason
+    std::uint64_t peak_memory = 0;  ///< largest resident set, bytes
+};
+
+/// "The process of the member was killed by SIGSEGV (Segmentation fault)."
+std::string reason_of(const Ending& ending, const AttemptLimits& limits);
+
+std::string deadline_reason(const AttemptLimits& limits);
+std::string memory_reason(const AttemptLimits& limits);
 
 }  // namespace floes

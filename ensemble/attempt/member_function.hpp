@@ -14,4 +14,8 @@ namespace floes {
 /// function is to throw soon, it means that the member was abandoned and is to be run again.
 using MemberFunction = std::function<MemberResult(const Campaign&, int number, std::stop_token)>;
 
+/// The MemberFunction of every campaign that is meant: run_member() on the scenario of the member's case, with the seed
+/// and the number of its arrangement.
+MemberResult compute_member(const Campaign& campaign, int number, std::stop_token stop);
+
 }  // namespace floes

@@ -20,7 +20,7 @@
 #include "driver/signals.hpp"
 #include "driver/worker.hpp"
 #include "findings/summary_section.hpp"
-#include "member/run_member.hpp"
+#include "wire/open_link.hpp"
 
 namespace floes {
 
@@ -84,13 +84,6 @@ Part part_of(const RunVerb& verb, const Campaign& campaign) {
 Existing existing_of(const RunVerb& verb) {
     if (verb.resume) return Existing::resume;
     return verb.overwrite ? Existing::replace : Existing::refuse;
-}
-
-MemberResult compute_member(const Campaign& campaign, int number, std::stop_token stop) {
-    const MemberKey key = member_key(campaign, number);
-    const Scenario& scenario = campaign.cases[static_cast<std::size_t>(key.case_index)].scenario;
-    return run_member(scenario, arrangement_seed(campaign, key.case_index), static_cast<std::uint32_t>(key.arrangement),
-                      std::move(stop));
 }
 
 int lead(const RunVerb& verb, const std::string& program, Link& link, Helper& helper) {

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "records/session.hpp"
+
 namespace floes {
 
 namespace {
@@ -12,15 +14,33 @@ constexpr unsigned slots_for_the_owner = 0;  // the owner waits and never comput
 
 }  // namespace
 
-Crew::Crew(const Campaign& campaign, MemberFunction compute, int threads, Helper* helper)
+Scribe::Scribe(const Campaign& campaign, int rank) : campaign_(campaign), rank_(rank), host_(host_name()) {
+    for (int i = 0; i < static_cast<int>(campaign.cases.size()); ++i) {
+        case_keys_.push_back(case_fingerprint(campaign, i));
+    }
+}
+
+MemberRecord Scribe::record(Outcome outcome) const {
+    const MemberKey key = member_key(campaign_, outcome.assignment.number);
+    MemberRecord record;
+    record.case_key = case_keys_[static_cast<std::size_t>(key.case_index)];
+    record.arrangement = key.arrangement;
+    record.attempt = outcome.assignment.attempt;
+    record.rank = rank_;
+    record.host = host_;
+    record.peak_memory = outcome.peak_memory;
+    record.result = std::move(*outcome.result);
+    record.history = std::move(outcome.history);
+    return record;
+}
+
+Crew::Crew(const Campaign& campaign, CrewSetup setup)
     : campaign_(campaign),
-      compute_(std::move(compute)),
-      helper_(helper),
+      setup_(std::move(setup)),
       limits_(limits_of(campaign.run)),
-      threads_(threads),
-      limit_(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads) + 1),
-      arena_(threads, slots_for_the_owner) {
-    if (helper_ != nullptr) helper_->prepare(campaign);
+      limit_(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(setup_.threads) + 1),
+      arena_(setup_.threads, slots_for_the_owner) {
+    if (setup_.helper != nullptr) setup_.helper->prepare(campaign);
 }
 
 Crew::~Crew() {
@@ -65,9 +85,9 @@ Outcome Crew::execute(Assignment assignment) {
 
 Attempted Crew::attempt(Assignment assignment) {
     const bool apart = assignment.apart || campaign_.run.isolation == Isolation::process;
-    if (helper_ != nullptr && apart) {
+    if (setup_.helper != nullptr && apart) {
         try {
-            return helper_->run(assignment.number, limits_, stop_.get_token());
+            return setup_.helper->run(assignment.number, limits_, stop_.get_token());
         } catch (const HelperLost& lost) {
             give_up({lost.what(), false});
             return {};
@@ -78,7 +98,7 @@ Attempted Crew::attempt(Assignment assignment) {
                              assignment.number, limits_.grace),
                  true});
     };
-    return attempt_here(compute_, campaign_, assignment.number, limits_, stop_.get_token(), stuck);
+    return attempt_here(setup_.compute, campaign_, assignment.number, limits_, stop_.get_token(), stuck);
 }
 
 void Crew::give_up(CrewTrouble trouble) {

@@ -12,10 +12,12 @@
 #include <mutex>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 #include "attempt/attempt_here.hpp"
 #include "attempt/helper.hpp"
+#include "records/member_record.hpp"
 #include "records/packed_history.hpp"
 
 namespace floes {
@@ -35,17 +37,39 @@ struct Outcome {
     PackedHistory history = {};     ///< of the load; out of the result
 };
 
+/// Writes down who computed what on this rank.
+class Scribe {
+  public:
+    /// `campaign` must outlive the scribe.
+    Scribe(const Campaign& campaign, int rank);
+
+    /// Of an outcome that has a result.
+    MemberRecord record(Outcome outcome) const;
+
+  private:
+    const Campaign& campaign_;
+    int rank_;
+    std::string host_;
+    std::vector<std::string> case_keys_;
+};
+
 /// Why a crew cannot go on.
 struct CrewTrouble {
     std::string sentence;
     bool stuck = false;  ///< a thread is lost in its member for good: the crew cannot even end
 };
 
+/// What a crew computes members with.
+struct CrewSetup {
+    MemberFunction compute;
+    int threads = 1;           ///< members at a time, >= 1
+    Helper* helper = nullptr;  ///< for members in processes of their own; without one all are computed in this process
+};
+
 class Crew {
   public:
-    /// `campaign` and `helper` must outlive the crew. threads >= 1. Members follow campaign.run; without a helper all
-    /// are computed in this process.
-    Crew(const Campaign& campaign, MemberFunction compute, int threads, Helper* helper = nullptr);
+    /// `campaign` and the helper must outlive the crew. Members follow campaign.run.
+    Crew(const Campaign& campaign, CrewSetup setup);
     Crew(const Crew&) = delete;
     Crew& operator=(const Crew&) = delete;
     /// Abandons everything and waits until the threads have let go.
@@ -68,9 +92,9 @@ class Crew {
 
     /// Assignments begun whose outcome has not been taken.
     int held() const { return held_; }
-    int threads() const { return threads_; }
+    int threads() const { return setup_.threads; }
     /// Of those held, the ones that no thread has begun (between take() and the next outcome).
-    int waiting() const { return std::max(held_ - threads_, 0); }
+    int waiting() const { return std::max(held_ - setup_.threads, 0); }
 
   private:
     void execute_next();
@@ -79,11 +103,9 @@ class Crew {
     void give_up(CrewTrouble trouble);
 
     const Campaign& campaign_;
-    MemberFunction compute_;
-    Helper* helper_;
+    CrewSetup setup_;
     AttemptLimits limits_;
     std::stop_source stop_;
-    int threads_;
     int held_ = 0;
 
     mutable std::mutex mutex_;  // guards the five below

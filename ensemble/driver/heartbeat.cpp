@@ -3,7 +3,6 @@
 #include <signal.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <ctime>
 #include <fstream>
@@ -11,16 +10,12 @@
 
 #include <fmt/format.h>
 
+#include "records/session.hpp"
+
 namespace floes {
 namespace {
 
 constexpr double longest_silence = 60;  // s; heartbeats come every few seconds, but publishing may hold one up
-
-std::string this_host() {
-    std::array<char, 256> name{};
-    ::gethostname(name.data(), name.size() - 1);
-    return name.data();
-}
 
 }  // namespace
 
@@ -31,7 +26,7 @@ std::filesystem::path heartbeat_path(const std::filesystem::path& campaign_file)
 void write_heartbeat(const std::filesystem::path& path, Heartbeat heartbeat) {
     const std::filesystem::path aside = path.string() + ".tmp";
     std::ofstream out(aside, std::ios::trunc);
-    out << fmt::format("host {}\nprocess {}\ntime {}\n", this_host(), ::getpid(), std::time(nullptr));
+    out << fmt::format("host {}\nprocess {}\ntime {}\n", host_name(), ::getpid(), std::time(nullptr));
     out << fmt::format("elapsed {}\nfinished {}\nfinished_cost {}\nremaining_cost {}\n", heartbeat.elapsed,
                        heartbeat.finished, heartbeat.finished_cost, heartbeat.remaining_cost);
     for (const Heartbeat::UnderWay& one : heartbeat.under_way)
@@ -75,7 +70,7 @@ double age_of(const Heartbeat& heartbeat) {
 
 bool is_stale(const Heartbeat& heartbeat) {
     const bool gone =
-        heartbeat.host == this_host() && ::kill(static_cast<pid_t>(heartbeat.process), 0) != 0 && errno == ESRCH;
+        heartbeat.host == host_name() && ::kill(static_cast<pid_t>(heartbeat.process), 0) != 0 && errno == ESRCH;
     return gone || age_of(heartbeat) > longest_silence;
 }
 

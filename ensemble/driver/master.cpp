@@ -1,10 +1,6 @@
 #include "driver/master.hpp"
 
-#include <sys/syscall.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <csignal>
 #include <cstdlib>
 #include <span>
 #include <utility>
@@ -18,16 +14,6 @@ namespace floes {
 namespace {
 
 constexpr int self = 0;
-
-// A process by its descriptor: its number may be another's by the time it is needed. (The wrappers of glibc 2.36 lack
-// their linkage in C++.)
-Descriptor open_process(int pid) {
-    return Descriptor(static_cast<int>(::syscall(SYS_pidfd_open, pid, 0)));
-}
-
-void kill_process(const Descriptor& process) {
-    ::syscall(SYS_pidfd_send_signal, process.get(), SIGKILL, nullptr, 0);
-}
 
 /// The reasons of all attempts, in order; the same one several times is said once.
 std::string reason_of_all(std::span<const std::string> reasons) {
@@ -44,27 +30,24 @@ std::string reason_of_all(std::span<const std::string> reasons) {
 
 }  // namespace
 
-Master::Master(const Campaign& campaign, const RunOptions& options, Link& link, Recorder& recorder, Progress& progress,
-               const StopSignals& signals, const MemberFunction& compute, Helper* helper, const Muster& mustered)
+Master::Master(const Campaign& campaign, const MasterTools& tools, const CrewSetup& setup, const Muster& mustered,
+               const MasterLimits& limits)
     : campaign_(campaign),
-      options_(options),
-      link_(link),
-      recorder_(recorder),
-      progress_(progress),
-      signals_(signals),
-      scheduler_(recorder.tasks(), campaign.run.attempts),
+      link_(tools.link),
+      recorder_(tools.recorder),
+      progress_(tools.progress),
+      signals_(tools.signals),
+      walltime_(limits.walltime),
+      scheduler_(recorder_.tally().found().tasks, campaign.run.attempts),
       scribe_(campaign, self),
-      crew_(campaign, compute, mustered.hellos.at(self).cores, helper),
-      pause_(pause_between_polls(link.size())),
-      silence_(link.size(), std::chrono::steady_clock::now()),
-      pace_(recorder.pace()) {
+      crew_(campaign, setup),
+      pause_(pause_between_polls(link_.size())),
+      ranks_(link_, mustered, limits.patience, begin_),
+      pace_(recorder_.tally().found().pace) {
     if (mustered.stop_requested) request_stop("another rank");
     tell_time_left();
-    const std::string& here = mustered.hellos.at(self).host;
-    for (int rank = 0; rank < link.size(); ++rank) {
-        const Hello& hello = mustered.hellos.at(static_cast<std::size_t>(rank));
-        if (rank != self && hello.host == here) ranks_.emplace(rank, open_process(hello.pid));
-        const int cores = hello.cores;
+    for (int rank = 0; rank < link_.size(); ++rank) {
+        const int cores = mustered.hellos.at(static_cast<std::size_t>(rank)).cores;
         handle(WorkerJoined{rank, cores, cores});  // one ahead for each core
     }
 }
@@ -84,7 +67,7 @@ std::string Master::stopped_by() const {
 void Master::advance() {
     bool something = link_.moving();
     while (const auto message = link_.poll()) {
-        silence_.heard(message->from);
+        ranks_.heard(message->from);
         receive(*message);
         something = true;
     }
@@ -141,43 +124,24 @@ void Master::finished(int worker, int number, MemberRecord record) {
 }
 
 void Master::tell_time_left() {
-    const std::optional<double> left = options_.walltime.left(std::chrono::steady_clock::now());
+    const std::optional<double> left = walltime_.left(std::chrono::steady_clock::now());
     if (left && pace_ > 0) handle(TimeLeft{*left / pace_});
 }
 
 void Master::watch_ranks(std::chrono::steady_clock::time_point now) {
-    silence_.listened(now);
-    if (silence_.total() < next_sign_) return;
-    next_sign_ = silence_.total() + options_.patience.sign_of_life;
-    for (int rank = 1; rank < link_.size(); ++rank) {
-        if (lost_.contains(rank)) continue;
-        link_.send(rank, Tag::alive, {});
-        if (silence_.of(rank) < options_.patience.with_a_worker) continue;
-        progress_.say(
-            fmt::format("rank {} has been silent for {:.0f} s: others compute its members", rank, silence_.of(rank)));
-        lost_.insert(rank);
-        link_.abandon(rank);
+    for (const auto& [rank, silence] : ranks_.watch(now)) {
+        progress_.say(fmt::format("rank {} has been silent for {:.0f} s: others compute its members", rank, silence));
         handle(WorkerLost{rank});
     }
 }
 
 void Master::watch_time(std::chrono::steady_clock::time_point now) {
-    const std::optional<double> left = options_.walltime.left(now);
+    const std::optional<double> left = walltime_.left(now);
     if (!left) return;
     if (*left <= 0) request_stop("the end of the time limit");
     if (scheduler_.assigned() == 0 && scheduler_.pending() > 0) {
         request_stop("the end of the time limit, in which no other member could be done,");
     }
-}
-
-void Master::part() {
-    if (lost_.empty()) return;
-    for (const int rank : lost_) {
-        if (const auto found = ranks_.find(rank); found != ranks_.end()) {
-            kill_process(found->second);
-        }
-    }
-    for (int rank = 1; rank < link_.size(); ++rank) link_.send(rank, Tag::part, {});
 }
 
 void Master::give_up(const CrewTrouble& trouble) {
@@ -199,7 +163,7 @@ void Master::request_stop(const std::string& reason) {
 }
 
 void Master::end_when_precise() {
-    if (recorder_.precise() && !scheduler_.stopping()) handle(StopRequested{});
+    if (recorder_.tally().precise() && !scheduler_.stopping()) handle(StopRequested{});
 }
 
 void Master::handle(const Event& event, MemberRecord* record) {
@@ -263,12 +227,13 @@ void Master::keep(int number, MemberRecord& record) {
 }
 
 ProgressState Master::state() const {
+    const Tally& tally = recorder_.tally();
     ProgressState state;
-    state.total = recorder_.total();
-    state.done = recorder_.done();
-    state.failed = recorder_.failed();
+    state.total = tally.found().total;
+    state.done = tally.done();
+    state.failed = tally.failed();
     state.running = scheduler_.running();
-    if (const auto& precision = recorder_.precision()) {
+    if (const auto& precision = tally.precision()) {
         state.half_width = precision->achieved();
         state.half_width_target = precision->target();
         state.in_order = precision->arrangements();

@@ -3,38 +3,48 @@
 // progress. Its own cores work like any other rank's; only this thread sleeps.
 
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "driver/crew.hpp"
 #include "driver/messages.hpp"
-#include "driver/muster.hpp"
 #include "driver/pause.hpp"
 #include "driver/progress.hpp"
+#include "driver/ranks.hpp"
 #include "driver/recorder.hpp"
-#include "driver/run_campaign.hpp"
-#include "driver/scribe.hpp"
 #include "driver/signals.hpp"
-#include "driver/silence.hpp"
+#include "driver/walltime.hpp"
 #include "schedule/scheduler.hpp"
 #include "wire/link.hpp"
 
 namespace floes {
 
+/// What the master has at hand besides its crew.
+struct MasterTools {
+    Link& link;
+    Recorder& recorder;
+    Progress& progress;
+    const StopSignals& signals;
+};
+
+/// How long a run may take and what it waits for.
+struct MasterLimits {
+    Walltime walltime;
+    Patience patience;
+};
+
 class Master {
   public:
-    /// All references must outlive the master. `mustered`: of muster().
-    Master(const Campaign& campaign, const RunOptions& options, Link& link, Recorder& recorder, Progress& progress,
-           const StopSignals& signals, const MemberFunction& compute, Helper* helper, const Muster& mustered);
+    /// `campaign` and the tools must outlive the master. `setup`: of the crew of this rank. `mustered`: of muster().
+    Master(const Campaign& campaign, const MasterTools& tools, const CrewSetup& setup, const Muster& mustered,
+           const MasterLimits& limits);
 
     /// Until every member has an answer or the run was stopped, and every worker has said farewell. A run that nobody
     /// is left to compute for stops. Throws RunError when a rank is in trouble or the journal cannot be written.
     void run();
 
-    /// Ends the ranks of this machine that were lost without being dead, which mpirun would wait for, and lets the
-    /// others leave without them. To be called when all is on the disk; does nothing when no rank was lost.
-    void part();
+    /// RankWatch::part(), to be called when all is on the disk.
+    void part() { ranks_.part(); }
 
     /// Who asked for the stop, e.g. "SIGTERM"; empty when nobody did or all was done all the same.
     std::string stopped_by() const;
@@ -58,11 +68,11 @@ class Master {
     ProgressState state() const;
 
     const Campaign& campaign_;
-    const RunOptions& options_;
     Link& link_;
     Recorder& recorder_;
     Progress& progress_;
     const StopSignals& signals_;
+    Walltime walltime_;
     Scheduler scheduler_;
     Scribe scribe_;
     Crew crew_;
@@ -70,10 +80,7 @@ class Master {
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
     std::map<int, std::vector<Assignment>> handed_out_;  // by worker, since the last hand_out()
     std::map<int, std::vector<std::string>> failures_;   // reasons by member, of attempts that are made again
-    Silence silence_;
-    double next_sign_ = 0;             // of life, in time listened
-    std::map<int, Descriptor> ranks_;  // of this machine, as the system knows them for good
-    std::set<int> lost_;
+    RankWatch ranks_;
     double pace_;  // s a unit of cost, of the slowest member so far; 0: not known
     std::string stop_reason_;
     bool dismissed_ = false;  // the crew of this rank

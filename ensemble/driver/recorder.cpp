@@ -1,46 +1,26 @@
 #include "driver/recorder.hpp"
 
-#include <algorithm>
-#include <functional>
-#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "campaign_file/campaign_file.hpp"
 #include "core/error.hpp"
-#include "driver/heartbeat.hpp"
-#include "driver/precision.hpp"
 
 namespace floes {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::chrono::milliseconds sync_interval{900};  // "within a second", with room for the disk
-constexpr std::chrono::seconds heartbeat_interval{5};
-constexpr std::size_t most_told = 20;
-constexpr int least_work_per_publishing = 20;  // publishing takes at most a twentieth of the time
+using Clock = std::chrono::steady_clock;
 
 /// Opens the journal of the campaign file, having seen that nothing is overwritten or mixed up unasked.
 Journal open(const Campaign& campaign, const Recorder::Places& places) {
+    stop_rule_of(campaign, places.part);  // one that cannot be is refused before there is a file
     Recorder::check(places);
     Journal opened = open_journal(journal_path(places.campaign_file), campaign, places.existing);
     if (places.existing == Existing::replace) fs::remove(places.campaign_file);
     return opened;
-}
-
-std::vector<std::string> case_fingerprints(const Campaign& campaign) {
-    std::vector<std::string> keys;
-    for (int k = 0; k < static_cast<int>(campaign.cases.size()); ++k) keys.push_back(case_fingerprint(campaign, k));
-    return keys;
-}
-
-/// None of a part: it has no arrangements in a row, and is run whole.
-std::optional<PrecisionStop> precision_of(const Campaign& campaign, const Part& part) {
-    if (part.of > 1) return {};
-    return stop_rule_of(campaign);
 }
 
 }  // namespace
@@ -65,152 +45,57 @@ void Recorder::check(const Places& places) {
 }
 
 Recorder::Recorder(const Campaign& campaign, Places places)
-    : campaign_(campaign),
-      places_(std::move(places)),
-      case_keys_(case_fingerprints(campaign)),
-      precision_(precision_of(campaign, places_.part)),
-      journal_(open(campaign_, places_)),
-      next_publish_(std::chrono::steady_clock::now() + places_.publish_every) {
-    take_stock();
-}
-
-void Recorder::take_stock() {
-    const auto kept = match_records(campaign_, journal_.records());
-    for (int number = 0; number < member_count(campaign_); ++number) {
-        const MemberRecord* record = kept[static_cast<std::size_t>(number)];
-        const MemberKey key = member_key(campaign_, number);
-        if (record != nullptr && record->result.status == MemberStatus::done) {
-            ++total_;
-            ++reused_;
-            ++done_;
-            tell_precision(key.arrangement, key.case_index, &record->result);
-            pace_ = std::max(pace_, record->result.wall_time / expected_cost(campaign_, number));
-            continue;
-        }
-        if (!places_.part.has(member_key(campaign_, number).arrangement)) continue;
-        ++total_;
-        const int lost = journal_.attempts().lost(identity_of(number));
-        const int failures = record == nullptr || places_.retry_failed ? 0 : record->attempt;
-        if (failures >= campaign_.run.attempts) {
-            ++reused_;
-            failed_.push_back(key.arrangement);
-            tell_precision(key.arrangement, key.case_index, nullptr);
-            continue;
-        }
-        tasks_.push_back({.number = number,
-                          .cost = expected_cost(campaign_, number),
-                          .batch = precision_ ? key.arrangement / campaign_.stop.batch : 0,
-                          .attempts_made = failures + lost,
-                          .failures = failures,
-                          .suspect = lost > 0});
-        tasks_cost_ += tasks_.back().cost;
-        if (record != nullptr || lost > 0) ++retried_;
-    }
-    if (precise()) {
-        tasks_.clear();
-        tasks_cost_ = 0;
-        retried_ = 0;
-    }
-}
-
-void Recorder::tell_precision(int arrangement, int case_index, const MemberResult* result) {
-    if (!precision_) return;
-    constexpr double no_result = std::numeric_limits<double>::quiet_NaN();
-    precision_->put(arrangement, case_index,
-                    result == nullptr ? no_result : find_quantity(campaign_.stop.of)->of(*result));
-}
-
-int Recorder::failed() const {
-    const int last = precise() ? precision_->arrangements() : campaign_.arrangements;
-    return static_cast<int>(std::ranges::count_if(failed_, [last](int arrangement) { return arrangement < last; }));
-}
-
-Campaign Recorder::published() const {
-    Campaign campaign = campaign_;
-    if (precise()) campaign.arrangements = precision_->arrangements();
-    return campaign;
-}
-
-MemberIdentity Recorder::identity_of(int number) const {
-    const MemberKey key = member_key(campaign_, number);
-    return {case_keys_[static_cast<std::size_t>(key.case_index)], key.arrangement};
-}
+    : places_(std::move(places)),
+      journal_(open(campaign, places_)),
+      tally_(campaign,
+             take_inventory(campaign, journal_.records(), journal_.attempts(), places_.part, places_.retry_failed),
+             Clock::now()),
+      timer_(Clock::now(), places_.publish_every) {}
 
 std::vector<std::string> Recorder::begin(Session session) {
+    const Inventory& found = tally_.found();
     std::vector<std::string> changes;
-    if (reused_ > 0 && !journal_.sessions().empty()) changes = changed_software(journal_.sessions().back(), session);
+    if (found.reused() > 0 && !journal_.sessions().empty())
+        changes = changed_software(journal_.sessions().back(), session);
     for (const CalibrationRecord& calibration : places_.calibrations) journal_.append(calibration);
-    session.reused = reused_;
-    session.retried = retried_;
+    session.reused = found.reused();
+    session.retried = found.retried;
     journal_.begin_session(session);
     return changes;
 }
 
 void Recorder::started(int number, int attempt) {
-    const MemberIdentity member = identity_of(number);
-    journal_.started(member, attempt);
-    under_way_[member] = {number, attempt, std::chrono::steady_clock::now()};
+    journal_.started(tally_.identity_of(number), attempt);
+    tally_.started(number, attempt, Clock::now());
 }
 
 void Recorder::keep(const MemberRecord& record) {
     journal_.append(record);
-    under_way_.erase(identity(record));
-    ++finished_;
-    const auto known = std::ranges::find(case_keys_, record.case_key);
-    finished_cost_ += expected_cost(campaign_, static_cast<int>(known - case_keys_.begin()));
-    const bool done = record.result.status == MemberStatus::done;
-    if (done) {
-        ++done_;
-    } else {
-        failed_.push_back(record.arrangement);
-    }
-    for (std::size_t k = 0; k < case_keys_.size(); ++k) {
-        if (case_keys_[k] != record.case_key) continue;
-        tell_precision(record.arrangement, static_cast<int>(k), done ? &record.result : nullptr);
-    }
-    ++(done ? computed_ : set_aside_);
-    synced_ = false;
-    published_ = false;
+    tally_.kept(record);
+    timer_.kept();
 }
 
 std::string Recorder::tend(Time now) {
     journal_.hand_over();
-    if (now - last_sync_ >= sync_interval) sync();
-    if (now >= next_heartbeat_) {
-        tell(now);
-        next_heartbeat_ = now + heartbeat_interval;
+    if (timer_.sync_is_due(now)) sync();
+    if (timer_.heartbeat_is_due(now)) {
+        write_heartbeat(heartbeat_path(places_.campaign_file), tally_.heartbeat(now));
+        timer_.heartbeat_written(now);
     }
-    if (published_ || now < next_publish_) return {};
+    if (!timer_.publishing_is_due(now)) return {};
     std::string trouble;
     try {
         publish_now();
     } catch (const RunError& error) {
         trouble = error.what();
     }
-    const auto after = std::chrono::steady_clock::now();
-    next_publish_ = after + std::max<std::chrono::steady_clock::duration>(places_.publish_every,
-                                                                          least_work_per_publishing * (after - now));
+    timer_.published(now, Clock::now(), trouble.empty());
     return trouble;
 }
 
-void Recorder::tell(Time now) const {
-    const auto seconds = [now](Time since) { return std::chrono::duration<double>(now - since).count(); };
-    Heartbeat heartbeat;
-    heartbeat.elapsed = seconds(begin_);
-    heartbeat.finished = finished_;
-    heartbeat.finished_cost = finished_cost_;
-    heartbeat.remaining_cost = std::max(0.0, tasks_cost_ - finished_cost_);
-    for (const auto& [member, one] : under_way_)
-        heartbeat.under_way.push_back({one.number, one.attempt, seconds(one.since)});
-    std::ranges::sort(heartbeat.under_way, std::greater(), &Heartbeat::UnderWay::seconds);
-    if (heartbeat.under_way.size() > most_told) heartbeat.under_way.resize(most_told);
-    write_heartbeat(heartbeat_path(places_.campaign_file), std::move(heartbeat));
-}
-
 void Recorder::sync() {
-    if (!synced_) journal_.sync();
-    synced_ = true;
-    last_sync_ = std::chrono::steady_clock::now();
+    if (timer_.is_unsynced()) journal_.sync();
+    timer_.synced(Clock::now());
 }
 
 void Recorder::give_up() noexcept {
@@ -232,9 +117,8 @@ void Recorder::finish(const std::string& outcome) {
 }
 
 void Recorder::publish_now() {
-    publish(places_.campaign_file, published(), journal_.records(), journal_.sessions(), journal_.calibrations(),
+    publish(places_.campaign_file, tally_.published(), journal_.records(), journal_.sessions(), journal_.calibrations(),
             [this](const MemberRecord& record) { return journal_.history(record); });
-    published_ = true;
 }
 
 }  // namespace floes

@@ -9,7 +9,9 @@
 
 #include "core/error.hpp"
 #include "driver/master.hpp"
+#include "driver/ranks.hpp"
 #include "driver/worker.hpp"
+#include "wire/mpi_link.hpp"
 
 namespace floes {
 
@@ -26,22 +28,21 @@ std::string opening(const Campaign& campaign, const RunOptions& options, int ran
                        ranks > 1 ? fmt::format(" of {} ranks", ranks) : "", options.places.campaign_file.string());
 }
 
-std::string part_text(const Part& part, const Recorder& recorder) {
-    return fmt::format("part {} of {}: {} of them", part.number, part.of, recorder.total());
+std::string part_text(const Part& part, const Inventory& found) {
+    return fmt::format("part {} of {}: {} of them", part.number, part.of, found.total);
 }
 
 /// What was found of earlier sessions; empty when there is nothing.
-std::string stock(const Recorder& recorder) {
-    if (recorder.reused() + recorder.retried() == 0) return {};
-    const std::size_t tasks = recorder.tasks().size();
-    return fmt::format("resumed: {} reused, {} to compute{}", count(recorder.reused(), "member"), tasks,
-                       recorder.retried() > 0 ? fmt::format(", {} of them again", recorder.retried()) : "");
+std::string stock(const Inventory& found) {
+    if (found.reused() + found.retried == 0) return {};
+    return fmt::format("resumed: {} reused, {} to compute{}", count(found.reused(), "member"), found.tasks.size(),
+                       found.retried > 0 ? fmt::format(", {} of them again", found.retried) : "");
 }
 
 /// What this session did.
-std::string harvest(const Recorder& recorder) {
-    return fmt::format("{} reused, {} computed, {} retried, {} set aside", count(recorder.reused(), "member"),
-                       recorder.computed(), recorder.retried(), recorder.set_aside());
+std::string harvest(const Tally& tally) {
+    return fmt::format("{} reused, {} computed, {} retried, {} set aside", count(tally.found().reused(), "member"),
+                       tally.computed(), tally.found().retried, tally.set_aside());
 }
 
 Session session_of(int ranks, int cores) {
@@ -51,24 +52,26 @@ Session session_of(int ranks, int cores) {
 /// The last words, and the exit status that goes with them.
 int conclude(const Campaign& campaign, const RunOptions& options, Recorder& recorder, Progress& progress,
              const std::string& stopped_by) {
+    const Tally& tally = recorder.tally();
+    const bool resumed = recorder.journal().sessions().size() > 1;
     const std::string file = options.places.campaign_file.string();
-    const int total = recorder.precise() ? member_count(recorder.published()) : recorder.total();
-    if (recorder.precise()) {
-        const PrecisionStop& precision = *recorder.precision();
+    const int total = tally.precise() ? member_count(tally.published()) : tally.found().total;
+    if (tally.precise()) {
+        const PrecisionStop& precision = *tally.precision();
         progress.say(fmt::format(
             "precise enough after {} of at most {} arrangements: half-width {:.1f} %, {:g} % wanted",
             precision.arrangements(), campaign.arrangements, 100 * precision.achieved(), 100 * precision.target()));
     } else if (!stopped_by.empty()) {
         recorder.sync();  // before anything that takes time: the batch system may not wait
-        if (recorder.resumed()) progress.say(harvest(recorder));
+        if (resumed) progress.say(harvest(tally));
         progress.say(fmt::format("stopped by {} with {} of {} members done and on the disk; to go on: {}", stopped_by,
-                                 recorder.done() + recorder.failed(), total, options.resume_command));
+                                 tally.done() + tally.failed(), total, options.resume_command));
         recorder.finish("stopped");
         return exit_stopped;
     }
-    if (recorder.resumed()) progress.say(harvest(recorder));
-    recorder.finish(recorder.failed() > 0 ? "complete, members failed" : "complete");
-    if (const auto& precision = recorder.precision(); precision && !recorder.precise()) {
+    if (resumed) progress.say(harvest(tally));
+    recorder.finish(tally.failed() > 0 ? "complete, members failed" : "complete");
+    if (const auto& precision = tally.precision(); precision && !tally.precise()) {
         const std::string reached =
             precision->achieved() <= precision->target()
                 ? fmt::format(", but that had not held for stop.look_ahead = {} arrangements after stop.minimum = {}",
@@ -78,9 +81,9 @@ int conclude(const Campaign& campaign, const RunOptions& options, Recorder& reco
                                  campaign.arrangements, 100 * precision->achieved(), 100 * precision->target(),
                                  reached));
     }
-    if (recorder.failed() > 0) {
+    if (tally.failed() > 0) {
         progress.say(fmt::format("{} of {} members failed and stand as missing in {}; floes status {} has the reasons",
-                                 recorder.failed(), total, file, file));
+                                 tally.failed(), total, file, file));
         return 1;
     }
     return 0;
@@ -95,23 +98,24 @@ int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link
     const Hello own{threads_of(link, options.threads), host_name(), fingerprint(campaign), ::getpid()};
     const Muster mustered = muster(link, campaign, own);
     progress.say(opening(campaign, options, link.size(), mustered.cores()));
-    if (options.places.part.of > 1) progress.say(part_text(options.places.part, recorder));
+    if (options.places.part.of > 1) progress.say(part_text(options.places.part, recorder.tally().found()));
     if (const std::string remark = binding_remark(link.topology()); !remark.empty()) progress.say(remark);
-    if (recorder.damaged_bytes() > 0) {
+    if (recorder.journal().damaged_bytes() > 0) {
         progress.say(
             fmt::format("{} bytes of the journal are damaged and were passed over; what they held is computed "
                         "again. Is the disk all right?",
-                        recorder.damaged_bytes()));
+                        recorder.journal().damaged_bytes()));
     }
-    for (const std::string& line : recorder.extension()) {
+    for (const std::string& line : recorder.journal().extension()) {
         progress.say(fmt::format("the campaign is extended, what is there stays: {}", line));
     }
     for (const std::string& change : recorder.begin(session_of(link.size(), mustered.cores()))) {
         progress.say(fmt::format(
             "the members from before may differ in their last bits from what this run would give; {}", change));
     }
-    if (const std::string text = stock(recorder); !text.empty()) progress.say(text);
-    Master master(campaign, options, link, recorder, progress, signals, compute, helper, mustered);
+    if (const std::string text = stock(recorder.tally().found()); !text.empty()) progress.say(text);
+    Master master(campaign, {link, recorder, progress, signals}, {compute, own.cores, helper}, mustered,
+                  {options.walltime, options.patience});
     try {
         master.run();
     } catch (...) {

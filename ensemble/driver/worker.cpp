@@ -17,8 +17,8 @@
 #include "core/error.hpp"
 #include "driver/messages.hpp"
 #include "driver/pause.hpp"
-#include "driver/scribe.hpp"
 #include "driver/signals.hpp"
+#include "records/session.hpp"
 
 namespace floes {
 
@@ -43,14 +43,10 @@ Message wait_for_message(Link& link) {
 /// One worker at work: members between hello and leave.
 class Worker {
   public:
-    Worker(Link& link, const Campaign& campaign, int threads, const MemberFunction& compute, Helper* helper,
-           const Patience& patience, const StopSignals& signals)
-        : link_(link),
-          patience_(patience),
-          signals_(signals),
-          scribe_(campaign, link.rank()),
-          crew_(campaign, compute, threads, helper) {
-        link_.send(master, Tag::hello, encode(Hello{threads, host_name(), fingerprint(campaign), ::getpid()}));
+    Worker(Link& link, const Campaign& campaign, const CrewSetup& setup, const Patience& patience,
+           const StopSignals& signals)
+        : link_(link), patience_(patience), signals_(signals), scribe_(campaign, link.rank()), crew_(campaign, setup) {
+        link_.send(master, Tag::hello, encode(Hello{setup.threads, host_name(), fingerprint(campaign), ::getpid()}));
     }
 
     int run() {
@@ -166,13 +162,12 @@ class Worker {
     std::optional<int> exit_status_;
 };
 
-int serve(Link& link, int threads, const MemberFunction& compute, Helper* helper, const Patience& patience,
-          const StopSignals& signals) {
+int serve(Link& link, const CrewSetup& setup, const Patience& patience, const StopSignals& signals) {
     const Message first = wait_for_message(link);
     if (first.tag == Tag::leave) return decode_status(first.bytes);  // the run ended before it began
     if (first.tag != Tag::campaign) throw RunError("A worker must get the campaign before anything else.");
     const Campaign campaign = read_campaign({decode_text(first.bytes), "campaign of the master", {}}, no_file);
-    return Worker(link, campaign, threads_of(link, threads), compute, helper, patience, signals).run();
+    return Worker(link, campaign, setup, patience, signals).run();
 }
 
 }  // namespace
@@ -184,7 +179,7 @@ int threads_of(const Link& link, int asked) {
 int serve_campaign(Link& link, int threads, const MemberFunction& compute, Helper* helper, const Patience& patience) {
     const StopSignals signals;
     try {
-        return serve(link, threads, compute, helper, patience, signals);
+        return serve(link, {compute, threads_of(link, threads), helper}, patience, signals);
     } catch (const std::exception& error) {
         link.send(master, Tag::trouble, encode_text(error.what()));
     }

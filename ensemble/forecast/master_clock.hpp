@@ -5,7 +5,7 @@
 #include <queue>
 #include <vector>
 
-#include "forecast/driver_costs.hpp"
+#include "forecast/measured_costs.hpp"
 
 namespace floes {
 

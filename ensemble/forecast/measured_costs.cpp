@@ -1,3 +1,5 @@
+#include "forecast/measured_costs.hpp"
+
 // Measured by
 //
 //     bench/dispatch.py build/bench/bench/floes_dispatch dispatch.json
@@ -7,9 +9,6 @@
 // Not measured but taken from experience: start_up_per_rank, publish, latency, transfer_per_byte, and the variation of
 // members. The run times of members: configs/table3.toml, 94 s of processor time for three members, 234 s for one with
 // the stock solver. Bytes: the 90 members of that campaign.
-
-#include "forecast/driver_costs.hpp"
-#include "forecast/member_costs.hpp"
 
 namespace floes {
 
@@ -27,7 +26,7 @@ DriverCosts measured_costs() {
         .receive_per_byte = 0.24e-9,
         .keep_per_byte = 1.3e-9,
         .sync = 0.6e-3,
-        .sync_interval = 0.9,  // this one and those for publishing as in driver/recorder.cpp
+        .sync_interval = 0.9,  // this one and those for publishing as in driver/upkeep_timer.cpp
         .publish = 0.02,
         .publish_per_member = 12e-6,
         .publish_per_byte = 0.54e-9,

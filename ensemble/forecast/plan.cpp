@@ -9,7 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/random.hpp"
-#include "forecast/member_costs.hpp"
+#include "forecast/measured_costs.hpp"
 #include "records/member_record.hpp"
 
 namespace floes {

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "forecast/driver_costs.hpp"
+#include "forecast/measured_costs.hpp"
 
 namespace floes {
 

@@ -155,7 +155,7 @@ void Journal::hand_over() {
 void Journal::append(const MemberRecord& record) {
     const std::uint64_t offset = contents_.good_bytes;
     write_record(static_cast<std::uint32_t>(RecordType::member), encode(record));
-    journal_format::take_member(contents_, record, {offset, contents_.good_bytes - offset}, Histories::leave);
+    contents_.add(record, {offset, contents_.good_bytes - offset}, Histories::leave);
 }
 
 PackedHistory Journal::history(const MemberRecord& record) const {
@@ -189,19 +189,16 @@ void Journal::sync() {
 
 void Journal::begin_session(const Session& session) {
     write_record(static_cast<std::uint32_t>(RecordType::session_begin), encode(session));
-    contents_.sessions.push_back(session);
-    contents_.attempts.close_session();
+    contents_.begin(session);
     sync();
 }
 
 void Journal::end_session(const std::string& outcome) {
-    Session& session = contents_.sessions.at(contents_.sessions.size() - 1);
-    session.ended = utc_now();
-    session.outcome = outcome;
-    contents_.attempts.session_ended();
+    const std::string now = utc_now();
+    contents_.end(now, outcome);
     ByteWriter payload;
-    payload.text(session.ended);
-    payload.text(session.outcome);
+    payload.text(now);
+    payload.text(outcome);
     write_record(static_cast<std::uint32_t>(RecordType::session_end), payload.bytes());
     sync();
 }

@@ -16,38 +16,13 @@
 #include <vector>
 
 #include "campaign/campaign.hpp"
-#include "records/attempt_book.hpp"
-#include "records/calibration_record.hpp"
+#include "journal/journal_contents.hpp"
 #include "records/file_calls.hpp"
-#include "records/member_record.hpp"
-#include "records/session.hpp"
 
 namespace floes {
 
 /// What to do about a journal that is already there.
 enum class Existing { refuse, replace, resume };
-
-/// Whether the load histories of members, nearly all that a journal holds, are kept in memory or left in the file.
-enum class Histories { keep, leave };
-
-/// All that a journal holds.
-struct JournalContents {
-    /// Where the record of a member stands in the file.
-    struct Place {
-        std::uint64_t offset = 0;
-        std::uint64_t size = 0;
-    };
-
-    std::string campaign_text;          ///< resolved configuration, TOML
-    std::vector<MemberRecord> members;  ///< in order of arrival
-    std::vector<Place> places;          ///< of the members
-    std::vector<Session> sessions;      ///< in order of time
-    std::vector<CalibrationRecord> calibrations;
-    AttemptBook attempts;
-    std::uint64_t good_bytes = 0;     ///< up to the end of the last whole record
-    std::uint64_t damaged_bytes = 0;  ///< of these, those that belong to no whole record and were passed over
-    std::uint64_t torn_bytes = 0;     ///< after that: a torn or damaged tail, or a record just being written
-};
 
 /// A journal open for writing, locked against a second writer as long as the object lives.
 class Journal {

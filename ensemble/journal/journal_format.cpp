@@ -116,18 +116,15 @@ void take_record(JournalContents& contents, std::uint32_t type, std::span<const 
     switch (static_cast<RecordType>(type)) {
         case RecordType::member:
         case RecordType::older_member:
-            take_member(contents, decode_member(type, payload), place, histories);
+            contents.add(decode_member(type, payload), place, histories);
             break;
         case RecordType::session_begin:
-            contents.attempts.close_session();
-            contents.sessions.push_back(decode_session(payload));
+            contents.begin(decode_session(payload));
             break;
         case RecordType::session_end: {
             ByteReader in(payload);
-            contents.attempts.session_ended();
-            if (contents.sessions.empty()) break;
-            contents.sessions.back().ended = in.text();
-            contents.sessions.back().outcome = in.text();
+            const std::string when = in.text();
+            contents.end(when, in.text());
             break;
         }
         case RecordType::calibration:
@@ -154,17 +151,6 @@ std::uint32_t crc32c(std::span<const std::byte> bytes) {
     Crc32c crc;
     crc.process_bytes(bytes.data(), bytes.size());
     return crc.checksum();
-}
-
-void take_member(JournalContents& contents, MemberRecord record, JournalContents::Place place, Histories histories) {
-    contents.attempts.finished(identity(record));
-    if (!contents.sessions.empty()) {
-        Session& session = contents.sessions.back();
-        ++(record.result.status == MemberStatus::done ? session.computed : session.set_aside);
-    }
-    if (histories == Histories::leave) record.history = {};
-    contents.members.push_back(std::move(record));
-    contents.places.push_back(place);
 }
 
 MemberRecord read_member(const Descriptor& file, const std::filesystem::path& path, JournalContents::Place place) {

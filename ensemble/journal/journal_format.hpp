@@ -1,16 +1,18 @@
 #pragma once
-// The layout of a journal, for journal.cpp and journal_reader.cpp alone. All numbers little endian.
+// The layout of a journal, for those alone who read or write one as bytes. All numbers little endian.
 //
-//     header   magic (8)  schema (u32)  text length (u64)  CRC32C of these 20 bytes (u32)  text  CRC32C of the text
-//     (u32) record   payload length (u64)  type (u32)  payload  CRC32C of all before in the record (u32)
+//     header   magic (8)  schema (u32)  text length (u64)  CRC32C of these 20 bytes (u32)
+//              text  CRC32C of the text (u32)
+//     record   payload length (u64)  type (u32)  payload  CRC32C of all before in the record (u32)
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string_view>
 
 #include "core/bytes.hpp"
-#include "journal/journal.hpp"
+#include "journal/journal_contents.hpp"
 #include "records/file_calls.hpp"
 
 namespace floes::journal_format {
@@ -36,8 +38,6 @@ std::uint32_t crc32c(std::span<const std::byte> bytes);
 Bytes header(std::string_view text);
 Bytes record(RecordType type, std::span<const std::byte> payload);
 
-/// Enters a member into the contents: what appending and reading have in common.
-void take_member(JournalContents& contents, MemberRecord record, JournalContents::Place place, Histories histories);
 /// The member whose record stands at `place`. Throws RunError when it is damaged.
 MemberRecord read_member(const Descriptor& file, const std::filesystem::path& path, JournalContents::Place place);
 

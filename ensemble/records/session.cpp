@@ -50,13 +50,13 @@ std::string batch_job() {
     return {};
 }
 
+}  // namespace
+
 std::string host_name() {
     std::array<char, 256> name{};
     gethostname(name.data(), name.size() - 1);
     return name.data();
 }
-
-}  // namespace
 
 std::string utc_now() {
     return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",

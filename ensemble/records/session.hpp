@@ -37,6 +37,9 @@ struct Session {
 /// This process, now. `others`: software that only the caller knows the version of (MPI).
 Session describe_session(int ranks, int threads, std::span<const Software> others);
 
+/// Of the computer that this process is on.
+std::string host_name();
+
 /// The present moment, UTC, ISO 8601 to the second.
 std::string utc_now();
 

@@ -1,20 +1,35 @@
 #pragma once
 // The link between ranks: whole messages, in order from each sender. The same alone (LocalLink) and on MPI (MpiLink).
 //
-//     std::unique_ptr<Link> link = open_link();
+//     std::unique_ptr<Link> link = open_link();  // wire/open_link.hpp
 //     link->send(0, Tag::hello, bytes);
 //     while (std::optional<Message> message = link->poll()) …
 
 #include <cstddef>
-#include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "wire/tags.hpp"
 #include "wire/topology.hpp"
 
 namespace floes {
+
+/// Every kind of message between ranks. What stands in each: driver/messages.hpp.
+enum class Tag : int {
+    // master -> worker
+    campaign = 1,  ///< the resolved configuration; the first message a worker gets
+    assign = 2,    ///< compute this member
+    dismiss = 3,   ///< abandon what you hold and say farewell
+    leave = 4,     ///< the run is over; end with this exit status
+    part = 5,      ///< ranks are missing: leave, when told to, without waiting for anybody; see Link::abandon()
+    // worker -> master
+    hello = 11,         ///< what the worker understood of the campaign, and its cores
+    answer = 12,        ///< a finished member
+    farewell = 13,      ///< every answer of this worker has been sent
+    stop_request = 14,  ///< the worker got a signal to stop
+    trouble = 15,       ///< the worker cannot go on; a sentence
+    // either way
+    alive = 21,  ///< nothing but a sign of life
+};
 
 struct Message {
     int from = 0;  ///< rank
@@ -47,14 +62,5 @@ class Link {
     /// Bytes are on their way, in or out: it is worth polling again soon.
     virtual bool moving() const = 0;
 };
-
-/// True when mpirun or srun started this process as one of its ranks. Looks at the environment only.
-bool started_by_mpi();
-
-/// The link that fits how this process was started: MPI under mpirun or srun, else local without touching MPI.
-std::unique_ptr<Link> open_link();
-
-/// Name and version of the MPI library, e.g. "Open MPI v4.1.4". Needs no MPI to be started.
-std::string library_version();
 
 }  // namespace floes

@@ -4,6 +4,7 @@
 
 #include <list>
 #include <set>
+#include <string>
 
 #include "wire/link.hpp"
 
@@ -44,5 +45,8 @@ class MpiLink final : public Link {
     std::list<Transfer> stranded_;  // sent to ranks that were abandoned since
     std::list<Transfer> incoming_;  // in the order in which they were matched
 };
+
+/// Name and version of the MPI library, e.g. "Open MPI v4.1.4". Needs no MPI to be started.
+std::string library_version();
 
 }  // namespace floes

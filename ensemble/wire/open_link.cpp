@@ -1,3 +1,5 @@
+#include "wire/open_link.hpp"
+
 #include <cstdlib>
 
 #include "wire/local_link.hpp"

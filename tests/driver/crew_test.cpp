@@ -21,7 +21,7 @@ std::map<int, Outcome> collect(Crew& crew) {
 
 TEST(Crew, ComputesWhatItIsGiven) {
     const Campaign campaign = synthetic::campaign();
-    Crew crew(campaign, fake::compute, 2);
+    Crew crew(campaign, {fake::compute, 2});
     for (int number = 0; number < 5; ++number) crew.begin({number, 10 + number});
     EXPECT_EQ(crew.held(), 5);
     const auto outcomes = collect(crew);
@@ -50,7 +50,7 @@ TEST_P(CrewOfThreads, RunsAsManyMembersAtATime) {
         return MemberResult{};
     };
     const Campaign campaign = synthetic::campaign();
-    Crew crew(campaign, meet, threads);
+    Crew crew(campaign, {meet, threads});
     for (int number = 0; number < 4 * threads; ++number) crew.begin({number, 1});
     EXPECT_EQ(collect(crew).size(), 4u * static_cast<unsigned>(threads));
     EXPECT_EQ(together, threads);
@@ -64,7 +64,7 @@ TEST(Crew, TurnsExceptionsIntoFailedMembersWithTheReason) {
         throw 42;
     };
     const Campaign campaign = synthetic::campaign();
-    Crew crew(campaign, broken, 2);
+    Crew crew(campaign, {broken, 2});
     crew.begin({0, 1});
     crew.begin({1, 1});
     const auto outcomes = collect(crew);
@@ -76,7 +76,7 @@ TEST(Crew, TurnsExceptionsIntoFailedMembersWithTheReason) {
 
 TEST(Crew, AbandonsRunningAndWaitingMembers) {
     const Campaign campaign = synthetic::campaign();
-    Crew crew(campaign, fake::wait_for_stop, 2);
+    Crew crew(campaign, {fake::wait_for_stop, 2});
     for (int number = 0; number < 6; ++number) crew.begin({number, 1});
     crew.wait(std::chrono::milliseconds(20));
     EXPECT_TRUE(crew.take().empty());
@@ -94,7 +94,7 @@ TEST(Crew, KeepsAResultThatWasCompleteWhenTheStopCame) {
         return fake::compute(campaign, number, stop);
     };
     const Campaign campaign = synthetic::campaign();
-    Crew crew(campaign, finishes_all_the_same, 1);
+    Crew crew(campaign, {finishes_all_the_same, 1});
     crew.begin({3, 1});
     while (!begun) std::this_thread::yield();
     crew.abandon();
@@ -105,17 +105,15 @@ TEST(Crew, LetsGoOfItsThreadsWhenItEnds) {
     const Campaign campaign = synthetic::campaign();
     std::atomic<int> inside = 0;
     {
-        Crew crew(
-            campaign,
-            [&](const Campaign& c, int number, std::stop_token stop) {
-                ++inside;
-                struct Leave {
-                    std::atomic<int>& count;
-                    ~Leave() { --count; }
-                } leave{inside};
-                return fake::wait_for_stop(c, number, std::move(stop));
-            },
-            2);
+        const MemberFunction count = [&](const Campaign& c, int number, std::stop_token stop) {
+            ++inside;
+            struct Leave {
+                std::atomic<int>& count;
+                ~Leave() { --count; }
+            } leave{inside};
+            return fake::wait_for_stop(c, number, std::move(stop));
+        };
+        Crew crew(campaign, {count, 2});
         crew.begin({0, 1});
         crew.begin({1, 1});
         while (inside < 2) std::this_thread::yield();

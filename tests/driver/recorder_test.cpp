@@ -1,4 +1,4 @@
-// What a resumed run finds of the runs before it, and what it does about members that failed or were lost.
+// What a resumed run finds in the journal of the runs before it.
 
 #include "driver/recorder.hpp"
 
@@ -28,7 +28,7 @@ class Sessions : public testing::Test {
 
     /// -1 when the member is no task.
     static int attempts_made(const Recorder& recorder, int number) {
-        for (const MemberTask& task : recorder.tasks())
+        for (const MemberTask& task : recorder.tally().found().tasks)
             if (task.number == number) return task.attempts_made;
         return -1;
     }
@@ -42,17 +42,11 @@ class Sessions : public testing::Test {
     Campaign campaign_ = synthetic::campaign();
 };
 
-TEST_F(Sessions, MemberThatWasLostIsASuspectHoweverOften) {
+TEST_F(Sessions, AttemptsThatWereLostAreCounted) {
     for (int losses = 1; losses < 4; ++losses) {
         lose(5);
-        const Recorder recorder = open();
-        EXPECT_EQ(recorder.retried(), 1);
-        ASSERT_EQ(recorder.tasks().size(), 12u);
-        for (const MemberTask& task : recorder.tasks()) {
-            EXPECT_EQ(task.suspect, task.number == 5);
-            EXPECT_EQ(task.attempts_made, task.number == 5 ? losses : 0);
-            EXPECT_EQ(task.failures, 0);
-        }
+        EXPECT_EQ(attempts_made(open(), 5), losses);
+        EXPECT_EQ(open().tally().found().retried, 1);
     }
 }
 
@@ -78,18 +72,18 @@ TEST_F(Sessions, FailedMemberIsTriedAgainWhileItHasAttemptsLeft) {
     {
         Recorder recorder = open();
         EXPECT_EQ(attempts_made(recorder, 4), 1);
-        EXPECT_EQ(recorder.failed(), 0);
+        EXPECT_EQ(recorder.tally().failed(), 0);
         failure.attempt = 2;
         failure.result.reason = "again";
         recorder.keep(failure);
-        EXPECT_EQ(recorder.failed(), 1);
+        EXPECT_EQ(recorder.tally().failed(), 1);
     }
     EXPECT_EQ(attempts_made(open(), 4), -1);
-    EXPECT_EQ(open().reused(), 1);
+    EXPECT_EQ(open().tally().found().reused(), 1);
     EXPECT_EQ(published().members[4].reason, "again");
 }
 
-TEST_F(Sessions, RetryFailedGivesAsManyAttemptsAgain) {
+TEST_F(Sessions, RetryFailedForgetsFailuresAndNotLosses) {
     MemberRecord failure = synthetic::failed_record(campaign_, 4);
     failure.attempt = 2;
     open().keep(failure);
@@ -108,9 +102,9 @@ TEST_F(Sessions, SayWhatTheyDid) {
         Recorder recorder = open();
         recorder.keep(synthetic::record(campaign_, 4));
         recorder.keep(synthetic::record(campaign_, 5));
-        EXPECT_EQ(recorder.reused(), 3);
-        EXPECT_EQ(recorder.retried(), 1);
-        EXPECT_EQ(recorder.computed(), 2);
+        EXPECT_EQ(recorder.tally().found().reused(), 3);
+        EXPECT_EQ(recorder.tally().found().retried, 1);
+        EXPECT_EQ(recorder.tally().computed(), 2);
     }
     const Session session = read_journal(folder_ / "a.journal").sessions.back();
     EXPECT_EQ(session.reused, 3);

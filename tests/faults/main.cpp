@@ -22,6 +22,7 @@
 #include "driver/run_campaign.hpp"
 #include "driver/worker.hpp"
 #include "support/synthetic.hpp"
+#include "wire/open_link.hpp"
 
 namespace {
 

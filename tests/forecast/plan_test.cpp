@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/error.hpp"
-#include "forecast/member_costs.hpp"
+#include "forecast/measured_costs.hpp"
 #include "records/member_record.hpp"
 #include "support/synthetic.hpp"
 

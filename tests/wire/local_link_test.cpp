@@ -4,6 +4,8 @@
 
 #include "core/error.hpp"
 #include "wire/link_contract.hpp"
+#include "wire/mpi_link.hpp"
+#include "wire/open_link.hpp"
 
 namespace floes {
 namespace {

@@ -1,6 +1,9 @@
-#include "driver/muster.hpp"
+#include "driver/ranks.hpp"
 
-#include <chrono>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <csignal>
 #include <thread>
 
 #include <fmt/format.h>
@@ -14,7 +17,18 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr int self = 0;
 constexpr std::chrono::seconds longest_silence{120};
+
+// A process by its descriptor: its number may be another's by the time it is needed. (The wrappers of glibc 2.36 lack
+// their linkage in C++.)
+Descriptor open_process(int pid) {
+    return Descriptor(static_cast<int>(::syscall(SYS_pidfd_open, pid, 0)));
+}
+
+void kill_process(const Descriptor& process) {
+    ::syscall(SYS_pidfd_send_signal, process.get(), SIGKILL, nullptr, 0);
+}
 
 void check_hello(int from, const Hello& hello, const std::string& fingerprint) {
     if (hello.fingerprint != fingerprint) {
@@ -66,6 +80,39 @@ Muster muster(Link& link, const Campaign& campaign, const Hello& own) {
         ++present;
     }
     return result;
+}
+
+RankWatch::RankWatch(Link& link, const Muster& mustered, const Patience& patience, Time now)
+    : link_(link), patience_(patience), silence_(link.size(), now) {
+    const std::string& here = mustered.hellos.at(self).host;
+    for (int rank = 1; rank < link.size(); ++rank) {
+        const Hello& hello = mustered.hellos.at(static_cast<std::size_t>(rank));
+        if (hello.host == here) processes_.emplace(rank, open_process(hello.pid));
+    }
+}
+
+std::vector<RankWatch::Lost> RankWatch::watch(Time now) {
+    silence_.listened(now);
+    if (silence_.total() < next_sign_) return {};
+    next_sign_ = silence_.total() + patience_.sign_of_life;
+    std::vector<Lost> newly_lost;
+    for (int rank = 1; rank < link_.size(); ++rank) {
+        if (lost_.contains(rank)) continue;
+        link_.send(rank, Tag::alive, {});
+        if (silence_.of(rank) < patience_.with_a_worker) continue;
+        lost_.insert(rank);
+        link_.abandon(rank);
+        newly_lost.push_back({rank, silence_.of(rank)});
+    }
+    return newly_lost;
+}
+
+void RankWatch::part() {
+    if (lost_.empty()) return;
+    for (const int rank : lost_) {
+        if (const auto found = processes_.find(rank); found != processes_.end()) kill_process(found->second);
+    }
+    for (int rank = 1; rank < link_.size(); ++rank) link_.send(rank, Tag::part, {});
 }
 
 }  // namespace floes

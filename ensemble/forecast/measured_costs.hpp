@@ -1,10 +1,12 @@
 #pragma once
-// What the driver itself costs beside the members, as measured. The figures are in measured_costs.cpp, with the command
-// that made them.
+// What members cost, and what the driver costs beside them, as measured. The figures are in measured_costs.cpp, with
+// the commands that made them.
+
+#include <string>
 
 namespace floes {
 
-/// All times in s, all sizes in bytes.
+/// What the driver costs. All times in s, all sizes in bytes.
 struct DriverCosts {
     // -- before the first member
     double start_up = 0;           ///< of the program, alone
@@ -42,5 +44,17 @@ struct DriverCosts {
 
 /// Of the present driver on the machine named in measured_costs.cpp.
 DriverCosts measured_costs();
+
+/// What a member costs.
+struct MemberCosts {
+    double lanes_per_unit = 0;        ///< s per unit of expected_cost(): an element, a step
+    double stock_per_unit = 0;        ///< the same with Bullet's own solver
+    double variation = 0;             ///< of the run times of a case: standard deviation over mean
+    double history_bytes = 0;         ///< of a number of a load history, packed, in record and campaign file
+    double file_per_record_byte = 0;  ///< of all else: rows that several records have stand in the file once
+    std::string source;               ///< a sentence: where and when
+};
+
+MemberCosts measured_member_costs();
 
 }  // namespace floes

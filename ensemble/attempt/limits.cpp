@@ -1,4 +1,4 @@
-#include "attempt/ending.hpp"
+#include "attempt/limits.hpp"
 
 #include <sys/wait.h>
 
@@ -8,6 +8,10 @@
 #include <fmt/format.h>
 
 namespace floes {
+
+AttemptLimits limits_of(const RunRules& rules) {
+    return {.deadline = rules.member_deadline, .memory = static_cast<std::uint64_t>(rules.member_memory)};
+}
 
 std::string deadline_reason(const AttemptLimits& limits) {
     return fmt::format("The member was not done after {} s, which is run.member_deadline_s, and was ended.",
