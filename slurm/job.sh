@@ -1,30 +1,30 @@
-# Sourced by the scripts of this folder, inside a job: finds the program, and runs a campaign as a job should.
+# Sourced by the scripts of this folder, inside a job: finds the program and runs a campaign in the job.
 #
-# FLOES_HOME      the folder of floes; where sbatch was called when not set
-# FLOES           the program; the release build in that folder when not set
-# FLOES_RESTARTS  how often a job may put itself back into the queue; 100 when not set
+# FLOES_HOME      the folder of floes; default: the folder where sbatch was called
+# FLOES           the program; default: the release build in that folder
+# FLOES_RESTARTS  how often a job may requeue itself; default: 100
 # shellcheck shell=bash
 
 FLOES=${FLOES:-${FLOES_HOME:-$SLURM_SUBMIT_DIR}/build/release/floes}
 if [[ ! -x $FLOES ]]; then
-    echo "floes: there is no program $FLOES; ./floes --help, before you submit, builds it" >&2
+    echo "floes: the program $FLOES does not exist; build it with ./floes --help before you submit" >&2
     exit 2
 fi
 
-# Where the job has a part of a node: no more members at a time than it has cores, whether Slurm confines it or not.
+# If the job has only part of a node: no more members at a time than it has cores, even if Slurm does not enforce this.
 # shellcheck disable=SC2034  # the scripts use it
 threads=(${SLURM_CPUS_PER_TASK:+--threads "$SLURM_CPUS_PER_TASK"})
 
-# in_job COMMAND…: does not return. Passes the request to stop on to the command (mpirun hands it to every rank on every
-# node), and puts the job back into the queue when the command ends with 85, "stopped, resume me", or was killed (128 and
-# above): mpirun notices a lost node long before Slurm does. A member that kills its process again and again is set aside.
+# in_job COMMAND…: does not return. Forwards the request to stop to the command; mpirun forwards it to every rank on
+# every node. Requeues the job if the command ends with 85 ("stopped, resume") or was killed (128 and above), because
+# mpirun detects a lost node long before Slurm does. A member that kills its process repeatedly is set aside as failed.
 in_job() {
     local child status=0 cancelled='' restarts=${SLURM_RESTART_COUNT:-0} limit=${FLOES_RESTARTS:-100}
     echo "floes: job $SLURM_JOB_ID, start $((restarts + 1)), on $SLURM_JOB_NODELIST, $(date -u +%FT%TZ)" >&2
     "$@" &
     child=$!
-    # SIGUSR1: the time is nearly over (--signal). SIGTERM that comes first: scancel, and then the queue is not wanted.
-    # mpirun would kill the ranks on SIGTERM; SIGUSR1 it passes on.
+    # SIGUSR1: the time limit is near (--signal). A SIGTERM before it comes from scancel, and then the job must not be
+    # requeued. mpirun would kill the ranks on SIGTERM, but it forwards SIGUSR1.
     trap 'trap : TERM; kill -USR1 "$child"' USR1
     trap 'cancelled=yes; kill -USR1 "$child"' TERM
     while kill -0 "$child" 2>/dev/null; do
@@ -32,16 +32,16 @@ in_job() {
     done
     wait "$child" || status=$?
     if [[ $cancelled ]]; then
-        echo "floes: cancelled; the same sbatch goes on with what is done" >&2
+        echo "floes: cancelled; the same sbatch command resumes the campaign" >&2
         exit "$status"
     fi
     ((status == 85 || status >= 128)) || exit "$status"
     if ((restarts >= limit)); then
-        echo "floes: ended with $status and not put back into the queue after $restarts restarts" >&2
+        echo "floes: ended with $status and not requeued after $restarts restarts" >&2
     elif scontrol requeue "$SLURM_JOB_ID"; then
-        echo "floes: ended with $status and put back into the queue, restart $((restarts + 1)) of at most $limit" >&2
+        echo "floes: ended with $status and requeued, restart $((restarts + 1)) of at most $limit" >&2
     else
-        echo "floes: ended with $status, and Slurm did not take the job back unless it had done so already" >&2
+        echo "floes: ended with $status; scontrol did not requeue the job (Slurm may have requeued it already)" >&2
     fi
     exit "$status"
 }

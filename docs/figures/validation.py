@@ -3,7 +3,7 @@
 
 Usage:
     validation.py                       writes tables and pictures
-    validation.py --check               writes nothing; fails when a table of the page is not what the summaries give
+    validation.py --check               writes nothing; fails if a table of the page differs from the summaries
     validation.py --collect FOLDER [FLOES]
                                         first takes the summaries of the finished campaigns in FOLDER (NAME.h5) with
                                         the program FLOES (default ./floes)
@@ -22,7 +22,7 @@ PAGE = SUMMARIES.parent / "validation.md"
 
 
 def averaged(path):
-    """Median, SD and mean of the segments' maxima of the load averaged over ever longer windows, means over arrangements."""
+    """Median, SD and mean of the segment maxima of the load averaged over increasing windows; means over arrangements."""
     import h5py  # which --check does not need
 
     rows = []
@@ -61,7 +61,7 @@ def collect(folder, program):
 
 
 def filled(page):
-    """The page with each block between <!-- NAME --> and <!-- end --> made anew."""
+    """The page with each block between <!-- NAME --> and <!-- end --> regenerated."""
     for name, make in tables.BLOCKS.items():
         begin = f"<!-- {name} -->\n"
         if begin not in page:
@@ -77,7 +77,7 @@ def main(arguments):
     page = PAGE.read_text()
     made = filled(page)
     if arguments == ["--check"]:
-        sys.exit(0 if made == page else "docs/validation.md is not what the summaries give; run docs/figures/validation.py")
+        sys.exit(0 if made == page else "docs/validation.md differs from the summaries; run docs/figures/validation.py")
     PAGE.write_text(made)
     import validation_figures  # needs matplotlib, which --check does not
 

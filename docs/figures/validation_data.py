@@ -1,4 +1,4 @@
-"""What the validation stands on: the paper's figures, and the summaries of the campaigns as tables."""
+"""The data of the validation: the paper's figures, and the summaries of the campaigns as tables."""
 import json
 import pathlib
 
@@ -26,7 +26,7 @@ LABELS = {"mean_N": "mean load, N", "sd_N": "SD, N", "segment_1_maximum_N": "max
 
 
 def members(name):
-    """One row a finished member, the failure ratio in percent as the paper has it."""
+    """One row for each finished member; the failure ratio is in percent, as in the paper."""
     table = pd.read_csv(SUMMARIES / f"{name}.members.csv")
     return table[table.status == "done"].assign(failure_ratio=lambda rows: 100 * rows.failure_ratio)
 
@@ -36,7 +36,7 @@ def pairs():
 
 
 def steady_cases():
-    """The summary of table3 in the window that the loads themselves choose."""
+    """The summary of table3 in the window chosen from the loads (--window auto)."""
     return pd.read_csv(SUMMARIES / "table3.steady.csv").set_index("name")
 
 
@@ -53,21 +53,21 @@ def paper(case, quantity):
 
 
 def half_width(values, one_run=False):
-    """Of the 95 % t interval of the mean, or of the interval that holds one further run."""
+    """Half width of the 95 % t interval: of the mean, or the prediction interval of one further run."""
     n = len(values)
     spread = np.std(values, ddof=1) * np.sqrt((1 if one_run else 0) + 1 / n)
     return stats.t.ppf(0.975, n - 1) * spread
 
 
 def interval(values, one_run=False):
-    """Mean, lower and upper end; loads and ratios are not negative."""
+    """Mean, lower and upper bound; the lower bound is cut at zero, as loads and ratios are not negative."""
     mean, half = np.mean(values), half_width(values, one_run)
     return mean, max(mean - half, 0.0), mean + half
 
 
 def change(table, quantity, case, base):
-    """What `case` changes of `base` and the half width of its 95 % interval: paired, or by Welch's t where the two began
-    from other arrangements."""
+    """Change of `case` from `base` and the half width of its 95 % interval: paired, or by Welch's t if the two began from
+    different arrangements."""
     wide = across(table, quantity, [case, base])
     if len(wide) > 1:
         differences = wide[case] - wide[base]

@@ -16,7 +16,7 @@ def table(heading, rows):
 
 
 def number(value):
-    """Three digits, as many as any figure here is worth."""
+    """Three significant digits, as many as any figure here deserves."""
     digits = 0 if abs(value) >= 99.95 else 1 if abs(value) >= 9.995 else 2
     return f"{value:.{digits}f}"
 
@@ -50,7 +50,7 @@ def sensitivity():
 
 
 def changes(campaign):
-    """The first case, and what each other one changes of it over the same arrangements."""
+    """The first case, and the change of each other case from it, over the same arrangements."""
     table_ = members(campaign)
     base, *changed = dict.fromkeys(table_.case)
     rows = [[base] + [with_interval(table_[table_.case == base][q]) for q in SHOWN] + [steady(table_[table_.case == base])]]
@@ -65,7 +65,7 @@ def bottom_radius(case):
 
 
 def fit_radius(means, radii):
-    """The radius at which the parabola through the means (in the logarithm, they rise ever faster) meets the paper."""
+    """The radius at which a parabola through the logarithms of the means meets the paper's mean."""
     curve = np.polyfit(radii, np.log(means) - np.log(FITTED_TO), 2)
     real = [root.real for root in np.roots(curve) if abs(root.imag) < 1e-12]
     return min(real, key=lambda root: abs(root - np.mean(radii)), default=np.nan)
@@ -107,7 +107,8 @@ def table3():
         inside = "yes" if low <= there <= high else "**no**"
         rows.append([LABELS[quantity], f"{MODULI[case]}", number(there), with_interval(own),
                      f"{number(low)} to {number(high)}", inside])
-    return table(["", "E, MPa", "paper, one run", "mean over arrangements [95 %]", "95 % of single runs", "paper inside"],
+    return table(["", "E, MPa", "paper, one run", "mean over arrangements [95 %]", "95 % prediction interval of one run",
+                  "paper within"],
                  rows)
 
 
@@ -125,11 +126,11 @@ def differences():
                      f"{scale * row.difference:+.2f} [{scale * row.low:+.2f}, {scale * row.high:+.2f}]", p_value(row.t_p),
                      p_value(row.t_p_holm), p_value(row.wilcoxon_p_holm), f"{row.to_resolve_observed:.0f}"])
     return table(["", "pair", "difference [95 %]", "p (t)", "p (t, Holm)", "p (Wilcoxon, Holm)",
-                  "arrangements to resolve it"], rows)
+                  "arrangements needed"], rows)
 
 
 def findings(mean, peak, broken):
-    """What the paper's three runs showed, of arrays (..., case in the order of MODULI): name -> where it holds."""
+    """The trends of the paper's three runs, for arrays (..., case in the order of MODULI): name -> where it holds."""
     lowest_mean = mean.argmin(axis=-1) == 0
     highest_mean = mean.argmax(axis=-1) == 1
     lowest_peak = peak.argmin(axis=-1) == 0
@@ -141,7 +142,7 @@ def findings(mean, peak, broken):
 
 
 def every_triple(values):
-    """One arrangement for each E on its own: all n^3 choices."""
+    """A different arrangement for each E: all n^3 combinations."""
     n = len(values)
     index = np.stack(np.meshgrid(*[np.arange(n)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
     return values[index, np.arange(3)]
@@ -155,8 +156,8 @@ def trend():
         share = stats.binomtest(int(holds.sum()), len(holds)).proportion_ci(method="exact")
         rows.append([name, f"{holds.sum()} of {len(holds)}", f"{100 * share.low:.0f} to {100 * share.high:.0f} %",
                      f"{100 * apart[name].mean():.0f} %"])
-    return table(["three single runs show", "over one and the same arrangement", "95 % interval of that share",
-                  "over three different arrangements"], rows)
+    return table(["three single runs show", "on the same arrangement", "95 % interval of that share",
+                  "on three different arrangements"], rows)
 
 
 def steady_window():
@@ -189,7 +190,7 @@ def modes():
         own = table_[table_.case == case]
         rows.append([f"{modulus}"] + [with_interval(own[f"failures_{mode}_per_run"])
                                       for mode in ["bending", "shear", "compression"]])
-    return table(["E, MPa", "joints failed in bending, a run", "in shear", "in compression"], rows)
+    return table(["E, MPa", "joints failed in bending per run", "in shear", "in compression"], rows)
 
 
 def hybrid_points():

@@ -21,19 +21,15 @@ Keys describe_all(CampaignHead& head, Design& design, StopRule& stop, RunRules& 
 }
 
 constexpr const char* about_files =
-    "# A configuration of floes. Every key has its unit in its name and may be left out: then it has the value below.\n"
-    "# A campaign runs each case with each arrangement. floes config --check FILE checks a file without running "
-    "it.\n\n";
+    "# A configuration of floes. Every key has its unit in its name. A key that is omitted has the value below.\n"
+    "# A campaign runs each case with each arrangement. floes config --check FILE checks a file without running it.\n"
+    "\n";
 
 constexpr const char* about_cases =
-    "\n# Cases: what to compare, over the same arrangements. Each has a name and any keys of the tables above; cfm "
-    "and\n"
-    "# elastic_modulus_MPa are short for joint.cfm and ice.elastic_modulus_MPa. A case with an "
-    "elastic\n"
-    "# modulus and without Σ, here and in the tables above, is calibrated: the Σ that shows the modulus is found "
-    "before "
-    "the\n"
-    "# first member. Without any [[case]] there is one, named from its elastic modulus.\n"
+    "\n# Cases to compare, over the same arrangements. Each has a name and any keys of the tables above; cfm and\n"
+    "# elastic_modulus_MPa are short for joint.cfm and ice.elastic_modulus_MPa. A case with an elastic modulus and\n"
+    "# without Σ, here and in the tables above, is calibrated: the Σ that shows the modulus is found before the first\n"
+    "# member. Without any [[case]] there is one case, named from its elastic modulus.\n"
     "#\n"
     "# [[case]]\n"
     "# name = \"E30\"\n"
@@ -59,15 +55,15 @@ Keys describe(CampaignHead& head) {
                     IntegerField{[&head] { return static_cast<std::int64_t>(head.seed); },
                                  [&head](std::int64_t value) { head.seed = static_cast<std::uint64_t>(value); }, 0,
                                  std::numeric_limits<std::int64_t>::max()},
-                    "any number will do", "Seed of all randomness. Another seed is another set of arrangements."});
-    keys.push_back(integer_key(
-        "campaign.arrangements", head.arrangements, 1, 1000000, "a quick look",
-        "Random arrangements, each run with every case. More of them only add members: those done stay valid."));
-    keys.push_back(
-        switch_key(common_path, head.common_arrangements, "differences are sharper so",
-                   "Cases whose fields have the same geometry begin from the same floes (common random "
-                   "numbers), and only they are compared in pairs. false: each case draws arrangements of its "
-                   "own, by its name, and nothing is paired."));
+                    "any number will do",
+                    "Seed of all random numbers. Another seed gives another set of arrangements."});
+    keys.push_back(integer_key("campaign.arrangements", head.arrangements, 1, 1000000, "a quick look",
+                               "Number of random arrangements; every case is run with each of them. A larger number "
+                               "only adds members: finished members stay valid."));
+    keys.push_back(switch_key(common_path, head.common_arrangements, "smaller uncertainty of differences",
+                              "true: cases whose fields have the same geometry start from the same floes (common "
+                              "random numbers), and only such cases are compared in pairs. false: each case draws its "
+                              "own arrangements, seeded by its name, and nothing is paired."));
     return keys;
 }
 
@@ -76,36 +72,36 @@ Keys describe(StopRule& stop) {
     Keys keys;
     keys.push_back(
         number_key("stop.half_width_percent", stop.half_width, unit::percent, at_least(0).below(100), "off",
-                   "The campaign ends when the 95 % interval of the mean over arrangements is no wider than so "
-                   "much of it to either side; campaign.arrangements is then the most that are run. 0: all are "
-                   "run. Only arrangements in index order count, whatever finishes first."));
+                   "The campaign ends when the half-width of the 95 % confidence interval of the mean over "
+                   "arrangements is at most this percentage of the mean; campaign.arrangements is then the maximum. 0: "
+                   "all arrangements are run. Only arrangements in index order count, whatever finishes first."));
     std::vector<std::string> stoppable;
     for (const Quantity& one : quantities)
         if (one.stops) stoppable.emplace_back(one.key);
-    keys.push_back(
-        choice_key("stop.of", stop.of, std::move(stoppable), "the first of Table 3", "Which figure of a member."));
+    keys.push_back(choice_key("stop.of", stop.of, std::move(stoppable), "the first of Table 3",
+                              "Member result to which the rule applies."));
     keys.push_back(text_key("stop.case", stop.case_name, "every case",
-                            "Case whose interval is asked for: \"all\", \"none\", or the name of one."));
+                            "Case to which the rule applies: \"all\", \"none\", or the name of one."));
     keys.push_back(text_key("stop.contrast", stop.contrast, "none",
-                            "Paired difference whose interval is asked for, in percent of the case that is subtracted: "
+                            "Paired difference to which the rule applies, in percent of the case that is subtracted: "
                             "\"none\", \"all\", or two cases as in \"E200 - E60\"."));
-    keys.push_back(
-        integer_key("stop.minimum", stop.minimum, 2, 1000000, "trials",
-                    "Fewest arrangements before the rule is asked: with fewer the spread itself is unsure."));
-    keys.push_back(
-        integer_key("stop.look_ahead", stop.look_ahead, 0, 1000000, source,
-                    "Further arrangements for which the rule must go on holding, so that it does not stop by "
-                    "chance."));
+    keys.push_back(integer_key("stop.minimum", stop.minimum, 2, 1000000, "trials",
+                               "Minimum number of arrangements before the rule is applied: with fewer, the estimate of "
+                               "the scatter is itself uncertain."));
+    keys.push_back(integer_key("stop.look_ahead", stop.look_ahead, 0, 1000000, source,
+                               "Number of further arrangements for which the rule must stay satisfied, so that the "
+                               "campaign does not stop by chance."));
     keys.push_back(integer_key("stop.batch", stop.batch, 1, 1000000, "a few per core",
-                               "Arrangements that are handed out, longest members first, before any later one. Less is "
-                               "computed in vain when it is small, and cores idle less when it is large."));
+                               "Number of arrangements that are handed out together, longest members first. A small "
+                               "batch wastes fewer members beyond the stop; a large one leaves fewer cores idle."));
     return keys;
 }
 
 Key method_key(DesignMethod& method) {
     return word_key("design.method", method, {"none", "grid", "list", "latin_hypercube", "sobol"}, "off",
-                    "How the points are chosen at which every case is run: all combinations of the axes' values, "
-                    "their values side by side, or so many points between the axes' ends.");
+                    "How the points are chosen at which every case is run: grid is all combinations of the axes' "
+                    "values, list takes their values side by side, latin_hypercube and sobol place design.points "
+                    "points between the ends of the axes.");
 }
 
 Keys describe(Design& design) {
@@ -113,24 +109,24 @@ Keys describe(Design& design) {
     keys.push_back(integer_key("design.points", design.points, 0, static_cast<int>(most_cases), "none",
                                "Points of latin_hypercube and sobol; a power of 2 suits sobol best."));
     keys.push_back(switch_key("design.indices", design.indices, "off",
-                              "sobol: points for first-order and total indices instead, (axes + 2) for each of "
-                              "design.points (Saltelli et al. 2010)."));
+                              "With sobol: use the points for first-order and total Sobol indices, (axes + 2) for each "
+                              "of design.points (Saltelli et al. 2010)."));
     return keys;
 }
 
 Keys describe(RunRules& rules) {
     Keys keys;
     keys.push_back(word_key("run.isolation", rules.isolation, {"none", "process"}, "none is faster for short members",
-                            "Where a member is computed: in the process of its rank, or in a process of its own, which "
-                            "may crash, hang or run away with memory without harm to others."));
+                            "Where a member is computed. none: in the process of its rank. process: in an isolated "
+                            "process, so that a crash, a hang or excessive memory does not affect other members."));
     keys.push_back(number_key("run.member_deadline_s", rules.member_deadline, 1, at_least(0),
                               "many times a long member",
-                              "Wall clock after which an attempt at a member is ended as failed; 0: never."));
+                              "Wall time after which an attempt at a member is ended as failed; 0: no limit."));
     keys.push_back(number_key("run.member_memory_MiB", rules.member_memory, mebibyte, at_least(0),
                               "many times a large member",
-                              "Memory that a member in a process of its own may take; 0: no limit."));
-    keys.push_back(integer_key("run.attempts", rules.attempts, 1, 100, "one more than none",
-                               "Attempts at a member that fails, before it is set aside as failed."));
+                              "Memory limit of a member in an isolated process; 0: no limit."));
+    keys.push_back(integer_key("run.attempts", rules.attempts, 1, 100, "one retry",
+                               "Number of attempts at a failing member before it is set aside as failed."));
     return keys;
 }
 
@@ -158,11 +154,11 @@ std::string full_path(const std::string& path) {
 
 TableTitles titles() {
     TableTitles all = scenario_titles();
-    all["run"] = "How members are run. Nothing here changes a result, so --resume may come with other values.";
-    all["campaign"] = "Which simulations: each case with each arrangement.";
+    all["run"] = "How members are run. These keys do not change any result, so --resume accepts other values.";
+    all["campaign"] = "The simulations: each case is run with each arrangement.";
     all["design"] =
-        "Cases from a few lines: each [[case]] at every point of a design, whose axes are [[design.axis]] blocks.";
-    all["stop"] = "When there are enough of them.";
+        "A design: each [[case]] is run at every point of the design, whose axes are [[design.axis]] blocks.";
+    all["stop"] = "The stop rule: ends the campaign when its precision is sufficient.";
     return all;
 }
 

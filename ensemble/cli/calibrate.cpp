@@ -149,12 +149,13 @@ std::string inverse_text(const CalibrateOptions& options) {
 void add_calibrate(CLI::App& program, int& exit_status) {
     auto options = std::make_shared<CalibrateOptions>();
     CLI::App* verb = program.add_subcommand(
-        "calibrate", "The elastic modulus that Σ, Γ, Δt, iterations and element size make (plate deflection, Fig. 2)");
+        "calibrate",
+        "Elastic modulus of the numerical ice over Σ, Γ, Δt, iterations and element size (plate deflection, Fig. 2)");
     const auto list = [&](const char* name, auto& values, const char* help) {
         verb->add_option(name, values, help)->delimiter(',');
     };
-    CLI::Option* config = verb->add_option("config", options->config,
-                                           "Test the ice of this configuration's first case; else the paper's plate");
+    CLI::Option* config = verb->add_option(
+        "config", options->config, "Test the ice of this configuration's first case; default: the paper's plate");
     add_overrides(*verb, options->overrides)->needs(config);
     list("--sheet-m", options->sheets, "Sides of the square sheet, m");
     CLI::Option* cfm = verb->add_option("--cfm", options->cfm, "Values of Σ")->delimiter(',');
@@ -165,16 +166,16 @@ void add_calibrate(CLI::App& program, int& exit_status) {
     list("--iterations", options->iterations, "Numbers of Gauss-Seidel sweeps");
     verb->add_option("--load-N", options->load, "Largest load on the centre, N")->capture_default_str();
     verb->add_option("--modulus-MPa", options->modulus,
-                     "The inverse: find the Σ that shows this modulus on the first sheet")
+                     "Inverse calibration: find the Σ that shows this modulus on the first sheet")
         ->excludes(cfm);
     verb->add_option("--format", options->format, "table or json")
         ->check(CLI::IsMember({"table", "json"}))
         ->capture_default_str();
     verb->footer(
-        "Lists are comma-separated and every combination is measured. Without arguments: the paper's Σ on sheets of "
-        "5.4,\n"
-        "2.8 and 2.6 m. E (patch) takes the load as spread over the loaded elements, E (point) as a point.\n\n"
-        "  floes calibrate --sheet-m 2.6 --cfm 1e-10 --iterations 10,50,100     the ceiling that iterations set\n"
+        "Lists are comma-separated and every combination is measured. Without arguments: the paper's Σ on sheets of\n"
+        "5.4, 2.8 and 2.6 m. E (patch) assumes that the load is spread over the loaded elements, E (point) a point\n"
+        "load.\n\n"
+        "  floes calibrate --sheet-m 2.6 --cfm 1e-10 --iterations 10,50,100     the ceiling set by the iterations\n"
         "  floes calibrate table3.toml --modulus-MPa 60                         Σ for an ice of 60 MPa");
     verb->callback([options, verb, &exit_status] {
         const bool inverse = verb->count("--modulus-MPa") > 0;

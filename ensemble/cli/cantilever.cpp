@@ -98,9 +98,9 @@ std::string to_table(const std::vector<Row>& rows, const CantileverOptions& opti
 void add_cantilever(CLI::App& program, int& exit_status) {
     auto options = std::make_shared<CantileverOptions>();
     CLI::App* verb =
-        program.add_subcommand("cantilever", "The strength that a numerical beam shows, beside the one it was given");
+        program.add_subcommand("cantilever", "Measured strength of a numerical beam, compared with its input strength");
     CLI::Option* config = verb->add_option("config", options->config,
-                                           "Test the ice of this configuration's first case; else the paper's");
+                                           "Test the ice of this configuration's first case; default: the paper's ice");
     add_overrides(*verb, options->overrides)->needs(config);
     verb->add_option("--cfm", options->cfm, "Values of Σ, comma-separated")->delimiter(',')->capture_default_str();
     verb->add_option("--elements", options->elements, "Lengths of the beam in elements, comma-separated")
@@ -112,7 +112,8 @@ void add_cantilever(CLI::App& program, int& exit_status) {
         ->check(CLI::IsMember({"bending", "shear", "compression"}));
     CLI::Option* floating = verb->add_flag("--floating", options->floating,
                                            "Bend a floating beam (lifted at its tip) instead of a dry one");
-    verb->add_option("--modulus-MPa", options->modulus, "Modulus of the elastic beam on a foundation beside it")
+    verb->add_option("--modulus-MPa", options->modulus,
+                     "Modulus of the elastic beam on a foundation used for comparison")
         ->needs(floating)
         ->capture_default_str();
     verb->add_option("--format", options->format, "table or json")

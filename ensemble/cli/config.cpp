@@ -64,15 +64,15 @@ std::string answer(const ConfigOptions& options) {
 
 void add_config(CLI::App& program, int& exit_status) {
     auto options = std::make_shared<ConfigOptions>();
-    CLI::App* verb =
-        program.add_subcommand("config", "Print the default configuration or the list of keys, or check a file");
-    CLI::Option_group* action = verb->add_option_group("action", "What to do; one of");
+    CLI::App* verb = program.add_subcommand(
+        "config", "Print the default configuration or the list of keys, or check a configuration");
+    CLI::Option_group* action = verb->add_option_group("action", "Action; exactly one of");
     action->add_flag("--defaults", options->defaults, "Print a complete commented configuration that runs");
     CLI::Option* reference_flag =
         action->add_flag("--reference", options->reference, "Print every key: default, range, meaning, source");
     CLI::Option* check = action->add_option("--check", options->check, "Check this configuration without running it");
     CLI::Option* resolved =
-        action->add_option("--resolved", options->resolved, "Print this configuration complete, as it would run");
+        action->add_option("--resolved", options->resolved, "Print the complete configuration as it would run");
     action->require_option(1);
     check->type_name("CONFIG.toml");
     resolved->type_name("CONFIG.toml");

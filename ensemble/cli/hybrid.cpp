@@ -48,9 +48,9 @@ std::string answer(const HybridOptions& options) {
 void add_hybrid(CLI::App& program, int& exit_status) {
     auto options = std::make_shared<HybridOptions>();
     CLI::App* verb = program.add_subcommand(
-        "hybrid", "The load by closed formulas over the elastic modulus: Lindqvist, KPR and their hybrid (Fig. 8)");
+        "hybrid", "Load by closed formulas over the elastic modulus: Lindqvist, KPR and their hybrid (Fig. 8)");
     CLI::Option* config = verb->add_option(
-        "config", options->config, "Take ice and structure of this configuration's first case; else the paper's");
+        "config", options->config, "Use ice and structure of this configuration's first case; default: the paper's");
     add_overrides(*verb, options->overrides)->needs(config);
     verb->add_option("--modulus-MPa", options->moduli, "Elastic moduli, MPa, comma-separated")
         ->delimiter(',')
@@ -61,7 +61,7 @@ void add_hybrid(CLI::App& program, int& exit_status) {
                          "Fig. 8 shows about 10")
             ->check(CLI::Range(1e-3, 1e6))
             ->capture_default_str();
-    verb->add_option("--kpr", options->coefficients, "KPR's coefficients k1,k2,k3 instead")
+    verb->add_option("--kpr", options->coefficients, "KPR's coefficients k1,k2,k3, instead of the crossing")
         ->delimiter(',')
         ->expected(3)
         ->check(CLI::NonNegativeNumber)
@@ -70,9 +70,9 @@ void add_hybrid(CLI::App& program, int& exit_status) {
         ->check(CLI::IsMember({"table", "json", "csv"}))
         ->capture_default_str();
     verb->footer(
-        "R_LS breaks the floes (Lindqvist times concentration), R_LM pushes them aside (KPR), R_F is the smaller.\n"
-        "KPR's coefficients are in no source that could be read: k1 is set by the crossing, so the crossing tests "
-        "nothing.\n\n"
+        "R_LS is the load that breaks the floes (Lindqvist times concentration), R_LM the load that pushes them\n"
+        "aside (KPR), R_F the lower of the two. No available source gives KPR's coefficients: k1 is set by the\n"
+        "crossing, so the crossing is no test.\n\n"
         "  floes hybrid                                   the paper's case\n"
         "  floes hybrid table3.toml --set ice.bending_strength_kPa=50 --format json");
     verb->callback([options, &exit_status] {

@@ -37,7 +37,7 @@ int refuse(const CLI::App& program, const CLI::ParseError& error) {
 
 int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error to report, like a full disk
-    CLI::App program{"floes: the load that managed ice floes put on a structure, over many random arrangements"};
+    CLI::App program{"floes: the load of managed ice floes on a structure, over many random arrangements"};
     program.require_subcommand(1);
     int exit_status = 0;
     floes::add_run(program, exit_status);

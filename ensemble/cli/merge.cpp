@@ -45,10 +45,12 @@ int merge(const MergeOptions& options) {
 
 void add_merge(CLI::App& program, int& exit_status) {
     auto options = std::make_shared<MergeOptions>();
-    CLI::App* verb = program.add_subcommand("merge", "Make one campaign of the parts that floes run --part computed");
-    verb->add_option("parts", options->parts, "Their campaign files; their journals are found beside them")->required();
-    verb->add_option("-o,--output", options->output, "The campaign file to be made")->required();
-    verb->add_flag("--overwrite", options->overwrite, "Merge into the place of what is there");
+    CLI::App* verb = program.add_subcommand("merge", "Merge the parts computed by floes run --part into one campaign");
+    verb->add_option("parts", options->parts,
+                     "Campaign files of the parts; their journals are read from the same folders")
+        ->required();
+    verb->add_option("-o,--output", options->output, "The merged campaign file")->required();
+    verb->add_flag("--overwrite", options->overwrite, "Replace an existing campaign");
     verb->callback([options, &exit_status] { exit_status = merge(*options); });
 }
 

@@ -60,22 +60,20 @@ std::string plan_text(const PlanOptions& options) {
 
 void add_plan(CLI::App& program, int& exit_status) {
     auto options = std::make_shared<PlanOptions>();
-    CLI::App* verb = program.add_subcommand("plan", "Wall time, core-hours and efficiency, before they are spent");
+    CLI::App* verb = program.add_subcommand("plan", "Predict wall time, core-hours and efficiency of a run");
     verb->add_option("config", options->config, "The configuration (CONFIG.toml)")->required();
     verb->add_option("--cores", options->cores,
-                     "Cores of all ranks, one setting or several; those of this machine "
-                     "when not given")
+                     "Total number of cores, one or several settings; default: the cores of this machine")
         ->delimiter(',')
         ->check(CLI::Range(1, 10'000'000));
     verb->add_option("--ranks", options->ranks,
-                     "Ranks, one number for all settings or one for each; one for every 64 "
-                     "cores when not given")
+                     "Number of ranks, one for all settings or one for each; default: one for every 64 cores")
         ->delimiter(',')
         ->check(CLI::Range(1, 1'000'000));
     verb->add_option("--from", options->from,
-                     "A campaign file (CAMPAIGN.h5) or one being made, to take run times from");
+                     "Take run times from this campaign file (CAMPAIGN.h5), finished or running");
     verb->add_option("--record-bytes", options->record_bytes,
-                     "Size of a member's answer, for what if; that of its record when not given")
+                     "Assumed size of a member's result; default: the size of its record")
         ->check(CLI::Range(1.0, 1e12));
     verb->add_option("--format", options->format, "table, json or csv")
         ->check(CLI::IsMember({"table", "json", "csv"}))

@@ -62,11 +62,11 @@ void report(const ReportOptions& options) {
 void add_report(CLI::App& program, int& exit_status) {
     auto options = std::make_shared<ReportOptions>();
     CLI::App* verb = program.add_subcommand(
-        "report", "One HTML page to defend a design load with: tables and figures, nothing loaded from elsewhere");
+        "report", "Write one self-contained HTML page with the tables and figures of a campaign");
     verb->add_option("campaign", options->file, "The campaign file (CAMPAIGN.h5)")->required();
-    verb->add_option("-o,--output", options->output, "The page; CAMPAIGN.html in this folder when not given");
+    verb->add_option("-o,--output", options->output, "The page; default: CAMPAIGN.html in this folder");
     verb->add_flag("--no-plate-tests", options->skip_plate_tests,
-                   "Leave out the E-Σ curve of this ice, whose plate tests take some seconds");
+                   "Omit the E-Σ curve of this ice, whose plate tests take some seconds");
     verb->callback([options, &exit_status] {
         report(*options);
         exit_status = 0;

@@ -128,22 +128,27 @@ void add_run(CLI::App& program, int& exit_status) {
     auto options = std::make_shared<RunVerb>();
     CLI::App* verb = program.add_subcommand("run", "Run a campaign on every core, alone or under mpirun");
     verb->add_option("config", options->config, "The configuration (CONFIG.toml)")->required();
-    verb->add_option("-o,--output", options->output, "The campaign file; CONFIG.h5 in this folder when not given");
+    verb->add_option("-o,--output", options->output, "The campaign file; default: CONFIG.h5 in this folder");
     CLI::Option* resume =
-        verb->add_flag("--resume", options->resume, "Go on with what is there, and begin when there is nothing yet");
-    verb->add_flag("--retry-failed", options->retry_failed, "With --resume: try members again that were set aside")
+        verb->add_flag("--resume", options->resume, "Resume an existing campaign, or start if there is none");
+    verb->add_flag("--retry-failed", options->retry_failed,
+                   "With --resume: retry members that were set aside as failed")
         ->needs(resume);
-    verb->add_flag("--overwrite", options->overwrite, "Begin anew in the place of what is there")->excludes(resume);
-    verb->add_option("--threads", options->threads, "Members at a time on each rank; all its cores when not given")
+    verb->add_flag("--overwrite", options->overwrite, "Start afresh and replace an existing campaign")
+        ->excludes(resume);
+    verb->add_option("--threads", options->threads,
+                     "Number of members at a time on each rank; default: one for each of its cores")
         ->check(CLI::Range(1, 4096));
-    verb->add_option("--part", options->part,
-                     "K/N: of the arrangements only part K of N, with a file of its own; floes merge joins the parts");
+    verb->add_option(
+        "--part", options->part,
+        "K/N: run only part K of N of the arrangements, into a separate file; floes merge merges the parts");
     verb->add_option("--isolation", options->isolation,
-                     "Where members are computed, as --set run.isolation=…: none or process")
+                     "Where members are computed: none or process; same as --set run.isolation=…")
         ->check(CLI::IsMember({"none", "process"}))
         ->take_last();  // slurm/ gives one, the user may give another
-    verb->add_option("--time-left", options->time_left,
-                     "Seconds until the run must have ended; inside a Slurm job what Slurm says, when not given")
+    verb->add_option(
+            "--time-left", options->time_left,
+            "Seconds until the run must have ended; default inside a Slurm job: the time left according to Slurm")
         ->check(CLI::PositiveNumber);
     add_overrides(*verb, options->overrides);
     verb->callback([options, &program, &exit_status] {

@@ -49,13 +49,15 @@ void watch(const StatusOptions& options) {
 
 void add_status(CLI::App& program, int& exit_status) {
     auto options = std::make_shared<StatusOptions>();
-    CLI::App* verb = program.add_subcommand("status", "What is done, failed and still to go, also during a run");
-    verb->add_option("campaign", options->file, "The campaign file (CAMPAIGN.h5); its journal is found beside it")
+    CLI::App* verb =
+        program.add_subcommand("status", "Show the members done, failed and still to do, also during a run");
+    verb->add_option("campaign", options->file,
+                     "The campaign file (CAMPAIGN.h5); its journal is read from the same folder")
         ->required();
     verb->add_option("--format", options->format, "table or json")
         ->check(CLI::IsMember({"table", "json"}))
         ->capture_default_str();
-    verb->add_flag("--watch", options->watch, "Again every few seconds, until no run is at work");
+    verb->add_flag("--watch", options->watch, "Repeat every few seconds until no run is active");
     verb->callback([options, &exit_status] {
         if (options->watch) {
             watch(*options);

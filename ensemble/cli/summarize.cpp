@@ -70,27 +70,26 @@ std::vector<std::string> part_names() {
 
 void add_summarize(CLI::App& program, int& exit_status) {
     auto options = std::make_shared<SummarizeOptions>();
-    CLI::App* verb = program.add_subcommand("summarize", "What the members say: cases, pairs of cases, extremes");
+    CLI::App* verb = program.add_subcommand("summarize", "Statistics of a campaign: cases, pairs of cases, extremes");
     verb->add_option("campaign", options->file, "The campaign file (CAMPAIGN.h5)")->required();
     verb->add_option("--format", options->format, "table, json or csv")
         ->check(CLI::IsMember({"table", "json", "csv"}))
         ->capture_default_str();
-    verb->add_option("--reference", options->reference, "Case that the others are compared with, in percent");
+    verb->add_option("--reference", options->reference, "Reference case: the others are compared with it, in percent");
     verb->add_option("--parts", options->parts,
-                     "What to show: cases, points and sensitivity (of a design), pairs, extremes, exceedance, steady, "
-                     "members (CSV alone); "
-                     "with commas between")
+                     "Parts to show, comma-separated: cases, points and sensitivity (of a design), pairs, extremes, "
+                     "exceedance, steady, members (CSV only)")
         ->delimiter(',')
         ->allow_extra_args(false)
         ->check(CLI::IsMember(part_names()));
     verb->add_option("--resolve", options->resolve_percent,
-                     "Difference of a pair, in percent of the first case, whose arrangements are told")
+                     "Report the number of arrangements needed to resolve this difference of a pair, in percent of the "
+                     "first case")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
-    verb->add_option(
-            "--window", options->window,
-            "Where the load is measured: given (as the members were), or auto (from the histories, when it has "
-            "become steady)")
+    verb->add_option("--window", options->window,
+                     "Analysis window: given (as configured), or auto (from the start of the steady state, found in "
+                     "the histories)")
         ->check(CLI::IsMember({"given", "auto"}))
         ->capture_default_str();
     verb->callback([options, &exit_status] {

@@ -24,20 +24,21 @@ Keys describe(Scenario& scenario) {
 TableTitles scenario_titles() {
     return {
         {"general", "Time stepping and the constraint solver."},
-        {"ice", "The ice as a material."},
+        {"ice", "Material properties of the ice."},
         {"floe", "One floe: a sheet of square elements joined at the middle of their edges."},
         {"joint",
-         "The joints between elements. Eqs. (4)-(5) as the paper prints them do not give the stiffness that Bullet "
-         "gives these numbers: there K = erp / (time_step² cfm A) for each row of a joint, A being the inverse of "
-         "the row's effective mass, so the stiffness follows mass and time step."},
+         "The joints between elements. Eqs. (4)-(5) as printed in the paper do not give the stiffness that Bullet "
+         "derives from these numbers. In Bullet K = erp / (time_step² cfm A) for each row of a joint, where A is the "
+         "inverse of the row's effective mass, so the stiffness depends on mass and time step."},
         {"field",
-         "The channel and the ice field in it. Its length follows from floes, their size and the concentration."},
-        {"arrangement", "How the floes come to lie where they lie at the beginning."},
+         "The channel and the ice field in it. The length of the field follows from the number and size of the floes "
+         "and the concentration."},
+        {"arrangement", "How the initial positions of the floes are generated."},
         {"structure", "The towed body of revolution. Wall, far end and contact erp together decide the load."},
         {"contact",
-         "Contacts of ice on ice and of ice on the structure. The coefficient of restitution is 0 (Table 1) and "
+         "Contacts between floes, and between ice and the structure. The coefficient of restitution is 0 (Table 1) and "
          "not a key."},
-        {"water", "Buoyancy and drag. They act on each element."},
+        {"water", "Buoyancy and drag, which act on each element."},
         {"analysis", "The window in which the load is measured; the run ends with it."},
     };
 }

@@ -5,33 +5,32 @@
 namespace floes {
 
 void add_general(Keys& keys, General& general) {
-    keys.push_back(
-        number_key("general.time_step_s", general.time_step, unit::one, above(0).at_most(1), "Table 1",
-                   "Time step. Joints get stiffer as its inverse square (see [joint]), so another step is other ice."));
+    keys.push_back(number_key("general.time_step_s", general.time_step, unit::one, above(0).at_most(1), "Table 1",
+                              "Time step. The stiffness of joints is proportional to its inverse square (see [joint]), "
+                              "so another time step gives other ice."));
     keys.push_back(integer_key(
         "general.iterations", general.iterations, 1, 100000, "inferred from Fig. 2; Bullet's own default is 10",
-        "Projected Gauss-Seidel sweeps a step. More make ice of small cfm stiffer: at cfm 1e-10 a sheet shows 37, "
-        "207 and 421 MPa at 10, 50 and 100. Run time is proportional to it."));
-    keys.push_back(word_key(
-        "general.solver", general.solver, {"stock", "lanes"}, "the paper",
-        "Constraint solver: lanes sweeps many floes at once, one a SIMD lane; stock is Bullet's own, the reference."));
+        "Projected Gauss-Seidel sweeps per step. More sweeps make ice of small cfm stiffer: at cfm 1e-10 a sheet shows "
+        "37, 207 and 421 MPa at 10, 50 and 100 sweeps. Run time is proportional to it."));
+    keys.push_back(word_key("general.solver", general.solver, {"stock", "lanes"}, "the paper",
+                            "Constraint solver: lanes solves many floes at once, one per SIMD lane; stock is Bullet's "
+                            "own, the reference."));
     keys.push_back(
         number_key("general.gravity_m_s2", general.gravity, unit::one, above(0).at_most(100), "standard", "Gravity."));
-    keys.push_back(
-        number_key("general.runaway_speed_m_s", general.runaway_speed, unit::one, above(0).at_most(1000), "judgement",
-                   "An element faster than this ends the member as failed: its numbers mean nothing any more."));
+    keys.push_back(number_key(
+        "general.runaway_speed_m_s", general.runaway_speed, unit::one, above(0).at_most(1000), "judgement",
+        "If an element exceeds this speed, the member ends as failed, because the simulation has diverged."));
 }
 
 void add_ice(Keys& keys, Ice& ice) {
     const Range strength = above(0).at_most(1e6);
     const Range criterion = at_least(0).at_most(1e6);
     keys.push_back(number_key("ice.thickness_m", ice.thickness, unit::one, above(0).at_most(10), "Table 1",
-                              "Thickness of floes and elements. Thresholds and mass grow with it."));
-    keys.push_back(
-        number_key("ice.density_kg_m3", ice.density, unit::one, above(0).at_most(5000), "Table 1",
-                   "Density of ice; it floats with density / water density of its thickness below the surface."));
+                              "Thickness of floes and elements. Failure thresholds and mass increase with it."));
+    keys.push_back(number_key("ice.density_kg_m3", ice.density, unit::one, above(0).at_most(5000), "Table 1",
+                              "Density of ice. The draught is thickness x density / water density."));
     keys.push_back(number_key("ice.bending_strength_kPa", ice.bending_strength, unit::kilopascal, strength, "Table 1",
-                              "Bending strength, Eq. (3). Lower it and more floes break."));
+                              "Bending strength, Eq. (3). With a lower value more floes break."));
     keys.push_back(number_key("ice.compressive_strength_kPa", ice.compressive_strength, unit::kilopascal, strength,
                               "Table 1",
                               "Compressive strength, Eq. (1); four times the bending strength in the paper."));
@@ -39,16 +38,17 @@ void add_ice(Keys& keys, Ice& ice) {
                               "Shear strength, Eq. (2); twice the bending strength in the paper."));
     keys.push_back(number_key("ice.tensile_strength_kPa", ice.tensile_strength, unit::kilopascal, criterion,
                               "the paper has none",
-                              "Tensile strength; 0 is no criterion, reactions are recorded all the same."));
+                              "Tensile strength; 0: no failure criterion, but reactions are still recorded."));
     keys.push_back(number_key("ice.torsion_strength_kPa", ice.torsion_strength, unit::kilopascal, criterion,
-                              "the paper has none", "Strength in torsion about the joint's axis; 0 is no criterion."));
+                              "the paper has none",
+                              "Strength in torsion about the joint's axis; 0: no failure criterion."));
     keys.push_back(number_key("ice.in_plane_bending_strength_kPa", ice.in_plane_bending_strength, unit::kilopascal,
                               criterion, "the paper has none",
-                              "Strength in bending about the vertical; 0 is no criterion."));
+                              "Strength in bending about the vertical axis; 0: no failure criterion."));
     keys.push_back(number_key(
         "ice.elastic_modulus_MPa", ice.elastic_modulus, unit::megapascal, above(0).at_most(1e6), "Table 1",
-        "E that the case stands for. Beside joint.cfm a label in results: the joints follow joint.cfm. Given "
-        "without joint.cfm, floes run finds the joint.cfm with which a sheet shows it."));
+        "Nominal E of the case. If joint.cfm is given too, it is only a label in results: joint.cfm sets the "
+        "stiffness. If joint.cfm is not given, floes run finds the joint.cfm with which a sheet shows this E."));
 }
 
 void add_floe(Keys& keys, Floe& floe) {
@@ -57,42 +57,40 @@ void add_floe(Keys& keys, Floe& floe) {
         number_key("floe.length_m", floe.length, unit::one, size, "Table 1", "Length of a floe along its own x."));
     keys.push_back(
         number_key("floe.breadth_m", floe.breadth, unit::one, size, "Table 1", "Breadth of a floe along its own z."));
-    keys.push_back(number_key(
-        "floe.element_m", floe.element, unit::one, size, "Table 1",
-        "Side of the square elements; divides length and breadth. With joint.cfm it sets the elastic modulus, "
-        "and floes break along its grid only."));
+    keys.push_back(number_key("floe.element_m", floe.element, unit::one, size, "Table 1",
+                              "Side of the square elements; must divide length and breadth. Together with joint.cfm it "
+                              "sets the elastic modulus. Floes break only along the grid of elements."));
 }
 
 void add_joint(Keys& keys, Joint& joint) {
     keys.push_back(number_key(
         "joint.cfm", joint.cfm, unit::one, above(0).below(1).because("at 1 and above the solver diverges"), "Table 1",
-        "Constraint force mixing Σ of all six axes, Bullet's relative number. Larger is softer ice."));
-    keys.push_back(
-        number_key("joint.erp", joint.erp, unit::one, above(0).at_most(1), "Table 1",
-                   "Error reduction parameter Γ: the share of a joint's error taken back each step. Stiffness is "
-                   "proportional to it."));
+        "Constraint force mixing Σ of all six axes, Bullet's dimensionless number. A larger value gives softer ice."));
+    keys.push_back(number_key("joint.erp", joint.erp, unit::one, above(0).at_most(1), "Table 1",
+                              "Error reduction parameter Γ: the share of a joint's error corrected in each step. "
+                              "Stiffness is proportional to it."));
     keys.push_back(word_key(
         "joint.threshold_form", joint.threshold_form, {"force", "as_printed"}, "design decision",
-        "Thresholds of compression and shear: force is L_e T_e σ, a force; as_printed is L_e T_e² σ, Eqs. (1)-(2) "
-        "as the paper prints them, whose unit is that of a moment and whose number is that times T_e."));
+        "Failure thresholds of compression and shear. force: L_e T_e σ, a force. as_printed: L_e T_e² σ, Eqs. (1)-(2) "
+        "as printed in the paper, which has the unit of a moment and is the value of force times T_e."));
 }
 
 void add_contact(Keys& keys, Contact& contact) {
     const Range friction = at_least(0).at_most(10);
-    keys.push_back(
-        number_key("contact.erp", contact.erp, unit::one, at_least(0).at_most(1), "Bullet's default",
-                   "Error reduction parameter Γ of contacts: the share of a penetration pushed out each step. The load "
-                   "depends on it."));
+    keys.push_back(number_key("contact.erp", contact.erp, unit::one, at_least(0).at_most(1), "Bullet's default",
+                              "Error reduction parameter Γ of contacts: the share of a penetration corrected in each "
+                              "step. The load depends on it."));
     keys.push_back(number_key("contact.ice_ice_friction", contact.ice_ice_friction, unit::one, friction, "Table 1",
                               "Coefficient of friction between floes, and between floes and the fixed ice sheets."));
     keys.push_back(number_key("contact.ice_structure_friction", contact.ice_structure_friction, unit::one, friction,
                               "Table 1", "Coefficient of friction between ice and the structure."));
     keys.push_back(
         switch_key("contact.split_impulse", contact.split_impulse, "Bullet's default",
-                   "Push out penetrations deeper than split_impulse_depth_m without adding to the velocity."));
-    keys.push_back(number_key("contact.split_impulse_depth_m", contact.split_impulse_depth, unit::one,
-                              at_least(0).at_most(10), "Bullet's default",
-                              "Depth from which split_impulse acts; at the default hardly any contact is that deep."));
+                   "Correct penetrations deeper than split_impulse_depth_m without adding to the velocity."));
+    keys.push_back(number_key(
+        "contact.split_impulse_depth_m", contact.split_impulse_depth, unit::one, at_least(0).at_most(10),
+        "Bullet's default",
+        "Penetration depth from which split_impulse acts; with the default hardly any contact is that deep."));
 }
 
 }  // namespace floes

@@ -41,65 +41,63 @@ RowsField profile_rows(std::vector<ProfilePoint>& profile) {
 void add_field(Keys& keys, Field& field) {
     const Range place = at_least(-farthest).at_most(farthest);
     keys.push_back(integer_key("field.floes", field.floes, 1, 1000000, "Table 3",
-                               "Number of floes; failure ratios count them all."));
-    keys.push_back(
-        number_key("field.concentration_percent", field.concentration, unit::percent, above(0).at_most(100), "Table 1",
-                   "Covered share of the field. With the number and size of floes it sets the field's length."));
-    keys.push_back(number_key("field.begin_m", field.begin, unit::one, place, "the paper, Simulation Design",
-                              "Where the field begins, along x."));
-    keys.push_back(number_key("field.half_width_m", field.half_width, unit::one, above(0).at_most(1e4),
-                              "the paper, Simulation Design",
-                              "The field lies at |z| up to this, between the fixed ice sheets along the walls."));
+                               "Number of floes. The failure ratio is relative to all of them."));
     keys.push_back(number_key(
-        "field.sheet_width_m", field.sheet_width, unit::one, above(0).at_most(1e4), "judgement",
-        "Breadth of the fixed ice sheets. A floe pushed over a sheet and past its outer edge ends the member as "
-        "failed."));
+        "field.concentration_percent", field.concentration, unit::percent, above(0).at_most(100), "Table 1",
+        "Covered area fraction of the field. Together with the number and size of floes it sets the field's length."));
+    keys.push_back(number_key("field.begin_m", field.begin, unit::one, place, "the paper, Simulation Design",
+                              "Position along x where the field begins."));
+    keys.push_back(number_key(
+        "field.half_width_m", field.half_width, unit::one, above(0).at_most(1e4), "the paper, Simulation Design",
+        "Half width of the field: |z| is at most this, between the fixed ice sheets along the walls."));
+    keys.push_back(number_key("field.sheet_width_m", field.sheet_width, unit::one, above(0).at_most(1e4), "judgement",
+                              "Breadth of the fixed ice sheets. If a floe is pushed over a sheet and beyond its outer "
+                              "edge, the member ends as failed."));
     keys.push_back(word_key(
         "field.far_end", field.far_end, {"ice_sheet", "open"}, "design decision; the paper names the walls only",
-        "What stands behind the field: a fixed ice sheet that confines it, or open water. Open, a straight 45° wall "
-        "meets half the load and one of 76° a fifth, and hardly a floe breaks."));
+        "Far end boundary of the field: a fixed ice sheet that confines it, or open water. With an open far end, the "
+        "load on a straight 45° wall is half as large and that on a 76° wall a fifth, and hardly any floe breaks."));
     keys.push_back(number_key("field.wake_radius_m", field.wake_radius, unit::one, at_least(0).at_most(farthest),
                               "off: every floe is computed",
-                              "Solver lanes: a floe rests, at no cost, until the structure's axis is this near its "
-                              "middle or moving ice touches "
-                              "it. The flow would have moved it by waterline radius² / this at most, ahead. 0: off."));
+                              "Solver lanes only: a floe rests, at no cost, until the structure's axis is within this "
+                              "distance of its middle or moving ice touches it. This neglects a displacement by the "
+                              "flow ahead of the structure of at most waterline radius² / this. 0: off."));
 }
 
 void add_arrangement(Keys& keys, ArrangementRule& arrangement) {
+    keys.push_back(word_key("arrangement.method", arrangement.method, {"monte_carlo", "lattice", "file"},
+                            "design decision",
+                            "monte_carlo: equilibrium of hard squares, independent of the start; lattice: rows, with "
+                            "jitter; file: given poses, the same for each arrangement."));
     keys.push_back(word_key(
-        "arrangement.method", arrangement.method, {"monte_carlo", "lattice", "file"}, "design decision",
-        "monte_carlo: hard squares shuffled until the start is forgotten; lattice: rows, with jitter; file: given "
-        "poses, the same for each arrangement."));
-    keys.push_back(
-        word_key("arrangement.start", arrangement.start, {"lattice", "stripes"}, "design decision",
-                 "Where the Monte Carlo chain begins. The end does not remember it; the key is there to show that."));
+        "arrangement.start", arrangement.start, {"lattice", "stripes"}, "design decision",
+        "Start of the Monte Carlo chain. The result does not depend on it; the key exists to demonstrate that."));
     keys.push_back(number_key("arrangement.clearance_m", arrangement.clearance, unit::one, at_least(0).at_most(10),
-                              "judgement", "Least gap between floes, and between floes and walls, at the beginning."));
+                              "judgement", "Minimum initial gap between floes, and between floes and walls."));
     keys.push_back(integer_key("arrangement.sweeps", arrangement.sweeps, 0, 10000000, "judgement; see arrangement.md",
-                               "Monte Carlo sweeps (one trial move a floe) after the step size is frozen."));
+                               "Monte Carlo sweeps (one trial move per floe) after the step size is frozen."));
     keys.push_back(number_key("arrangement.jitter_m", arrangement.jitter, unit::one, at_least(0).at_most(100), "none",
                               "Method lattice: largest random shift of a floe."));
     keys.push_back(number_key("arrangement.jitter_deg", arrangement.jitter_angle, unit::degree,
                               at_least(0).at_most(180), "none", "Method lattice: largest random turn of a floe."));
-    keys.push_back(
-        text_key("arrangement.file", arrangement.file, "none",
-                 "Method file: a CSV file with the header x_m,z_m,yaw_deg and a line a floe, such as a tank photograph "
-                 "gives. The path is relative to the configuration file. Its lines are stored as arrangement.poses."));
+    keys.push_back(text_key(
+        "arrangement.file", arrangement.file, "none",
+        "Method file: a CSV file with the header x_m,z_m,yaw_deg and one line per floe, for example from a tank "
+        "photograph. The path is relative to the configuration file. Its lines are stored as arrangement.poses."));
     keys.push_back({"arrangement.poses", pose_rows(arrangement.poses), "none",
-                    "Method file: the poses themselves, one a floe; yaw turns +z towards +x."});
+                    "Method file: the poses themselves, one per floe; a positive yaw turns +z towards +x."});
 }
 
 void add_structure(Keys& keys, Structure& structure) {
     keys.push_back(
         {"structure.profile_m", profile_rows(structure.profile),
          "Table 2; the radius at the bottom is fitted (docs/validation.md)",
-         "Radius over height above the waterline, from the keel up, heights never falling. The wall decides the load: "
-         "steeper below the waterline means higher loads and more broken floes."});
+         "Radius over height above the waterline, from the keel up, with heights that never decrease. The wall angle "
+         "decides the load: a steeper wall below the waterline gives higher loads and more broken floes."});
     keys.push_back(number_key("structure.start_m", structure.start, unit::one, at_least(-farthest).at_most(farthest),
-                              "the paper, Simulation Design",
-                              "Where the structure's axis is at the beginning, along x."));
+                              "the paper, Simulation Design", "Initial position of the structure's axis along x."));
     keys.push_back(number_key("structure.speed_m_s", structure.speed, unit::one, above(0).at_most(100), "Table 1",
-                              "Speed of the tow, along +x, from the first step on."));
+                              "Speed of the tow along +x, from the first step on."));
 }
 
 void add_water(Keys& keys, Water& water) {
@@ -108,8 +106,7 @@ void add_water(Keys& keys, Water& water) {
                               "Density of water."));
     keys.push_back(word_key(
         "water.flow", water.flow, {"potential", "still"}, "design; the paper: a simple flow around the structure",
-        "Water velocity that drag is relative to: potential flow round the moving waterline circle, or water at "
-        "rest."));
+        "Water velocity for the drag: potential flow round the moving waterline circle, or water at rest."));
     keys.push_back(number_key(
         "water.form_drag", water.form_drag, unit::one, coefficient, "Su, Aarsæther and Kristiansen 2019; others 0.5",
         "Form drag coefficient on the wetted edge faces of a floe. It carries floes round the structure."));
@@ -121,32 +118,32 @@ void add_water(Keys& keys, Water& water) {
     keys.push_back(number_key("water.heave_damping", water.heave_damping, unit::one, at_least(0).at_most(1),
                               "judgement; usual 0.1 to 0.2",
                               "Linear damping of vertical motion, as a share of an element's critical damping."));
-    keys.push_back(number_key(
-        "water.added_mass", water.added_mass, unit::one, coefficient,
-        "none; a flat plate: 4.4 in heave, about 0.15 along the surface",
-        "Mass of water that moves with an element, in every direction alike, as a share of its own mass. Joints get "
-        "stiffer in proportion to the whole (see [joint]), so another value wants another cfm."));
+    keys.push_back(number_key("water.added_mass", water.added_mass, unit::one, coefficient,
+                              "none; a flat plate: 4.4 in heave, about 0.15 along the surface",
+                              "Added mass: mass of water that moves with an element, equal in all directions, as a "
+                              "share of the element's own mass. The stiffness of joints is proportional to the total "
+                              "mass (see [joint]), so another value needs another cfm."));
 }
 
 void add_analysis(Keys& keys, Analysis& analysis) {
     keys.push_back(number_key("analysis.steady_start_s", analysis.steady_start, unit::one,
                               at_least(0).at_most(farthest), "judgement; the waterline meets the ice at 48 s",
-                              "When the window begins: late enough for the load to have become steady."));
+                              "Start of the window: late enough for the load to be steady."));
     keys.push_back(number_key("analysis.window_s", analysis.window, unit::one, above(0).at_most(farthest),
-                              "the paper, Results", "Length of the window. A longer one needs a longer field."));
+                              "the paper, Results", "Length of the window. A longer window needs a longer field."));
     keys.push_back(integer_key("analysis.segments", analysis.segments, 1, 10000, "the paper, Results",
-                               "Equal parts of the window; mean_maximum is the mean of the maximum of each."));
+                               "Number of equal parts of the window; mean_maximum is the mean of their maxima."));
     keys.push_back(switch_key("analysis.keep_history", analysis.keep_history, "none",
-                              "Keep the load over time in the campaign file. Without it a member takes some kB "
+                              "Keep the load histories in the campaign file. Without them a member takes some kB "
                               "instead of some hundred, and keeps its statistics and breaks."));
-    keys.push_back(integer_key(
-        "analysis.history_stride", analysis.history_stride, 1, 1000000, "none: every step",
-        "Successive time steps whose mean is one value of the kept load; it must divide the steps before the window "
-        "and those in it. Statistics, maxima and counts are always of every step."));
-    keys.push_back(numbers_key(
-        "analysis.exceedance_levels_N", analysis.exceedance_levels, unit::one, at_least(0).at_most(1e6), "none",
-        "Loads, rising: each member counts the steps of the window with a surge load above each, and how often the "
-        "load rises through it. Needs no history."));
+    keys.push_back(
+        integer_key("analysis.history_stride", analysis.history_stride, 1, 1000000, "none: every step",
+                    "Number of successive time steps averaged into one value of the kept history; it must divide the "
+                    "steps before the window and those in it. Statistics, maxima and counts always use every step."));
+    keys.push_back(numbers_key("analysis.exceedance_levels_N", analysis.exceedance_levels, unit::one,
+                               at_least(0).at_most(1e6), "none",
+                               "Load levels, ascending: each member counts the steps of the window with a surge load "
+                               "above each level, and how often the load rises through it. Needs no history."));
 }
 
 }  // namespace floes

@@ -20,4 +20,4 @@ until_true 60 are_asleep || fail "job $job has no member after a minute"
 scancel "$job"
 until_true 30 is_over || fail "job $job is still in the queue"
 ends "$job" CANCELLED 1
-said "floes-$job.log" "cancelled; the same sbatch goes on"
+said "floes-$job.log" "cancelled; the same sbatch command resumes"

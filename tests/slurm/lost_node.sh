@@ -45,7 +45,7 @@ completes() {
 # The node of a worker: mpirun notices, and the script asks Slurm for another start.
 begin worker
 lose_node n2
-until_true 60 has_said "floes-$job.log" "and put back into the queue" || fail "job $job did not go back into the queue"
+until_true 60 has_said "floes-$job.log" "and requeued" || fail "job $job did not go back into the queue"
 # Slurm itself takes minutes to see it. Within cred_expire of the script's asking it would start the job at once, with a
 # credential that it has just revoked.
 sleep 7

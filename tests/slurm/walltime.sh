@@ -11,7 +11,7 @@ job=$(submit --nodes=2 --time=1 --signal=B:USR1@30 "$FLOES_HOME/slurm/campaign.s
 ends "$job" COMPLETED 90
 said "floes-$job.log" "held: asleep"
 said "floes-$job.log" "stopped by SIGUSR1"
-said "floes-$job.log" "ended with 85 and put back into the queue, restart 1 of at most 100"
+said "floes-$job.log" "ended with 85 and requeued, restart 1 of at most 100"
 said "floes-$job.log" "resumed: "
 said "floes-$job.log" "12 of 12 done, 0 failed"
 same whole.h5 campaign.h5
