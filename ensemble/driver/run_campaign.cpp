@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/wording.hpp"
 #include "driver/master.hpp"
 #include "driver/worker.hpp"
 
@@ -15,15 +16,11 @@ namespace floes {
 
 namespace {
 
-std::string count(int n, const char* singular) {
-    return fmt::format("{} {}{}", n, singular, n == 1 ? "" : "s");
-}
-
 std::string opening(const Campaign& campaign, const RunOptions& options, int ranks, int cores) {
-    return fmt::format("{}: {} = {} x {} on {}{}, into {}", campaign.name, count(member_count(campaign), "member"),
-                       count(static_cast<int>(campaign.cases.size()), "case"),
-                       count(campaign.arrangements, "arrangement"), count(cores, "core"),
-                       ranks > 1 ? fmt::format(" of {} ranks", ranks) : "", options.places.campaign_file.string());
+    return fmt::format("{}: {} = {} x {} on {}{}, into {}", campaign.name, counted(member_count(campaign), "member"),
+                       counted(std::ssize(campaign.cases), "case"), counted(campaign.arrangements, "arrangement"),
+                       counted(cores, "core"), ranks > 1 ? fmt::format(" of {} ranks", ranks) : "",
+                       options.places.campaign_file.string());
 }
 
 std::string part_text(const Part& part, const Recorder& recorder) {
@@ -34,13 +31,13 @@ std::string part_text(const Part& part, const Recorder& recorder) {
 std::string stock(const Recorder& recorder) {
     if (recorder.reused() + recorder.retried() == 0) return {};
     const std::size_t tasks = recorder.tasks().size();
-    return fmt::format("resumed: {} reused, {} to compute{}", count(recorder.reused(), "member"), tasks,
+    return fmt::format("resumed: {} reused, {} to compute{}", counted(recorder.reused(), "member"), tasks,
                        recorder.retried() > 0 ? fmt::format(", {} of them again", recorder.retried()) : "");
 }
 
 /// What this session did.
 std::string harvest(const Recorder& recorder) {
-    return fmt::format("{} reused, {} computed, {} retried, {} set aside", count(recorder.reused(), "member"),
+    return fmt::format("{} reused, {} computed, {} retried, {} set aside", counted(recorder.reused(), "member"),
                        recorder.computed(), recorder.retried(), recorder.set_aside());
 }
 
@@ -61,8 +58,9 @@ int conclude(const Campaign& campaign, const RunOptions& options, Recorder& reco
     } else if (!stopped_by.empty()) {
         recorder.sync();  // before anything that takes time: the batch system may not wait
         if (recorder.resumed()) progress.say(harvest(recorder));
-        progress.say(fmt::format("stopped by {} with {} of {} members done and on the disk; to go on: {}", stopped_by,
-                                 recorder.done() + recorder.failed(), total, options.resume_command));
+        progress.say(fmt::format("stopped by {} with {} of {} done and on the disk; to go on: {}", stopped_by,
+                                 recorder.done() + recorder.failed(), counted(total, "member"),
+                                 options.resume_command));
         recorder.finish("stopped");
         return exit_stopped;
     }
@@ -79,8 +77,9 @@ int conclude(const Campaign& campaign, const RunOptions& options, Recorder& reco
                                  reached));
     }
     if (recorder.failed() > 0) {
-        progress.say(fmt::format("{} of {} members failed and stand as missing in {}; floes status {} has the reasons",
-                                 recorder.failed(), total, file, file));
+        progress.say(fmt::format("{} of {} failed and stand{} as missing in {}; floes status {} has the reasons",
+                                 recorder.failed(), counted(total, "member"), recorder.failed() == 1 ? "s" : "", file,
+                                 file));
         return 1;
     }
     return 0;
