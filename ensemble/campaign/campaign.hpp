@@ -65,6 +65,7 @@ struct CampaignSource {
     std::string text;                    ///< TOML
     std::string file;                    ///< names the text in messages; its stem is the campaign's name
     std::vector<std::string> overrides;  ///< "key=value" pairs (--set), applied last; of two for one key the later one
+    bool from_user = false;              ///< not by write_campaign(): given poses are looked at floe by floe
 };
 
 /// Gives the text of the file at `path`; throws InputError when it cannot be read.
