@@ -19,6 +19,7 @@
 #include <fmt/format.h>
 
 #include "attempt/helper_protocol.hpp"
+#include "campaign/write.hpp"
 #include "member/result_bytes.hpp"
 
 namespace floes {

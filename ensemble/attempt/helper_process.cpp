@@ -20,6 +20,7 @@
 #include <fmt/format.h>
 
 #include "attempt/helper_protocol.hpp"
+#include "campaign/read.hpp"
 #include "core/bytes.hpp"
 #include "core/error.hpp"
 

@@ -1,4 +1,4 @@
-// read_campaign(): text, overrides and pose files to checked cases.
+#include "campaign/read.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "arrangement/check.hpp"
-#include "campaign/campaign.hpp"
 #include "campaign/campaign_keys.hpp"
 #include "campaign/case_blocks.hpp"
 #include "campaign/name_list.hpp"

@@ -10,6 +10,7 @@
 
 #include "campaign/advice.hpp"
 #include "campaign/campaign_keys.hpp"
+#include "campaign/write.hpp"
 #include "cli/commands.hpp"
 #include "cli/config_file.hpp"
 #include "core/wording.hpp"

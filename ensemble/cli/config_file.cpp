@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "campaign/read.hpp"
 #include "core/error.hpp"
 
 namespace floes {

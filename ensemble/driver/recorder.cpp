@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/identity.hpp"
 #include "campaign_file/campaign_file.hpp"
 #include "core/error.hpp"
 #include "driver/heartbeat.hpp"

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/identity.hpp"
 #include "core/error.hpp"
 #include "core/wording.hpp"
 #include "driver/master.hpp"

@@ -5,6 +5,8 @@
 #include <array>
 #include <utility>
 
+#include "campaign/identity.hpp"
+
 namespace floes {
 
 std::string host_name() {

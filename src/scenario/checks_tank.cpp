@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenario/checks.hpp"
 #include "scenario/keys.hpp"
+#include "scenario/validate.hpp"
 
 namespace floes {
 namespace {

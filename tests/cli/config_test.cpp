@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "campaign/campaign_keys.hpp"
+#include "campaign/write.hpp"
 #include "cli/config_file.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
