@@ -20,6 +20,7 @@
 
 #include "attempt/helper_process.hpp"
 #include "attempt/helper_protocol.hpp"
+#include "campaign/write.hpp"
 #include "member/result_bytes.hpp"
 
 namespace floes {

@@ -19,6 +19,7 @@
 #include <fmt/format.h>
 
 #include "attempt/helper_child.hpp"
+#include "campaign/read.hpp"
 #include "core/bytes.hpp"
 #include "core/error.hpp"
 

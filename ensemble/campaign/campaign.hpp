@@ -60,37 +60,4 @@ double numeric_value(const Case& one, const std::string& path);
 /// Steps x elements of the member: what its run time is expected to be proportional to.
 double expected_cost(const Campaign& campaign, int number);
 
-/// Where a campaign is read from.
-struct CampaignSource {
-    std::string text;                    ///< TOML
-    std::string file;                    ///< names the text in messages; its stem is the campaign's name
-    std::vector<std::string> overrides;  ///< "key=value" pairs (--set), applied last; of two for one key the later one
-};
-
-/// Gives the text of the file at `path`; throws InputError when it cannot be read.
-using LoadFile = std::string (*)(const std::string& path);
-
-/// Reads and checks a campaign. Throws InputError, one sentence: file, line, key, value, what is allowed, and the
-/// nearest known key; for contradictions the keys involved. Overrides "case.NAME.key=value" are for one case; an
-/// override of a key that cases set themselves is refused. `load_file` reads the pose files that arrangement.file names
-/// (its path is relative to `file`), since nothing below the command line opens files; it may be null where there are
-/// none. A design's points become cases: "E60+p003" is the case E60 at point 3. Cases that have a design.point already
-/// (as write_campaign() gives them) are those points.
-Campaign read_campaign(const CampaignSource& source, LoadFile load_file);
-
-/// The complete resolved configuration as TOML: reading it gives an equal campaign (file poses inline). Keys in which
-/// the cases differ stand in each case, all others in the tables; the points of a design are written out; a case to be
-/// calibrated has no joint.cfm anywhere.
-std::string write_campaign(const Campaign& campaign);
-
-/// 32 hex digits: equal exactly when every member of the two campaigns is the same and they have the same members.
-std::string fingerprint(const Campaign& campaign);
-
-/// 32 hex digits of one case's physics (scenario and seed, not its name or the number of arrangements): what a stored
-/// member of it is valid for.
-std::string case_fingerprint(const Campaign& campaign, int case_index);
-
-/// One line a differing key: "general.iterations: 50 there, 20 here". Empty when equal.
-std::vector<std::string> differences(const Campaign& there, const Campaign& here);
-
 }  // namespace floes

@@ -8,6 +8,7 @@
 
 #include "campaign/campaign_keys.hpp"
 #include "core/error.hpp"
+#include "core/wording.hpp"
 #include "keys/edit_distance.hpp"
 #include "keys/literal.hpp"
 #include "keys/read.hpp"
@@ -70,8 +71,9 @@ std::vector<CaseBlock> at_points(std::vector<CaseBlock> given, const Design& des
     if (!design.active() || written_out(given)) return given;
     const auto all = static_cast<std::int64_t>(given.size()) * point_count(design);
     if (all > most_cases)
-        throw InputError(fmt::format("{}: {} cases at {} points are {} cases; no more than {} are allowed", file,
-                                     given.size(), point_count(design), all, most_cases));
+        throw InputError(fmt::format("{}: {} at {} are {}; no more than {} are allowed", file,
+                                     counted(std::ssize(given), "case"), counted(point_count(design), "point"),
+                                     counted(all, "case"), most_cases));
     const std::vector<DesignPoint> points = design_points(design, seed);
     std::vector<CaseBlock> cases;
     for (const CaseBlock& one : given) {

@@ -38,9 +38,10 @@ std::vector<Value> numbers_of(const std::string& line) {
 
 }  // namespace
 
-Value read_poses(const std::string& text, const std::string& file) {
+PoseFile read_poses(const std::string& text, const std::string& file) {
     std::vector<Value> poses;
     std::istringstream lines(text);
+    std::vector<int> places;
     bool header_seen = false;
     int number = 0;
     for (std::string raw; std::getline(lines, raw);) {
@@ -61,10 +62,11 @@ Value read_poses(const std::string& text, const std::string& file) {
                                          text_literal(line), header));
         }
         poses.emplace_back(std::move(numbers));
+        places.push_back(number);
     }
     if (poses.empty())
         throw InputError(fmt::format("{}: there are no poses; write {} and a line for each floe", file, header));
-    return {std::move(poses)};
+    return {file, std::move(poses), std::move(places)};
 }
 
 }  // namespace floes

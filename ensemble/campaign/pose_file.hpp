@@ -2,13 +2,20 @@
 // Floe poses from a CSV file, such as a tank photograph gives.
 
 #include <string>
+#include <vector>
 
 #include "keys/document.hpp"
 
 namespace floes {
 
-/// Reads "x_m,z_m,yaw_deg" and a line for each floe; blank lines are skipped. `file` names the text in messages. Gives
-/// the value for arrangement.poses. Throws InputError with file, line and what is allowed.
-Value read_poses(const std::string& text, const std::string& file);
+struct PoseFile {
+    std::string path;
+    Value poses;             ///< for arrangement.poses
+    std::vector<int> lines;  ///< of the file, from 1: where each pose stands
+};
+
+/// Reads "x_m,z_m,yaw_deg" and a line for each floe; blank lines are skipped. `file` names the text in messages. Throws
+/// InputError with file, line and what is allowed.
+PoseFile read_poses(const std::string& text, const std::string& file);
 
 }  // namespace floes

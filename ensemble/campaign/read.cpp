@@ -1,11 +1,13 @@
-// read_campaign(): text, overrides and pose files to checked cases.
+#include "campaign/read.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
-#include "campaign/campaign.hpp"
+#include "arrangement/check.hpp"
 #include "campaign/campaign_keys.hpp"
 #include "campaign/case_blocks.hpp"
 #include "campaign/name_list.hpp"
@@ -169,8 +171,9 @@ class Reader {
         own.insert(origins_.begin(), origins_.end());  // what the case does not set comes from the tables
         one.calibrate = own.contains("ice.elastic_modulus_MPa") && !own.contains("joint.cfm");
         const std::string label = one_of_many ? fmt::format("case {}: ", one.name) : "";
-        resolve_poses(one.scenario, own, label);
+        const std::optional<PoseFile> file = resolve_poses(one.scenario, own, label);
         refuse_contradictions(one.scenario, own, label);
+        if (source_.from_user) refuse_poses(one.scenario, file, own, label);
         return one;
     }
 
@@ -181,10 +184,10 @@ class Reader {
                                      to_text(entry.value), table));
     }
 
-    /// Loads arrangement.file into the poses.
-    void resolve_poses(Scenario& scenario, const Origins& origins, const std::string& label) const {
+    /// Loads arrangement.file, where there is one, into the poses.
+    std::optional<PoseFile> resolve_poses(Scenario& scenario, const Origins& origins, const std::string& label) const {
         std::string& file = scenario.arrangement.file;
-        if (file.empty()) return;
+        if (file.empty()) return {};
         const std::string given_file = given(scenario, "arrangement.file");
         const auto refuse = [&](const std::string& what) {
             return InputError(fmt::format("{}: {}{} {}", origins.at("arrangement.file"), label, given_file, what));
@@ -197,8 +200,25 @@ class Reader {
         if (load_file_ == nullptr) throw refuse("cannot be read here; give arrangement.poses");
         const std::string path = (std::filesystem::path(source_.file).parent_path() / file).string();
         const Keys keys = describe(scenario);
-        assign(*find_key(keys, "arrangement.poses"), {"arrangement.poses", read_poses(load_file_(path), path), path});
+        PoseFile read = read_poses(load_file_(path), path);
+        assign(*find_key(keys, "arrangement.poses"), {"arrangement.poses", read.poses, path});
         file.clear();
+        return read;
+    }
+
+    /// Given poses are input: what make_arrangement() would refuse in every member is refused here, with its place.
+    static void refuse_poses(const Scenario& scenario, const std::optional<PoseFile>& file, const Origins& origins,
+                             const std::string& label) {
+        if (scenario.arrangement.method != ArrangementMethod::file) return;
+        const std::optional<Fault> fault = find_fault(scenario, scenario.arrangement.poses);
+        if (!fault) return;
+        std::string where = file ? file->path : origins.at("arrangement.poses");
+        if (file && !fault->floes.empty()) {
+            std::vector<int> lines;
+            for (const std::size_t floe : fault->floes) lines.push_back(file->lines[floe]);
+            where += fmt::format(", line{} {}", lines.size() == 1 ? "" : "s", fmt::join(lines, " and "));
+        }
+        throw InputError(fmt::format("{}: {}{}", where, label, fault->sentence));
     }
 
     /// Begins with the place of the first of the keys involved that the text sets.

@@ -1,11 +1,10 @@
-// write_campaign(): the resolved configuration.
+#include "campaign/write.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <set>
 
-#include "campaign/campaign.hpp"
 #include "campaign/campaign_keys.hpp"
 #include "campaign/read_design.hpp"
 #include "keys/literal.hpp"

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "campaign/read.hpp"
 #include "hdf5/read.hpp"
 
 namespace floes {

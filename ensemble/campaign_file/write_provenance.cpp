@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/write.hpp"
 #include "campaign_file/campaign_content.hpp"
 
 namespace floes {

@@ -19,6 +19,10 @@ void add_cantilever(CLI::App& program, int& exit_status);
 void add_hybrid(CLI::App& program, int& exit_status);
 void add_report(CLI::App& program, int& exit_status);
 
+/// The flag --version, and what it prints: a line each for name and version, git revision, compiler, libraries, lanes.
+void add_version(CLI::App& program);
+std::string version_text();
+
 /// The option --set of a verb that reads a configuration: key=value, one at a time, into `overrides`.
 CLI::Option* add_overrides(CLI::App& verb, std::vector<std::string>& overrides);
 

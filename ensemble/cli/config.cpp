@@ -10,8 +10,10 @@
 
 #include "campaign/advice.hpp"
 #include "campaign/campaign_keys.hpp"
+#include "campaign/write.hpp"
 #include "cli/commands.hpp"
 #include "cli/config_file.hpp"
+#include "core/wording.hpp"
 
 namespace floes {
 namespace {
@@ -37,16 +39,12 @@ std::string reference_json() {
     return nlohmann::ordered_json{{"keys", keys}}.dump(2) + "\n";
 }
 
-std::string counted(int count, const char* noun) {
-    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 std::string check_line(const Campaign& campaign) {
     std::string calibrated;
     for (const Case& one : campaign.cases) {
         if (one.calibrate) calibrated += (calibrated.empty() ? "; to be calibrated: " : ", ") + one.name;
     }
-    std::string text = fmt::format("ok: {} x {} = {}{}\n", counted(static_cast<int>(campaign.cases.size()), "case"),
+    std::string text = fmt::format("ok: {} x {} = {}{}\n", counted(std::ssize(campaign.cases), "case"),
                                    counted(campaign.arrangements, "arrangement"),
                                    counted(member_count(campaign), "member"), calibrated);
     for (const std::string& sentence : advice(campaign)) text += "but " + sentence + "\n";

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "campaign/read.hpp"
 #include "core/error.hpp"
 
 namespace floes {
@@ -25,7 +26,7 @@ std::string read_text(const std::string& path) {
 }  // namespace
 
 Campaign load_campaign(const std::string& path, const std::vector<std::string>& overrides) {
-    return read_campaign({read_text(path), path, overrides}, read_text);
+    return read_campaign({read_text(path), path, overrides, true}, read_text);
 }
 
 }  // namespace floes

@@ -22,12 +22,12 @@ bool speaks() {
 int refuse(const CLI::App& program, const CLI::ParseError& error) {
     std::ostringstream out;
     std::ostringstream errors;
-    const bool asked_for_help = program.exit(error, out, errors) == 0;
+    const bool no_error = program.exit(error, out, errors) == 0;
     if (speaks()) {
         std::fputs(out.str().c_str(), stdout);
         std::fputs(errors.str().c_str(), stderr);
     }
-    if (asked_for_help) return 0;
+    if (no_error) return 0;
     // mpirun ends all ranks when one ends with an error. Meeting in MPI first, none ends before rank 0 has spoken.
     if (floes::started_by_mpi()) floes::open_link();
     return 2;
@@ -39,6 +39,7 @@ int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error to report, like a full disk
     CLI::App program{"floes: the load of managed ice floes on a structure, over many random arrangements"};
     program.require_subcommand(1);
+    floes::add_version(program);
     int exit_status = 0;
     floes::add_run(program, exit_status);
     floes::add_merge(program, exit_status);

@@ -11,6 +11,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
+#include "core/wording.hpp"
 #include "driver/merge.hpp"
 #include "findings/summary_section.hpp"
 
@@ -31,8 +32,8 @@ int merge(const MergeOptions& options) {
     const auto done = std::ranges::count(table.members, RowStatus::done, &MemberRow::status);
     const auto missing = std::ranges::count(table.members, RowStatus::missing, &MemberRow::status);
     const auto failed = std::ssize(table.members) - done - missing;
-    fmt::print(stderr, "floes: {} of {} members done, {} failed, {} in no part, into {}\n", done, table.members.size(),
-               failed, missing, options.output);
+    fmt::print(stderr, "floes: {} of {} done, {} failed, {} in no part, into {}\n", done,
+               counted(std::ssize(table.members), "member"), failed, missing, options.output);
     if (missing > 0) {
         fmt::print(stderr, "floes: floes run CONFIG.toml -o {} --resume computes those that are in no part\n",
                    options.output);

@@ -2,17 +2,21 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iostream>
 #include <memory>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include "cli/commands.hpp"
 #include "cli/config_file.hpp"
+#include "cli/patience.hpp"
 #include "cli/plan_text.hpp"
 #include "core/error.hpp"
+#include "core/wording.hpp"
 
 namespace floes {
 
@@ -36,17 +40,19 @@ std::vector<PlanRow> rows_of(const PlanOptions& options, const PlannedMembers& p
                                      options.ranks.size(), cores.size()));
     }
     const DriverCosts costs = measured_costs();
-    std::vector<PlanRow> rows;
-    for (std::size_t k = 0; k < cores.size(); ++k) {
+    std::vector<PlanRow> rows(cores.size());
+    tbb::parallel_for(std::size_t{0}, cores.size(), [&](std::size_t k) {
         int ranks = usual_ranks(cores[k]);
         if (!options.ranks.empty()) ranks = options.ranks[options.ranks.size() == 1 ? 0 : k];
-        rows.push_back(plan_row(planned.members, cores[k], ranks, costs));
-    }
+        rows[k] = plan_row(planned.members, cores[k], ranks, costs);
+    });
     return rows;
 }
 
 std::string plan_text(const PlanOptions& options) {
     const Campaign campaign = load_campaign(options.config, options.overrides);
+    const Patience patience(std::cerr, fmt::format("simulating the run of {} on each number of cores …",
+                                                   counted(member_count(campaign), "member")));
     PlannedMembers planned =
         options.from.empty() ? expected_members(campaign) : measured_members(campaign, read_measured_run(options.from));
     if (options.record_bytes > 0) set_record_bytes(planned, options.record_bytes);

@@ -7,18 +7,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/wording.hpp"
+
 namespace floes {
 namespace {
 
 constexpr double busy_master = 0.7;
-
-std::string duration(double seconds) {
-    if (seconds < 1) return fmt::format("{:.3g} ms", 1e3 * seconds);
-    if (seconds < 120) return fmt::format("{:.3g} s", seconds);
-    if (seconds < 2 * 3600) return fmt::format("{:.3g} min", seconds / 60);
-    if (seconds < 100 * 3600) return fmt::format("{:.3g} h", seconds / 3600);
-    return fmt::format("{:.3g} d", seconds / 86400);
-}
 
 std::string size(double bytes) {
     constexpr std::array units{"B", "kB", "MB", "GB", "TB", "PB"};
@@ -33,15 +27,16 @@ double core_hours(const PlanRow& row) {
 
 std::string remark(const PlanHead& head, const PlanRow& row) {
     const Forecast& forecast = row.forecast;
+    const std::string cores = counted(row.cores, "core");
     if (forecast.master_load > busy_master)
-        return fmt::format("{} cores: the master is busy {:.0f} % of the time; more cores bring little.\n", row.cores,
+        return fmt::format("{}: the master is busy {:.0f} % of the time; more cores bring little.\n", cores,
                            100 * forecast.master_load);
     const double after = forecast.wall_time - forecast.last_member;
     if (after > 0.1 * forecast.wall_time)
-        return fmt::format("{} cores: of the time, {} is start-up and {} the writing of the campaign file.\n",
-                           row.cores, duration(forecast.start_up), duration(after));
+        return fmt::format("{}: of the time, {} is start-up and {} the writing of the campaign file.\n", cores,
+                           duration_in_figures(forecast.start_up), duration_in_figures(after));
     if (forecast.efficiency < 0.9 && head.members < 3 * row.cores)
-        return fmt::format("{} cores: too few members for them; cores wait for the last ones.\n", row.cores);
+        return fmt::format("{}: too few members for them; cores wait for the last ones.\n", cores);
     return "";
 }
 
@@ -62,8 +57,9 @@ PlanHead plan_head(const Campaign& campaign, const PlannedMembers& planned) {
 }
 
 std::string plan_table(const PlanHead& head, std::span<const PlanRow> rows) {
-    std::string text = fmt::format("{}: {} members of {} on average, {} at most, {} each.\n", head.title, head.members,
-                                   duration(head.mean_run_time), duration(head.longest), size(head.message_bytes));
+    std::string text = fmt::format("{}: {} of {} on average, {} at most, {} each.\n", head.title,
+                                   counted(head.members, "member"), duration_in_figures(head.mean_run_time),
+                                   duration_in_figures(head.longest), size(head.message_bytes));
     text += fmt::format("Run times: {}.\n", head.source);
     if (head.calibrates) text += "Not counted: cases are calibrated first, about a minute.\n";
     text += fmt::format("\n{:>8} {:>6} {:>10} {:>12} {:>11} {:>12} {:>10} {:>10} {:>14}\n", "cores", "ranks",
@@ -71,9 +67,9 @@ std::string plan_table(const PlanHead& head, std::span<const PlanRow> rows) {
     for (const PlanRow& row : rows) {
         const Forecast& forecast = row.forecast;
         text += fmt::format("{:>8} {:>6} {:>10} {:>12.4g} {:>9.1f} % {:>10.2g} % {:>10} {:>10} {:>14}\n", row.cores,
-                            row.ranks, duration(forecast.wall_time), core_hours(row), 100 * forecast.efficiency,
-                            100 * forecast.master_load, size(forecast.file_bytes), size(forecast.journal_bytes),
-                            size(row.master_memory));
+                            row.ranks, duration_in_figures(forecast.wall_time), core_hours(row),
+                            100 * forecast.efficiency, 100 * forecast.master_load, size(forecast.file_bytes),
+                            size(forecast.journal_bytes), size(row.master_memory));
     }
     std::string remarks;
     for (const PlanRow& row : rows) remarks += remark(head, row);

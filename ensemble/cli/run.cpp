@@ -15,6 +15,7 @@
 #include "cli/config_file.hpp"
 #include "cli/terminal.hpp"
 #include "core/error.hpp"
+#include "core/wording.hpp"
 #include "driver/calibrate_campaign.hpp"
 #include "driver/run_campaign.hpp"
 #include "driver/signals.hpp"
@@ -77,8 +78,8 @@ Part part_of(const RunVerb& verb, const Campaign& campaign) {
     if (read && 1 <= part.number && part.number <= part.of && part.of <= campaign.arrangements) return part;
     throw InputError(
         fmt::format("--part {} is not a part of this campaign; it is K/N, part K of N, with K from 1 to N and N from 1 "
-                    "to its {} arrangements.",
-                    verb.part, campaign.arrangements));
+                    "to its {}.",
+                    verb.part, counted(campaign.arrangements, "arrangement")));
 }
 
 Existing existing_of(const RunVerb& verb) {

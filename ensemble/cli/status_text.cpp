@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/wording.hpp"
 #include "driver/progress.hpp"
 
 namespace floes {
@@ -23,10 +24,6 @@ CaseStatus total_of(const CampaignStatus& status) {
 
 int members_of(const CaseStatus& one) {
     return one.done + one.failed + one.missing;
-}
-
-std::string counted(int count, const char* word) {
-    return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
 }
 
 /// With a stop rule the end may come sooner.

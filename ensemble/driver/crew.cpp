@@ -1,5 +1,7 @@
 #include "driver/crew.hpp"
 
+#include "campaign/identity.hpp"
+
 #include <utility>
 
 #include <fmt/format.h>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "campaign/identity.hpp"
 #include "driver/precision.hpp"
 #include "quantities/quantity.hpp"
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "campaign/identity.hpp"
 #include "campaign_file/campaign_file.hpp"
 #include "core/error.hpp"
 #include "journal/journal.hpp"

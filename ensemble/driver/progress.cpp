@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "core/wording.hpp"
+
 namespace floes {
 
 namespace {
@@ -27,16 +29,6 @@ std::string rate_text(double per_second) {
     return fmt::format("{:.1f} members/h", per_second * 3600);
 }
 
-std::string duration_text(double seconds) {
-    const auto s = std::llround(seconds);
-    if (s < 100) return fmt::format("{} s", s);
-    const auto minutes = std::llround(seconds / 60);
-    if (minutes < 100) return fmt::format("{} min", minutes);
-    const auto hours = std::llround(seconds / 3600);
-    if (hours < 48) return fmt::format("{} h {:02} min", minutes / 60, minutes % 60);
-    return fmt::format("{} d {} h", hours / 24, hours % 24);
-}
-
 std::string progress_text(const ProgressState& state) {
     std::string text =
         fmt::format("{} of {} done, {} failed, {} running", state.done, state.total, state.failed, state.running);
@@ -45,8 +37,8 @@ std::string progress_text(const ProgressState& state) {
     }
     if (state.half_width_target > 0) {
         if (std::isfinite(state.half_width)) {
-            text += fmt::format(", half-width {:.1f} % after {} arrangements, {:g} % wanted", 100 * state.half_width,
-                                state.in_order, 100 * state.half_width_target);
+            text += fmt::format(", half-width {:.1f} % after {}, {:g} % wanted", 100 * state.half_width,
+                                counted(state.in_order, "arrangement"), 100 * state.half_width_target);
         }
         return text;
     }

@@ -26,9 +26,6 @@ struct ProgressState {
     double time_left() const;
 };
 
-/// "40 s", "12 min", "3 h 05 min", "2 d 4 h".
-std::string duration_text(double seconds);
-
 /// "3.1 members/s", "4.2 members/min", "0.5 members/h".
 std::string rate_text(double per_second);
 

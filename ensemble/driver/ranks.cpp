@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/write.hpp"
 #include "core/error.hpp"
 #include "driver/pause.hpp"
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/identity.hpp"
 #include "campaign_file/campaign_file.hpp"
 #include "core/error.hpp"
 

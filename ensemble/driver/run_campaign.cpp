@@ -7,7 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "campaign/identity.hpp"
 #include "core/error.hpp"
+#include "core/wording.hpp"
 #include "driver/master.hpp"
 #include "driver/ranks.hpp"
 #include "driver/worker.hpp"
@@ -17,15 +19,11 @@ namespace floes {
 
 namespace {
 
-std::string count(int n, const char* singular) {
-    return fmt::format("{} {}{}", n, singular, n == 1 ? "" : "s");
-}
-
 std::string opening(const Campaign& campaign, const RunOptions& options, int ranks, int cores) {
-    return fmt::format("{}: {} = {} x {} on {}{}, into {}", campaign.name, count(member_count(campaign), "member"),
-                       count(static_cast<int>(campaign.cases.size()), "case"),
-                       count(campaign.arrangements, "arrangement"), count(cores, "core"),
-                       ranks > 1 ? fmt::format(" of {} ranks", ranks) : "", options.places.campaign_file.string());
+    return fmt::format("{}: {} = {} x {} on {}{}, into {}", campaign.name, counted(member_count(campaign), "member"),
+                       counted(std::ssize(campaign.cases), "case"), counted(campaign.arrangements, "arrangement"),
+                       counted(cores, "core"), ranks > 1 ? fmt::format(" of {} ranks", ranks) : "",
+                       options.places.campaign_file.string());
 }
 
 std::string part_text(const Part& part, const Inventory& found) {
@@ -35,13 +33,13 @@ std::string part_text(const Part& part, const Inventory& found) {
 /// What was found of earlier sessions; empty when there is nothing.
 std::string stock(const Inventory& found) {
     if (found.reused() + found.retried == 0) return {};
-    return fmt::format("resumed: {} reused, {} to compute{}", count(found.reused(), "member"), found.tasks.size(),
+    return fmt::format("resumed: {} reused, {} to compute{}", counted(found.reused(), "member"), found.tasks.size(),
                        found.retried > 0 ? fmt::format(", {} of them again", found.retried) : "");
 }
 
 /// What this session did.
 std::string harvest(const Tally& tally) {
-    return fmt::format("{} reused, {} computed, {} retried, {} set aside", count(tally.found().reused(), "member"),
+    return fmt::format("{} reused, {} computed, {} retried, {} set aside", counted(tally.found().reused(), "member"),
                        tally.computed(), tally.found().retried, tally.set_aside());
 }
 
@@ -82,8 +80,8 @@ int conclude(const Campaign& campaign, const RunOptions& options, Recorder& reco
                                  reached));
     }
     if (tally.failed() > 0) {
-        progress.say(fmt::format("{} of {} members failed and stand as missing in {}; floes status {} has the reasons",
-                                 tally.failed(), total, file, file));
+        progress.say(fmt::format("{} of {} failed and stand{} as missing in {}; floes status {} has the reasons",
+                                 tally.failed(), counted(total, "member"), tally.failed() == 1 ? "s" : "", file, file));
         return 1;
     }
     return 0;

@@ -14,6 +14,8 @@
 
 #include <fmt/format.h>
 
+#include "campaign/identity.hpp"
+#include "campaign/read.hpp"
 #include "core/error.hpp"
 #include "driver/messages.hpp"
 #include "driver/pause.hpp"

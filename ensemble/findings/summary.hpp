@@ -14,6 +14,7 @@
 #include "campaign_file/campaign_file.hpp"
 #include "inference/bootstrap.hpp"
 #include "inference/interval.hpp"
+#include "quantities/quantity.hpp"
 #include "tables/section.hpp"
 
 namespace floes {

@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/random.hpp"
+#include "core/wording.hpp"
 #include "forecast/measured_costs.hpp"
 #include "records/member_record.hpp"
 
@@ -62,15 +63,17 @@ std::vector<SimulatedMember> members_of(const Campaign& campaign,
                                         const std::function<double(double history, double others)>& file_of) {
     std::vector<HistoryBytes> histories;
     std::vector<double> others;  // stay in the master's memory; it leaves histories in the journal
+    std::vector<double> costs;
     for (const Case& one : campaign.cases) {
         histories.emplace_back(one.scenario.analysis, one.scenario.step_count());
         others.push_back(record_bytes(one.scenario));
+        costs.push_back(expected_cost(campaign, static_cast<int>(costs.size())));  // of the case's first member
     }
     std::vector<SimulatedMember> members;
     members.reserve(static_cast<std::size_t>(member_count(campaign)));
     for (int number = 0; number < member_count(campaign); ++number) {
         const auto k = static_cast<std::size_t>(member_key(campaign, number).case_index);
-        members.push_back({.expected_cost = expected_cost(campaign, number),
+        members.push_back({.expected_cost = costs[k],
                            .record_bytes = histories[k].all + others[k],
                            .file_bytes = file_of(histories[k].all, others[k]),
                            .memory_bytes = others[k],
@@ -131,12 +134,14 @@ PlannedMembers measured_members(const Campaign& campaign, const MeasuredRun& run
     if (rates.of_all.empty()) throw InputError(fmt::format("no member of {} is done yet.", run.campaign.name));
     const double ratio = run.file_per_record_byte;
     const auto as_measured = [ratio](double history, double others) { return ratio * (history + others); };
-    PlannedMembers planned{ratio > 0 ? members_of(campaign, as_measured) : members_of(campaign, usual_file_bytes),
-                           fmt::format("{} measured members of {}", rates.of_all.size(), run.campaign.name)};
+    PlannedMembers planned{
+        ratio > 0 ? members_of(campaign, as_measured) : members_of(campaign, usual_file_bytes),
+        fmt::format("{} of {}", counted(std::ssize(rates.of_all), "measured member"), run.campaign.name)};
+    std::vector<const std::vector<double>*> of_case;
+    for (const Case& one : campaign.cases) of_case.push_back(&rates_for(one, run, rates));
     for (std::size_t k = 0; k < planned.members.size(); ++k) {
         const int number = static_cast<int>(k);
-        const auto case_index = static_cast<std::size_t>(member_key(campaign, number).case_index);
-        const std::vector<double>& from = rates_for(campaign.cases[case_index], run, rates);
+        const std::vector<double>& from = *of_case[static_cast<std::size_t>(member_key(campaign, number).case_index)];
         const auto chosen = static_cast<std::size_t>(draw(campaign, number)[0] * static_cast<double>(from.size()));
         planned.members[k].run_time = planned.members[k].expected_cost * from[chosen];
     }

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/wording.hpp"
 #include "forecast/master_clock.hpp"
 #include "schedule/scheduler.hpp"
 
@@ -223,9 +224,9 @@ class Play {
 Machine machine_of(int cores, int ranks) {
     if (ranks < 1 || ranks > cores) {
         throw InputError(
-            fmt::format("{} cores cannot be spread over {} ranks: there must be at least one rank, and a "
+            fmt::format("{} cannot be spread over {}: there must be at least one rank, and a "
                         "core for each.",
-                        cores, ranks));
+                        counted(cores, "core"), counted(ranks, "rank")));
     }
     Machine machine;
     for (int rank = 0; rank < ranks; ++rank) machine.cores_of_rank.push_back(cores / ranks + (rank < cores % ranks));

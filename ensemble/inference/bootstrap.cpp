@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/random.hpp"
+#include "statistics/means.hpp"
 
 namespace floes {
 
@@ -25,10 +26,6 @@ double normal_cdf(double z) {
 
 double normal_quantile(double p) {
     return boost::math::quantile(boost::math::normal{}, p);
-}
-
-double mean_of(std::span<const double> values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 /// Σ U³ / (6 (Σ U²)^(3/2)), where `influence` gives the U of each value.

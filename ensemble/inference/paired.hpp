@@ -1,6 +1,6 @@
 #pragma once
 // Two cases over the same arrangements: the difference within each arrangement, which is free of what the arrangements
-// alone do to the load.
+// alone do to the load. The rank test is in wilcoxon.cpp.
 
 #include <span>
 #include <vector>

@@ -11,6 +11,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "campaign/identity.hpp"
+#include "campaign/read.hpp"
+#include "campaign/write.hpp"
 #include "core/error.hpp"
 #include "journal/journal_format.hpp"
 

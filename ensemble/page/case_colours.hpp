@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "page/page.hpp"
+#include "page/report_data.hpp"
 
 namespace floes {
 

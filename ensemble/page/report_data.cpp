@@ -7,7 +7,7 @@
 #include "campaign_file/read_history.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "page/page.hpp"
+#include "page/report_data.hpp"
 
 namespace floes {
 namespace {

@@ -3,7 +3,8 @@
 
 #include <string>
 
-#include "page/page.hpp"
+#include "page/report_data.hpp"
+#include "quantities/quantity.hpp"
 
 namespace floes {
 

@@ -4,6 +4,7 @@
 #include "records/git_revision.hpp"
 
 namespace floes {
+
 std::string floes_version() {
     return FLOES_VERSION;
 }

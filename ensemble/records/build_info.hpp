@@ -4,9 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "records/session.hpp"
-
 namespace floes {
+
+/// A piece of software and its version, e.g. {"Bullet", "3.24"}.
+struct Software {
+    std::string name;
+    std::string version;
+    friend bool operator==(const Software&, const Software&) = default;
+};
 
 /// Version of floes, e.g. "0.1.0".
 std::string floes_version();

@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "campaign/identity.hpp"
 #include "core/error.hpp"
 #include "member/result_bytes.hpp"
 

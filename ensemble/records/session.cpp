@@ -14,7 +14,6 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "records/build_info.hpp"
 
 namespace floes {
 namespace {

@@ -7,15 +7,9 @@
 #include <vector>
 
 #include "core/bytes.hpp"
+#include "records/build_info.hpp"
 
 namespace floes {
-
-/// A piece of software and its version, e.g. {"Bullet", "3.24"}.
-struct Software {
-    std::string name;
-    std::string version;
-    friend bool operator==(const Software&, const Software&) = default;
-};
 
 struct Session {
     std::string started;  ///< UTC, ISO 8601

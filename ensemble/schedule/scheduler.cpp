@@ -26,6 +26,7 @@ Scheduler::Scheduler(std::vector<MemberTask> tasks, int most_failures) : most_fa
         return std::tuple(a.batch, -a.cost, a.number) < std::tuple(b.batch, -b.cost, b.number);
     });
     tasks_.reserve(tasks.size());
+    index_of_.reserve(tasks.size());
     for (const MemberTask& task : tasks) {
         require(std::isfinite(task.cost) && task.cost > 0, "the cost of a member must be positive and finite",
                 task.number);

@@ -19,6 +19,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -94,7 +95,7 @@ class Scheduler {
 
     int most_failures_;
     std::vector<Entry> tasks_;
-    std::map<int, Index> index_of_;
+    std::unordered_map<int, Index> index_of_;  // looked up for every answer, never walked
     std::set<Index> pending_;
     std::map<int, Worker> workers_;
     std::set<std::pair<int, int>> room_;  // (level, worker) of the workers that may be given something

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <optional>
-#include <string>
 #include <utility>
 
 #include "arrangement/check.hpp"
@@ -11,6 +10,7 @@
 #include "arrangement/sampler.hpp"
 #include "arrangement/starts.hpp"
 #include "core/error.hpp"
+#include "core/hash.hpp"
 
 namespace floes {
 
@@ -55,6 +55,18 @@ std::vector<PlanarPose> find_poses(const Scenario& scenario, std::uint64_t seed,
 
 }  // namespace
 
+std::uint64_t geometry_key(const Scenario& scenario) {
+    const Field& field = scenario.field;
+    const ArrangementRule& rule = scenario.arrangement;
+    // A number is written in the fewest digits that give it back, so equal text means equal numbers.
+    std::string text = fmt::format("floe {} {}\nfield {} {} {} {}\nrule {} {} {} {} {} {}\n", scenario.floe.length,
+                                   scenario.floe.breadth, field.floes, field.concentration, field.begin,
+                                   field.half_width, static_cast<int>(rule.method), static_cast<int>(rule.start),
+                                   rule.clearance, rule.sweeps, rule.jitter, rule.jitter_angle);
+    for (const PlanarPose& pose : rule.poses) text += fmt::format("pose {} {} {}\n", pose.x, pose.z, pose.yaw);
+    return digest64(text);
+}
+
 double fourfold_order(std::span<const PlanarPose> poses) {
     double cos_sum = 0;
     double sin_sum = 0;
@@ -70,12 +82,12 @@ double fourfold_order(std::span<const PlanarPose> poses) {
 
 Arrangement make_arrangement(const Scenario& scenario, std::uint64_t seed, std::uint32_t number) {
     std::vector<PlanarPose> poses = find_poses(scenario, seed, number);
-    if (const std::optional<std::string> fault = find_fault(scenario, poses)) {
+    if (const std::optional<Fault> fault = find_fault(scenario, poses)) {
         if (scenario.arrangement.method == ArrangementMethod::file) {
-            throw InputError(fmt::format("the given poses are no arrangement of this field: {}", *fault));
+            throw InputError(fmt::format("the given poses are no arrangement of this field: {}", fault->sentence));
         }
-        throw RunError(
-            fmt::format("arrangement {} came out wrong, which is an error of the program: {}", number, *fault));
+        throw RunError(fmt::format("arrangement {} came out wrong, which is an error of the program: {}", number,
+                                   fault->sentence));
     }
     const double psi4 = fourfold_order(poses);
     return {std::move(poses), psi4};

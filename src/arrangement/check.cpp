@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <vector>
+#include <limits>
 
 namespace floes {
 
@@ -11,6 +13,54 @@ namespace {
 
 constexpr double rounding = 1e-9;        // m
 constexpr double area_rounding = 1e-12;  // relative
+
+/// Between two floes, along the direction in which they are farthest from being too near, m.
+struct Gap {
+    double width = 0;  ///< below 0 they overlap
+    double wanted = 0;
+};
+
+Gap widest_gap(const Rectangle& shape, const Rectangle& grown, Turn first, Turn second, double dx, double dz) {
+    const Extent reach = joint_extent(shape, first, second);
+    const Extent wanted = joint_extent(grown, first, second);
+    Gap widest{-std::numeric_limits<double>::infinity(), 0};
+    const auto look = [&](double distance, double touching, double clear) {
+        if (distance - clear > widest.width - widest.wanted) widest = {distance - touching, clear - touching};
+    };
+    for (const Turn turn : {first, second}) {
+        look(std::abs(turn.cos * dx - turn.sin * dz), reach.x, wanted.x);
+        look(std::abs(turn.sin * dx + turn.cos * dz), reach.z, wanted.z);
+    }
+    return widest;
+}
+
+std::string gap_text(const Gap& gap, double clearance) {
+    const std::string found = std::abs(gap.width) < rounding ? "touch"
+                              : gap.width < 0                ? fmt::format("overlap by {:.4g} m", -gap.width)
+                                                             : fmt::format("are {:.4g} m apart", gap.width);
+    const bool at_an_angle = gap.wanted > 1.0001 * clearance;
+    return fmt::format("{}; they are to be {:.4g} m apart, the clearance{}", found, gap.wanted,
+                       at_an_angle ? fmt::format(" of {} m at the angle between them", clearance) : "");
+}
+
+/// "0.02 m beyond its edge at z = 5 m and is to stay 0.002 m within": the edge that it is worst at.
+std::string edge_text(const Scenario& scenario, const PlanarPose& pose, Turn turn) {
+    const Walls walls = field_walls(scenario);
+    const Extent half = extent(floe_shape(scenario), turn);
+    struct Edge {
+        char axis;
+        double at;
+        double room;
+    };
+    const double end = walls.low_x + walls.length;
+    const double side = walls.low_z + walls.breadth;
+    const std::array edges{
+        Edge{'x', walls.low_x, pose.x - half.x - walls.low_x}, Edge{'x', end, end - (pose.x + half.x)},
+        Edge{'z', walls.low_z, pose.z - half.z - walls.low_z}, Edge{'z', side, side - (pose.z + half.z)}};
+    const Edge& worst = *std::ranges::min_element(edges, {}, &Edge::room);
+    return fmt::format("{:.4g} m {} its edge at {} = {:.6g} m and is to stay {} m within", std::abs(worst.room),
+                       worst.room < 0 ? "beyond" : "from", worst.axis, worst.at, scenario.arrangement.clearance);
+}
 
 }  // namespace
 
@@ -23,39 +73,42 @@ Walls field_walls(const Scenario& scenario) {
     return {field.begin, -field.half_width, scenario.field_length(), 2 * field.half_width};
 }
 
-std::optional<std::string> find_fault(const Scenario& scenario, std::span<const PlanarPose> poses) {
+std::optional<Fault> find_fault(const Scenario& scenario, std::span<const PlanarPose> poses) {
     const Field& field = scenario.field;
     const double clearance = scenario.arrangement.clearance;
     if (poses.size() != static_cast<std::size_t>(field.floes)) {
-        return fmt::format("the arrangement has {} floes where the field has {}", poses.size(), field.floes);
+        return Fault{fmt::format("the arrangement has {} floes where the field has {}", poses.size(), field.floes)};
     }
     const double covered = field.floes * scenario.floe.length * scenario.floe.breadth;
     const double concentration = covered / ((scenario.field_end() - field.begin) * 2 * field.half_width);
     if (!(std::abs(concentration - field.concentration) <= area_rounding * field.concentration)) {
-        return fmt::format("the floes cover {} of the field instead of {}", concentration, field.concentration);
+        return Fault{fmt::format("the floes cover {} of the field instead of {}", concentration, field.concentration)};
     }
     const Walls walls = field_walls(scenario).shrunk(clearance - rounding);
-    const Rectangle grown = floe_shape(scenario).grown(0.5 * (clearance - rounding));
+    const Rectangle shape = floe_shape(scenario);
+    const Rectangle grown = shape.grown(0.5 * (clearance - rounding));
     std::vector<Turn> turns;
     for (std::size_t i = 0; i < poses.size(); ++i) {
         const PlanarPose& pose = poses[i];
         // Asked before the turn is taken: a yaw that is no number has none.
-        if (!(std::abs(pose.yaw) < 1e6)) return fmt::format("floe {} has the yaw {} rad", i, pose.yaw);
+        if (!(std::abs(pose.yaw) < 1e6)) return Fault{fmt::format("floe {} has the yaw {} rad", i, pose.yaw), {i}};
         turns.push_back(turn_of(pose.yaw));
-        if (!walls.admits(floe_shape(scenario), pose.x, pose.z, turns.back())) {
-            return fmt::format(
-                "floe {} at x = {:.4f} m, z = {:.4f} m, yaw = {:.4f} rad is not inside the field with a clearance of "
-                "{} m",
-                i, pose.x, pose.z, pose.yaw, clearance);
+        if (!walls.admits(shape, pose.x, pose.z, turns.back())) {
+            return Fault{fmt::format("floe {} at x = {:.4f} m, z = {:.4f} m is not inside the field: it lies {}", i,
+                                     pose.x, pose.z, edge_text(scenario, pose, turns.back())),
+                         {i}};
         }
     }
     for (std::size_t i = 0; i < poses.size(); ++i) {
         for (std::size_t j = i + 1; j < poses.size(); ++j) {
-            if (overlap(grown, turns[i], turns[j], poses[j].x - poses[i].x, poses[j].z - poses[i].z)) {
-                return fmt::format(
-                    "floes {} and {}, at x = {:.4f} m, z = {:.4f} m and x = {:.4f} m, z = {:.4f} m, are closer than "
-                    "the clearance of {} m",
-                    i, j, poses[i].x, poses[i].z, poses[j].x, poses[j].z, clearance);
+            const double dx = poses[j].x - poses[i].x;
+            const double dz = poses[j].z - poses[i].z;
+            if (overlap(grown, turns[i], turns[j], dx, dz)) {
+                return Fault{
+                    fmt::format("floes {} and {}, at x = {:.4f} m, z = {:.4f} m and x = {:.4f} m, z = {:.4f} m, {}", i,
+                                j, poses[i].x, poses[i].z, poses[j].x, poses[j].z,
+                                gap_text(widest_gap(shape, grown, turns[i], turns[j], dx, dz), clearance)),
+                    {i, j}};
             }
         }
     }

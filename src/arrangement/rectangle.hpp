@@ -30,15 +30,21 @@ inline Extent extent(const Rectangle& shape, Turn turn) {
     return {shape.half_length * c + shape.half_breadth * s, shape.half_length * s + shape.half_breadth * c};
 }
 
+/// Half the widths of two equal rectangles together, along the own x and z of either: they are apart exactly if their
+/// centres are at least so far apart along one of these four directions.
+inline Extent joint_extent(const Rectangle& shape, Turn first, Turn second) {
+    const double cos_between = std::abs(first.cos * second.cos + first.sin * second.sin);
+    const double sin_between = std::abs(first.cos * second.sin - first.sin * second.cos);
+    return {shape.half_length + shape.half_length * cos_between + shape.half_breadth * sin_between,
+            shape.half_breadth + shape.half_length * sin_between + shape.half_breadth * cos_between};
+}
+
 /// Do two equal rectangles overlap? The second lies at (dx, dz) from the first (m). Those that touch do not overlap. A
 /// rectangle turned by yaw about +y has its own x axis along (cos yaw, -sin yaw) of the world's (x, z).
 inline bool overlap(const Rectangle& shape, Turn first, Turn second, double dx, double dz) {
-    const double cos_between = std::abs(first.cos * second.cos + first.sin * second.sin);
-    const double sin_between = std::abs(first.cos * second.sin - first.sin * second.cos);
-    const double reach_x = shape.half_length + shape.half_length * cos_between + shape.half_breadth * sin_between;
-    const double reach_z = shape.half_breadth + shape.half_length * sin_between + shape.half_breadth * cos_between;
+    const Extent reach = joint_extent(shape, first, second);
     const auto apart = [&](Turn turn) {
-        return std::abs(turn.cos * dx - turn.sin * dz) >= reach_x || std::abs(turn.sin * dx + turn.cos * dz) >= reach_z;
+        return std::abs(turn.cos * dx - turn.sin * dz) >= reach.x || std::abs(turn.sin * dx + turn.cos * dz) >= reach.z;
     };
     return !apart(first) && !apart(second);
 }

@@ -11,9 +11,17 @@
 #include <array>
 #include <cstdint>
 
-#include "core/stream_id.hpp"
-
 namespace floes {
+
+/// Every use of random numbers has a name here. A number once given stays: changing it changes the arrangements.
+enum class StreamId : std::uint32_t {
+    monte_carlo = 1,      ///< trial moves of the hard-rectangle Monte Carlo
+    lattice_jitter = 2,   ///< shifts and turns of the jittered lattice
+    bootstrap = 3,        ///< resampling of arrangements in statistics
+    goodness_of_fit = 4,  ///< samples from a fitted distribution
+    latin_hypercube = 5,  ///< points of a design
+    sobol_shift = 6,      ///< the random digital shift of a design's Sobol sequence
+};
 
 using PhiloxCounter = std::array<std::uint32_t, 4>;
 using PhiloxKey = std::array<std::uint32_t, 2>;

@@ -12,7 +12,7 @@
 #include "core/error.hpp"
 #include "quantities/quantity.hpp"
 #include "simulation/simulation.hpp"
-#include "statistics/batch_means.hpp"
+#include "statistics/means.hpp"
 
 namespace floes {
 namespace {
@@ -26,12 +26,6 @@ double cpu_seconds_of_this_thread() {
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-double mean_of(std::span<const double> values) {
-    double sum = 0;
-    for (const double value : values) sum += value;
-    return sum / static_cast<double>(values.size());
 }
 
 int count_failures(std::span<const BreakEvent> breaks, FailureMode mode) {

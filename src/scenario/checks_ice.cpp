@@ -6,8 +6,8 @@
 #include <cmath>
 #include <functional>
 
-#include "scenario/checks.hpp"
 #include "scenario/keys.hpp"
+#include "scenario/validate.hpp"
 
 namespace floes {
 namespace {

@@ -1,7 +1,6 @@
 #include "scenario/validate.hpp"
 
 #include "core/error.hpp"
-#include "scenario/checks.hpp"
 
 namespace floes {
 

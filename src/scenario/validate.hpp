@@ -13,10 +13,23 @@ struct Contradiction {
     std::string sentence;           ///< what is wrong, with the values, and what to try
 };
 
+using Contradictions = std::vector<Contradiction>;
+
 /// All contradictions in the scenario; empty when it can be simulated. Each field is taken to be in its own range.
 std::vector<Contradiction> find_contradictions(const Scenario& scenario);
 
 /// Throws InputError with the first contradiction's sentence.
 void validate(const Scenario& scenario);
+
+/// The checks behind find_contradictions(), in checks_ice.cpp and checks_tank.cpp. Each adds what it finds.
+void check_elements(const Scenario& scenario, Contradictions& found);  ///< floes are whole elements, not too many
+void check_floating(const Scenario& scenario, Contradictions& found);  ///< the ice floats, heave is stable
+void check_time(const Scenario& scenario, Contradictions& found);      ///< whole steps, segments, history values
+void check_levels(const Scenario& scenario, Contradictions& found);    ///< load levels rise
+void check_profile(const Scenario& scenario, Contradictions& found);   ///< a body that stands in the water
+void check_tow(const Scenario& scenario, Contradictions& found);       ///< it meets the ice and stays in it
+void check_wake(const Scenario& scenario, Contradictions& found);      ///< the structure strikes no resting floe
+void check_lattice(const Scenario& scenario, Contradictions& found);   ///< the floes fit
+void check_poses(const Scenario& scenario, Contradictions& found);     ///< given poses belong to the field
 
 }  // namespace floes

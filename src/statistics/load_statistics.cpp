@@ -9,6 +9,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "statistics/means.hpp"
+
 namespace floes {
 namespace {
 
@@ -17,12 +19,6 @@ namespace {
 constexpr std::size_t most_batches = 15;
 constexpr double significance = 0.05;
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
-
-double mean_of(std::span<const double> values) {
-    double sum = 0;
-    for (const double value : values) sum += value;
-    return sum / static_cast<double>(values.size());
-}
 
 double population_sd(std::span<const double> values, double mean) {
     double sum = 0;

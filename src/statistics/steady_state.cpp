@@ -1,20 +1,15 @@
 #include "statistics/steady_state.hpp"
 
 #include <limits>
-#include <numeric>
 #include <vector>
 
-#include "statistics/batch_means.hpp"
+#include "statistics/means.hpp"
 
 namespace floes {
 namespace {
 
 constexpr std::size_t fewest_batches = 4;
 constexpr double window_factor = 5;
-
-double mean_of(std::span<const double> values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
 
 /// Sum of products of deviations `lag` apart.
 double covariance_sum(std::span<const double> values, double mean, std::size_t lag) {

@@ -182,6 +182,36 @@ TEST(GivenPoses, AreRefusedWithTheReason) {
     EXPECT_THAT(refusal_after([](auto& poses) { poses[4].x = std::nan(""); }), HasSubstr("is not inside the field"));
 }
 
+TEST(GivenPoses, AreRefusedWithTheFloesAndHowFarTheyAreOff) {
+    Scenario scenario = quick();
+    scenario.field = {.floes = 2, .concentration = 0.01, .begin = 6, .half_width = 2.4};
+    scenario.arrangement.clearance = 0.01;
+    const auto fault_of = [&](PlanarPose first, PlanarPose second) {
+        const std::optional<Fault> fault = find_fault(scenario, std::vector{first, second});
+        return fault ? fault->sentence : "none";
+    };
+    const double tip = 0.3 * std::sqrt(2.0);  // from the middle of a floe to its corner
+    const double eighth = 0.5 * std::acos(0.0);
+    EXPECT_EQ(fault_of({7, 0, 0}, {7.61, 0, 0}), "none");
+    EXPECT_EQ(fault_of({7, 0, 0}, {7.55, 0.1, 0}),
+              "floes 0 and 1, at x = 7.0000 m, z = 0.0000 m and x = 7.5500 m, z = 0.1000 m, overlap by 0.05 m; they "
+              "are to be 0.01 m apart, the clearance");
+    EXPECT_EQ(fault_of({7, 0, 0}, {7, -0.604, 0}),
+              "floes 0 and 1, at x = 7.0000 m, z = 0.0000 m and x = 7.0000 m, z = -0.6040 m, are 0.004 m apart; they "
+              "are to be 0.01 m apart, the clearance");
+    EXPECT_EQ(fault_of({7, 0, 0}, {7.3 + tip + 0.0121, 0, eighth}), "none");
+    EXPECT_THAT(fault_of({7, 0, 0}, {7.3 + tip + 0.0110, 0, eighth}),
+                HasSubstr("are 0.011 m apart; they are to be 0.01207 m apart, the clearance of 0.01 m at the angle "
+                          "between them"));
+    EXPECT_EQ(fault_of({8, 0, 0}, {7, 2.2, 0}),
+              "floe 1 at x = 7.0000 m, z = 2.2000 m is not inside the field: it lies 0.1 m beyond its edge at z = 2.4 "
+              "m and is to stay 0.01 m within");
+    EXPECT_THAT(fault_of({6.304, 0, 0}, {8, 0, 0}), HasSubstr("floe 0 at"));
+    EXPECT_THAT(fault_of({6.304, 0, 0}, {8, 0, 0}), HasSubstr("it lies 0.004 m from its edge at x = 6 m"));
+    EXPECT_EQ(find_fault(scenario, std::vector<PlanarPose>{{8, 0, 0}, {8.1, 0, 0}})->floes,
+              (std::vector<std::size_t>{0, 1}));
+}
+
 TEST(FourfoldOrder, OfKnownYaws) {
     const double quarter = std::acos(0.0);
     const std::vector<PlanarPose> aligned{

@@ -8,6 +8,9 @@
 
 #include "campaign/advice.hpp"
 #include "campaign/campaign.hpp"
+#include "campaign/identity.hpp"
+#include "campaign/read.hpp"
+#include "campaign/write.hpp"
 #include "core/error.hpp"
 
 namespace floes {

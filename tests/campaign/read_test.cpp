@@ -4,6 +4,8 @@
 
 #include "campaign/campaign.hpp"
 #include "campaign/campaign_keys.hpp"
+#include "campaign/identity.hpp"
+#include "campaign/read.hpp"
 #include "core/error.hpp"
 #include "scenario/keys.hpp"
 
@@ -32,7 +34,9 @@ joint.cfm = 1e-10
 )";
 
 std::string load_poses(const std::string& path) {
-    if (path == "configs/poses.csv") return "x_m, z_m, yaw_deg\r\n6.3, 0.0, 0.0\n\n20.7, 2.1, 90\n";
+    if (path == "configs/poses.csv") return "x_m, z_m, yaw_deg\r\n6.4, 0.0, 0.0\n\n20.6, 2.0, 90\n";
+    if (path == "configs/over.csv") return "x_m,z_m,yaw_deg\n\n7,0,0\n\n7.5,0,0\n";
+    if (path == "configs/wall.csv") return "x_m,z_m,yaw_deg\n7,0,0\n8,2.0995,0\n";
     if (path == "configs/header.csv") return "x,z,yaw\n6.3,0,0\n";
     if (path == "configs/word.csv") return "x_m,z_m,yaw_deg\n6.3,0,0\n6.3,zero,0\n";
     if (path == "configs/four.csv") return "x_m,z_m,yaw_deg\n6.3,0,0,0\n";
@@ -42,7 +46,7 @@ std::string load_poses(const std::string& path) {
 }
 
 Campaign read(const std::string& text, const std::vector<std::string>& overrides = {}) {
-    return read_campaign({text, "configs/a.toml", overrides}, load_poses);
+    return read_campaign({text, "configs/a.toml", overrides, true}, load_poses);
 }
 
 std::string message(const std::string& text, const std::vector<std::string>& overrides = {}) {
@@ -144,8 +148,8 @@ TEST(ReadCampaign, PoseFileIsRelativeToTheConfiguration) {
     const Campaign campaign = read(with_file("poses.csv"));
     const ArrangementRule& rule = campaign.cases[0].scenario.arrangement;
     ASSERT_EQ(rule.poses.size(), 2u);
-    EXPECT_EQ(rule.poses[1].x, 20.7);
-    EXPECT_EQ(rule.poses[1].z, 2.1);
+    EXPECT_EQ(rule.poses[1].x, 20.6);
+    EXPECT_EQ(rule.poses[1].z, 2.0);
     EXPECT_NEAR(rule.poses[1].yaw, 1.5707963267948966, 1e-15);
     EXPECT_EQ(rule.file, "");
 }
@@ -251,6 +255,28 @@ TEST(ReadCampaign, EveryMessageAboutOverridesIsOneSentence) {
          "does is 0.3"},
     };
     for (const auto& [override_text, expected] : table) EXPECT_EQ(message(three_cases, {override_text}), expected);
+}
+
+const std::string two_floes =
+    "[arrangement]\nmethod = \"file\"\nposes = [[7, 0, 0], [7.6, 0, 0]]\n[field]\nfloes = 2\nconcentration_percent = "
+    "1\n"
+    "[structure]\nspeed_m_s = 0.05\n";
+
+TEST(ReadCampaign, GivenPosesThatAreNoArrangementAreRefusedWithTheirPlace) {
+    EXPECT_EQ(message(with_file("over.csv")),
+              "configs/over.csv, lines 3 and 5: floes 0 and 1, at x = 7.0000 m, z = 0.0000 m and x = 7.5000 m, z = "
+              "0.0000 m, overlap by 0.1 m; they are to be 0.002 m apart, the clearance");
+    EXPECT_EQ(message(with_file("wall.csv") + "[[case]]\nname = \"a\"\n[[case]]\nname = \"b\"\n"),
+              "configs/wall.csv, line 3: case a: floe 1 at x = 8.0000 m, z = 2.0995 m is not inside the field: it "
+              "lies 0.0005 m from its edge at z = 2.4 m and is to stay 0.002 m within");
+    EXPECT_EQ(message(two_floes),
+              "configs/a.toml:3: floes 0 and 1, at x = 7.0000 m, z = 0.0000 m and x = 7.6000 m, z = 0.0000 m, touch; "
+              "they are to be 0.002 m apart, the clearance");
+}
+
+// Files of runs from before poses were refused can still be read.
+TEST(ReadCampaign, PosesOfAStoredCampaignAreNotJudged) {
+    EXPECT_EQ(read_campaign({two_floes, "a.h5", {}}, nullptr).cases.front().scenario.arrangement.poses.size(), 2u);
 }
 
 // A stored configuration has its poses inline, so whoever reads it needs no files.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "campaign/identity.hpp"
 #include "campaign_file/campaign_file.hpp"
 #include "campaign_file/read_history.hpp"
 #include "hdf5/read.hpp"

@@ -13,7 +13,13 @@ expect 2 threads_ranks "${MPIRUN[@]}" -n 3 "$FLOES" run campaign.toml --threads 
     fail "a wrong command line is reported by every rank"
 expect 2 key "$FLOES" run campaign.toml --set ice.thicknes_m=0.03
 said key "ice.thickness_m"
-[ ! -e campaign.h5 ] || fail "a refused run left a file"
+printf 'x_m,z_m,yaw_deg\n7,0,0\n7.5,0,0\n' > photo.csv
+printf '[arrangement]\nmethod = "file"\nfile = "photo.csv"\n[field]\nfloes = 2\nconcentration_percent = 1\n[structure]\nspeed_m_s = 0.05\n' > photo.toml
+expect 2 poses "$FLOES" run photo.toml -o campaign.h5
+said poses "photo.csv, lines 2 and 3: floes 0 and 1"
+expect 0 version "${MPIRUN[@]}" -n 2 "$FLOES" --version
+said version "git_revision"
+[ ! -e campaign.h5 ] && [ ! -e campaign.journal ] || fail "a refused run left a file"
 
 expect 0 default_name "$FLOES" run campaign.toml "${SMALL[@]}"
 [ -s campaign.h5 ] || fail "the campaign file is not named after the configuration"

@@ -2,14 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "campaign/campaign_keys.hpp"
+#include "campaign/write.hpp"
 #include "cli/config_file.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace floes {
 namespace {
@@ -63,6 +66,12 @@ TEST(Config, RefusesBadInputAndUsage) {
     EXPECT_THROW(config({"--check", table3, "--set", "floe.element_m=0.25"}), InputError);
     EXPECT_THROW(config({"--check", table3 + ".none"}), InputError);
     EXPECT_THROW(config({"--check", FLOES_SOURCE_DIR}), InputError);
+    const TemporaryFolder folder;
+    std::ofstream(folder / "photo.csv") << "x_m,z_m,yaw_deg\n7,0,0\n7.5,0,0\n";
+    std::ofstream(folder / "photo.toml") << "[arrangement]\nmethod = \"file\"\nfile = \"photo.csv\"\n"
+                                            "[field]\nfloes = 2\nconcentration_percent = 1\n"
+                                            "[structure]\nspeed_m_s = 0.05\n";
+    EXPECT_THROW(config({"--check", (folder / "photo.toml").string()}), InputError);
     EXPECT_THROW(config({}), CLI::ParseError);
     EXPECT_THROW(config({"--defaults", "--reference"}), CLI::ParseError);
     EXPECT_THROW(config({"--defaults", "--format", "json"}), CLI::ParseError);

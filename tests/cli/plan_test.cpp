@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "campaign_file/campaign_file.hpp"
@@ -46,6 +47,13 @@ TEST(Plan, GivesATableThatSaysWhereTheTimesComeFrom) {
     EXPECT_THAT(text, HasSubstr("Run times: the expected cost of each member"));
     EXPECT_THAT(text, HasSubstr("400 cores: too few members for them"));
     EXPECT_EQ(std::ranges::count(plan("--cores 2,4 --format csv"), '\n'), 3);
+}
+
+TEST(Plan, CountsOneMemberAsOne) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "one.toml") << "[campaign]\narrangements = 1\n";
+    const std::string text = verb_output(add_plan, "plan " + (folder / "one.toml").string());
+    EXPECT_THAT(text, HasSubstr("one: 1 member of"));
 }
 
 TEST(Plan, TakesRunTimesFromACampaignFileAndFromItsJournal) {

@@ -7,6 +7,8 @@
 #include <atomic>
 #include <csignal>
 
+#include "campaign/identity.hpp"
+#include "campaign/write.hpp"
 #include "core/error.hpp"
 #include "driver/fakes.hpp"
 #include "driver/messages.hpp"

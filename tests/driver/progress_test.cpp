@@ -37,13 +37,6 @@ TEST(ProgressText, SaysWhatThereIsToKnow) {
     EXPECT_EQ(progress_text({.total = 3, .running = 2}), "0 of 3 done, 0 failed, 2 running");
 }
 
-TEST(DurationText, FitsTheSize) {
-    EXPECT_EQ(duration_text(12.3), "12 s");
-    EXPECT_EQ(duration_text(600), "10 min");
-    EXPECT_EQ(duration_text(3 * 3600 + 5 * 60), "3 h 05 min");
-    EXPECT_EQ(duration_text(52 * 3600), "2 d 4 h");
-}
-
 TEST(Progress, WritesAPlainLineAtTheStartAtEachTenthAndEachMinute) {
     std::ostringstream out;
     Progress progress(out, Progress::Style::plain);

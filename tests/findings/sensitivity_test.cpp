@@ -1,6 +1,7 @@
 // What decides the load, from a design and its members to text.
 
 #include "findings/sensitivity.hpp"
+#include "campaign/read.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,116 +1,92 @@
 #include "house/floors.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <regex>
-#include <sstream>
-#include <string_view>
 
 namespace floes::house {
 
 namespace {
 
-constexpr int most_lines = 300;
-
-struct Door {
-    std::string_view library;
-    std::regex header;
-    std::string_view room;
-};
-
-const std::array<Door, 5>& doors() {
-    static const std::array<Door, 5> all{{
-        {"Bullet", std::regex{R"((bt[A-Z]|Bullet|LinearMath/).*)"}, "world"},
-        {"toml++", std::regex{R"(toml(\+\+|\.hpp).*)"}, "keys"},
-        {"MPI", std::regex{R"((mpi|openmpi/).*)"}, "wire"},
-        {"HDF5", std::regex{R"((hdf5(_hl)?\.h|hdf5/serial/.*|H5.*))"}, "hdf5"},
-        {"GSL", std::regex{R"(gsl/.*)"}, "inference"},
-    }};
-    return all;
-}
-
-void check_own(const std::string& path, int line, const std::string& header, std::vector<std::string>& broken) {
-    const std::string other = header.substr(0, header.find('/'));
-    const auto floor = floors().find(other);
-    if (floor == floors().end() || other == header) {
-        broken.push_back(
-            fmt::format(R"({}:{} includes "{}", which is not "room/file.hpp" of a known room)", path, line, header));
-        return;
-    }
-    const std::string room = room_of(path);
-    const int own_floor = floors().contains(room) ? floors().at(room) : -1;
-    if (other != room && floor->second >= own_floor) {
-        broken.push_back(
-            fmt::format(R"({}:{} includes "{}": {} is on floor {}, {} on floor {}; only lower floors may be used)",
-                        path, line, header, room, own_floor, other, floor->second));
-    }
-}
-
-void check_foreign(const std::string& path, int line, const std::string& header, std::vector<std::string>& broken) {
-    for (const Door& door : doors()) {
-        if (std::regex_match(header, door.header) && room_of(path) != door.room) {
-            broken.push_back(fmt::format("{}:{} includes <{}>; {} comes in by the room {} only", path, line, header,
-                                         door.library, door.room));
-        }
-    }
-    constexpr std::array<std::string_view, 6> files_and_output{"fstream", "iostream", "cstdio",
-                                                               "stdio.h", "print",    "syncstream"};
-    if (path.starts_with("src/") && std::ranges::find(files_and_output, header) != files_and_output.end()) {
-        broken.push_back(fmt::format("{}:{} includes <{}>; src/ opens no file and prints nothing", path, line, header));
-    }
+bool lists(const std::string& doors, const std::string& entry) {
+    return (", " + doors + ", ").find(", " + entry + ", ") != std::string::npos;
 }
 
 }  // namespace
 
-const std::map<std::string, int>& floors() {
-    static const std::map<std::string, int> table{
-        {"core", 0},      {"keys", 1},       {"solver", 1},     {"scenario", 2},   {"arrangement", 3},
-        {"structure", 3}, {"water", 3},      {"theory", 3},     {"statistics", 3}, {"world", 3},
-        {"ice", 4},       {"quantities", 5}, {"simulation", 5}, {"laboratory", 5}, {"member", 6},
-        {"campaign", 7},  {"schedule", 7},   {"wire", 8},       {"tables", 8},     {"records", 8},
-        {"inference", 8}, {"attempt", 8},    {"journal", 9},    {"hdf5", 9},       {"campaign_file", 10},
-        {"driver", 11},   {"forecast", 11},  {"findings", 11},  {"page", 12},      {"cli", 13},
+const std::vector<Room>& rooms() {
+    static const std::vector<Room> table{
+        {0, "core", "Eigen, fmt (all rooms), POSIX, Random123, xxHash"},
+        {1, "keys", "toml++"},
+        {1, "solver", ""},
+        {2, "scenario", ""},
+        {3, "arrangement", ""},
+        {3, "structure", ""},
+        {3, "water", ""},
+        {3, "statistics", "Boost"},
+        {3, "theory", "Boost"},
+        {3, "world", "Bullet"},
+        {4, "ice", ""},
+        {5, "quantities", ""},
+        {5, "simulation", ""},
+        {5, "laboratory", ""},
+        {6, "member", "POSIX"},
+        {7, "campaign", "Boost"},
+        {7, "schedule", ""},
+        {8, "wire", "MPI, POSIX"},
+        {8, "tables", "nlohmann json"},
+        {8, "records", "POSIX, zlib"},
+        {8, "inference", "Boost, Eigen, GSL"},
+        {8, "attempt", "POSIX"},
+        {9, "journal", "Boost, POSIX"},
+        {9, "hdf5", "HDF5"},
+        {10, "campaign_file", "POSIX"},
+        {11, "driver", "POSIX, TBB"},
+        {11, "forecast", ""},
+        {11, "findings", ""},
+        {12, "page", ""},
+        {13, "cli", "CLI11, nlohmann json, POSIX, TBB"},
     };
     return table;
 }
 
-std::string room_of(const std::string& path) {
-    static const std::regex shape{"(?:src|ensemble)/([^/]+)/.+"};
-    std::smatch match;
-    return std::regex_match(path, match, shape) ? match[1].str() : std::string{};
+const Room* find_room(std::string_view name) {
+    const auto found = std::ranges::find(rooms(), name, &Room::name);
+    return found == rooms().end() ? nullptr : &*found;
 }
 
-std::vector<std::string> broken_rules(const std::string& path, const std::string& text) {
-    static const std::regex include{R"(\s*#\s*include\s*([<"])([^>"]+)[>"].*)"};
-    std::vector<std::string> broken;
-    std::istringstream lines{text};
-    int number = 0;
-    for (std::string line; std::getline(lines, line);) {
-        ++number;
-        std::smatch match;
-        if (!std::regex_match(line, match, include)) continue;
-        const std::string header = match[2].str();
-        check_foreign(path, number, header, broken);
-        if (match[1].str() == "\"") check_own(path, number, header, broken);
-    }
-    if (number > most_lines) {
-        broken.push_back(fmt::format("{} has {} lines, more than {}; split it", path, number, most_lines));
-    }
-    return broken;
+const std::vector<Library>& libraries() {
+    static const std::vector<Library> all{
+        {"Boost", std::regex{R"(boost/.*)"}},
+        {"Bullet", std::regex{R"((bt[A-Z]|Bullet|LinearMath/).*)"}},
+        {"CLI11", std::regex{R"(CLI/.*)"}},
+        {"Eigen", std::regex{R"((unsupported/)?Eigen/.*)"}},
+        {"fmt", std::regex{R"(fmt/.*)"}},
+        {"GSL", std::regex{R"(gsl/.*)"}},
+        {"HDF5", std::regex{R"(hdf5(_hl)?\.h|hdf5/serial/.*|H5.*)"}},
+        {"MPI", std::regex{R"((mpi|openmpi/).*)"}},
+        {"nlohmann json", std::regex{R"(nlohmann/.*)"}},
+        {"POSIX", std::regex{R"((sys/.*|gnu/libc-version|fcntl|poll|sched|signal|time|unistd)(\.h))"}},
+        {"Random123", std::regex{R"(Random123/.*)"}},
+        {"TBB", std::regex{R"((oneapi/)?tbb/.*)"}},
+        {"toml++", std::regex{R"(toml(\+\+|\.hpp).*)"}},
+        {"xxHash", std::regex{R"(xxh(ash|3)\.h)"}},
+        {"zlib", std::regex{R"(z(lib|conf)\.h)"}},
+    };
+    return all;
 }
 
-std::vector<std::filesystem::path> source_files(const std::filesystem::path& project) {
-    std::vector<std::filesystem::path> files;
-    for (const char* top : {"src", "ensemble"}) {
-        for (const auto& entry : std::filesystem::recursive_directory_iterator(project / top)) {
-            const std::string kind = entry.path().extension().string();
-            if (kind == ".hpp" || kind == ".cpp") files.push_back(std::filesystem::relative(entry.path(), project));
-        }
-    }
-    std::ranges::sort(files);
-    return files;
+bool has_door(const Room& room, const Library& library) {
+    const auto opens_all = [&](const Room& one) { return lists(one.doors, library.name + " (all rooms)"); };
+    return lists(room.doors, library.name) || std::ranges::any_of(rooms(), opens_all);
+}
+
+std::string rooms_with_door(const Library& library) {
+    std::vector<std::string> names;
+    for (const Room& room : rooms())
+        if (has_door(room, library)) names.push_back(room.name);
+    return fmt::format("{}", fmt::join(names, ", "));
 }
 
 }  // namespace floes::house

@@ -1,27 +1,39 @@
 #pragma once
-// The rules of the house about includes, as a function of a file's path and text.
+// The rooms with their floors, and the foreign libraries with their doors. ARCHITECTURE.md draws the same table.
 
-#include <filesystem>
-#include <map>
+#include <regex>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace floes::house {
 
-/// Floor of every room; a room includes rooms of lower floors and itself. ARCHITECTURE.md draws the same table.
-const std::map<std::string, int>& floors();
+/// A line of the table in ARCHITECTURE.md.
+struct Room {
+    int floor = 0;
+    std::string name;
+    std::string
+        doors;  ///< foreign libraries that may be included here: "Eigen, GSL"; those "(all rooms)" in all of them
+    friend bool operator==(const Room&, const Room&) = default;
+};
 
-/// "src/ice/field.cpp" -> "ice"; empty when the path is not inside a room.
-std::string room_of(const std::string& path);
+/// All rooms, in the order of ARCHITECTURE.md. A room includes rooms of lower floors and itself.
+const std::vector<Room>& rooms();
 
-/// One sentence for each rule that the file breaks. `path` is relative to the project ("src/ice/field.cpp").
-///   - #include "room/file.hpp" names the file's own room or one of a lower floor;
-///   - each foreign library comes in by its one door: Bullet world, toml++ keys, MPI wire, HDF5 store;
-///   - src/ opens no file and prints nothing: no <fstream>, <iostream>, <cstdio>;
-///   - at most 300 lines.
-std::vector<std::string> broken_rules(const std::string& path, const std::string& text);
+/// The room of that name; nothing when there is none.
+const Room* find_room(std::string_view name);
 
-/// Every .hpp and .cpp in src/ and ensemble/ under `project`, relative to it, sorted.
-std::vector<std::filesystem::path> source_files(const std::filesystem::path& project);
+struct Library {
+    std::string name;
+    std::regex header;  ///< what stands between the angle brackets
+};
+
+const std::vector<Library>& libraries();
+
+/// May the room include headers of the library?
+bool has_door(const Room& room, const Library& library);
+
+/// "statistics, theory": where the library comes in.
+std::string rooms_with_door(const Library& library);
 
 }  // namespace floes::house

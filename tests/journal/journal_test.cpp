@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "campaign/identity.hpp"
+#include "campaign/write.hpp"
 #include "core/error.hpp"
 #include "journal/journal_format.hpp"
 #include "support/file_bytes.hpp"

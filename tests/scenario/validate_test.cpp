@@ -159,20 +159,6 @@ TEST(Validate, EveryContradictionIsOneSentence) {
          },
          "field.floes = 2 is not the number of poses given, 1; make them agree"},
         {[](Scenario& s) {
-             use_file(s);
-             s.arrangement.poses[1].x = 20.8;
-         },
-         "arrangement.poses[1] puts a corner of a floe 0.1 m outside the field, x from 6 to 21 m and |z| up to 2.4 m; "
-         "move it, "
-         "or correct the field"},
-        {[](Scenario& s) {
-             use_file(s);
-             s.arrangement.poses[0].yaw = 0.25 * 3.141592653589793;
-         },
-         "arrangement.poses[0] puts a corner of a floe 0.1243 m outside the field, x from 6 to 21 m and |z| up to 2.4 "
-         "m; move "
-         "it, or correct the field"},
-        {[](Scenario& s) {
              s.field.wake_radius = 3;
              s.general.solver = SolverKind::stock;
          },

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "statistics/batch_means.hpp"
+#include "statistics/means.hpp"
 
 namespace floes {
 namespace {

@@ -1,7 +1,7 @@
 // Steady state and autocorrelation of loads whose answer is known.
 
 #include "statistics/steady_state.hpp"
-#include "statistics/batch_means.hpp"
+#include "statistics/means.hpp"
 
 #include <gtest/gtest.h>
 

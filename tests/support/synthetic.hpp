@@ -7,6 +7,9 @@
 #include <vector>
 
 #include "campaign/campaign.hpp"
+#include "campaign/identity.hpp"
+#include "campaign/read.hpp"
+#include "campaign/write.hpp"
 #include "records/calibration_record.hpp"
 #include "records/member_record.hpp"
 #include "records/session.hpp"

@@ -1,11 +1,14 @@
 #pragma once
-// Means of successive values.
+// Means of values: of all of them, and of successive batches.
 
 #include <cstddef>
 #include <span>
 #include <vector>
 
 namespace floes {
+
+/// Sum over count, added in order; NaN of none.
+double mean_of(std::span<const double> values);
 
 /// Value k is the mean of values[k * batch] … values[(k + 1) * batch - 1]; values left over at the end are left out.
 /// `batch` at least 1.

@@ -1,0 +1,102 @@
+#include "campaign/identity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "campaign/campaign_keys.hpp"
+#include "campaign/name_list.hpp"
+#include "core/hash.hpp"
+#include "scenario/keys.hpp"
+
+namespace floes {
+namespace {
+
+/// What the members depend on outside their scenarios.
+CampaignHead head_of(const Campaign& campaign) {
+    return {"", campaign.seed, campaign.arrangements, campaign.common_arrangements};
+}
+
+std::vector<std::string> case_names(const Campaign& campaign) {
+    std::vector<std::string> names;
+    for (const Case& one : campaign.cases) names.push_back(one.name);
+    return names;
+}
+
+std::string cfm_text(const Case& one) {
+    return one.calibrate ? "to be calibrated" : fmt::format("{}", one.scenario.joint.cfm);
+}
+
+std::vector<std::string> differences_of(const Case& there, const Case& here) {
+    std::vector<std::string> lines = differences(there.scenario, here.scenario);
+    if (there.calibrate == here.calibrate) return lines;
+    std::erase_if(lines, [](const std::string& line) { return line.starts_with("joint.cfm: "); });
+    lines.push_back(fmt::format("joint.cfm: {} there, {} here", cfm_text(there), cfm_text(here)));
+    return lines;
+}
+
+/// All that a member of the case depends on, but the seed.
+std::string case_text(const Case& one) {
+    return canonical_text(one.scenario) + (one.calibrate ? "joint.cfm is to be calibrated\n" : "");
+}
+
+/// The lines of each case that both have; a line that all cases share is given once, without naming them.
+std::vector<std::string> case_differences(const Campaign& there, const Campaign& here) {
+    std::vector<std::vector<std::string>> of_case;
+    std::vector<std::string> names;
+    for (const Case& one : there.cases) {
+        const auto same = std::ranges::find(here.cases, one.name, &Case::name);
+        if (same == here.cases.end()) continue;
+        of_case.push_back(differences_of(one, *same));
+        names.push_back(one.name);
+    }
+    const auto shared = [&](const std::string& line) {
+        for (const std::vector<std::string>& lines : of_case) {
+            if (std::ranges::find(lines, line) == lines.end()) return false;
+        }
+        return true;
+    };
+    std::vector<std::string> all;
+    for (std::size_t i = 0; i < of_case.size(); ++i) {
+        for (const std::string& line : of_case[i]) {
+            if (!shared(line)) {
+                all.push_back(fmt::format("case {}: {}", names[i], line));
+            } else if (i == 0) {
+                all.push_back(line);
+            }
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
+std::string fingerprint(const Campaign& campaign) {
+    CampaignHead head = head_of(campaign);
+    Keys keys = describe(head);
+    // Common arrangements add nothing to the text: campaigns keep the fingerprints they had before there was a choice.
+    if (head.common_arrangements) std::erase_if(keys, [](const Key& key) { return key.path == common_path; });
+    std::string text = canonical_text(keys);
+    for (const Case& one : campaign.cases) text += fmt::format("case {}\n{}", one.name, case_text(one));
+    return digest_hex(text);
+}
+
+std::string case_fingerprint(const Campaign& campaign, int case_index) {
+    const Case& one = campaign.cases[static_cast<std::size_t>(case_index)];
+    return digest_hex(fmt::format("seed {}\n{}", arrangement_seed(campaign, case_index), case_text(one)));
+}
+
+std::vector<std::string> differences(const Campaign& there, const Campaign& here) {
+    CampaignHead head_there = head_of(there);
+    CampaignHead head_here = head_of(here);
+    std::vector<std::string> lines = key_differences(describe(head_there), describe(head_here));
+    const std::vector<std::string> names_there = case_names(there);
+    const std::vector<std::string> names_here = case_names(here);
+    if (names_there != names_here) {
+        lines.push_back(fmt::format("cases: {} there, {} here", name_list(names_there), name_list(names_here)));
+    }
+    for (std::string& line : case_differences(there, here)) lines.push_back(std::move(line));
+    return lines;
+}
+
+}  // namespace floes

@@ -1,0 +1,30 @@
+#pragma once
+// From the text of a configuration to a checked campaign.
+
+#include <string>
+#include <vector>
+
+#include "campaign/campaign.hpp"
+
+namespace floes {
+
+/// Where a campaign is read from.
+struct CampaignSource {
+    std::string text;                    ///< TOML
+    std::string file;                    ///< names the text in messages; its stem is the campaign's name
+    std::vector<std::string> overrides;  ///< "key=value" pairs (--set), applied last; of two for one key the later one
+    bool from_user = false;              ///< not by write_campaign(): given poses are looked at floe by floe
+};
+
+/// Gives the text of the file at `path`; throws InputError when it cannot be read.
+using LoadFile = std::string (*)(const std::string& path);
+
+/// Reads and checks a campaign. Throws InputError, one sentence: file, line, key, value, what is allowed, and the
+/// nearest known key; for contradictions the keys involved. Overrides "case.NAME.key=value" are for one case; an
+/// override of a key that cases set themselves is refused. `load_file` reads the pose files that arrangement.file names
+/// (its path is relative to `file`), since nothing below the command line opens files; it may be null where there are
+/// none. A design's points become cases: "E60+p003" is the case E60 at point 3. Cases that have a design.point already
+/// (as write_campaign() gives them) are those points.
+Campaign read_campaign(const CampaignSource& source, LoadFile load_file);
+
+}  // namespace floes

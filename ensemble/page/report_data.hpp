@@ -1,0 +1,47 @@
+#pragma once
+// What the page tells, gathered from a campaign file.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "campaign/campaign.hpp"
+#include "campaign_file/read_details.hpp"
+#include "findings/extremes.hpp"
+#include "findings/hybrid_curve.hpp"
+#include "findings/levels.hpp"
+#include "findings/pairs.hpp"
+#include "findings/parts.hpp"
+#include "findings/points.hpp"
+#include "findings/sensitivity.hpp"
+#include "laboratory/calibration.hpp"
+
+namespace floes {
+
+/// The surge load of one member, thinned to what a picture can show.
+struct DrawnHistory {
+    int case_index = 0;
+    std::vector<std::pair<double, double>> points;  ///< s after the tow began, N
+};
+
+/// All that the page tells.
+struct ReportData : Evidence {
+    CampaignOrigin origin;
+    std::optional<std::vector<PairRow>> pairs;          ///< where in_detail()
+    std::optional<std::vector<CaseExtremes>> extremes;  ///< likewise
+    std::optional<Sensitivity> sensitivity;             ///< of a design
+    std::optional<DesignPoints> points;                 ///< of a design
+    std::vector<LevelRow> levels;
+    std::vector<DrawnHistory> histories;  ///< of the first arrangement that every case has done; empty: none is kept
+    std::vector<BreakRow> breaks;
+    int largest_member = -1;  ///< the done member with the largest load; -1: none is done
+    std::vector<PlanarPose> largest_poses;
+    std::vector<CurvePoint> curve;      ///< plate tests of the first case's ice; empty: not measured
+    std::optional<HybridCurve> hybrid;  ///< none where the formulas have no load for this structure
+    std::string command;                ///< that repeats the campaign
+};
+
+/// Reads everything but `curve` and `command` from the file. Throws InputError as read_campaign_file() does.
+ReportData read_report_data(const std::filesystem::path& path);
+
+}  // namespace floes

@@ -1,0 +1,17 @@
+#include "statistics/means.hpp"
+
+#include <numeric>
+
+namespace floes {
+
+double mean_of(std::span<const double> values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+std::vector<double> batch_means(std::span<const double> values, std::size_t batch) {
+    std::vector<double> means(values.size() / batch);
+    for (std::size_t k = 0; k < means.size(); ++k) means[k] = mean_of(values.subspan(k * batch, batch));
+    return means;
+}
+
+}  // namespace floes

@@ -1,0 +1,28 @@
+#include "cli/patience.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace floes {
+namespace {
+
+using std::chrono::milliseconds;
+
+TEST(Patience, SpeaksOnceWhenItIsOver) {
+    std::ostringstream out;
+    {
+        const Patience patience(out, "counting sand", milliseconds(1));
+        std::this_thread::sleep_for(milliseconds(100));
+    }
+    EXPECT_EQ(out.str(), "floes: counting sand\n");
+}
+
+TEST(Patience, SaysNothingOfWhatIsQuick) {
+    std::ostringstream out;
+    { const Patience patience(out, "counting sand", std::chrono::hours(1)); }
+    EXPECT_EQ(out.str(), "");
+}
+
+}  // namespace
+}  // namespace floes

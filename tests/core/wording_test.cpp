@@ -1,0 +1,31 @@
+#include "core/wording.hpp"
+
+#include <gtest/gtest.h>
+
+namespace floes {
+namespace {
+
+TEST(Counted, OneHasNoPlural) {
+    EXPECT_EQ(counted(1, "member"), "1 member");
+    EXPECT_EQ(counted(0, "member"), "0 members");
+    EXPECT_EQ(counted(1'000'002, "member"), "1000002 members");
+}
+
+TEST(DurationText, FitsTheSize) {
+    EXPECT_EQ(duration_text(12.3), "12 s");
+    EXPECT_EQ(duration_text(99.6), "2 min");
+    EXPECT_EQ(duration_text(600), "10 min");
+    EXPECT_EQ(duration_text(3 * 3600 + 5 * 60), "3 h 05 min");
+    EXPECT_EQ(duration_text(52 * 3600), "2 d 4 h");
+}
+
+TEST(DurationInFigures, HasThreeOfOneUnit) {
+    EXPECT_EQ(duration_in_figures(0.0025), "2.5 ms");
+    EXPECT_EQ(duration_in_figures(31.26), "31.3 s");
+    EXPECT_EQ(duration_in_figures(4074), "67.9 min");
+    EXPECT_EQ(duration_in_figures(17.2 * 3600), "17.2 h");
+    EXPECT_EQ(duration_in_figures(183 * 86400), "183 d");
+}
+
+}  // namespace
+}  // namespace floes
