@@ -4,11 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <utility>
-
-#include "core/units.hpp"
 
 namespace floes {
 
@@ -31,19 +28,7 @@ void add_condition(const Summary& summary, std::string_view name,
     }
 }
 
-std::string part_words(const ProfilePoint& lower, const ProfilePoint& upper) {
-    const double angle = std::atan2(upper.height - lower.height, std::abs(upper.radius - lower.radius)) / unit::degree;
-    return fmt::format("{:.1f}° from the horizontal (radius {:.3f} m at {:+.3f} m to {:.3f} m at {:+.3f} m)", angle,
-                       lower.radius, lower.height, upper.radius, upper.height);
-}
-
 }  // namespace
-
-std::string wall_words(const std::vector<ProfilePoint>& profile) {
-    std::vector<std::string> parts;
-    for (std::size_t i = 1; i < profile.size(); ++i) parts.push_back(part_words(profile[i - 1], profile[i]));
-    return fmt::format("{}{}", parts.size() == 1 ? "straight, " : "", fmt::join(parts, ", then "));
-}
 
 std::string far_end_words(FarEnd far_end) {
     return far_end == FarEnd::ice_sheet ? "an ice sheet" : "open";
@@ -61,7 +46,7 @@ std::string far_end_key(FarEnd far_end) {
 std::vector<std::string> condition_lines(const Summary& summary) {
     std::vector<std::string> lines;
     add_condition(
-        summary, "Structure wall", [](const CaseRow& row) { return wall_words(row.profile); }, lines);
+        summary, "Structure wall", [](const CaseRow& row) { return row.shape.words(); }, lines);
     add_condition(
         summary, "Far end", [](const CaseRow& row) { return far_end_words(row.far_end); }, lines);
     add_condition(

@@ -47,7 +47,7 @@ Cells case_cells(const Summary& summary, std::size_t index, Reference reference)
     cells.emplace_back("failures_bending", failures(&FailureCounts::bending));
     cells.emplace_back("failures_shear", failures(&FailureCounts::shear));
     cells.emplace_back("failures_compression", failures(&FailureCounts::compression));
-    cells.emplace_back("structure_wall", csv_text(wall_words(row.about.profile)));
+    cells.emplace_back("structure_wall", csv_text(row.about.shape.words()));
     cells.emplace_back("far_end", far_end_key(row.about.far_end));
     cells.emplace_back("contact_erp", csv_number(row.about.contact_erp));
     cells.emplace_back("steady_start_s", csv_number(row.about.analysis.steady_start));

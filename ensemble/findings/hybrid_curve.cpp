@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "structure/profile.hpp"
 #include "theory/plate.hpp"
 
 namespace floes {
@@ -24,20 +22,11 @@ LevelIce ice_of(const Scenario& scenario) {
             .gravity = scenario.general.gravity};
 }
 
-double wall_angle_above_water(const Scenario& scenario) {
-    const Profile profile(scenario.structure.profile);
-    const std::vector<double> angles = profile.wall_angles();
-    for (std::size_t i = 0; i < angles.size(); ++i) {
-        if (scenario.structure.profile[i + 1].height > 0) return angles[i];
-    }
-    throw InputError("The structure has no wall above the waterline.");
-}
-
 }  // namespace
 
 IceHull hull_of(const Scenario& scenario) {
-    const double diameter = 2 * scenario.waterline_radius();
-    const double angle = wall_angle_above_water(scenario);
+    const double diameter = 2 * scenario.structure.shape.waterline_radius();
+    const double angle = scenario.structure.shape.wall_angle_above_water();
     if (!(angle > 0 && angle < right_angle))
         throw InputError(fmt::format(
             "The hybrid model needs a wall that flares from the waterline upwards; structure.profile_m has one of "
@@ -45,7 +34,7 @@ IceHull hull_of(const Scenario& scenario) {
             angle / unit::degree));
     return {.breadth = diameter,
             .length = diameter,
-            .draught = Profile(scenario.structure.profile).draught(),
+            .draught = scenario.structure.shape.draught(),
             .stem_angle = angle,
             .entrance_angle = right_angle,
             .friction = scenario.contact.ice_structure_friction};

@@ -24,14 +24,10 @@ Json failures_json(const std::optional<FailureCounts>& failures) {
 }
 
 Json conditions_json(const CaseRow& about) {
-    Json profile = Json::array();
-    for (const ProfilePoint& point : about.profile) profile.push_back({point.height, point.radius});
-    return {{"structure_profile_m", profile},
-            {"far_end", far_end_key(about.far_end)},
-            {"contact_erp", json_number(about.contact_erp)},
-            {"steady_start_s", json_number(about.analysis.steady_start)},
-            {"window_s", json_number(about.analysis.window)},
-            {"segments", about.analysis.segments}};
+    return {
+        {"structure_profile_m", about.shape.rows()},      {"far_end", far_end_key(about.far_end)},
+        {"contact_erp", json_number(about.contact_erp)},  {"steady_start_s", json_number(about.analysis.steady_start)},
+        {"window_s", json_number(about.analysis.window)}, {"segments", about.analysis.segments}};
 }
 
 Json case_json(const Summary& summary, std::size_t index, Reference reference) {

@@ -143,6 +143,11 @@ Key text_key(std::string path, std::string& field, std::string source, std::stri
     return {std::move(path), TextField{&field}, std::move(source), std::move(doc)};
 }
 
+Key late_key(Key key) {
+    key.late = true;
+    return key;
+}
+
 std::string allowed(const Key& key) {
     return std::visit(Allowed{}, key.field);
 }

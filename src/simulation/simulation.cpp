@@ -9,14 +9,13 @@
 #include "core/error.hpp"
 #include "ice/scenario_world.hpp"
 #include "solver/lane_width.hpp"
-#include "structure/profile.hpp"
 
 namespace floes {
 namespace {
 
 BodyId add_structure(World& world, const Scenario& scenario) {
-    const std::vector<Frustum> frusta = Profile(scenario.structure.profile).frusta();
-    return world.add_structure(frusta, scenario_friction(scenario).structure, {scenario.structure.start, 0, 0});
+    const std::vector<ConvexPiece> pieces = scenario.structure.shape.pieces();
+    return world.add_structure(pieces, scenario_friction(scenario).structure, {scenario.structure.start, 0, 0});
 }
 
 void add_sheets(World& world, const Channel& channel, double friction) {
@@ -29,8 +28,12 @@ void add_sheets(World& world, const Channel& channel, double friction) {
 WaterModel make_water(const Scenario& scenario) {
     const double side = scenario.floe.element;
     const double thickness = scenario.ice.thickness;
-    return {scenario.water,          scenario.general.gravity,    {side, thickness},
-            scenario.element_mass(), scenario.waterline_radius(), scenario.structure.speed};
+    return {scenario.water,
+            scenario.general.gravity,
+            {side, thickness},
+            scenario.element_mass(),
+            scenario.structure.shape.waterline_radius(),
+            scenario.structure.speed};
 }
 
 }  // namespace

@@ -53,16 +53,12 @@ void check(const JointDefinition& joint, std::size_t bodies) {
     require(joint.erp >= 0 && joint.erp <= 1, "the joint ERP", joint.erp, "between 0 and 1");
 }
 
-void check_structure(std::span<const Frustum> frusta, double friction, bool present) {
+void check_structure(std::span<const ConvexPiece> pieces, double friction, bool present) {
     require(!present, "the number of structures", 2, "at most 1");
-    require(!frusta.empty(), "the number of frusta of the structure", 0, "at least 1");
+    require(!pieces.empty(), "the number of pieces of the structure", 0, "at least 1");
     require(friction >= 0, "a material's friction", friction, "at least 0");
-    for (const Frustum& frustum : frusta) {
-        require(frustum.top_height > frustum.bottom_height, "the height of a frustum",
-                frustum.top_height - frustum.bottom_height, "above 0 m");
-        require(frustum.bottom_radius >= 0 && frustum.top_radius >= 0, "the smaller radius of a frustum",
-                std::fmin(frustum.bottom_radius, frustum.top_radius), "at least 0 m");
-        require(frustum.bottom_radius + frustum.top_radius > 0, "the larger radius of a frustum", 0, "above 0 m");
+    for (const ConvexPiece& piece : pieces) {
+        if (const auto fault = piece.fault()) throw InputError(fmt::format("The world cannot be built: {}.", *fault));
     }
 }
 

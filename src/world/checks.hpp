@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "core/frustum.hpp"
+#include "structure/convex_piece.hpp"
 #include "world/definitions.hpp"
 
 namespace floes {
@@ -13,6 +13,6 @@ void check(const WorldDefinition& definition);
 void check(const BoxDefinition& box);
 void check(const FixedBoxDefinition& box);
 void check(const JointDefinition& joint, std::size_t bodies);
-void check_structure(std::span<const Frustum> frusta, double friction, bool present);
+void check_structure(std::span<const ConvexPiece> pieces, double friction, bool present);
 
 }  // namespace floes

@@ -18,10 +18,10 @@
 #include "world/contact_load.hpp"
 #include "world/conversion.hpp"
 #include "world/fixed_joint.hpp"
-#include "world/frustum_shape.hpp"
 #include "world/lane_solver.hpp"
 #include "world/ordered_dynamics_world.hpp"
 #include "world/piece_dispatcher.hpp"
+#include "world/piece_shape.hpp"
 
 namespace floes {
 
@@ -106,7 +106,7 @@ class World::Bullet {
     std::optional<LaneSolver> lanes;  // owns the joints when present
     btSequentialImpulseConstraintSolver stock;
     std::deque<Box> boxes;
-    std::deque<FrustumShape> frusta;
+    std::deque<PieceShape> pieces;
     std::optional<btCompoundShape> structure_shape;
     std::deque<btRigidBody> bodies;
     std::optional<BodyId> structure;
@@ -134,11 +134,11 @@ BodyId World::add_fixed_box(const FixedBoxDefinition& box) {
     return bullet_->add_body(bullet_->box_shape(box.half_extents), 0, box.pose, box.friction, no_piece, 0);
 }
 
-BodyId World::add_structure(std::span<const Frustum> frusta, double friction, const Vec3& position) {
-    check_structure(frusta, friction, bullet_->structure.has_value());
+BodyId World::add_structure(std::span<const ConvexPiece> pieces, double friction, const Vec3& position) {
+    check_structure(pieces, friction, bullet_->structure.has_value());
     bullet_->structure_shape.emplace();
-    for (const Frustum& frustum : frusta) {
-        bullet_->structure_shape->addChildShape(btTransform::getIdentity(), &bullet_->frusta.emplace_back(frustum));
+    for (const ConvexPiece& piece : pieces) {
+        bullet_->structure_shape->addChildShape(btTransform::getIdentity(), &bullet_->pieces.emplace_back(piece));
     }
     const Pose pose{position, Quat::Identity()};
     bullet_->structure = bullet_->add_body(&*bullet_->structure_shape, 0, pose, friction, no_piece,

@@ -67,7 +67,7 @@ void check_foreign(const std::string& path, int line, const std::string& header,
 const std::map<std::string, int>& floors() {
     static const std::map<std::string, int> table{
         {"core", 0},      {"keys", 1},       {"solver", 1},         {"scenario", 2},   {"arrangement", 3},
-        {"structure", 3}, {"water", 3},      {"theory", 3},         {"statistics", 3}, {"world", 3},
+        {"structure", 1}, {"water", 3},      {"theory", 3},         {"statistics", 3}, {"world", 3},
         {"ice", 4},       {"simulation", 5}, {"laboratory", 5},     {"member", 6},     {"campaign", 7},
         {"schedule", 7},  {"wire", 8},       {"records", 8},        {"inference", 8},  {"attempt", 8},
         {"journal", 9},   {"hdf5", 9},       {"campaign_file", 10}, {"driver", 11},    {"forecast", 11},

@@ -20,7 +20,7 @@ LanesScene::LanesScene(const WorldDefinition& definition, int floes)
     sheet.pose.position = Vec3(spacing * floes + 0.1, 0, 0);
     sheet.friction = friction.ice;
     world.add_fixed_box(sheet);
-    const std::vector<Frustum> frusta{{-0.4, 0.2, 0.2, 0.8}};
+    const std::vector<ConvexPiece> frusta{{-0.4, 0.2, 0.2, 0.8}};
     cone = world.add_structure(frusta, friction.structure, cone_start);
 }
 
