@@ -58,7 +58,7 @@ PeerScene peer_scene(const Scene& scene) {
     peer.sheets = make_channel(scenario).sheets;
     peer.structure = scenario.structure.shape.pieces();
     peer.structure_x = Tow{scenario.structure.start, scenario.structure.speed}.x(simulation.time());
-    peer.friction = material_friction(scenario.contact.ice_ice_friction, scenario.contact.ice_structure_friction);
+    peer.friction = material_friction(scenario.contact);
     return peer;
 }
 

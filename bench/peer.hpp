@@ -9,7 +9,7 @@
 #include "simulation/channel.hpp"
 #include "structure/convex_piece.hpp"
 #include "water/water_model.hpp"
-#include "world/definitions.hpp"
+#include "world/material_friction.hpp"
 #include "world/state.hpp"
 
 namespace floes::bench {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/vector.hpp"
+#include "solver/contact_law.hpp"
 #include "structure/shape.hpp"
 
 namespace floes {
@@ -86,15 +87,6 @@ struct Structure {
     double speed = 0.07;  ///< V, m/s (Table 1)
 };
 
-/// Contacts: ice on ice, ice on structure.
-struct Contact {
-    double erp = 0.2;                     ///< Γ of contacts, Bullet's default (design decision 5)
-    double ice_ice_friction = 0.3;        ///< f_ii (Table 1)
-    double ice_structure_friction = 0.2;  ///< f_is (Table 1)
-    bool split_impulse = true;            ///< correct deep penetration outside the impulse
-    double split_impulse_depth = 0.04;    ///< m; penetration beyond which it does
-};
-
 /// Hydrostatics and hydrodynamics of an element (facts: literature ranges in scenario/keys.cpp).
 struct Water {
     double density = 1000.0;  ///< ρ_w, kg/m³ (Table 1)
@@ -124,7 +116,7 @@ struct Scenario {
     Field field;
     ArrangementRule arrangement;
     Structure structure;
-    Contact contact;
+    ContactLaw contact;
     Water water;
     Analysis analysis;
 

@@ -77,7 +77,7 @@ void add_joint(Keys& keys, Joint& joint) {
         "as the paper prints them, whose unit is that of a moment and whose number is that times T_e."));
 }
 
-void add_contact(Keys& keys, Contact& contact) {
+void add_contact(Keys& keys, ContactLaw& contact) {
     const Range friction = at_least(0).at_most(10);
     keys.push_back(
         number_key("contact.erp", contact.erp, unit::one, at_least(0).at_most(1), "Bullet's default",

@@ -32,8 +32,8 @@ class World {
     BodyId add_fixed_box(const FixedBoxDefinition& box);
 
     /// The towed body: pieces about the vertical axis through its origin, together not necessarily convex. Driven by
-    /// move_structure, never pushed back. At most one in a World. friction: material coefficient.
-    BodyId add_structure(std::span<const ConvexPiece> pieces, double friction, const Vec3& position);
+    /// move_structure, never pushed back. At most one in a World.
+    BodyId add_structure(std::span<const ConvexPiece> pieces, const Vec3& position);
 
     /// Joints are solved in the order in which they are added.
     JointId add_joint(const JointDefinition& joint);
