@@ -4,7 +4,6 @@
 
 #include "ice/floe_grid.hpp"
 #include "simulation/simulation.hpp"
-#include "structure/profile.hpp"
 #include "structure/tow.hpp"
 
 namespace floes::bench {
@@ -16,7 +15,7 @@ WaterModel peer_water(const Scenario& scenario) {
             scenario.general.gravity,
             {side, thickness},
             scenario.ice.density * side * side * thickness,
-            scenario.waterline_radius(),
+            scenario.structure.shape.waterline_radius(),
             scenario.structure.speed};
 }
 
@@ -57,9 +56,9 @@ PeerScene peer_scene(const Scene& scene) {
         }
     }
     peer.sheets = make_channel(scenario).sheets;
-    peer.structure = Profile(scenario.structure.profile).frusta();
+    peer.structure = scenario.structure.shape.pieces();
     peer.structure_x = Tow{scenario.structure.start, scenario.structure.speed}.x(simulation.time());
-    peer.friction = material_friction(scenario.contact.ice_ice_friction, scenario.contact.ice_structure_friction);
+    peer.friction = material_friction(scenario.contact);
     return peer;
 }
 

@@ -5,11 +5,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/frustum.hpp"
 #include "scene.hpp"
 #include "simulation/channel.hpp"
+#include "structure/convex_piece.hpp"
 #include "water/water_model.hpp"
-#include "world/definitions.hpp"
+#include "world/material_friction.hpp"
 #include "world/state.hpp"
 
 namespace floes::bench {
@@ -28,7 +28,7 @@ struct PeerScene {
     std::vector<PeerJoint> joints;
     std::vector<std::pair<int, int>> diagonals;  ///< elements of one piece that meet at a corner only
     std::vector<IceSheet> sheets;
-    std::vector<Frustum> structure;
+    std::vector<ConvexPiece> structure;
     double structure_x = 0;
     MaterialFriction friction;
 };

@@ -99,7 +99,7 @@ class OdePeer final : public Peer {
     dBodyID at(int i) const { return bodies_[static_cast<std::size_t>(i)]; }
 
     void add_structure() {
-        const double radius = scene_.scenario.waterline_radius();
+        const double radius = scene_.scenario.structure.shape.waterline_radius();
         structure_ = dBodyCreate(world_);
         dBodySetKinematic(structure_);
         dBodySetPosition(structure_, x_, 0, 0);

@@ -62,9 +62,8 @@ Wall wall_named(std::string_view name) {
 Scenario tow_scenario(SolverKind solver, Wall wall) {
     Scenario scenario;
     scenario.general.solver = solver;
-    scenario.structure.profile = {{-0.443, 0.171}, {0.122, 0.736}};
-    if (wall == Wall::steep) scenario.structure.profile = {{-0.443, 0.499}, {0, 0.614}, {0.122, 0.736}};
-    scenario.structure.start = scenario.field.begin - scenario.waterline_radius() - 0.2;
+    if (wall == Wall::straight) scenario.structure.shape = Shape({{-0.443, 0.171}, {0.122, 0.736}});
+    scenario.structure.start = scenario.field.begin - scenario.structure.shape.waterline_radius() - 0.2;
     return scenario;
 }
 

@@ -66,8 +66,9 @@ CampaignScales::CampaignScales(hid_t file, const CampaignContent& content)
       time(time_scale(file, content)),
       coordinate(hdf5::write_scale(file, Label{"coordinate", "1", "coordinate of a floe's pose"},
                                    std::vector<std::string>{"x", "z", "yaw"})),
-      profile_point(write_index_scale(file, "profile_point", "point of the structure's profile, from below",
-                                      content.largest([](const Scenario& s) { return s.structure.profile.size(); }))),
+      profile_point(
+          write_index_scale(file, "profile_point", "point of the structure's profile, from below",
+                            content.largest([](const Scenario& s) { return s.structure.shape.rows().size(); }))),
       break_(write_index_scale(file, "break", "failed joint, a row of /breaks", content.break_count())) {}
 
 }  // namespace floes

@@ -34,7 +34,7 @@ CaseRow case_row(const Case& one) {
             scenario.ice.elastic_modulus,
             scenario.field.far_end,
             scenario.contact.erp,
-            scenario.structure.profile,
+            scenario.structure.shape,
             scenario.analysis,
             scenario.general.time_step};
 }

@@ -25,14 +25,31 @@ void check_kind(hid_t file, const std::filesystem::path& path) {
                         path.string(), version.empty() ? 0 : version[0], campaign_file_version[0]));
 }
 
+std::vector<Shape> read_shapes(hid_t file, std::size_t cases) {
+    std::vector<std::vector<double>> columns;
+    for (const ShapeColumn& column : Shape::columns)
+        columns.push_back(hdf5::read_values<double>(file, fmt::format("cases/profile_{}", column.name).c_str()));
+    const std::size_t points = cases == 0 ? 0 : columns.front().size() / cases;
+    std::vector<Shape> shapes;
+    for (std::size_t k = 0; k < cases; ++k) {
+        std::vector<std::vector<double>> rows;
+        for (std::size_t p = k * points; p < (k + 1) * points; ++p) {
+            if (std::isnan(columns.front().at(p))) continue;  // of a case with fewer rows than others
+            std::vector<double>& row = rows.emplace_back();
+            for (const std::vector<double>& column : columns) row.push_back(column.at(p));
+        }
+        shapes.push_back(Shape::of_rows(rows));
+    }
+    return shapes;
+}
+
 std::vector<CaseRow> read_cases(hid_t file) {
     const auto names = hdf5::read_texts(file, "cases/name");
     const auto cfm = hdf5::read_values<double>(file, "cases/cfm");
     const auto modulus = hdf5::read_values<double>(file, "cases/elastic_modulus");
     const auto far_end = hdf5::read_values<std::int8_t>(file, "cases/far_end");
     const auto contact_erp = hdf5::read_values<double>(file, "cases/contact_erp");
-    const auto heights = hdf5::read_values<double>(file, "cases/profile_height");
-    const auto radii = hdf5::read_values<double>(file, "cases/profile_radius");
+    const std::vector<Shape> shapes = read_shapes(file, names.size());
     const auto steady_start = hdf5::read_values<double>(file, "cases/steady_start");
     const auto window = hdf5::read_values<double>(file, "cases/window");
     const auto segments = hdf5::read_values<std::int32_t>(file, "cases/segments");
@@ -40,7 +57,6 @@ std::vector<CaseRow> read_cases(hid_t file) {
     std::vector<std::int32_t> stride(names.size(), 1);  // of files before layout 1.3
     if (hdf5::exists(file, "cases/history_stride"))
         stride = hdf5::read_values<std::int32_t>(file, "cases/history_stride");
-    const std::size_t points = names.empty() ? 0 : heights.size() / names.size();
     std::vector<CaseRow> cases;
     for (std::size_t k = 0; k < names.size(); ++k) {
         CaseRow& row = cases.emplace_back();
@@ -54,8 +70,7 @@ std::vector<CaseRow> read_cases(hid_t file) {
                         .segments = segments.at(k),
                         .history_stride = stride.at(k)};
         row.time_step = time_step.at(k);
-        for (std::size_t p = k * points; p < (k + 1) * points; ++p)
-            if (!std::isnan(heights.at(p))) row.profile.push_back({heights.at(p), radii.at(p)});
+        row.shape = shapes[k];
     }
     return cases;
 }

@@ -1,5 +1,7 @@
 #include "campaign_file/campaign_content.hpp"
 
+#include <fmt/format.h>
+
 #include <limits>
 
 namespace floes {
@@ -14,6 +16,21 @@ std::vector<Value> of_cases(const CampaignContent& content, Function function) {
     std::vector<Value> values;
     for (const Case& one : content.campaign.cases) values.push_back(function(one.scenario));
     return values;
+}
+
+/// A column each of the rows of the cases' shapes, filled up with NaN.
+void write_shapes(hid_t group, const CampaignContent& content, const CampaignScales& scales) {
+    const std::size_t points = scales.profile_point.size();
+    for (std::size_t column = 0; column < Shape::columns.size(); ++column) {
+        const auto& [name, unit, text, low, high] = Shape::columns[column];
+        std::vector<double> values(scales.case_.size() * points, nan);
+        for (std::size_t k = 0; k < content.table.cases.size(); ++k) {
+            const std::vector<std::vector<double>> rows = content.table.cases[k].shape.rows();
+            for (std::size_t p = 0; p < rows.size(); ++p) values[k * points + p] = rows[p][column];
+        }
+        hdf5::write_values(group, {fmt::format("profile_{}", name), std::string(unit), std::string(text)},
+                           {scales.case_, scales.profile_point}, values);
+    }
 }
 
 }  // namespace
@@ -46,15 +63,7 @@ void write_cases(hid_t file, const CampaignContent& content, const CampaignScale
         of_cases<std::int8_t>(content, [](const Scenario& s) { return static_cast<std::int8_t>(s.field.far_end); }),
         hdf5::Flags{{static_cast<std::int8_t>(FarEnd::ice_sheet), static_cast<std::int8_t>(FarEnd::open)},
                     "ice_sheet open"});
-    const auto profile = [&](const char* name, const char* long_name, double ProfilePoint::*field) {
-        std::vector<double> values(scales.case_.size() * scales.profile_point.size(), nan);
-        for (std::size_t k = 0; k < content.table.cases.size(); ++k)
-            for (std::size_t p = 0; p < content.table.cases[k].profile.size(); ++p)
-                values[k * scales.profile_point.size() + p] = content.table.cases[k].profile[p].*field;
-        hdf5::write_values(id, {name, "m", long_name}, {scales.case_, scales.profile_point}, values);
-    };
-    profile("profile_height", "height of a profile point above the waterline", &ProfilePoint::height);
-    profile("profile_radius", "radius of the structure at a profile point", &ProfilePoint::radius);
+    write_shapes(id, content, scales);
 }
 
 void write_arrangements(hid_t file, const CampaignContent& content, const CampaignScales& scales) {

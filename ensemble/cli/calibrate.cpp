@@ -74,46 +74,29 @@ std::vector<PointPlan> make_plans(const CalibrateOptions& options) {
     return plans;
 }
 
-std::vector<CurvePoint> measure(const std::vector<PointPlan>& plans) {
-    std::vector<CurvePoint> curve(plans.size());
-    tbb::parallel_for(std::size_t{0}, plans.size(),
-                      [&](std::size_t i) { curve[i] = measure_curve_point(plans[i].scenario, plans[i].test); });
-    return curve;
-}
-
-nlohmann::ordered_json to_json(const std::vector<CurvePoint>& curve) {
-    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-    for (const CurvePoint& point : curve) {
-        rows.push_back({{"sheet_m", point.sheet},
-                        {"element_m", point.element},
-                        {"thickness_m", point.thickness},
-                        {"time_step_s", point.time_step},
-                        {"erp", point.erp},
-                        {"iterations", point.iterations},
-                        {"cfm", point.cfm},
-                        {"slope_N_per_m", point.slope},
-                        {"elastic_modulus_MPa", point.elastic_modulus / unit::megapascal},
-                        {"elastic_modulus_point_MPa", point.elastic_modulus_point / unit::megapascal}});
-    }
-    return rows;
-}
-
-std::string to_table(const std::vector<CurvePoint>& curve) {
-    std::string text =
-        " sheet  element  thickness     Δt    Γ  iterations         Σ     dP/dw    E (patch)  E (point)\n"
-        "     m        m          m      s                                N/m          MPa        MPa\n";
-    for (const CurvePoint& p : curve) {
-        text += fmt::format("{:6.4g} {:8.4g} {:10.4g} {:6.4g} {:4.2g} {:11} {:9.4g} {:9.0f} {:12.1f} {:10.1f}\n",
-                            p.sheet, p.element, p.thickness, p.time_step, p.erp, p.iterations, p.cfm, p.slope,
-                            p.elastic_modulus / unit::megapascal, p.elastic_modulus_point / unit::megapascal);
-    }
-    return text;
-}
-
-std::string curve_text(const CalibrateOptions& options) {
-    const std::vector<CurvePoint> curve = measure(make_plans(options));
-    if (options.format == "json") return nlohmann::ordered_json{{"curve", to_json(curve)}}.dump(2) + "\n";
-    return to_table(curve);
+Section curve_section(const std::vector<CurvePoint>& curve) {
+    Table table{{"sheet, m", "element, m", "thickness, m", "Δt, s", "Γ", "iterations", "Σ", "dP/dw, N/m",
+                 "E (patch), MPa", "E (point), MPa"}};
+    const auto number = [](double value) { return fmt::format("{:.4g}", value); };
+    for (const CurvePoint& p : curve)
+        table.push_back({number(p.sheet), number(p.element), number(p.thickness), number(p.time_step), number(p.erp),
+                         fmt::format("{}", p.iterations), number(p.cfm), fixed(p.slope, 0),
+                         fixed(p.elastic_modulus / unit::megapascal, 1),
+                         fixed(p.elastic_modulus_point / unit::megapascal, 1)});
+    using Row = const CurvePoint&;
+    return {.table = std::move(table),
+            .records = {make_records<CurvePoint>(
+                "curve", curve,
+                {{"sheet_m", &CurvePoint::sheet},
+                 {"element_m", &CurvePoint::element},
+                 {"thickness_m", &CurvePoint::thickness},
+                 {"time_step_s", &CurvePoint::time_step},
+                 {"erp", &CurvePoint::erp},
+                 {"iterations", &CurvePoint::iterations},
+                 {"cfm", &CurvePoint::cfm},
+                 {"slope_N_per_m", &CurvePoint::slope},
+                 {"elastic_modulus_MPa", [](Row row) { return row.elastic_modulus / unit::megapascal; }},
+                 {"elastic_modulus_point_MPa", [](Row row) { return row.elastic_modulus_point / unit::megapascal; }}})}};
 }
 
 /// The one ice whose Σ is looked for.

@@ -8,8 +8,9 @@
 
 #include "cli/commands.hpp"
 #include "cli/config_file.hpp"
+#include "cli/terminal.hpp"
 #include "core/units.hpp"
-#include "findings/hybrid_curve.hpp"
+#include "findings/hybrid.hpp"
 
 namespace floes {
 namespace {
@@ -39,8 +40,7 @@ std::string answer(const HybridOptions& options) {
     std::vector<double> moduli;
     for (const double modulus : options.moduli) moduli.push_back(modulus * unit::megapascal);
     const HybridCurve curve = hybrid_curve(scenario, model_of(options, scenario), moduli);
-    if (options.format == "json") return hybrid_json(curve);
-    return options.format == "csv" ? hybrid_csv(curve) : hybrid_table(curve);
+    return written({hybrid_section(curve)}, options.format);
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ int merge(const MergeOptions& options) {
         fmt::print(stderr, "floes: floes run CONFIG.toml -o {} --resume computes those that are in no part\n",
                    options.output);
     }
-    std::fputs(text(std::vector{summary_section(summarise(table))}, terminal_width()).c_str(), stdout);
+    std::fputs(written({summary_section(summarise(table))}, "table").c_str(), stdout);
     return failed + missing > 0 ? 1 : 0;
 }
 

@@ -111,7 +111,7 @@ int lead(const RunVerb& verb, const std::string& program, Link& link, Helper& he
     }
     if (status != exit_stopped) {
         const Summary summary = summarise(read_campaign_file(options.places.campaign_file));
-        std::fputs(text(std::vector{summary_section(summary)}, terminal_width()).c_str(), stdout);
+        std::fputs(written({summary_section(summary)}, "table").c_str(), stdout);
     }
     return status;
 }

@@ -53,10 +53,9 @@ std::string answer(const SummarizeOptions& options) {
     Evidence evidence = read_evidence(options.file, options.window == "auto", options.reference);
     evidence.resolve = options.resolve_percent * unit::percent;
     const std::vector<Section> sections = find(options, evidence);
-    if (options.format == "json") return json(sections);
-    if (options.format == "csv") return csv(sections);
-    std::string told = text(sections, terminal_width());
-    if (options.parts.empty() && !in_detail(evidence.campaign)) told += "\n" + unasked_text(evidence.summary) + "\n";
+    std::string told = written(sections, options.format);
+    if (options.format == "table" && options.parts.empty() && !in_detail(evidence.campaign))
+        told += "\n" + unasked_text(evidence.summary) + "\n";
     return told;
 }
 

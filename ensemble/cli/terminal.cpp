@@ -20,4 +20,9 @@ int terminal_width() {
     return std::max(width, 40);
 }
 
+std::string written(const std::vector<Section>& sections, const std::string& format) {
+    if (format == "json") return json(sections);
+    return format == "csv" ? csv(sections) : text(sections, terminal_width());
+}
+
 }  // namespace floes

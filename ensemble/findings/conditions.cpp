@@ -4,11 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <utility>
-
-#include "core/units.hpp"
 
 namespace floes {
 
@@ -31,19 +28,7 @@ void add_condition(const Summary& summary, std::string_view name,
     }
 }
 
-std::string part_words(const ProfilePoint& lower, const ProfilePoint& upper) {
-    const double angle = std::atan2(upper.height - lower.height, std::abs(upper.radius - lower.radius)) / unit::degree;
-    return fmt::format("{:.1f}° from the horizontal (radius {:.3f} m at {:+.3f} m to {:.3f} m at {:+.3f} m)", angle,
-                       lower.radius, lower.height, upper.radius, upper.height);
-}
-
 }  // namespace
-
-std::string wall_words(const std::vector<ProfilePoint>& profile) {
-    std::vector<std::string> parts;
-    for (std::size_t i = 1; i < profile.size(); ++i) parts.push_back(part_words(profile[i - 1], profile[i]));
-    return fmt::format("{}{}", parts.size() == 1 ? "straight, " : "", fmt::join(parts, ", then "));
-}
 
 std::string far_end_words(FarEnd far_end) {
     return far_end == FarEnd::ice_sheet ? "an ice sheet" : "open";
@@ -61,7 +46,7 @@ std::string far_end_key(FarEnd far_end) {
 std::vector<std::string> condition_lines(const Summary& summary) {
     std::vector<std::string> lines;
     add_condition(
-        summary, "Structure wall", [](const CaseRow& row) { return wall_words(row.profile); }, lines);
+        summary, "Structure wall", [](const CaseRow& row) { return row.shape.words(); }, lines);
     add_condition(
         summary, "Far end", [](const CaseRow& row) { return far_end_words(row.far_end); }, lines);
     add_condition(
@@ -72,21 +57,22 @@ std::vector<std::string> condition_lines(const Summary& summary) {
 }
 
 std::vector<ConditionColumn> condition_columns(const Summary& summary) {
-    std::size_t points = 0;  // the most that a case has
-    for (const CaseSummary& row : summary.cases) points = std::max(points, row.about.profile.size());
+    std::size_t rows = 0;  // the most that a case has
+    for (const CaseSummary& row : summary.cases) rows = std::max(rows, row.about.shape.rows().size());
     std::vector<ConditionColumn> columns;
-    for (std::size_t k = 0; k < points; ++k) {
-        for (const auto& [place, field] : {std::pair{0, &ProfilePoint::height}, {1, &ProfilePoint::radius}})
+    for (std::size_t k = 0; k < rows; ++k) {
+        for (std::size_t place = 0; place < Shape::columns.size(); ++place)
             columns.push_back({Names{"", fmt::format("conditions/structure_profile_m/{}/{}", k, place)},
-                               [k, field](const CaseRow& about) {
-                                   return k < about.profile.size() ? Datum(about.profile[k].*field) : Datum(Absent{});
+                               [k, place](const CaseRow& about) {
+                                   const auto shape = about.shape.rows();
+                                   return k < shape.size() ? Datum(shape[k].at(place)) : Datum(Absent{});
                                }});
     }
     const auto add = [&](const std::string& name, auto value) {
         columns.push_back(
             {Names{name, "conditions/" + name}, [value](const CaseRow& about) { return Datum(value(about)); }});
     };
-    columns.push_back({Names{"structure_wall", ""}, [](const CaseRow& about) { return wall_words(about.profile); }});
+    columns.push_back({Names{"structure_wall", ""}, [](const CaseRow& about) { return about.shape.words(); }});
     add("far_end", [](const CaseRow& about) { return far_end_key(about.far_end); });
     add("contact_erp", [](const CaseRow& about) { return about.contact_erp; });
     add("steady_start_s", [](const CaseRow& about) { return about.analysis.steady_start; });

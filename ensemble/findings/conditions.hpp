@@ -10,10 +10,6 @@
 
 namespace floes {
 
-/// "straight, 45.0° from the horizontal (radius 0.171 m at -0.443 m to 0.736 m at 0.122 m)"; of a bent wall every part,
-/// from the bottom up.
-std::string wall_words(const std::vector<ProfilePoint>& profile);
-
 /// "an ice sheet" or "open".
 std::string far_end_words(FarEnd far_end);
 

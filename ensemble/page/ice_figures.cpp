@@ -70,25 +70,19 @@ std::string joint_figure(const Scenario& scenario) {
 }
 
 std::string section_figure(const Scenario& scenario) {
-    const auto& profile = scenario.structure.profile;
-    double widest = 0;
+    const Shape& shape = scenario.structure.shape;
     Plot::Points outline;
-    for (const ProfilePoint& point : profile) {
-        outline.emplace_back(point.radius, point.height);
-        widest = std::max(widest, point.radius);
-    }
-    for (auto point = profile.rbegin(); point != profile.rend(); ++point)
-        outline.emplace_back(-point->radius, point->height);
-    const double reach = 1.6 * widest;
-    const double low = profile.front().height - 0.08;
-    const double high = profile.back().height + 0.08;
+    for (const Vec2& point : shape.section()) outline.emplace_back(point.x(), point.y());
+    const double reach = 1.6 * shape.largest_radius();
+    const double low = shape.bottom() - 0.08;
+    const double high = shape.top() + 0.08;
     Plot plot("Section of the structure with the water's surface and the ice", {"m", -reach, reach},
               {"height above the water, m", low, high}, to_scale(2 * reach, high - low, 720));
     plot.area({{-reach, low}, {reach, low}, {reach, 0}, {-reach, 0}}, "water");
     const double draught = scenario.ice.thickness * scenario.ice.density / scenario.water.density;
     const double freeboard = scenario.ice.thickness - draught;
     for (const double sign : {-1.0, 1.0}) {
-        const double near = sign * (scenario.waterline_radius() + 0.02);
+        const double near = sign * (shape.waterline_radius() + 0.02);
         plot.area({{near, -draught}, {sign * reach, -draught}, {sign * reach, freeboard}, {near, freeboard}}, "ice");
     }
     plot.area(outline, "structure");
@@ -101,7 +95,8 @@ std::string arrangement_figure(const ReportData& data) {
     const MemberRow& member = data.table.members[static_cast<std::size_t>(data.largest_member)];
     const Scenario& scenario = data.campaign.cases[static_cast<std::size_t>(member.case_index)].scenario;
     const Field& field = scenario.field;
-    const double low = std::min(scenario.structure.start - scenario.waterline_radius(), field.begin) - 0.3;
+    const double low =
+        std::min(scenario.structure.start - scenario.structure.shape.waterline_radius(), field.begin) - 0.3;
     const double high = scenario.field_end() + std::min(field.sheet_width, 0.5);
     const double half = field.half_width + std::min(field.sheet_width, 0.5);
     Plot plot("The floes at the start, from above; floes that broke are marked", {"along the tow, m", low, high},
@@ -125,7 +120,7 @@ std::string arrangement_figure(const ReportData& data) {
     for (std::size_t i = 0; i < data.largest_poses.size(); ++i)
         plot.area(square(data.largest_poses[i], scenario.floe.length, scenario.floe.breadth),
                   broken.contains(static_cast<int>(i)) ? "ice broken" : "ice");
-    plot.area(ring(scenario.structure.start, 0, scenario.waterline_radius()), "structure");
+    plot.area(ring(scenario.structure.start, 0, scenario.structure.shape.waterline_radius()), "structure");
     return plot.svg();
 }
 

@@ -29,13 +29,11 @@ void IceField::add_floe(World& world, const Scenario& scenario, const PlanarPose
     const Turn half = turn_of(0.5 * pose.yaw);
     const Quat yaw(half.cos, 0, half.sin, 0);
     const Vec3 middle(pose.x, scenario.floating_height(), pose.z);
-    const double friction = scenario_friction(scenario).ice;
 
     for (int index = 0; index < grid_.elements(); ++index) {
         const BodyId body = world.add_element({.half_extents = Vec3(side, thickness, side) / 2,
                                                .mass = scenario.moving_mass(),
                                                .pose = {middle + yaw * grid_.centre(index), yaw},
-                                               .friction = friction,
                                                .piece = first});
         elements_.push_back({body, floe, index, first, grid_.outline_edges(index)});
     }

@@ -19,18 +19,11 @@ ConstraintSolver world_solver(SolverKind kind) {
 
 World scenario_world(const Scenario& scenario) {
     const General& general = scenario.general;
-    const Contact& contact = scenario.contact;
     return World({.time_step = general.time_step,
                   .iterations = general.iterations,
                   .gravity = general.gravity / (1 + scenario.water.added_mass),  // the added mass has no weight
-                  .contact_erp = contact.erp,
-                  .split_impulse = contact.split_impulse,
-                  .split_impulse_depth = contact.split_impulse_depth,
+                  .contact = scenario.contact,
                   .solver = world_solver(general.solver)});
-}
-
-MaterialFriction scenario_friction(const Scenario& scenario) {
-    return material_friction(scenario.contact.ice_ice_friction, scenario.contact.ice_structure_friction);
 }
 
 }  // namespace floes

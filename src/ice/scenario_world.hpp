@@ -9,7 +9,4 @@ namespace floes {
 /// Time step, iterations, solver, gravity and contacts as the scenario says. Throws InputError for what World refuses.
 World scenario_world(const Scenario& scenario);
 
-/// The material coefficients that give the scenario's two coefficients of friction.
-MaterialFriction scenario_friction(const Scenario& scenario);
-
 }  // namespace floes

@@ -151,6 +151,11 @@ Key choice_key(std::string path, std::string& field, std::vector<std::string> wo
     return {std::move(path), std::move(binding), std::move(source), std::move(doc)};
 }
 
+Key late_key(Key key) {
+    key.late = true;
+    return key;
+}
+
 std::string allowed(const Key& key) {
     return std::visit(Allowed{}, key.field);
 }

@@ -78,6 +78,7 @@ struct Key {
     std::variant<NumberField, NumbersField, IntegerField, SwitchField, WordField, TextField, RowsField> field;
     std::string source;  ///< where the default comes from
     std::string doc;     ///< meaning, and what changing it does
+    bool late = false;   ///< came after the first campaigns, and changes nothing at its default
 
     std::string table() const { return path.substr(0, path.find('.')); }
     std::string name() const { return path.substr(path.find('.') + 1); }
@@ -92,6 +93,9 @@ Key numbers_key(std::string path, std::vector<double>& field, double unit, Range
 Key integer_key(std::string path, int& field, int low, int high, std::string source, std::string doc);
 Key switch_key(std::string path, bool& field, std::string source, std::string doc);
 Key text_key(std::string path, std::string& field, std::string source, std::string doc);
+
+/// The key, come after the first campaigns: scenarios that do not use it keep the digest of before.
+Key late_key(Key key);
 
 /// The enumeration must count from 0 in the order of `words`.
 template <class Enum>

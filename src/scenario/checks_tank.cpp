@@ -15,27 +15,15 @@ constexpr double rounding = 1e-9;  // m
 
 }  // namespace
 
-void check_profile(const Scenario& scenario, Contradictions& found) {
-    const std::vector<ProfilePoint>& profile = scenario.structure.profile;
+void check_shape(const Scenario& scenario, Contradictions& found) {
     const std::string key = "structure.profile_m";
-    const auto refuse = [&](const std::string& what) {
-        found.push_back({{key}, fmt::format("{} {}", given(scenario, key), what)});
-    };
-    const auto falls = [](const ProfilePoint& below, const ProfilePoint& above) { return above.height < below.height; };
-    if (profile.size() < 2) {
-        refuse("is not a body; give at least two [height_m, radius_m] points");
-    } else if (std::ranges::adjacent_find(profile, falls) != profile.end()) {
-        refuse("has a height that falls; give the points from the keel up");
-    } else if (!(profile.front().height < 0 && profile.back().height > 0)) {
-        refuse("does not span the waterline; give points below and above height 0");
-    } else if (scenario.waterline_radius() <= 0) {
-        refuse("has no radius at the waterline; make its radius at height 0 greater than 0");
-    }
+    if (const auto fault = scenario.structure.shape.fault())
+        found.push_back({{key}, fmt::format("{} {}", given(scenario, key), *fault)});
 }
 
 void check_tow(const Scenario& scenario, Contradictions& found) {
     const Structure& structure = scenario.structure;
-    const double radius = scenario.waterline_radius();
+    const double radius = structure.shape.waterline_radius();
     const double duration = scenario.analysis.steady_start + scenario.analysis.window;
     const double end = structure.start + structure.speed * duration;
     const std::string course =
@@ -93,9 +81,8 @@ void check_wake(const Scenario& scenario, Contradictions& found) {
                          "to 0",
                          given(scenario, "field.wake_radius_m"), given(scenario, "general.solver"))});
     }
-    double widest = 0;
-    for (const ProfilePoint& point : scenario.structure.profile) widest = std::max(widest, point.radius);
-    const double least = widest + 0.5 * std::hypot(scenario.floe.length, scenario.floe.breadth);
+    const double least =
+        scenario.structure.shape.largest_radius() + 0.5 * std::hypot(scenario.floe.length, scenario.floe.breadth);
     if (radius < least) {
         found.push_back(
             {{"field.wake_radius_m", "structure.profile_m", "floe.length_m", "floe.breadth_m"},

@@ -43,16 +43,14 @@ TableTitles scenario_titles() {
     };
 }
 
-// Keys from after the first campaigns, which change nothing at their default, are left out there: so the members that
-// journals have from before keep their digest.
+// A late key is left out at its default: so the members that journals have from before keep their digest.
 std::string canonical_text(const Scenario& scenario) {
     Scenario copy = scenario;
-    const Analysis usual;
+    Scenario usual;
     Keys keys = describe(copy);
-    if (copy.analysis.history_stride == usual.history_stride)
-        std::erase_if(keys, [](const Key& key) { return key.path == "analysis.history_stride"; });
-    if (copy.analysis.exceedance_levels == usual.exceedance_levels)
-        std::erase_if(keys, [](const Key& key) { return key.path == "analysis.exceedance_levels_N"; });
+    const Keys defaults = describe(usual);
+    std::erase_if(
+        keys, [&](const Key& key) { return key.late && exact_text(key) == exact_text(*find_key(defaults, key.path)); });
     return canonical_text(keys);
 }
 

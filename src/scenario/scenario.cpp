@@ -1,6 +1,5 @@
 #include "scenario/scenario.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace floes {
@@ -31,21 +30,6 @@ double Scenario::moving_mass() const {
 
 double Scenario::floating_height() const {
     return ice.thickness * (0.5 - ice.density / water.density);
-}
-
-double Scenario::waterline_radius() const {
-    const auto& profile = structure.profile;
-    double radius = 0;
-    for (std::size_t i = 1; i < profile.size(); ++i) {
-        const ProfilePoint& below = profile[i - 1];
-        const ProfilePoint& above = profile[i];
-        if (below.height > 0 || above.height < 0) continue;
-        const double rise = above.height - below.height;
-        const double here = rise > 0 ? below.radius - (above.radius - below.radius) * below.height / rise
-                                     : std::max(below.radius, above.radius);
-        radius = std::max(radius, here);  // a flat ring at the waterline: the larger radius
-    }
-    return radius;
 }
 
 int Scenario::step_count() const {

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "core/vector.hpp"
+#include "solver/contact_law.hpp"
+#include "structure/shape.hpp"
 
 namespace floes {
 
@@ -78,29 +80,11 @@ struct ArrangementRule {
     std::vector<PlanarPose> poses;  ///< method file: one pose a floe
 };
 
-/// A point of a body of revolution: height above the waterline (m, negative below) and radius there (m).
-struct ProfilePoint {
-    double height = 0;
-    double radius = 0;
-    friend bool operator==(const ProfilePoint&, const ProfilePoint&) = default;
-};
-
-/// The towed structure (Table 2): breadths 1.472 and 1.228 m, draught 0.443 m, depth 0.565 m. Above the waterline
-/// a straight wall through them stands at 45°. Below, the table gives no radius: the default, 75.4°, is fitted to the
-/// paper's mean load at E = 60 MPa (docs/validation.md).
+/// The towed structure.
 struct Structure {
-    std::vector<ProfilePoint> profile{{-0.443, 0.499}, {0, 0.614}, {0.122, 0.736}};  ///< heights rising
-    double start = 2.0;                                                              ///< x of the axis at t = 0, m
-    double speed = 0.07;                                                             ///< V, m/s (Table 1)
-};
-
-/// Contacts: ice on ice, ice on structure.
-struct Contact {
-    double erp = 0.2;                     ///< Γ of contacts, Bullet's default (design decision 5)
-    double ice_ice_friction = 0.3;        ///< f_ii (Table 1)
-    double ice_structure_friction = 0.2;  ///< f_is (Table 1)
-    bool split_impulse = true;            ///< correct deep penetration outside the impulse
-    double split_impulse_depth = 0.04;    ///< m; penetration beyond which it does
+    Shape shape;          ///< Table 2
+    double start = 2.0;   ///< x of the axis at t = 0, m
+    double speed = 0.07;  ///< V, m/s (Table 1)
 };
 
 /// Hydrostatics and hydrodynamics of an element (facts: literature ranges in scenario/keys.cpp).
@@ -132,18 +116,17 @@ struct Scenario {
     Field field;
     ArrangementRule arrangement;
     Structure structure;
-    Contact contact;
+    ContactLaw contact;
     Water water;
     Analysis analysis;
 
-    double field_length() const;      ///< m: floes * length * breadth / (concentration * 2 half_width)
-    double field_end() const;         ///< x of the field's far edge, m
-    double element_mass() const;      ///< of ice, kg
-    double moving_mass() const;       ///< of an element with the water that it carries along, kg
-    double floating_height() const;   ///< of the middle of floating ice above the water, m; negative above half draught
-    double waterline_radius() const;  ///< of the structure, m; 0 where its profile does not span height 0
-    int step_count() const;           ///< steps of a run: (steady_start + window) / time_step, rounded
-    int first_window_step() const;    ///< index of the first step inside the window
+    double field_length() const;     ///< m: floes * length * breadth / (concentration * 2 half_width)
+    double field_end() const;        ///< x of the field's far edge, m
+    double element_mass() const;     ///< of ice, kg
+    double moving_mass() const;      ///< of an element with the water that it carries along, kg
+    double floating_height() const;  ///< of the middle of floating ice above the water, m; negative above half draught
+    int step_count() const;          ///< steps of a run: (steady_start + window) / time_step, rounded
+    int first_window_step() const;   ///< index of the first step inside the window
 };
 
 }  // namespace floes

@@ -13,7 +13,7 @@ void add_joint(Keys& keys, Joint& joint);
 void add_field(Keys& keys, Field& field);
 void add_arrangement(Keys& keys, ArrangementRule& arrangement);
 void add_structure(Keys& keys, Structure& structure);
-void add_contact(Keys& keys, Contact& contact);
+void add_contact(Keys& keys, ContactLaw& contact);
 void add_water(Keys& keys, Water& water);
 void add_analysis(Keys& keys, Analysis& analysis);
 

@@ -75,7 +75,7 @@ void add_joint(Keys& keys, Joint& joint) {
         "as printed in the paper, which has the unit of a moment and is the value of force times T_e."));
 }
 
-void add_contact(Keys& keys, Contact& contact) {
+void add_contact(Keys& keys, ContactLaw& contact) {
     const Range friction = at_least(0).at_most(10);
     keys.push_back(number_key("contact.erp", contact.erp, unit::one, at_least(0).at_most(1), "Bullet's default",
                               "Error reduction parameter Γ of contacts: the share of a penetration corrected in each "

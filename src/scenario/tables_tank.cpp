@@ -1,5 +1,7 @@
 // Keys of the tables [field], [arrangement], [structure], [water], [analysis]: the tank and what is measured in it.
 
+#include <fmt/format.h>
+
 #include "scenario/tables.hpp"
 
 namespace floes {
@@ -22,18 +24,13 @@ RowsField pose_rows(std::vector<PlanarPose>& poses) {
         }};
 }
 
-RowsField profile_rows(std::vector<ProfilePoint>& profile) {
-    return {
-        {{"height_m", unit::one, at_least(-1000).at_most(1000)}, {"radius_m", unit::one, at_least(0).at_most(1000)}},
-        [&profile] {
-            std::vector<std::vector<double>> rows;
-            for (const ProfilePoint& point : profile) rows.push_back({point.height, point.radius});
-            return rows;
-        },
-        [&profile](const std::vector<std::vector<double>>& rows) {
-            profile.clear();
-            for (const std::vector<double>& row : rows) profile.push_back({row[0], row[1]});
-        }};
+RowsField shape_rows(Shape& shape) {
+    std::vector<Column> columns;
+    for (const ShapeColumn& column : Shape::columns)
+        columns.push_back(
+            {fmt::format("{}_{}", column.name, column.unit), unit::one, at_least(column.low).at_most(column.high)});
+    return {columns, [&shape] { return shape.rows(); },
+            [&shape](const std::vector<std::vector<double>>& rows) { shape = Shape::of_rows(rows); }};
 }
 
 }  // namespace
@@ -90,7 +87,7 @@ void add_arrangement(Keys& keys, ArrangementRule& arrangement) {
 
 void add_structure(Keys& keys, Structure& structure) {
     keys.push_back(
-        {"structure.profile_m", profile_rows(structure.profile),
+        {"structure.profile_m", shape_rows(structure.shape),
          "Table 2; the radius at the bottom is fitted (docs/validation.md)",
          "Radius over height above the waterline, from the keel up, with heights that never decrease. The wall angle "
          "decides the load: a steeper wall below the waterline gives higher loads and more broken floes."});
@@ -136,14 +133,14 @@ void add_analysis(Keys& keys, Analysis& analysis) {
     keys.push_back(switch_key("analysis.keep_history", analysis.keep_history, "none",
                               "Keep the load histories in the campaign file. Without them a member takes some kB "
                               "instead of some hundred, and keeps its statistics and breaks."));
-    keys.push_back(
+    keys.push_back(late_key(
         integer_key("analysis.history_stride", analysis.history_stride, 1, 1000000, "none: every step",
                     "Number of successive time steps averaged into one value of the kept history; it must divide the "
-                    "steps before the window and those in it. Statistics, maxima and counts always use every step."));
-    keys.push_back(numbers_key("analysis.exceedance_levels_N", analysis.exceedance_levels, unit::one,
-                               at_least(0).at_most(1e6), "none",
-                               "Load levels, ascending: each member counts the steps of the window with a surge load "
-                               "above each level, and how often the load rises through it. Needs no history."));
+                    "steps before the window and those in it. Statistics, maxima and counts always use every step.")));
+    keys.push_back(late_key(numbers_key(
+        "analysis.exceedance_levels_N", analysis.exceedance_levels, unit::one, at_least(0).at_most(1e6), "none",
+        "Load levels, ascending: each member counts the steps of the window with a surge load "
+        "above each level, and how often the load rises through it. Needs no history.")));
 }
 
 }  // namespace floes

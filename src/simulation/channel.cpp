@@ -1,7 +1,5 @@
 #include "simulation/channel.hpp"
 
-#include "structure/profile.hpp"
-
 namespace floes {
 namespace {
 
@@ -19,11 +17,10 @@ IceSheet sheet(const Scenario& scenario, const Vec2& x_range, const Vec2& z_rang
 
 Channel make_channel(const Scenario& scenario) {
     const Field& field = scenario.field;
-    const Profile profile(scenario.structure.profile);
     const bool closed = field.far_end == FarEnd::ice_sheet;
     const double towed = scenario.structure.speed * (scenario.analysis.steady_start + scenario.analysis.window);
     Channel channel;
-    channel.begin = scenario.structure.start - profile.maximum_radius() - room_behind;
+    channel.begin = scenario.structure.start - scenario.structure.shape.largest_radius() - room_behind;
     channel.end = scenario.field_end() + field.sheet_width + (closed ? 0.0 : towed);
     channel.inner_edge = field.half_width;
     channel.outer_edge = field.half_width + field.sheet_width;

@@ -9,28 +9,30 @@
 #include "core/error.hpp"
 #include "ice/scenario_world.hpp"
 #include "solver/lane_width.hpp"
-#include "structure/profile.hpp"
 
 namespace floes {
 namespace {
 
 BodyId add_structure(World& world, const Scenario& scenario) {
-    const std::vector<Frustum> frusta = Profile(scenario.structure.profile).frusta();
-    return world.add_structure(frusta, scenario_friction(scenario).structure, {scenario.structure.start, 0, 0});
+    const std::vector<ConvexPiece> pieces = scenario.structure.shape.pieces();
+    return world.add_structure(pieces, {scenario.structure.start, 0, 0});
 }
 
-void add_sheets(World& world, const Channel& channel, double friction) {
+void add_sheets(World& world, const Channel& channel) {
     for (const IceSheet& sheet : channel.sheets) {
-        world.add_fixed_box(
-            {.half_extents = sheet.half_extents, .pose = {.position = sheet.centre}, .friction = friction});
+        world.add_fixed_box({.half_extents = sheet.half_extents, .pose = {.position = sheet.centre}});
     }
 }
 
 WaterModel make_water(const Scenario& scenario) {
     const double side = scenario.floe.element;
     const double thickness = scenario.ice.thickness;
-    return {scenario.water,          scenario.general.gravity,    {side, thickness},
-            scenario.element_mass(), scenario.waterline_radius(), scenario.structure.speed};
+    return {scenario.water,
+            scenario.general.gravity,
+            {side, thickness},
+            scenario.element_mass(),
+            scenario.structure.shape.waterline_radius(),
+            scenario.structure.speed};
 }
 
 }  // namespace
@@ -45,7 +47,7 @@ Simulation::Simulation(const Scenario& scenario, const Arrangement& arrangement)
       ice_(world_, scenario, arrangement.poses),
       water_(make_water(scenario), ice_.elements().size(), lane_widths().back()),
       sleeping_(scenario.field.wake_radius, ice_.elements()) {
-    add_sheets(world_, channel_, scenario_friction(scenario).ice);
+    add_sheets(world_, channel_);
     const auto steps = static_cast<std::size_t>(scenario.step_count());
     loads_.surge.reserve(steps);
     loads_.sway.reserve(steps);

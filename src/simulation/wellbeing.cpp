@@ -4,8 +4,6 @@
 
 #include <cmath>
 
-#include "structure/profile.hpp"
-
 namespace floes {
 namespace {
 
@@ -22,7 +20,7 @@ Wellbeing::Wellbeing(const Scenario& scenario, const Channel& channel)
       begin(channel.begin - margin),
       end(channel.end + margin),
       outer_edge(channel.outer_edge),
-      bottom(Profile(scenario.structure.profile).bottom() - margin) {}
+      bottom(scenario.structure.shape.bottom() - margin) {}
 
 std::optional<std::string> Wellbeing::trouble(const BodyState& state) const {
     const Vec3& at = state.position;

@@ -59,7 +59,7 @@ void ContactRows::fill_points(std::span<const SolverContact> contacts) {
 
 void ContactRows::prepare(std::span<const SolverContact> contacts, std::span<const std::uint32_t> slot_of_body,
                           std::size_t body_slots, const LaneArrays& arrays, const LaneKernels& kernels,
-                          const ContactRules& rules, double time_step) {
+                          const ContactLaw& law, double time_step) {
     width_ = kernels.width;
     order(contacts, slot_of_body, arrays, body_slots, kernels);
     fill_points(contacts);
@@ -67,9 +67,9 @@ void ContactRows::prepare(std::span<const SolverContact> contacts, std::span<con
     normals_.reserve(slots);
     frictions_.reserve(slots);
     split_target_.reserve(slots);
-    const double split_depth = rules.split_impulse ? rules.split_impulse_depth : infinity;
+    const double split_depth = law.split_impulse ? law.split_impulse_depth : infinity;
     kernels.prepare_contacts(arrays, order_.packs(), points_.data(), normals_.arrays(), frictions_.arrays(),
-                             split_target_.data(), {1.0 / time_step, rules.erp, split_depth});
+                             split_target_.data(), {1.0 / time_step, split_depth, law});
     any_split_ = std::any_of(contacts.begin(), contacts.end(),
                              [&](const SolverContact& contact) { return contact.distance <= -split_depth; });
     if (!any_split_) return;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "solver/aligned_array.hpp"
+#include "solver/contact_law.hpp"
 #include "solver/contact_order.hpp"
 #include "solver/lane_layout.hpp"
 #include "solver/solver_contact.hpp"
@@ -19,8 +20,8 @@ class ContactRows {
     /// Rows of the contacts, ordered such that the result is that of the given order. `arrays.delta` has `body_slots`
     /// slots of bodies and a spare one after them.
     void prepare(std::span<const SolverContact> contacts, std::span<const std::uint32_t> slot_of_body,
-                 std::size_t body_slots, const LaneArrays& arrays, const LaneKernels& kernels,
-                 const ContactRules& rules, double time_step);
+                 std::size_t body_slots, const LaneArrays& arrays, const LaneKernels& kernels, const ContactLaw& law,
+                 double time_step);
 
     /// The changes of velocity by the impulses that contacts bring along.
     void start(const LaneKernels& kernels, double* delta);

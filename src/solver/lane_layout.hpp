@@ -1,10 +1,12 @@
 #pragma once
 // Where the kernels find things. Bodies and joints lie in groups of `width` lanes, one floe a lane; a field of a group
-// is `width` doubles side by side, so a kernel loads it as one vector. Plain constants and pointers only: this header
-// is compiled under every instruction set, and nothing inline may leak from one of those to another.
+// is `width` doubles side by side, so a kernel loads it as one vector. Plain constants, numbers and pointers only: this
+// header is compiled under every instruction set, and nothing inline may leak from one of those to another.
 
 #include <cstddef>
 #include <cstdint>
+
+#include "solver/contact_law.hpp"
 
 namespace floes {
 
@@ -133,8 +135,8 @@ struct ContactRowArrays {
 
 struct ContactStep {
     double inverse_step;  ///< 1/s
-    double erp;
-    double split_depth;  ///< penetrations this deep are corrected outside the impulse; m
+    double split_depth;   ///< penetrations this deep are corrected outside the impulse, m; infinite for none
+    const ContactLaw& law;
 };
 
 /// The kernels of one lane width. Every width gives the same bits.

@@ -86,12 +86,12 @@ void LaneSystem::find_touched(std::span<const SolverContact> contacts) {
     }
 }
 
-void LaneSystem::solve(std::span<SolverContact> contacts, const ContactRules& rules, int iterations) {
+void LaneSystem::solve(std::span<SolverContact> contacts, const ContactLaw& law, int iterations) {
     const LaneArrays all = arrays();
     find_touched(contacts);
     kernels_->to_contacts(all, touched_groups_.data(), touched_groups_.size());
     contact_rows_.prepare(contacts, slot_of_body_, body_groups_ * static_cast<std::size_t>(width()), all, *kernels_,
-                          rules, time_step_);
+                          law, time_step_);
     contact_rows_.start(*kernels_, all.delta);
     contact_rows_.solve_penetrations(*kernels_, iterations);
 

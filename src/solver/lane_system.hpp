@@ -5,7 +5,7 @@
 //
 //   system.set_force(body, force, torque);         // every body; set_state for those that something else moves
 //   system.prepare(time_step);
-//   system.solve(contacts, rules, iterations);     // contacts in the order in which they are to be solved
+//   system.solve(contacts, law, iterations);       // contacts in the order in which they are to be solved
 //   system.advance();
 //   system.state(body); system.reaction(joint);
 //
@@ -76,7 +76,7 @@ class LaneSystem {
     void set_force(std::size_t body, const std::array<double, 3>& force, const std::array<double, 3>& torque);
 
     void prepare(double time_step);
-    void solve(std::span<SolverContact> contacts, const ContactRules& rules, int iterations);
+    void solve(std::span<SolverContact> contacts, const ContactLaw& law, int iterations);
 
     /// Ends the step: velocities, then positions moved with them.
     void advance();

@@ -21,11 +21,4 @@ struct SolverContact {
     double friction_impulse = 0;     ///< out: N s, exerted on a along slide
 };
 
-/// How penetrations are corrected.
-struct ContactRules {
-    double erp = 0.2;                   ///< share corrected in a step
-    bool split_impulse = true;          ///< correct deep ones outside the impulse
-    double split_impulse_depth = 0.04;  ///< m
-};
-
 }  // namespace floes

@@ -15,10 +15,15 @@ void require(bool allowed, const char* what, double value, const char* range) {
         throw InputError(fmt::format("The world cannot be built: {} is {}; it must be {}.", what, value, range));
 }
 
-void check_box(const Vec3& half_extents, double friction) {
+void check_box(const Vec3& half_extents) {
     require((half_extents.array() > 0).all(), "the smallest half extent of a box", half_extents.minCoeff(),
             "above 0 m");
-    require(friction >= 0, "a material's friction", friction, "at least 0");
+}
+
+/// Both solvers can do every law that there is. One that Bullet cannot do is to be refused here, by the solver's name.
+void check_contact(const ContactLaw& law) {
+    require(law.erp >= 0 && law.erp <= 1, "the contact ERP", law.erp, "between 0 and 1");
+    require(law.split_impulse_depth >= 0, "the split impulse depth", law.split_impulse_depth, "at least 0 m");
 }
 
 }  // namespace
@@ -27,17 +32,16 @@ void check(const WorldDefinition& d) {
     require(d.time_step > 0, "the time step", d.time_step, "above 0 s");
     require(d.iterations >= 1, "the number of iterations", d.iterations, "at least 1");
     require(std::isfinite(d.gravity), "gravity", d.gravity, "a finite number");
-    require(d.contact_erp >= 0 && d.contact_erp <= 1, "the contact ERP", d.contact_erp, "between 0 and 1");
-    require(d.split_impulse_depth >= 0, "the split impulse depth", d.split_impulse_depth, "at least 0 m");
+    check_contact(d.contact);
 }
 
 void check(const BoxDefinition& box) {
-    check_box(box.half_extents, box.friction);
+    check_box(box.half_extents);
     require(box.mass > 0, "the mass of an element", box.mass, "above 0 kg");
 }
 
 void check(const FixedBoxDefinition& box) {
-    check_box(box.half_extents, box.friction);
+    check_box(box.half_extents);
 }
 
 void check(const JointDefinition& joint, std::size_t bodies) {
@@ -53,16 +57,11 @@ void check(const JointDefinition& joint, std::size_t bodies) {
     require(joint.erp >= 0 && joint.erp <= 1, "the joint ERP", joint.erp, "between 0 and 1");
 }
 
-void check_structure(std::span<const Frustum> frusta, double friction, bool present) {
+void check_structure(std::span<const ConvexPiece> pieces, bool present) {
     require(!present, "the number of structures", 2, "at most 1");
-    require(!frusta.empty(), "the number of frusta of the structure", 0, "at least 1");
-    require(friction >= 0, "a material's friction", friction, "at least 0");
-    for (const Frustum& frustum : frusta) {
-        require(frustum.top_height > frustum.bottom_height, "the height of a frustum",
-                frustum.top_height - frustum.bottom_height, "above 0 m");
-        require(frustum.bottom_radius >= 0 && frustum.top_radius >= 0, "the smaller radius of a frustum",
-                std::fmin(frustum.bottom_radius, frustum.top_radius), "at least 0 m");
-        require(frustum.bottom_radius + frustum.top_radius > 0, "the larger radius of a frustum", 0, "above 0 m");
+    require(!pieces.empty(), "the number of pieces of the structure", 0, "at least 1");
+    for (const ConvexPiece& piece : pieces) {
+        if (const auto fault = piece.fault()) throw InputError(fmt::format("The world cannot be built: {}.", *fault));
     }
 }
 

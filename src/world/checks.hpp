@@ -4,15 +4,16 @@
 #include <cstddef>
 #include <span>
 
-#include "core/frustum.hpp"
+#include "structure/convex_piece.hpp"
 #include "world/definitions.hpp"
 
 namespace floes {
 
+/// With the contact law: what the solver that the definition names cannot do.
 void check(const WorldDefinition& definition);
 void check(const BoxDefinition& box);
 void check(const FixedBoxDefinition& box);
 void check(const JointDefinition& joint, std::size_t bodies);
-void check_structure(std::span<const Frustum> frusta, double friction, bool present);
+void check_structure(std::span<const ConvexPiece> pieces, bool present);
 
 }  // namespace floes

@@ -4,6 +4,7 @@
 
 #include "core/id.hpp"
 #include "core/vector.hpp"
+#include "solver/contact_law.hpp"
 
 namespace floes {
 
@@ -18,44 +19,29 @@ enum class ConstraintSolver {
 
 /// Time stepping, solver and contacts.
 struct WorldDefinition {
-    double time_step = 0.02;    ///< Δt, s
-    int iterations = 50;        ///< Gauss-Seidel sweeps a step; sets the stiffness of joints whose cfm is nearly 0
-    double gravity = 9.81;      ///< m/s², along -y
-    double contact_erp = 0.2;   ///< Γ of contacts: share of a penetration that is corrected in one step, 0-1
-    bool split_impulse = true;  ///< correct penetrations deeper than split_impulse_depth outside the impulse
-    double split_impulse_depth = 0.04;  ///< m, >= 0
+    double time_step = 0.02;  ///< Δt, s
+    int iterations = 50;      ///< Gauss-Seidel sweeps a step; sets the stiffness of joints whose cfm is nearly 0
+    double gravity = 9.81;    ///< m/s², along -y
+    ContactLaw contact = {};
     ConstraintSolver solver = ConstraintSolver::stock;
     int lanes = 0;  ///< floes side by side at most: 0 for what the processor has, 1, 2, 4 or 8; never shows in a result
 };
 
-/// Coulomb friction is the product of the two bodies' material coefficients, so two coefficients of contact
-/// fix the two materials: ice = sqrt(f_ii), structure = f_is / sqrt(f_ii).
-struct MaterialFriction {
-    double ice = 0;
-    double structure = 0;
-};
-
-/// The material coefficients for given coefficients of contact (0 to 10).
-/// Throws InputError when ice_ice is 0 but ice_structure is not: no product gives that.
-MaterialFriction material_friction(double ice_ice, double ice_structure);
-
 /// Bodies of the same piece (>= 0) never collide with each other; bodies of no piece collide with all.
 inline constexpr int no_piece = -1;
 
-/// A box that moves freely.
+/// A box of ice that moves freely.
 struct BoxDefinition {
     Vec3 half_extents = Vec3::Zero();  ///< m, along the body's own axes, all > 0
     double mass = 0;                   ///< kg, > 0, homogeneous
     Pose pose;                         ///< of the centre
-    double friction = 0;               ///< material coefficient, see MaterialFriction
     int piece = no_piece;
 };
 
-/// A box that never moves.
+/// A box of ice that never moves.
 struct FixedBoxDefinition {
     Vec3 half_extents = Vec3::Zero();  ///< m
     Pose pose;                         ///< of the centre
-    double friction = 0;               ///< material coefficient
 };
 
 /// A fixed joint between two moving bodies: relaxed in the configuration in which it is made.

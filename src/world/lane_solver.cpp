@@ -55,7 +55,8 @@ constexpr std::size_t not_in_system = static_cast<std::size_t>(-1);
 
 }  // namespace
 
-LaneSolver::LaneSolver(int lanes) : width_(lane_kernels(lanes > 0 ? lanes : lane_widths().back()).width) {}
+LaneSolver::LaneSolver(const ContactLaw& law, int lanes)
+    : law_(law), width_(lane_kernels(lanes > 0 ? lanes : lane_widths().back()).width) {}
 
 void LaneSolver::add_joint(const JointDefinition& definition, const btRigidBody& a, const btRigidBody& b) {
     joints_.push_back({static_cast<std::uint32_t>(definition.a.index()),
@@ -190,8 +191,7 @@ btScalar LaneSolver::solveGroup(btCollisionObject** bodies, int body_count, btPe
     read_forces(all);
     system_->prepare(info.m_timeStep);
     read_contacts(touching, info);
-    system_->solve(contacts_, {info.m_erp2, info.m_splitImpulse != 0, -info.m_splitImpulsePenetrationThreshold},
-                   info.m_numIterations);
+    system_->solve(contacts_, law_, info.m_numIterations);
     write_contacts(touching);
     push_apart(all, info);
     system_->advance();

@@ -16,8 +16,9 @@ namespace floes {
 
 class LaneSolver final : public btSequentialImpulseConstraintSolver {
   public:
-    /// lanes: floes side by side at most, one of lane_widths(); 0: as many as the processor has.
-    explicit LaneSolver(int lanes);
+    /// law: of all contacts; the coefficients of friction come with each. lanes: floes side by side at most, one of
+    /// lane_widths(); 0: as many as the processor has.
+    LaneSolver(const ContactLaw& law, int lanes);
 
     /// Joints are numbered from 0 in the order in which they are added, and solved in that order within a floe.
     void add_joint(const JointDefinition& definition, const btRigidBody& a, const btRigidBody& b);
@@ -49,6 +50,7 @@ class LaneSolver final : public btSequentialImpulseConstraintSolver {
     void push_apart(std::span<btCollisionObject* const> bodies, const btContactSolverInfo& info);
     void write_bodies(std::span<btCollisionObject* const> bodies) const;
 
+    ContactLaw law_;
     int width_;
     std::vector<SolverJoint> joints_;
     std::vector<bool> removed_;

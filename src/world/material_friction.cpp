@@ -1,13 +1,16 @@
+#include "world/material_friction.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "core/error.hpp"
-#include "world/definitions.hpp"
 
 namespace floes {
 
-MaterialFriction material_friction(double ice_ice, double ice_structure) {
+MaterialFriction material_friction(const ContactLaw& law) {
+    const double ice_ice = law.ice_ice_friction;
+    const double ice_structure = law.ice_structure_friction;
     // Bullet limits a combined coefficient to 10.
     for (const double coefficient : {ice_ice, ice_structure}) {
         if (!(coefficient >= 0 && coefficient <= 10)) {

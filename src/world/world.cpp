@@ -18,10 +18,11 @@
 #include "world/contact_load.hpp"
 #include "world/conversion.hpp"
 #include "world/fixed_joint.hpp"
-#include "world/frustum_shape.hpp"
 #include "world/lane_solver.hpp"
+#include "world/material_friction.hpp"
 #include "world/ordered_dynamics_world.hpp"
 #include "world/piece_dispatcher.hpp"
+#include "world/piece_shape.hpp"
 
 namespace floes {
 
@@ -32,9 +33,9 @@ namespace {
 /// contains the correction, unless split impulse is on and the penetration is deeper than the threshold.
 void set_up(btContactSolverInfo& info, const WorldDefinition& definition) {
     info.m_numIterations = definition.iterations;
-    info.m_erp2 = definition.contact_erp;
-    info.m_splitImpulse = definition.split_impulse ? 1 : 0;
-    info.m_splitImpulsePenetrationThreshold = -definition.split_impulse_depth;
+    info.m_erp2 = definition.contact.erp;
+    info.m_splitImpulse = definition.contact.split_impulse ? 1 : 0;
+    info.m_splitImpulsePenetrationThreshold = -definition.contact.split_impulse_depth;
     info.m_solverMode = SOLVER_USE_WARMSTARTING | SOLVER_SIMD;  // without the first, contact forces are not kept
 }
 
@@ -43,12 +44,12 @@ void set_up(btContactSolverInfo& info, const WorldDefinition& definition) {
 // Members are destroyed last first: the world before what it refers to.
 class World::Bullet {
   public:
-    explicit Bullet(const WorldDefinition& given) : definition(given) {
+    explicit Bullet(const WorldDefinition& given) : definition(given), friction(material_friction(given.contact)) {
         set_up(world.getSolverInfo(), definition);
         world.setGravity({0, -definition.gravity, 0});
         world.setForceUpdateAllAabbs(false);  // fixed boxes do not move
         if (definition.solver == ConstraintSolver::lanes) {
-            world.setConstraintSolver(&lanes.emplace(definition.lanes));
+            world.setConstraintSolver(&lanes.emplace(definition.contact, definition.lanes));
             dispatcher.pass_over_distant_pairs();
             world.getDispatchInfo().m_useContinuous = false;  // nothing swept: AABBs have a margin of 20 mm
         }
@@ -76,13 +77,13 @@ class World::Bullet {
 
     /// All bodies enter here. Bullet's counter of bodies, a debugging aid that nothing reads, is the only datum that
     /// Worlds in different threads share.
-    BodyId add_body(btCollisionShape* shape, double mass, const Pose& pose, double friction, int piece, int flags) {
+    BodyId add_body(btCollisionShape* shape, double mass, const Pose& pose, double material, int piece, int flags) {
         const BodyId id(bodies.size());
         btVector3 inertia(0, 0, 0);
         if (mass > 0) shape->calculateLocalInertia(mass, inertia);
         btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, shape, inertia);
         info.m_startWorldTransform = to_bullet(pose);
-        info.m_friction = friction;
+        info.m_friction = material;
         btRigidBody& added = bodies.emplace_back(info);
         added.setCollisionFlags(added.getCollisionFlags() | flags);
         added.setActivationState(DISABLE_DEACTIVATION);  // floes as slow as the tow would fall asleep
@@ -100,13 +101,14 @@ class World::Bullet {
     };
 
     WorldDefinition definition;
+    MaterialFriction friction;
     btDefaultCollisionConfiguration configuration;
     PieceDispatcher dispatcher{&configuration};
     btDbvtBroadphase broadphase;
     std::optional<LaneSolver> lanes;  // owns the joints when present
     btSequentialImpulseConstraintSolver stock;
     std::deque<Box> boxes;
-    std::deque<FrustumShape> frusta;
+    std::deque<PieceShape> pieces;
     std::optional<btCompoundShape> structure_shape;
     std::deque<btRigidBody> bodies;
     std::optional<BodyId> structure;
@@ -126,22 +128,23 @@ World& World::operator=(World&&) noexcept = default;
 
 BodyId World::add_element(const BoxDefinition& box) {
     check(box);
-    return bullet_->add_body(bullet_->box_shape(box.half_extents), box.mass, box.pose, box.friction, box.piece, 0);
+    return bullet_->add_body(bullet_->box_shape(box.half_extents), box.mass, box.pose, bullet_->friction.ice, box.piece,
+                             0);
 }
 
 BodyId World::add_fixed_box(const FixedBoxDefinition& box) {
     check(box);
-    return bullet_->add_body(bullet_->box_shape(box.half_extents), 0, box.pose, box.friction, no_piece, 0);
+    return bullet_->add_body(bullet_->box_shape(box.half_extents), 0, box.pose, bullet_->friction.ice, no_piece, 0);
 }
 
-BodyId World::add_structure(std::span<const Frustum> frusta, double friction, const Vec3& position) {
-    check_structure(frusta, friction, bullet_->structure.has_value());
+BodyId World::add_structure(std::span<const ConvexPiece> pieces, const Vec3& position) {
+    check_structure(pieces, bullet_->structure.has_value());
     bullet_->structure_shape.emplace();
-    for (const Frustum& frustum : frusta) {
-        bullet_->structure_shape->addChildShape(btTransform::getIdentity(), &bullet_->frusta.emplace_back(frustum));
+    for (const ConvexPiece& piece : pieces) {
+        bullet_->structure_shape->addChildShape(btTransform::getIdentity(), &bullet_->pieces.emplace_back(piece));
     }
     const Pose pose{position, Quat::Identity()};
-    bullet_->structure = bullet_->add_body(&*bullet_->structure_shape, 0, pose, friction, no_piece,
+    bullet_->structure = bullet_->add_body(&*bullet_->structure_shape, 0, pose, bullet_->friction.structure, no_piece,
                                            btCollisionObject::CF_KINEMATIC_OBJECT);
     return *bullet_->structure;
 }

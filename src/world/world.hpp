@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-#include "core/frustum.hpp"
+#include "structure/convex_piece.hpp"
 #include "world/definitions.hpp"
 #include "world/state.hpp"
 
@@ -31,9 +31,9 @@ class World {
     BodyId add_element(const BoxDefinition& box);
     BodyId add_fixed_box(const FixedBoxDefinition& box);
 
-    /// The towed body: frusta about the vertical axis through its origin, together not necessarily convex. Driven by
-    /// move_structure, never pushed back. At most one in a World. friction: material coefficient.
-    BodyId add_structure(std::span<const Frustum> frusta, double friction, const Vec3& position);
+    /// The towed body: pieces about the vertical axis through its origin, together not necessarily convex. Driven by
+    /// move_structure, never pushed back. At most one in a World.
+    BodyId add_structure(std::span<const ConvexPiece> pieces, const Vec3& position);
 
     /// Joints are solved in the order in which they are added.
     JointId add_joint(const JointDefinition& joint);

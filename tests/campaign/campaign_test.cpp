@@ -148,7 +148,7 @@ TEST(Differences, OfCommonCasesAreNamedBesideOtherCases) {
 
 TEST(WriteCampaign, ReadsBackEqual) {
     Campaign written = sample();
-    written.cases[1].scenario.structure.profile = {{-1.0 / 3, 0.1}, {0.0, 0.5}, {0.0, 0.6}, {0.2, 0.7}};
+    written.cases[1].scenario.structure.shape = Shape({{-1.0 / 3, 0.1}, {0.0, 0.5}, {0.0, 0.6}, {0.2, 0.7}});
     written.cases[2].scenario.field.far_end = FarEnd::open;
     for (Case& one : written.cases) one.scenario.ice.thickness = 0.1 * 0.3;
     const std::string text = write_campaign(written);

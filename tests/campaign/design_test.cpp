@@ -66,7 +66,7 @@ TEST(Design, AListGoesSideBySide) {
     const Campaign campaign = read(design("method = \"list\"") + axis("structure.profile_m", profiles) +
                                    axis("general.iterations", "values = [20, 50]") + "[[case]]\nname = \"A\"\n");
     EXPECT_THAT(names(campaign), ElementsAre("A+p000", "A+p001"));  // a profile is no name
-    EXPECT_EQ(campaign.cases[0].scenario.structure.profile.size(), 3u);
+    EXPECT_EQ(campaign.cases[0].scenario.structure.shape.rows().size(), 3u);
     EXPECT_EQ(campaign.cases[1].scenario.general.iterations, 50);
 }
 

@@ -30,7 +30,7 @@ void expect_same_case(const CaseRow& a, const CaseRow& b) {
     EXPECT_EQ(a.elastic_modulus, b.elastic_modulus);
     EXPECT_EQ(a.far_end, b.far_end);
     EXPECT_EQ(a.contact_erp, b.contact_erp);
-    EXPECT_EQ(a.profile, b.profile);
+    EXPECT_EQ(a.shape, b.shape);
     EXPECT_EQ(a.analysis.steady_start, b.analysis.steady_start);
     EXPECT_EQ(a.analysis.window, b.analysis.window);
     EXPECT_EQ(a.analysis.segments, b.analysis.segments);
@@ -62,7 +62,7 @@ TEST(CampaignTable, HasEveryMemberWithItsNumbers) {
     EXPECT_EQ(table.title, "synthetic");
     ASSERT_EQ(table.cases.size(), 3u);
     EXPECT_EQ(table.cases[2].far_end, FarEnd::open);
-    EXPECT_EQ(table.cases[2].profile.size(), 3u);
+    EXPECT_EQ(table.cases[2].shape.rows().size(), 3u);
     ASSERT_EQ(table.members.size(), 12u);
     const MemberRow& row = table.members[8];
     const MemberResult& result = synthetic::record(campaign, 8).result;

@@ -43,7 +43,7 @@ inline MemberRow without_result(int case_index, int arrangement, RowStatus statu
 inline CampaignTable campaign() {
     CampaignTable table;
     table.title = "example";
-    const std::vector<ProfilePoint> cone{{-0.443, 0.171}, {0.122, 0.736}};
+    const Shape cone({{-0.443, 0.171}, {0.122, 0.736}});
     for (const auto& [name, cfm, modulus] :
          {std::tuple{"E30", 0.03, 30e6}, {"E60", 0.016, 60e6}, {"E200", 1e-10, 200e6}}) {
         CaseRow row;
@@ -51,7 +51,7 @@ inline CampaignTable campaign() {
         row.cfm = cfm;
         row.elastic_modulus = modulus;
         row.contact_erp = 0.2;
-        row.profile = cone;
+        row.shape = cone;
         table.cases.push_back(row);
     }
     table.members = {

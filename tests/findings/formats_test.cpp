@@ -196,13 +196,5 @@ TEST(Conditions, SayWhichCasesDiffer) {
     EXPECT_THAT(lines, testing::Contains("Contact Γ: 0.2."));
 }
 
-TEST(Conditions, SayEveryPartOfABentWall) {
-    // 0.43 m at the bottom: 67° below the waterline, 45° above.
-    EXPECT_EQ(
-        wall_words({{-0.443, 0.426}, {0.0, 0.614}, {0.122, 0.736}}),
-        "67.0° from the horizontal (radius 0.426 m at -0.443 m to 0.614 m at +0.000 m), then 45.0° from the horizontal "
-        "(radius 0.614 m at +0.000 m to 0.736 m at +0.122 m)");
-}
-
 }  // namespace
 }  // namespace floes

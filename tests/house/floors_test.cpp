@@ -96,8 +96,8 @@ TEST(BrokenRules, RefuseAnUpwardInclude) {
 }
 
 TEST(BrokenRules, RefuseASidewaysInclude) {
-    EXPECT_THAT(broken_by("src/water/drag.cpp", "#include \"structure/profile.hpp\"\n"),
-                ElementsAre(HasSubstr("water is on floor 3, structure on floor 3")));
+    EXPECT_THAT(broken_by("src/water/drag.cpp", "#include \"theory/plate.hpp\"\n"),
+                ElementsAre(HasSubstr("water is on floor 3, theory on floor 3")));
 }
 
 TEST(BrokenRules, RefuseAnIncludeThatIsNoRoom) {

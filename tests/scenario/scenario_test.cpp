@@ -21,27 +21,6 @@ TEST(Scenario, DefaultsAreThePapersField) {
     EXPECT_EQ(scenario.first_window_step(), 4000);
 }
 
-// Table 2: maximum and waterline breadth, draught, depth. Above the waterline the straight wall through them stands at 45°.
-TEST(Scenario, DefaultProfileIsTheStructureOfTable2) {
-    const Scenario scenario;
-    const auto& profile = scenario.structure.profile;
-    EXPECT_NEAR(2 * profile.back().radius, 1.472, 1e-12);
-    EXPECT_NEAR(2 * scenario.waterline_radius(), 1.228, 1e-12);
-    EXPECT_NEAR(-profile.front().height, 0.443, 1e-12);
-    EXPECT_NEAR(profile.back().height - profile.front().height, 0.565, 1e-12);
-    ASSERT_EQ(profile.size(), 3u);
-    EXPECT_EQ(profile[1].height, 0);
-    EXPECT_NEAR(profile[2].height - profile[1].height, profile[2].radius - profile[1].radius, 1e-12);
-}
-
-TEST(Scenario, WaterlineRadiusOfARingIsTheLarger) {
-    Scenario scenario;
-    scenario.structure.profile = {{-1, 0.2}, {0, 0.3}, {0, 0.5}, {1, 0.6}};
-    EXPECT_EQ(scenario.waterline_radius(), 0.5);
-    scenario.structure.profile = {{-1, 0.2}, {-0.5, 0.3}};
-    EXPECT_EQ(scenario.waterline_radius(), 0);
-}
-
 TEST(ScenarioKeys, PathsAreUniqueAndNamed) {
     Scenario scenario;
     std::set<std::string> paths;
@@ -61,7 +40,7 @@ TEST(ScenarioKeys, DefaultsReadBackEqual) {
     Scenario read_back;
     Keys keys = describe(read_back);
     read_back.general.iterations = 1;
-    read_back.structure.profile.clear();
+    read_back.structure.shape = Shape::of_rows({});
     for (const Entry& entry : parse_document(text, "f").entries) assign_known(keys, entry);
     EXPECT_TRUE(differences(written, read_back).empty());
     EXPECT_EQ(canonical_text(written), canonical_text(read_back));

@@ -75,22 +75,22 @@ TEST(Validate, EveryContradictionIsOneSentence) {
          "steps; "
          "change one of them"},
         {[](Scenario& s) {
-             s.structure.profile = {{0, 1}};
+             s.structure.shape = Shape({{0, 1}});
          },
          "structure.profile_m = [[0.0, 1.0]] is not a body; give at least two [height_m, radius_m] points"},
         {[](Scenario& s) {
-             s.structure.profile = {{-1, 1}, {1, 1}, {0.5, 1}};
+             s.structure.shape = Shape({{-1, 1}, {1, 1}, {0.5, 1}});
          },
          "structure.profile_m = [[-1.0, 1.0], [1.0, 1.0], [0.5, 1.0]] has a height that falls; give the points from "
          "the keel "
          "up"},
         {[](Scenario& s) {
-             s.structure.profile = {{0, 1}, {1, 1}};
+             s.structure.shape = Shape({{0, 1}, {1, 1}});
          },
          "structure.profile_m = [[0.0, 1.0], [1.0, 1.0]] does not span the waterline; give points below and above "
          "height 0"},
         {[](Scenario& s) {
-             s.structure.profile = {{-1, 1}, {0, 0}, {1, 0}};
+             s.structure.shape = Shape({{-1, 1}, {0, 0}, {1, 0}});
          },
          "structure.profile_m = [[-1.0, 1.0], [0.0, 0.0], [1.0, 0.0]] has no radius at the waterline; make its radius "
          "at height "
@@ -197,7 +197,7 @@ TEST(Validate, BordersAreConsistent) {
               "consistent");
     EXPECT_EQ(sentence([](Scenario& s) { s.analysis.exceedance_levels = {0, 50}; }), "consistent");
     EXPECT_EQ(sentence([](Scenario& s) {
-                  s.structure.profile = {{-1, 0.2}, {0, 0.3}, {0, 0.5}, {1, 0.6}};
+                  s.structure.shape = Shape({{-1, 0.2}, {0, 0.3}, {0, 0.5}, {1, 0.6}});
               }),
               "consistent");
     EXPECT_EQ(sentence([](Scenario& s) {

@@ -109,8 +109,8 @@ struct Rows {
         const double cell = scenario.floe.length + gap;
         scenario.field.half_width = 2 * cell + 0.5 * gap;
         scenario.field.concentration = 0.36 * 4 * rows / (2 * scenario.field.half_width * (cell * rows + gap));
-        scenario.structure.profile = {{-0.443, 0.171}, {0.122, 0.736}};  // nothing breaks at this wall
-        scenario.structure.start = scenario.field.begin - scenario.waterline_radius() - 0.02;
+        scenario.structure.shape = Shape({{-0.443, 0.171}, {0.122, 0.736}});  // nothing breaks at this wall
+        scenario.structure.start = scenario.field.begin - scenario.structure.shape.waterline_radius() - 0.02;
         for (int i = 0; i < 4 * rows; ++i) {
             arrangement.poses.push_back(
                 {.x = scenario.field.begin + gap + cell * (i / 4) + 0.3, .z = cell * (i % 4 - 1.5)});

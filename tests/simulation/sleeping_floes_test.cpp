@@ -103,7 +103,7 @@ TEST(SleepingFloes, TheStatedBoundHoldsForWhatTheFlowWouldHaveDone) {
     const auto axis = [&] { return scenario.structure.start + scenario.structure.speed * awake.time(); };
     while ((before.position - Vec3(axis(), 0, 0)).norm() > wake_radius) awake.step();
     const double moved = (awake.element_states()[4].position - before.position).norm();
-    const double a = scenario.waterline_radius();
+    const double a = scenario.structure.shape.waterline_radius();
     EXPECT_GT(moved, 0);
     EXPECT_LT(moved, a * a / wake_radius);
     EXPECT_LT(awake.element_states()[4].velocity.norm(),

@@ -159,9 +159,11 @@ std::vector<SolverContact> BulletScene::contacts(std::span<btPersistentManifold*
     return contacts;
 }
 
-ContactRules BulletScene::rules() const {
+ContactLaw BulletScene::law() const {
     const btContactSolverInfo& info = const_cast<OneGroupWorld&>(world_).getSolverInfo();
-    return {info.m_erp2, info.m_splitImpulse != 0, -info.m_splitImpulsePenetrationThreshold};
+    return {.erp = info.m_erp2,
+            .split_impulse = info.m_splitImpulse != 0,
+            .split_impulse_depth = -info.m_splitImpulsePenetrationThreshold};
 }
 
 }  // namespace floes::testing

@@ -58,7 +58,7 @@ class BulletScene {
     /// What solves the same step in lanes: system of all bodies and joints, its state set.
     LaneSystem lane_system(int width) const;
     std::vector<SolverContact> contacts(std::span<btPersistentManifold*> manifolds) const;
-    ContactRules rules() const;
+    ContactLaw law() const;
 
     static constexpr double time_step = 0.02;
     static constexpr int iterations = 50;

@@ -33,7 +33,7 @@ inline Campaign campaign(int arrangements = 4) {
     made.cases.push_back({"stiff", scenario});
     scenario.field.floes = 4;
     scenario.field.far_end = FarEnd::open;
-    scenario.structure.profile = {{-0.443, 0.3}, {0.0, 0.6}, {0.122, 0.736}};
+    scenario.structure.shape = Shape({{-0.443, 0.3}, {0.0, 0.6}, {0.122, 0.736}});
     scenario.contact.erp = 0.8;
     scenario.analysis = {.steady_start = 1.2, .window = 0.8, .segments = 2, .exceedance_levels = {300, 500}};
     made.cases.push_back({"open", scenario});

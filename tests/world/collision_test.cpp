@@ -42,8 +42,8 @@ TEST(WorldCollision, KeepsMomentum) {
 // With every penetration corrected outside the impulse the two go on together: restitution 0.
 TEST(WorldCollision, DoesNotReboundWithSplitImpulse) {
     WorldDefinition definition = weightless();
-    definition.split_impulse = true;
-    definition.split_impulse_depth = 0;
+    definition.contact.split_impulse = true;
+    definition.contact.split_impulse_depth = 0;
     const Crash result = crash(definition, 0.07);
     EXPECT_NEAR(result.velocity_a.x(), 0.07 / 3, 1e-6);
     EXPECT_NEAR(result.velocity_b.x(), 0.07 / 3, 1e-6);
@@ -54,7 +54,7 @@ TEST(WorldCollision, ReboundsByNoMoreThanItsErp) {
     const Crash result = crash(weightless(), 0.07);
     const double rebound = result.velocity_b.x() - result.velocity_a.x();
     EXPECT_GE(rebound, 0);
-    EXPECT_LE(rebound, weightless().contact_erp * 0.07);
+    EXPECT_LE(rebound, weightless().contact.erp * 0.07);
 }
 
 TEST(WorldCollision, ActsOnBothBodiesAsNewtonSays) {

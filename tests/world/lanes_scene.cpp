@@ -18,10 +18,9 @@ LanesScene::LanesScene(const WorldDefinition& definition, int floes)
     FixedBoxDefinition sheet;
     sheet.half_extents = Vec3(0.3, 0.1, 2);
     sheet.pose.position = Vec3(spacing * floes + 0.1, 0, 0);
-    sheet.friction = friction.ice;
     world.add_fixed_box(sheet);
-    const std::vector<Frustum> frusta{{-0.4, 0.2, 0.2, 0.8}};
-    cone = world.add_structure(frusta, friction.structure, cone_start);
+    const std::vector<ConvexPiece> frusta{{-0.4, 0.2, 0.2, 0.8}};
+    cone = world.add_structure(frusta, cone_start);
 }
 
 void LanesScene::add_floe(const Pose& pose, int piece) {

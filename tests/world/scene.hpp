@@ -10,10 +10,6 @@ namespace floes::test {
 inline constexpr double element_side = 0.2;
 inline constexpr double element_thickness = 0.033;
 inline constexpr double element_mass = 930.0 * element_side * element_side * element_thickness;
-inline constexpr double ice_ice_friction = 0.3;
-inline constexpr double ice_structure_friction = 0.2;
-
-inline const MaterialFriction friction = material_friction(ice_ice_friction, ice_structure_friction);
 
 inline WorldDefinition weightless() {
     WorldDefinition definition;
@@ -27,7 +23,6 @@ inline BoxDefinition element_at(const Vec3& position, const Quat& orientation = 
     box.half_extents = Vec3(element_side, element_thickness, element_side) / 2;
     box.mass = element_mass;
     box.pose = {position, orientation};
-    box.friction = friction.ice;
     box.piece = piece;
     return box;
 }

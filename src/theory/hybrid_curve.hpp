@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "scenario/scenario.hpp"
@@ -37,9 +36,5 @@ HybridModel hybrid_model(const Scenario& scenario);
 
 /// The curve at these moduli (Pa, > 0), in their order.
 HybridCurve hybrid_curve(const Scenario& scenario, const HybridModel& model, std::span<const double> moduli);
-
-std::string hybrid_table(const HybridCurve& curve);
-std::string hybrid_json(const HybridCurve& curve);
-std::string hybrid_csv(const HybridCurve& curve);
 
 }  // namespace floes

@@ -1,0 +1,16 @@
+#pragma once
+// How bodies that touch act on each other, as one value. It goes whole from the keys of a scenario to the kernels and
+// to Bullet, so a new parameter is a field here, its key, and what the solvers do with it.
+
+namespace floes {
+
+/// Restitution is 0 (Table 1). World refuses what is out of the ranges given here.
+struct ContactLaw {
+    double erp = 0.2;               ///< Γ, share of a penetration pushed out each step, 0-1 (design decision 5)
+    double ice_ice_friction = 0.3;  ///< f_ii, Coulomb's coefficient between floes and on fixed ice, 0-10 (Table 1)
+    double ice_structure_friction = 0.2;  ///< f_is, of ice on the structure, 0-10 (Table 1)
+    bool split_impulse = true;            ///< correct penetrations deeper than split_impulse_depth outside the impulse
+    double split_impulse_depth = 0.04;    ///< m, >= 0
+};
+
+}  // namespace floes

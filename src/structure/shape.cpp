@@ -1,0 +1,122 @@
+#include "structure/shape.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/units.hpp"
+
+namespace floes {
+namespace {
+
+bool is_a_point(const ProfilePoint& point) {
+    return std::isfinite(point.height) && std::isfinite(point.radius) && point.radius >= 0;
+}
+
+bool falls(const ProfilePoint& below, const ProfilePoint& above) {
+    return above.height < below.height;
+}
+
+std::string part_words(const ProfilePoint& lower, const ProfilePoint& upper) {
+    const double angle = std::atan2(upper.height - lower.height, std::abs(upper.radius - lower.radius)) / unit::degree;
+    return fmt::format("{:.1f}° from the horizontal (radius {:.3f} m at {:+.3f} m to {:.3f} m at {:+.3f} m)", angle,
+                       lower.radius, lower.height, upper.radius, upper.height);
+}
+
+}  // namespace
+
+Shape::Shape() : Shape({{-0.443, 0.499}, {0, 0.614}, {0.122, 0.736}}) {}
+
+Shape::Shape(std::vector<ProfilePoint> profile) : profile_(std::move(profile)) {}
+
+std::vector<std::vector<double>> Shape::rows() const {
+    std::vector<std::vector<double>> rows;
+    for (const ProfilePoint& point : profile_) rows.push_back({point.height, point.radius});
+    return rows;
+}
+
+Shape Shape::of_rows(const std::vector<std::vector<double>>& rows) {
+    std::vector<ProfilePoint> profile;
+    for (const std::vector<double>& row : rows) profile.push_back({row.at(0), row.at(1)});
+    return Shape(std::move(profile));
+}
+
+std::optional<std::string> Shape::fault() const {
+    if (profile_.size() < 2) return "is not a body; give at least two [height_m, radius_m] points";
+    if (!std::ranges::all_of(profile_, is_a_point))
+        return "has a point that is none; heights must be finite, radii finite and at least 0";
+    if (std::ranges::adjacent_find(profile_, falls) != profile_.end())
+        return "has a height that falls; give the points from the keel up";
+    if (!(bottom() < 0 && top() > 0)) return "does not span the waterline; give points below and above height 0";
+    if (waterline_radius() <= 0) return "has no radius at the waterline; make its radius at height 0 greater than 0";
+    return std::nullopt;
+}
+
+std::vector<ConvexPiece> Shape::pieces() const {
+    if (const auto wrong = fault()) throw InputError(fmt::format("The structure's profile {}.", *wrong));
+    std::vector<ConvexPiece> pieces;
+    for (std::size_t i = 1; i < profile_.size(); ++i) {
+        const ProfilePoint& low = profile_[i - 1];
+        const ProfilePoint& high = profile_[i];
+        const bool flat = low.height == high.height;
+        const bool on_axis = low.radius == 0 && high.radius == 0;
+        if (!flat && !on_axis) pieces.push_back({low.height, low.radius, high.height, high.radius});
+    }
+    return pieces;
+}
+
+double Shape::waterline_radius() const {
+    double radius = 0;
+    for (std::size_t i = 1; i < profile_.size(); ++i) {
+        const ProfilePoint& below = profile_[i - 1];
+        const ProfilePoint& above = profile_[i];
+        if (below.height > 0 || above.height < 0) continue;
+        const double rise = above.height - below.height;
+        const double here = rise > 0 ? below.radius - (above.radius - below.radius) * below.height / rise
+                                     : std::max(below.radius, above.radius);
+        radius = std::max(radius, here);
+    }
+    return radius;
+}
+
+double Shape::largest_radius() const {
+    double largest = 0;
+    for (const ProfilePoint& point : profile_) largest = std::max(largest, point.radius);
+    return largest;
+}
+
+double Shape::bottom() const {
+    return profile_.empty() ? 0 : profile_.front().height;
+}
+
+double Shape::top() const {
+    return profile_.empty() ? 0 : profile_.back().height;
+}
+
+double Shape::wall_angle_above_water() const {
+    const auto above = std::ranges::find_if(profile_, [](const ProfilePoint& point) { return point.height > 0; });
+    if (above == profile_.begin() || above == profile_.end())
+        throw InputError("The structure has no wall above the waterline.");
+    const auto below = above - 1;
+    return std::atan2(above->height - below->height, above->radius - below->radius);
+}
+
+std::string Shape::words() const {
+    std::vector<std::string> parts;
+    for (std::size_t i = 1; i < profile_.size(); ++i) parts.push_back(part_words(profile_[i - 1], profile_[i]));
+    return fmt::format("{}{}", parts.size() == 1 ? "straight, " : "", fmt::join(parts, ", then "));
+}
+
+std::vector<Vec2> Shape::section() const {
+    std::vector<Vec2> outline;
+    for (const ProfilePoint& point : profile_) outline.emplace_back(point.radius, point.height);
+    for (auto point = profile_.rbegin(); point != profile_.rend(); ++point)
+        outline.emplace_back(-point->radius, point->height);
+    return outline;
+}
+
+}  // namespace floes
