@@ -80,6 +80,26 @@ TEST(LanesEquivalence, PackedIceMovesAsInBullet) {
     expect_close(lanes, stock, 1e-6);  // rounding grows from step to step
 }
 
+// Another law than the default in every field: both solvers have it whole, and it makes a difference.
+TEST(LanesEquivalence, AnotherContactLawActsAsInBullet) {
+    WorldDefinition other = solved_by(ConstraintSolver::lanes);
+    other.contact = {.erp = 0.6,
+                     .ice_ice_friction = 0.1,
+                     .ice_structure_friction = 0.5,
+                     .split_impulse = true,
+                     .split_impulse_depth = 1e-4};
+    LanesScene usual(solved_by(ConstraintSolver::lanes));
+    LanesScene lanes(other);
+    other.solver = ConstraintSolver::stock;
+    LanesScene stock(other);
+    for (int i = 0; i < 40; ++i) {
+        for (LanesScene* scene : {&usual, &lanes, &stock}) scene->step();
+    }
+    const Vec3 load = stock.world.contact_force(stock.cone);
+    EXPECT_GT((usual.world.contact_force(usual.cone) - load).norm(), 0.01 * load.norm());
+    expect_close(lanes, stock, 1e-6);
+}
+
 TEST(LanesEquivalence, BrokenFloesMoveAsInBullet) {
     LanesScene lanes(solved_by(ConstraintSolver::lanes));
     LanesScene stock(solved_by(ConstraintSolver::stock));
