@@ -1,20 +1,21 @@
 // floes calibrate: the plate-deflection test. Σ to E as in Fig. 2, and back.
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <cmath>
 #include <cstdio>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/config_file.hpp"
+#include "cli/terminal.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "driver/measure_curve.hpp"
 #include "laboratory/calibration.hpp"
+#include "tables/number_text.hpp"
 
 namespace floes {
 namespace {
@@ -33,11 +34,6 @@ struct CalibrateOptions {
     double load = PlateTest{}.load;
     double modulus = 0;
     std::string format = "table";
-};
-
-struct PointPlan {
-    Scenario scenario;
-    PlateTest test;
 };
 
 /// Without a configuration: the paper's ice as a plate of 0.030 m, which its Fig. 2 tested.
@@ -84,19 +80,20 @@ Section curve_section(const std::vector<CurvePoint>& curve) {
                          fixed(p.elastic_modulus / unit::megapascal, 1),
                          fixed(p.elastic_modulus_point / unit::megapascal, 1)});
     using Row = const CurvePoint&;
-    return {.table = std::move(table),
-            .records = {make_records<CurvePoint>(
-                "curve", curve,
-                {{"sheet_m", &CurvePoint::sheet},
-                 {"element_m", &CurvePoint::element},
-                 {"thickness_m", &CurvePoint::thickness},
-                 {"time_step_s", &CurvePoint::time_step},
-                 {"erp", &CurvePoint::erp},
-                 {"iterations", &CurvePoint::iterations},
-                 {"cfm", &CurvePoint::cfm},
-                 {"slope_N_per_m", &CurvePoint::slope},
-                 {"elastic_modulus_MPa", [](Row row) { return row.elastic_modulus / unit::megapascal; }},
-                 {"elastic_modulus_point_MPa", [](Row row) { return row.elastic_modulus_point / unit::megapascal; }}})}};
+    return {
+        .table = std::move(table),
+        .records = {make_records<CurvePoint>(
+            "curve", curve,
+            {{"sheet_m", &CurvePoint::sheet},
+             {"element_m", &CurvePoint::element},
+             {"thickness_m", &CurvePoint::thickness},
+             {"time_step_s", &CurvePoint::time_step},
+             {"erp", &CurvePoint::erp},
+             {"iterations", &CurvePoint::iterations},
+             {"cfm", &CurvePoint::cfm},
+             {"slope_N_per_m", &CurvePoint::slope},
+             {"elastic_modulus_MPa", [](Row row) { return row.elastic_modulus / unit::megapascal; }},
+             {"elastic_modulus_point_MPa", [](Row row) { return row.elastic_modulus_point / unit::megapascal; }}})}};
 }
 
 /// The one ice whose Σ is looked for.
@@ -114,17 +111,21 @@ PointPlan plan_of_inverse(CalibrateOptions options) {
 std::string inverse_text(const CalibrateOptions& options) {
     const PointPlan plan = plan_of_inverse(options);
     const Calibration found = calibrate_cfm(plan.scenario, plan.test, options.modulus * unit::megapascal);
-    if (options.format == "json") {
-        return nlohmann::ordered_json{{"elastic_modulus_MPa", options.modulus},
-                                      {"cfm", found.cfm},
-                                      {"ceiling_MPa", found.ceiling / unit::megapascal},
-                                      {"curve", to_json(found.curve)}}
-                   .dump(2) +
-               "\n";
-    }
-    return to_table(found.curve) +
-           fmt::format("\nΣ = {:.4g} shows {:g} MPa (the ceiling of these iterations is {:.4g} MPa)\n", found.cfm,
-                       options.modulus, found.ceiling / unit::megapascal);
+    Section section = curve_section(found.curve);
+    section.records.insert(
+        section.records.begin(),
+        make_object<Calibration>(
+            "", found,
+            {{Names{"", "elastic_modulus_MPa"}, [&](const Calibration&) { return options.modulus; }},
+             {Names{"", "cfm"}, &Calibration::cfm},
+             {Names{"", "ceiling_MPa"}, [](const Calibration& one) { return one.ceiling / unit::megapascal; }}}));
+    section.after = fmt::format("\nΣ = {:.4g} shows {:g} MPa (the ceiling of these iterations is {:.4g} MPa)\n",
+                                found.cfm, options.modulus, found.ceiling / unit::megapascal);
+    return written({section}, options.format);
+}
+
+std::string curve_text(const CalibrateOptions& options) {
+    return written({curve_section(measure_curve(make_plans(options)))}, options.format);
 }
 
 }  // namespace
@@ -151,8 +152,8 @@ void add_calibrate(CLI::App& program, int& exit_status) {
     verb->add_option("--modulus-MPa", options->modulus,
                      "Inverse calibration: find the Σ that shows this modulus on the first sheet")
         ->excludes(cfm);
-    verb->add_option("--format", options->format, "table or json")
-        ->check(CLI::IsMember({"table", "json"}))
+    verb->add_option("--format", options->format, "table, json or csv")
+        ->check(CLI::IsMember({"table", "json", "csv"}))
         ->capture_default_str();
     verb->footer(
         "Lists are comma-separated and every combination is measured. Without arguments: the paper's Σ on sheets of\n"

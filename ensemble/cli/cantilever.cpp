@@ -4,14 +4,15 @@
 
 #include <cstdio>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/config_file.hpp"
+#include "cli/terminal.hpp"
 #include "core/units.hpp"
 #include "laboratory/cantilever.hpp"
+#include "tables/number_text.hpp"
 #include "theory/beam.hpp"
 
 namespace floes {
@@ -64,33 +65,27 @@ std::vector<Row> measure(const CantileverOptions& options) {
     return rows;
 }
 
-std::string to_json(const std::vector<Row>& rows) {
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+Section section_of(const std::vector<Row>& rows, bool floating) {
+    const auto mode_of = [](const Row& row) { return failure_mode_names.at(static_cast<std::size_t>(row.shown.mode)); };
+    Table table{{"Σ", "mode", "length, m", "load, N", "strength, kPa", "set, kPa", "shown/set"}};
+    if (floating) table.front().emplace_back("elastic beam");
     for (const Row& row : rows) {
-        list.push_back({{"mode", failure_mode_names.at(static_cast<std::size_t>(row.shown.mode))},
-                        {"cfm", row.cfm},
-                        {"length_m", row.shown.length},
-                        {"load_N", row.shown.load},
-                        {"strength_kPa", row.shown.strength / unit::kilopascal},
-                        {"set_kPa", row.shown.set / unit::kilopascal},
-                        {"joint", row.shown.joint},
-                        {"elastic_foundation_ratio", row.elastic}});
+        table.push_back({fmt::format("{:.4g}", row.cfm), mode_of(row), fmt::format("{:.3g}", row.shown.length),
+                         fmt::format("{:.4g}", row.shown.load), fixed(row.shown.strength / unit::kilopascal, 2),
+                         fixed(row.shown.set / unit::kilopascal, 2), fixed(row.shown.strength / row.shown.set, 3)});
+        if (floating) table.back().emplace_back(fixed(row.elastic, 3));
     }
-    return nlohmann::ordered_json{{"rows", list}}.dump(2) + "\n";
-}
-
-std::string to_table(const std::vector<Row>& rows, const CantileverOptions& options) {
-    std::string text = "        Σ  mode         length    load  strength      set  shown/set";
-    text += options.floating ? "  elastic beam\n" : "\n";
-    text += "                             m       N       kPa      kPa\n";
-    for (const Row& row : rows) {
-        text += fmt::format("{:9.4g}  {:<11} {:7.3g} {:7.4g} {:9.2f} {:8.2f} {:10.3f}", row.cfm,
-                            failure_mode_names.at(static_cast<std::size_t>(row.shown.mode)), row.shown.length,
-                            row.shown.load, row.shown.strength / unit::kilopascal, row.shown.set / unit::kilopascal,
-                            row.shown.strength / row.shown.set);
-        text += options.floating ? fmt::format(" {:13.3f}\n", row.elastic) : "\n";
-    }
-    return text;
+    return {.table = std::move(table),
+            .records = {make_records<Row>(
+                "rows", rows,
+                {{"mode", mode_of},
+                 {"cfm", &Row::cfm},
+                 {"length_m", [](const Row& row) { return row.shown.length; }},
+                 {"load_N", [](const Row& row) { return row.shown.load; }},
+                 {"strength_kPa", [](const Row& row) { return row.shown.strength / unit::kilopascal; }},
+                 {"set_kPa", [](const Row& row) { return row.shown.set / unit::kilopascal; }},
+                 {"joint", [](const Row& row) { return row.shown.joint; }},
+                 {"elastic_foundation_ratio", &Row::elastic}})}};
 }
 
 }  // namespace
@@ -116,8 +111,8 @@ void add_cantilever(CLI::App& program, int& exit_status) {
                      "Modulus of the elastic beam on a foundation used for comparison")
         ->needs(floating)
         ->capture_default_str();
-    verb->add_option("--format", options->format, "table or json")
-        ->check(CLI::IsMember({"table", "json"}))
+    verb->add_option("--format", options->format, "table, json or csv")
+        ->check(CLI::IsMember({"table", "json", "csv"}))
         ->capture_default_str();
     verb->footer(
         "The beam is one element wide and clamped at one end. Bending: strength = 6 P L/(b h²), L from the load to "
@@ -125,7 +120,7 @@ void add_cantilever(CLI::App& program, int& exit_status) {
         "failing joint. Shear and compression: P/(b h), or P/(b h²) with joint.threshold_form = \"as_printed\".");
     verb->callback([options, &exit_status] {
         const std::vector<Row> rows = measure(*options);
-        std::fputs((options->format == "json" ? to_json(rows) : to_table(rows, *options)).c_str(), stdout);
+        std::fputs(written({section_of(rows, options->floating)}, options->format).c_str(), stdout);
         exit_status = 0;
     });
 }

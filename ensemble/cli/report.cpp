@@ -1,7 +1,6 @@
 // floes report: a finished or unfinished campaign as one HTML page.
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <cerrno>
 #include <cstdio>
@@ -13,30 +12,17 @@
 
 #include "cli/commands.hpp"
 #include "core/error.hpp"
+#include "driver/measure_curve.hpp"
 #include "page/page.hpp"
 
 namespace floes {
 namespace {
-
-constexpr double tested_cfm[]{vanishing_cfm, 0.003, 0.008, 0.016, 0.03, 0.06};
-constexpr int sheet_elements = 13;  // as the paper's smaller sheet, to a whole number
 
 struct ReportOptions {
     std::string file;
     std::string output;
     bool skip_plate_tests = false;
 };
-
-std::vector<CurvePoint> measured_curve(const Scenario& scenario) {
-    const PlateTest test{.sheet = sheet_elements * scenario.floe.element};
-    std::vector<CurvePoint> curve(std::size(tested_cfm));
-    tbb::parallel_for(std::size_t{0}, curve.size(), [&](std::size_t i) {
-        Scenario one = scenario;
-        one.joint.cfm = tested_cfm[i];
-        curve[i] = measure_curve_point(one, test);
-    });
-    return curve;
-}
 
 void write_page(const std::filesystem::path& path, const std::string& page) {
     std::ofstream file(path, std::ios::binary);
@@ -51,7 +37,7 @@ void report(const ReportOptions& options) {
     const std::filesystem::path file = options.file;
     const std::filesystem::path output = options.output.empty() ? file.stem().string() + ".html" : options.output;
     ReportData data = read_report_data(file);
-    if (!options.skip_plate_tests) data.curve = measured_curve(data.campaign.cases.front().scenario);
+    if (!options.skip_plate_tests) data.curve = measure_curve(curve_plans(data.campaign.cases.front().scenario));
     data.command = fmt::format("./floes run {0}.toml -o {0}.h5", data.summary.title);
     write_page(output, report_page(data));
     std::printf("%s\n", output.string().c_str());

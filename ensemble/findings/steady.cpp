@@ -5,11 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "campaign_file/measure_anew.hpp"
 #include "campaign_file/read_history.hpp"
 #include "core/error.hpp"
 #include "inference/bootstrap.hpp"
-#include "statistics/level_counts.hpp"
-#include "statistics/load_statistics.hpp"
 #include "statistics/steady_state.hpp"
 #include "tables/number_text.hpp"
 
@@ -22,15 +21,6 @@ double median(std::vector<double> values) {
     if (values.empty()) return std::nan("");
     std::ranges::sort(values);
     return quantile_of_sorted(values, 0.5);
-}
-
-/// Values of the history in the window, which ends the run.
-std::size_t values_in_window(const Analysis& analysis, double step) {
-    return static_cast<std::size_t>(std::llround(analysis.window / step));
-}
-
-std::span<const double> last(std::span<const double> history, std::size_t count) {
-    return history.last(std::min(count, history.size()));
 }
 
 /// Values of the history that make a batch of at least correlation_batch steps.
@@ -71,32 +61,6 @@ CaseSteady case_steady(const CampaignTable& table, std::size_t index, const std:
     return found;
 }
 
-void measure(MemberRow& row, const SurgeHistory& history, const Analysis& analysis, std::span<const double> levels) {
-    const auto window = last(history.surge, values_in_window(analysis, history.step));
-    row.load = load_statistics(window, history.step, analysis.segments);
-    const std::vector<LevelCount> counts = count_levels(window, levels);
-    for (std::size_t k = 0; k < levels.size(); ++k) {
-        if (std::isnan(row.steps_above[k])) continue;
-        row.steps_above[k] = counts[k].steps_above;
-        row.upcrossings[k] = counts[k].upcrossings;
-    }
-}
-
-/// Throws unless the loads can be measured anew.
-void check_histories(const CampaignTable& table, const SteadyReport& steady) {
-    if (steady.members.empty())
-        throw InputError("--window auto measures the loads anew, and the file has no load histories to do it from.");
-    for (const MemberSteady& member : steady.members) {
-        const auto of_case = table.members[static_cast<std::size_t>(member.member)].case_index;
-        const CaseRow& about = table.cases[static_cast<std::size_t>(of_case)];
-        if (about.analysis.history_stride > 1)
-            throw InputError(
-                fmt::format("--window auto measures maxima and deviations anew, which needs the load of every step, "
-                            "and the histories of case {} are means over {} steps (analysis.history_stride).",
-                            about.name, about.analysis.history_stride));
-    }
-}
-
 }  // namespace
 
 SteadyReport find_steady(const std::filesystem::path& path, const CampaignTable& table) {
@@ -112,8 +76,8 @@ SteadyReport find_steady(const std::filesystem::path& path, const CampaignTable&
         std::optional<double> variance;  // of single steps, which means over several do not show
         const double sd = table.members[static_cast<std::size_t>(history.member)].load.sd;
         if (analysis.history_stride > 1) variance = sd * sd;
-        const Autocorrelation found = autocorrelation(last(history.surge, values_in_window(analysis, history.step)),
-                                                      history.step, batch_of(analysis), variance);
+        const Autocorrelation found =
+            autocorrelation(in_window(history, analysis), history.step, batch_of(analysis), variance);
         member.decorrelation_time = found.time;
         member.effective_samples = found.effective_samples;
         report.members.push_back(member);
@@ -126,9 +90,11 @@ SteadyReport find_steady(const std::filesystem::path& path, const CampaignTable&
 
 CampaignTable with_automatic_window(const std::filesystem::path& path, CampaignTable table,
                                     const SteadyReport& steady) {
-    check_histories(table, steady);
+    if (steady.members.empty())
+        throw InputError("--window auto measures the loads anew, and the file has no load histories to do it from.");
+    std::vector<Analysis> windows;
     for (std::size_t index = 0; index < table.cases.size(); ++index) {
-        Analysis& analysis = table.cases[index].analysis;
+        Analysis& analysis = windows.emplace_back(table.cases[index].analysis);
         const double end = analysis.steady_start + analysis.window;
         const double segment = analysis.window / analysis.segments;
         if (!steady.cases[index].start) continue;
@@ -139,11 +105,7 @@ CampaignTable with_automatic_window(const std::filesystem::path& path, CampaignT
         analysis.window = segments * segment;
         analysis.segments = segments;
     }
-    for_each_history(path, [&](const SurgeHistory& history) {
-        MemberRow& row = table.members.at(static_cast<std::size_t>(history.member));
-        measure(row, history, table.cases.at(static_cast<std::size_t>(row.case_index)).analysis, table.levels);
-    });
-    return table;
+    return measured_anew(path, std::move(table), windows);
 }
 
 Section steady_section(const Summary& summary, const CampaignTable& table, const SteadyReport& steady) {

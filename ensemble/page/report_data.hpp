@@ -8,13 +8,13 @@
 #include "campaign/campaign.hpp"
 #include "campaign_file/read_details.hpp"
 #include "findings/extremes.hpp"
-#include "findings/hybrid_curve.hpp"
 #include "findings/levels.hpp"
 #include "findings/pairs.hpp"
 #include "findings/parts.hpp"
 #include "findings/points.hpp"
 #include "findings/sensitivity.hpp"
 #include "laboratory/calibration.hpp"
+#include "theory/hybrid_curve.hpp"
 
 namespace floes {
 

@@ -63,6 +63,17 @@ Scenario plate_scenario(const Scenario& scenario) {
     return plate;
 }
 
+std::vector<PointPlan> curve_plans(const Scenario& scenario) {
+    constexpr double tested_cfm[]{vanishing_cfm, 0.003, 0.008, 0.016, 0.03, 0.06};
+    constexpr int sheet_elements = 13;
+    std::vector<PointPlan> plans;
+    for (const double cfm : tested_cfm) {
+        plans.push_back({scenario, {.sheet = sheet_elements * scenario.floe.element}});
+        plans.back().scenario.joint.cfm = cfm;
+    }
+    return plans;
+}
+
 CurvePoint measure_curve_point(const Scenario& scenario, const PlateTest& test) {
     const PlateDeflection result = measure_plate_deflection(scenario, test);
     return {.sheet = test.sheet,

@@ -22,6 +22,16 @@ struct CurvePoint {
     double elastic_modulus_point = 0;  ///< Pa, as if the load were a point
 };
 
+/// One plate test to be made.
+struct PointPlan {
+    Scenario scenario;
+    PlateTest test;
+};
+
+/// The curve of Fig. 2 for the scenario's ice: Σ from vanishing_cfm to 0.06 on a sheet of 13 elements square, which is
+/// the paper's smaller sheet to a whole number of elements.
+std::vector<PointPlan> curve_plans(const Scenario& scenario);
+
 /// measure_plate_deflection() on the scenario's ice; throws as it does.
 CurvePoint measure_curve_point(const Scenario& scenario, const PlateTest& test);
 
