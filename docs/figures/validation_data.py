@@ -52,6 +52,11 @@ def paper(case, quantity):
     return PAPER.loc[case, quantity] * (100 if quantity == "failure_ratio" else 1)
 
 
+def is_maximum(quantity):
+    """A maximum or a mean of maxima: single runs are predicted on a logarithmic scale."""
+    return quantity.endswith("maximum_N") and not quantity.startswith("sd_")
+
+
 def half_width(values, one_run=False):
     """Half width of the 95 % t interval: of the mean, or the prediction interval of one further run."""
     n = len(values)
@@ -59,8 +64,13 @@ def half_width(values, one_run=False):
     return stats.t.ppf(0.975, n - 1) * spread
 
 
-def interval(values, one_run=False):
-    """Mean, lower and upper bound; the lower bound is cut at zero, as loads and ratios are not negative."""
+def interval(values, one_run=False, positive=False):
+    """Mean, lower and upper bound; the lower bound is cut at zero, as loads and ratios are not negative. `positive`: the
+    bounds are those of the logarithms, as floes summarize has them for one further run of a maximum."""
+    if positive:
+        logs = np.log(values)
+        half = half_width(logs, one_run)
+        return np.mean(values), np.exp(np.mean(logs) - half), np.exp(np.mean(logs) + half)
     mean, half = np.mean(values), half_width(values, one_run)
     return mean, max(mean - half, 0.0), mean + half
 

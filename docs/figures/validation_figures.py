@@ -7,7 +7,7 @@ matplotlib.rcParams["font.size"] = 10
 import matplotlib.pyplot as plt
 import numpy as np
 
-from validation_data import EXPERIMENT, LABELS, MODULI, change, hybrid, interval, members, paper
+from validation_data import EXPERIMENT, LABELS, MODULI, change, hybrid, interval, is_maximum, members, paper
 
 COLOURS = {"E30": "#0072B2", "E60": "#D55E00", "E200": "#009E73"}  # Okabe and Ito
 PANELS = ["mean_N", "mean_maximum_N", "failure_ratio"]
@@ -24,9 +24,10 @@ def finish(figure, path, legend_of=None):
     plt.close(figure)
 
 
-def draw_estimate(axes, place, values, colour, labels):
-    """The mean with its interval, on a bar that holds 95 % of single runs. `labels`: of bar and mean, None for none."""
-    _, low, high = interval(values, one_run=True)
+def draw_estimate(axes, place, values, positive, colour, labels):
+    """The mean with its interval, on a bar that holds 95 % of single runs, `positive` as for interval(). `labels`: of bar
+    and mean, None for none."""
+    _, low, high = interval(values, one_run=True, positive=positive)
     axes.vlines(place, low, high, color="0.72", linewidth=5, label=labels[0])
     mean, low, high = interval(values)
     axes.errorbar(place, mean, [[mean - low], [high - mean]], fmt="o", color=colour, capsize=5, linewidth=2,
@@ -43,7 +44,7 @@ def answer(path):
             order = np.argsort(np.argsort(values))  # dots side by side, in no other order than their size
             axes.plot(place - 0.22 + 0.09 * (order % 3 - 1), values, ".", color=COLOURS[case], alpha=0.55, markersize=5,
                       label="one run each" if place == 0 else None)
-            draw_estimate(axes, place + 0.06, values, COLOURS[case],
+            draw_estimate(axes, place + 0.06, values, is_maximum(quantity), COLOURS[case],
                           ("95 % of single runs", "mean, 95 %") if place == 0 else (None, None))
             axes.plot(place + 0.32, paper(case, quantity), "D", color="black", markersize=7,
                       label="the paper's run" if place == 0 else None)
@@ -105,7 +106,7 @@ def hybrid_points(path):
     for case, modulus in MODULI.items():
         first = case == "E30"
         values = table[table.case == case].mean_N
-        draw_estimate(axes, modulus, values, "#009E73",
+        draw_estimate(axes, modulus, values, False, "#009E73",
                       ("95 % of single runs", "ensemble: mean, 95 %") if first else (None, None))
         axes.plot(1.13 * modulus, paper(case, "mean_N"), "D", color="black", label="the paper's simulation" if first else None)
     axes.plot(60 / 1.13, EXPERIMENT["mean_N"], "*", color="black", markersize=12, label="experiment")

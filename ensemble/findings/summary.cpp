@@ -43,7 +43,8 @@ CaseSummary summarise_case(const CampaignTable& table, int number) {
     for (const Quantity& quantity : shown_in(Shown::in_summary)) {
         std::ranges::transform(done, values.begin(), [&](const MemberRow* member) { return quantity.of(*member); });
         // The bootstrap's limits cannot leave the range that the values keep to; Student's can.
-        row.estimates[quantity.key] = {clipped(mean_interval(values), quantity.least, quantity.most),
+        row.estimates[quantity.key] = {clipped(quantity.positive ? positive_interval(values) : mean_interval(values),
+                                               quantity.least, quantity.most),
                                        bca_mean_interval(values)};
     }
     return row;

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "core/error.hpp"
 
@@ -44,6 +46,17 @@ Interval mean_interval(std::span<const double> values, double confidence) {
     const double of_mean = t * sd / std::sqrt(count);
     const double of_run = t * sd * std::sqrt(1 + 1 / count);
     return {mean, mean - of_mean, mean + of_mean, mean - of_run, mean + of_run};
+}
+
+Interval positive_interval(std::span<const double> values, double confidence) {
+    Interval interval = mean_interval(values, confidence);
+    if (std::ranges::any_of(values, [](double value) { return value <= 0; })) return interval;
+    std::vector<double> logarithms(values.size());
+    std::ranges::transform(values, logarithms.begin(), [](double value) { return std::log(value); });
+    const Interval logarithmic = mean_interval(logarithms, confidence);
+    interval.prediction_low = std::exp(logarithmic.prediction_low);
+    interval.prediction_high = std::exp(logarithmic.prediction_high);
+    return interval;
 }
 
 Interval clipped(const Interval& interval, double least, double most) {

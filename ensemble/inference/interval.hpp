@@ -24,6 +24,10 @@ double student_t(double freedom, double tail);
 /// only. `values` finite; `confidence` between 0 and 1. Throws InputError otherwise.
 Interval mean_interval(std::span<const double> values, double confidence = 0.95);
 
+/// The same for values above 0, such as maxima: the prediction interval is that of their logarithms, so it cannot reach
+/// below 0, and allows for a longer tail above. Where a value is 0 or below it is mean_interval().
+Interval positive_interval(std::span<const double> values, double confidence = 0.95);
+
 /// The interval cut to [least, most], for quantities that cannot lie outside (a ratio: 0 to 1). The coverage stays.
 Interval clipped(const Interval& interval, double least, double most);
 

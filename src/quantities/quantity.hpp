@@ -54,6 +54,7 @@ struct Quantity {
     std::string_view label = {};  ///< in tables, with the unit
     double least = 0;             ///< values keep to [least, most], and so do intervals
     double most = no_most;
+    bool positive = false;    ///< above 0 in any run: ranges of single runs are taken on a logarithmic scale
     bool percent = false;     ///< shown in percent
     bool count = false;       ///< a whole number, whose total over runs says something too
     bool stops = false;       ///< a stop rule may look at it
@@ -93,6 +94,7 @@ inline constexpr std::array quantities{
              .name = "maximum_N",
              .label = "maximum, N",
              .least = no_least,
+             .positive = true,
              .stops = true},
     Quantity{.key = "skewness",
              .unit = "1",
@@ -114,6 +116,7 @@ inline constexpr std::array quantities{
              .name = "mean_maximum_N",
              .label = "mean maximum, N",
              .least = no_least,
+             .positive = true,
              .stops = true,
              .in_designs = true},
     Quantity{.key = "sd_maximum",

@@ -37,6 +37,25 @@ TEST(MeanInterval, OfThreeValuesIsClosedForm) {
     EXPECT_NEAR(found.prediction_high, t * std::sqrt(4.0 / 3.0), 1e-9);
 }
 
+// Logarithms of e, e³ are 1 and 3: mean 2, s = √2, and t as above.
+TEST(PositiveInterval, PredictsOnALogarithmicScale) {
+    const std::vector<double> values{std::exp(1.0), std::exp(3.0)};
+    const double t = std::tan(std::acos(-1.0) / 2 * 0.95);
+    const Interval found = positive_interval(values);
+    const Interval plain = mean_interval(values);
+    EXPECT_EQ(found.low, plain.low);
+    EXPECT_EQ(found.high, plain.high);
+    EXPECT_NEAR(std::log(found.prediction_low), 2 - std::sqrt(3.0) * t, 1e-9);
+    EXPECT_NEAR(std::log(found.prediction_high), 2 + std::sqrt(3.0) * t, 1e-9);
+    EXPECT_GT(found.prediction_low, 0);
+    EXPECT_LT(plain.prediction_low, 0);
+}
+
+TEST(PositiveInterval, IsThePlainOneWhereAValueIsNotPositive) {
+    const std::vector<double> values{0.0, 8.0, 12.0};
+    EXPECT_EQ(positive_interval(values), mean_interval(values));
+}
+
 // The segment maxima of Table 3 at E = 30 MPa. At two degrees of freedom scipy 1.10 is 4e-11 off the closed form above.
 // python3 -c "from scipy import stats; import numpy as np; x = np.array([106.58, 46.75, 126.84]);
 // print(stats.t.interval(.95, 2, x.mean(), stats.sem(x)), stats.t.interval(.95, 2, x.mean(), x.std(ddof=1) * np.sqrt(1

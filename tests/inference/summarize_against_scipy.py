@@ -26,6 +26,7 @@ QUANTITIES = {
     "failures_shear_per_run": "failures_shear",
     "failures_compression_per_run": "failures_compression",
 }
+POSITIVE = ["maximum_N", "mean_maximum_N"]  # single runs on a logarithmic scale
 LEAST = {"mean_N": -np.inf, "maximum_N": -np.inf, "mean_maximum_N": -np.inf}
 MOST = {"failure_ratio": 1}
 TIGHT = 1e-9
@@ -106,6 +107,11 @@ class Summarize(unittest.TestCase):
                     "prediction_low": cut(mean - t * s * np.sqrt(1 + 1 / n)),
                     "prediction_high": cut(mean + t * s * np.sqrt(1 + 1 / n)),
                 }
+                if key in POSITIVE:
+                    logs = np.log(x)
+                    half = t * logs.std(ddof=1) * np.sqrt(1 + 1 / n)
+                    expected["prediction_low"] = np.exp(logs.mean() - half)
+                    expected["prediction_high"] = np.exp(logs.mean() + half)
                 for part, value in expected.items():
                     with self.subTest(case=self.names[case], key=key, part=part):
                         self.assertTrue(close(row[key][part], value), f"{row[key][part]} is not {value}")
