@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""readers_test.py SYNTHETIC_FILE PAGE: what h5py, pandas, xarray and h5dump make of a campaign file, and whether the page
-that describes it names every dataset with its unit and dimensions."""
+"""readers_test.py SYNTHETIC_FILE PAGE [--update]: what h5py, pandas, xarray and h5dump make of a campaign file, and whether the page
+that describes it names every dataset with its unit and dimensions. --update writes the page's table of quantities anew."""
 
 import pathlib
 import re
@@ -19,6 +19,8 @@ CALIBRATION = {"calibration": {"calibration_point": 6}}  # of one with calibrate
 ENGINES = ["netcdf4", "h5netcdf"]
 DONE, MISSING, FAILED = 0, -1, 1
 WRITER, PAGE = sys.argv[1:3]
+UPDATE = "--update" in sys.argv
+QUANTITIES = re.compile(r"(?<=<!-- quantities -->\n).*?(?=<!-- end -->)", re.S)
 
 
 def datasets_of(file):
@@ -173,6 +175,23 @@ class Readers(unittest.TestCase):
         with h5py.File(self.path) as file:
             for name, dataset in datasets_of(file).items():
                 self.assertTrue(dataset.attrs["long_name"] and dataset.attrs["units"], name)
+
+    def test_page_has_the_quantities(self):
+        lines = ["", "| dataset | unit | dimensions | meaning |", "|---|---|---|---|"]
+        with h5py.File(self.path) as file:
+            members = file["members"]
+            names = []
+            members.id.links.iterate(names.append, idx_type=h5py.h5.INDEX_CRT_ORDER)
+            for name in (name.decode() for name in names):
+                column = members[name]
+                if column.dtype == float and column.ndim == 1:
+                    lines.append(f"| `/members/{name}` | {column.attrs['units']} | member | {column.attrs['long_name']} |")
+        table = "\n".join(lines) + "\n"
+        text = pathlib.Path(PAGE).read_text(encoding="utf-8")
+        if UPDATE:
+            text = QUANTITIES.sub(lambda _: table, text)
+            pathlib.Path(PAGE).write_text(text, encoding="utf-8")
+        self.assertEqual(QUANTITIES.search(text).group(), table, "run readers_test.py SYNTHETIC_FILE PAGE --update")
 
     def test_page_and_file_agree(self):
         text = pathlib.Path(PAGE).read_text(encoding="utf-8")
