@@ -72,7 +72,7 @@ std::vector<std::string> condition_lines(const Summary& summary) {
 }
 
 std::vector<ConditionColumn> condition_columns(const Summary& summary) {
-    std::size_t points = 0;  // the most that a case has
+    std::size_t points = 0;  // largest number in any case
     for (const CaseSummary& row : summary.cases) points = std::max(points, row.about.profile.size());
     std::vector<ConditionColumn> columns;
     for (std::size_t k = 0; k < points; ++k) {

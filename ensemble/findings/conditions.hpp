@@ -1,6 +1,6 @@
 #pragma once
-// The conditions without which no load means anything, in words: structure wall, far end and contact Γ decide it
-// together.
+// The conditions that decide the load together, in words: structure wall, far end and contact Γ. A load without them
+// means nothing.
 
 #include <string>
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace floes {
 
-/// "straight, 45.0° from the horizontal (radius 0.171 m at -0.443 m to 0.736 m at 0.122 m)"; of a bent wall every part,
-/// from the bottom up.
+/// "straight, 45.0° from the horizontal (radius 0.171 m at -0.443 m to 0.736 m at 0.122 m)"; a bent wall has all its
+/// parts, from the bottom up.
 std::string wall_words(const std::vector<ProfilePoint>& profile);
 
 /// "an ice sheet" or "open".
@@ -23,12 +23,12 @@ std::string far_end_key(FarEnd far_end);
 /// "80 to 230 s after the tow began, in 3 segments".
 std::string window_words(const Analysis& analysis);
 
-/// One sentence a condition; where cases differ, one for each value with the names of its cases.
+/// One sentence for each condition; where cases differ, one for each value with the names of its cases.
 std::vector<std::string> condition_lines(const Summary& summary);
 
 using ConditionColumn = RecordField<CaseRow>;
 
-/// The conditions as columns of a record of a case: "structure_wall" in CSV, under "conditions" in JSON.
+/// The conditions as columns of a case's record: "structure_wall" in CSV, under "conditions" in JSON.
 std::vector<ConditionColumn> condition_columns(const Summary& summary);
 
 }  // namespace floes

@@ -42,7 +42,7 @@ CaseSummary summarise_case(const CampaignTable& table, int number) {
     std::vector<double> values(done.size());
     for (const Quantity& quantity : shown_in(Shown::in_summary)) {
         std::ranges::transform(done, values.begin(), [&](const MemberRow* member) { return quantity.of(*member); });
-        // The bootstrap's limits cannot leave the range that the values keep to; Student's can.
+        // Student's limits can leave the range of the values; those of the bootstrap cannot.
         row.estimates[quantity.key] = {clipped(mean_interval(values), quantity.least, quantity.most),
                                        bca_mean_interval(values)};
     }

@@ -120,7 +120,7 @@ TEST(Sensitivity, IsOfNumbersAlone) {
     const Campaign of_words = read(words);
     const Sensitivity found = find_sensitivity(of_words, table_of(of_words));
     EXPECT_THAT(found.rows, IsEmpty());
-    EXPECT_THAT(text_of(sensitivity_section(found)), HasSubstr("The axis field.far_end takes no numbers"));
+    EXPECT_THAT(text_of(sensitivity_section(found)), HasSubstr("The axis field.far_end is not numeric"));
     const Campaign none = read("");
     EXPECT_THAT(text_of(sensitivity_section(find_sensitivity(none, table_of(none)))), HasSubstr("has no design"));
 }
