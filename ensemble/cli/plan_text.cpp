@@ -34,14 +34,14 @@ double core_hours(const PlanRow& row) {
 std::string remark(const PlanHead& head, const PlanRow& row) {
     const Forecast& forecast = row.forecast;
     if (forecast.master_load > busy_master)
-        return fmt::format("{} cores: the master is busy {:.0f} % of the time; more cores bring little.\n", row.cores,
+        return fmt::format("{} cores: the master is busy {:.0f} % of the time; more cores gain little.\n", row.cores,
                            100 * forecast.master_load);
     const double after = forecast.wall_time - forecast.last_member;
     if (after > 0.1 * forecast.wall_time)
-        return fmt::format("{} cores: of the time, {} is start-up and {} the writing of the campaign file.\n",
-                           row.cores, duration(forecast.start_up), duration(after));
+        return fmt::format("{} cores: start-up takes {} of the time, and writing the campaign file {}.\n", row.cores,
+                           duration(forecast.start_up), duration(after));
     if (forecast.efficiency < 0.9 && head.members < 3 * row.cores)
-        return fmt::format("{} cores: too few members for them; cores wait for the last ones.\n", row.cores);
+        return fmt::format("{} cores: too few members; cores are idle while the last ones run.\n", row.cores);
     return "";
 }
 

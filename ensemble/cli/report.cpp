@@ -1,4 +1,4 @@
-// floes report: a finished or unfinished campaign as one HTML page.
+// floes report: a complete or incomplete campaign as one HTML page.
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -19,7 +19,7 @@ namespace floes {
 namespace {
 
 constexpr double tested_cfm[]{vanishing_cfm, 0.003, 0.008, 0.016, 0.03, 0.06};
-constexpr int sheet_elements = 13;  // as the paper's smaller sheet, to a whole number
+constexpr int sheet_elements = 13;  // the paper's smaller sheet, rounded to whole elements
 
 struct ReportOptions {
     std::string file;
@@ -43,8 +43,8 @@ void write_page(const std::filesystem::path& path, const std::string& page) {
     file << page;
     file.close();
     if (!file)
-        throw RunError(fmt::format("{} cannot be written ({}); is there such a folder, and room in it?", path.string(),
-                                   std::strerror(errno)));
+        throw RunError(fmt::format("{} cannot be written ({}); does the folder exist, and has it free space?",
+                                   path.string(), std::strerror(errno)));
 }
 
 void report(const ReportOptions& options) {

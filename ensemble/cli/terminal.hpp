@@ -1,10 +1,10 @@
 #pragma once
-// How much room standard output has.
+// The width of standard output.
 
 namespace floes {
 
-/// Characters on a line of standard output: the terminal's; elsewhere of the environment's COLUMNS, or 100. Never
-/// below 40.
+/// Characters on a line of standard output: those of the terminal; elsewhere COLUMNS of the environment, or 100. At
+/// least 40.
 int terminal_width();
 
 }  // namespace floes
