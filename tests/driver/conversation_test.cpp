@@ -272,7 +272,7 @@ TEST(MasterConversation, EndsTheRunWhenRanksDisagreeOrAreInTrouble) {
     FakeLink disagreeing(0, 2);
     disagreeing.expect(1, Tag::campaign);
     disagreeing.deliver(1, Tag::hello, encode(Hello{1, "there", "another"}));
-    EXPECT_THAT(error_of(disagreeing), HasSubstr("Rank 1 on there understood another campaign"));
+    EXPECT_THAT(error_of(disagreeing), HasSubstr("Rank 1 on there read a different campaign"));
     disagreeing.finish();
 
     FakeLink troubled(0, 2);
