@@ -1,5 +1,5 @@
 #pragma once
-// The last look at an arrangement before it is used: every pair of floes, every wall, the concentration.
+// The final check of an arrangement: every pair of floes, every wall, the concentration.
 
 #include <optional>
 #include <span>
@@ -17,9 +17,9 @@ Rectangle floe_shape(const Scenario& scenario);
 /// The walls of the scenario's ice field: x from field.begin to field_end(), |z| <= half_width.
 Walls field_walls(const Scenario& scenario);
 
-/// The first thing wrong with poses as an arrangement of the scenario, as a sentence; nothing if all is well. Wrong
-/// are: another number of floes, a floe nearer than the clearance to a wall or to another floe (by more than a
-/// nanometre, which is rounding), a concentration that differs from the scenario's by more than 1e-12 of it.
+/// The first fault of poses as an arrangement of the scenario, as a sentence; empty if there is none. Faults are a
+/// different number of floes, a floe closer than the clearance to a wall or to another floe (by more than a nanometre,
+/// to allow for rounding), and a concentration whose relative difference from the scenario's exceeds 1e-12.
 std::optional<std::string> find_fault(const Scenario& scenario, std::span<const PlanarPose> poses);
 
 }  // namespace floes

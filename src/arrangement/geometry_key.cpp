@@ -10,7 +10,7 @@ namespace floes {
 std::uint64_t geometry_key(const Scenario& scenario) {
     const Field& field = scenario.field;
     const ArrangementRule& rule = scenario.arrangement;
-    // A number is written in the fewest digits that give it back, so equal text means equal numbers.
+    // Numbers are written in the shortest form that reads back exactly, so equal text means equal numbers.
     std::string text = fmt::format("floe {} {}\nfield {} {} {} {}\nrule {} {} {} {} {} {}\n", scenario.floe.length,
                                    scenario.floe.breadth, field.floes, field.concentration, field.begin,
                                    field.half_width, static_cast<int>(rule.method), static_cast<int>(rule.start),

@@ -1,5 +1,5 @@
 #pragma once
-// Every use of random numbers has a name here. A number once given stays: changing it changes the arrangements.
+// Every use of random numbers has a name here. Never change a number: that would change the arrangements.
 
 #include <cstdint>
 
