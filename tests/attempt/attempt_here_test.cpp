@@ -1,4 +1,4 @@
-// Members in this process: what can be contained, is.
+// Members in this process: failures that can be contained are contained.
 
 #include "attempt/attempt_here.hpp"
 

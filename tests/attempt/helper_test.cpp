@@ -1,4 +1,4 @@
-// Members in processes of their own, in every way they can end.
+// Members in isolated processes, in every way they can end.
 
 #include "attempt/helper.hpp"
 

@@ -1,5 +1,5 @@
-// Master and worker, each against a script that plays the other side: what is said, in which order, and what is said
-// when something is wrong.
+// Master and worker, each against a script that plays the other side: which messages they send, in which order, and in
+// case of errors.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What is done and what is to do, from records alone.
+// Which members are done and which are still to do, from records alone.
 
 #include "driver/inventory.hpp"
 

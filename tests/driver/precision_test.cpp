@@ -1,4 +1,4 @@
-// Campaigns that end when they are precise enough: after the same arrangement whatever finishes first.
+// Campaigns that end when they are precise enough: after the same arrangement in any order of completion.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

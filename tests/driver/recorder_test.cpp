@@ -1,4 +1,4 @@
-// What a resumed run finds in the journal of the runs before it.
+// What a resumed run finds in the journal of earlier runs.
 
 #include "driver/recorder.hpp"
 

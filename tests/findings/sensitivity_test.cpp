@@ -1,4 +1,4 @@
-// What decides the load, from a design and its members to text.
+// Sensitivity, from a design and its members to text.
 
 #include "findings/sensitivity.hpp"
 

@@ -1,4 +1,4 @@
-// Members become statistics of their case; a member without a result is missing, never zero.
+// Statistics of a case from its members; a member without a result is missing, never zero.
 
 #include "findings/summary.hpp"
 

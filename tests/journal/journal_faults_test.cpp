@@ -1,4 +1,4 @@
-// What disks and other processes do to a journal: cut, flipped, full, gone, shared.
+// Damage to a journal by disks and other processes: cut, flipped, full, gone, shared.
 
 #include <gmock/gmock.h>
 #include <sys/resource.h>
