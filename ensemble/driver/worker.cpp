@@ -40,7 +40,7 @@ Message wait_for_message(Link& link) {
     }
 }
 
-/// One worker at work: members between hello and leave.
+/// A worker between hello and leave.
 class Worker {
   public:
     Worker(Link& link, const Campaign& campaign, const CrewSetup& setup, const Patience& patience,

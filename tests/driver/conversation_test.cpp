@@ -67,7 +67,8 @@ TEST(WorkerConversation, SaysHelloAnswersAndLeaves) {
     link.finish();
 }
 
-// With one thread: those done while another waits behind the one at work go together, the last by itself.
+// With one thread: answers finished while another member waits behind the running one travel together, the last one
+// alone.
 TEST(WorkerConversation, AnswersTogetherWhileOthersWait) {
     const Campaign campaign = synthetic::campaign(2);
     FakeLink link(1, 2);

@@ -20,7 +20,7 @@ class Sessions : public testing::Test {
         return recorder;
     }
 
-    /// A session that is killed while `number` is under way.
+    /// A session that is killed while `number` is running.
     void lose(int number, bool retry_failed = false) {
         Recorder recorder = open(retry_failed);
         recorder.started(number, attempts_made(recorder, number) + 1);
