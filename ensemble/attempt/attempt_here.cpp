@@ -18,7 +18,7 @@ namespace floes {
 
 namespace {
 
-/// Asks the member to end when its time is over, and tells when it does not.
+/// Asks the member to stop at its deadline, and reports when it does not.
 class Deadline {
   public:
     Deadline(const AttemptLimits& limits, std::stop_source member, std::function<void()> stuck)
@@ -36,7 +36,7 @@ class Deadline {
         if (sleep(over, limits_.grace)) stuck_();
     }
 
-    /// False when the attempt was over first.
+    /// False if the attempt ended first.
     bool sleep(const std::stop_token& over, double seconds) {
         std::unique_lock lock(mutex_);
         changed_.wait_for(lock, over, std::chrono::duration<double>(seconds), [] { return false; });
@@ -49,7 +49,7 @@ class Deadline {
     std::atomic<bool> passed_ = false;
     std::mutex mutex_;
     std::condition_variable_any changed_;
-    std::jthread watch_;  // last: it uses all of the above
+    std::jthread watch_;  // last, because it uses all of the above
 };
 
 std::uint64_t own_peak_memory() {
@@ -71,7 +71,7 @@ MemberResult checked(MemberResult result) {
     if (result.status == MemberStatus::failed) return result;
     const LoadStatistics& load = result.load;
     for (const double value : {load.mean, load.sd, load.maximum, load.mean_maximum, load.sd_maximum}) {
-        if (!std::isfinite(value)) throw MemberFailure("The load of the member has statistics that are not numbers.");
+        if (!std::isfinite(value)) throw MemberFailure("The load statistics of the member are not numbers.");
     }
     return result;
 }
@@ -93,7 +93,7 @@ Attempted attempt_here(const MemberFunction& compute, const Campaign& campaign, 
     } catch (const std::exception& error) {
         return failed(error.what());
     } catch (...) {
-        return failed("The member ended with an error that says nothing.");
+        return failed("The member ended with an error without a message.");
     }
 }
 

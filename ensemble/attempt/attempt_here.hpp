@@ -11,22 +11,22 @@
 
 namespace floes {
 
-/// How an attempt ended. No result: abandoned on request, to be done again another time.
+/// How an attempt ended. No result: abandoned on request, to be run again later.
 struct Attempted {
     std::optional<MemberResult> result;
     std::uint64_t peak_memory = 0;  ///< of the process that computed it, bytes
 };
 
-/// A member that failed for `reason` and left nothing.
+/// The result of a member that failed for `reason`.
 MemberResult failed_result(std::string reason);
 
-/// The result itself when its statistics are numbers, or when it is a failed one. Throws MemberFailure else: a value
-/// that is not a number must not pass for a measured one.
+/// Returns the result if it is a failed one or if its statistics are numbers. Throws MemberFailure otherwise: NaN must
+/// not pass as a measured value.
 MemberResult checked(MemberResult result);
 
-/// Computes the member. What it throws, and a deadline that passes, is a failed result with the reason; a stop that
-/// comes before the result is none. The deadline is a stop of the member's own, which it is to look at. One that does
-/// not for limits.grace after it cannot be ended in this process: `stuck` is then called, once, from another thread.
+/// Computes the member. An exception or a missed deadline gives a failed result with the reason; a stop before the
+/// result gives none. The deadline requests a stop that the member must poll. A member that still runs limits.grace
+/// after it cannot be ended in this process: `stuck` is then called, once, from another thread.
 Attempted attempt_here(const MemberFunction& compute, const Campaign& campaign, int number, const AttemptLimits& limits,
                        std::stop_token stop, const std::function<void()>& stuck);
 

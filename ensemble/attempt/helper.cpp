@@ -31,7 +31,7 @@ using helper_protocol::Request;
 using Clock = std::chrono::steady_clock;
 
 [[noreturn]] void refuse(const char* what) {
-    throw RunError(fmt::format("No process can be made for members ({}: {}).", what, std::strerror(errno)));
+    throw RunError(fmt::format("Cannot create a process for members ({}: {}).", what, std::strerror(errno)));
 }
 
 std::pair<Descriptor, Descriptor> socket_pair(int type) {
@@ -40,7 +40,7 @@ std::pair<Descriptor, Descriptor> socket_pair(int type) {
     return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
-/// A file in memory that holds the text.
+/// An in-memory file with the text.
 Descriptor file_of(const std::string& text) {
     Descriptor file(::memfd_create("floes-campaign", MFD_CLOEXEC));
     if (file.get() < 0) refuse("memfd_create");
@@ -52,7 +52,7 @@ Descriptor file_of(const std::string& text) {
     return file;
 }
 
-/// How long poll() may wait, in ms; -1: for ever.
+/// How long poll() may wait, in ms; -1: without limit.
 int until(const std::optional<Clock::time_point>& end) {
     if (!end) return -1;
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(*end - Clock::now()).count();
@@ -60,12 +60,12 @@ int until(const std::optional<Clock::time_point>& end) {
 }
 
 struct Answered {
-    Bytes bytes;                   // of the child
-    std::optional<Ending> ending;  // from the helper; nothing when it is gone or silent
+    Bytes bytes;                   // from the child
+    std::optional<Ending> ending;  // from the helper; empty if it is gone or silent
     bool closed = false;
 };
 
-/// All that comes until the ending, or until the other end is closed, or until `end`.
+/// Collects everything until the ending, until the other end is closed, or until `end`.
 Answered listen(int socket, const std::optional<Clock::time_point>& end) {
     Answered answer;
     std::vector<std::byte> packet(helper_protocol::most_bytes_in_a_frame + 1);
@@ -88,7 +88,7 @@ Answered listen(int socket, const std::optional<Clock::time_point>& end) {
     return answer;
 }
 
-/// What the child wrote before its end, and how that was.
+/// The result from what the child wrote and how it ended.
 MemberResult understand(std::span<const std::byte> written, const Ending& ending, const AttemptLimits& limits) {
     const bool orderly = !ending.at_deadline && WIFEXITED(ending.wait_status) && WEXITSTATUS(ending.wait_status) == 0;
     if (!orderly || written.empty()) return failed_result(reason_of(ending, limits));
@@ -109,14 +109,14 @@ Helper::Helper(MemberFunction compute) {
     if (pid_ == 0) {
         mine.close();
         ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-        if (::getppid() != parent) ::_exit(0);  // it died before this process could ask to follow it
+        if (::getppid() != parent) ::_exit(0);  // it died before prctl() took effect
         serve_as_helper(std::move(helpers), compute);
     }
     control_ = std::move(mine);
 }
 
 Helper::~Helper() {
-    ::kill(pid_, SIGKILL);  // its children follow
+    ::kill(pid_, SIGKILL);  // its children die with it
     while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
     }
 }

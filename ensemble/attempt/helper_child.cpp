@@ -17,7 +17,7 @@ namespace {
 
 using namespace helper_protocol;
 
-/// Bytes of address space that this process has; 0 when the system does not tell.
+/// Bytes of address space of this process; 0 if unknown.
 std::uint64_t mapped_bytes() {
     unsigned long pages = 0;
     std::FILE* file = std::fopen("/proc/self/statm", "r");
@@ -34,7 +34,8 @@ void limit_memory(std::uint64_t bytes) {
     ::setrlimit(RLIMIT_AS, &limit);
 }
 
-/// As a program begins, but for the requests to stop, which are not for this process. A crash leaves no core file.
+/// Restores the default handlers, except for requests to stop, which are not meant for this process. A crash leaves no
+/// core file.
 void reset_signals() {
     for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGCHLD}) ::signal(signal, SIG_DFL);
     sigset_t none;
@@ -52,7 +53,7 @@ Bytes sentence(const std::string& text) {
 }
 
 Bytes compute_answer(const Request& request, const Campaign& campaign, const MemberFunction& compute) {
-    // The helper keeps the deadline, so that it holds for one that does not look.
+    // The helper enforces the deadline, so that it also ends a member that does not poll.
     const AttemptLimits limits{.deadline = 0, .memory = request.limits.memory};
     const Attempted attempt = attempt_here(compute, campaign, request.number, limits, {}, [] {});
     try {

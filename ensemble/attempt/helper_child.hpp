@@ -8,7 +8,7 @@
 
 namespace floes {
 
-/// Computes the member in this process, a fork of the process `helper`, and leaves. Never returns.
+/// Computes the member in this process, a fork of the process `helper`, and exits. Never returns.
 [[noreturn]] void compute_and_leave(const helper_protocol::Request& request, const Descriptor& socket,
                                     const Campaign& campaign, const MemberFunction& compute, pid_t helper);
 

@@ -34,12 +34,12 @@ struct Child {
     pid_t pid;
     Descriptor socket;
     std::optional<Clock::time_point> deadline;
-    bool ended = false;  // by this helper, and not yet gone
+    bool ended = false;  // killed by this helper, not reaped yet
     bool at_deadline = false;
 };
 
 std::string no_file(const std::string& path) {
-    throw RunError(fmt::format("The campaign that a helper was given refers to the file {}.", path));
+    throw RunError(fmt::format("The campaign given to a helper refers to the file {}.", path));
 }
 
 Campaign read_from(const Descriptor& file) {
@@ -57,7 +57,7 @@ Campaign read_from(const Descriptor& file) {
 class Server {
   public:
     Server(Descriptor control, const MemberFunction& compute) : control_(std::move(control)), compute_(compute) {
-        // Those that ask a run to stop are for the process that this one serves: it decides, and ends this one.
+        // Requests to stop a run are for the process that this one serves, which then ends this one.
         for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2, SIGPIPE}) ::signal(signal, SIG_IGN);
         sigset_t child_ended;
         ::sigemptyset(&child_ended);
@@ -69,7 +69,7 @@ class Server {
     void serve() {
         while (true) {
             std::vector<pollfd> waits{{control_.get(), POLLIN, 0}, {child_ended_.get(), POLLIN, 0}};
-            // A child whose parent hung up is ended; to wait for its end, not for the same hang-up again.
+            // A child whose parent hung up has been killed: wait for its end, not for the same hang-up again.
             for (const Child& child : children_) waits.push_back({child.ended ? -1 : child.socket.get(), 0, 0});
             ::poll(waits.data(), waits.size(), patience());
             for (std::size_t i = 0; i < children_.size(); ++i) {
@@ -137,7 +137,7 @@ class Server {
         const pid_t helper = ::getpid();
         const pid_t pid = ::fork();
         if (pid == 0) {
-            children_.clear();  // else the others' sockets would stay open as long as this child lives
+            children_.clear();  // otherwise the others' sockets stay open as long as this child lives
             control_.close();
             child_ended_.close();
             compute_and_leave(request, socket, campaign_, compute_, helper);
@@ -145,7 +145,7 @@ class Server {
         if (pid < 0) {
             ByteWriter answer;
             answer.u8(static_cast<std::uint8_t>(Answer::sentence));
-            answer.text(fmt::format("No process could be made for the member ({}).", std::strerror(errno)));
+            answer.text(fmt::format("Cannot create a process for the member ({}).", std::strerror(errno)));
             send_frames(socket.get(), Frame::part, answer.bytes());
             const Ending none;
             send_frames(socket.get(), Frame::ending, std::as_bytes(std::span(&none, 1)));
@@ -173,7 +173,7 @@ void serve_as_helper(Descriptor control, const MemberFunction& compute) {
     try {
         Server(std::move(control), compute).serve();
     } catch (const std::exception&) {
-        status = 1;  // the process that this one serves sees the closed socket
+        status = 1;  // the served process notices the closed socket
     }
     ::_exit(status);
 }

@@ -12,7 +12,7 @@ namespace floes::helper_protocol {
 
 namespace {
 
-/// A message of one request and room for one descriptor.
+/// A message with one request and space for one descriptor.
 struct Envelope {
     explicit Envelope(Request& request) : part{&request, sizeof request} {
         message.msg_iov = &part;

@@ -1,9 +1,9 @@
 #pragma once
-// What goes between a process, its helper and the helper's children, for the files of these three alone.
+// The protocol between a process, its helper and the helper's children. Only for the files of these three.
 //
-// Requests travel over the control socket, each with a descriptor: of a file with the campaign's text, or of the socket
-// of one attempt. Over that comes the answer in frames: from the child parts of the bytes of a result or of a sentence,
-// and after the child's end, from the helper, the Ending. What has no Ending comes from a helper that is gone.
+// Requests go over the control socket, each with a descriptor: of a file with the campaign's text, or of the socket of
+// one attempt. The answer comes over that socket in frames: first parts of a result or of a sentence from the child;
+// then, after the child's end, the Ending from the helper. If the Ending is missing, the helper is gone.
 
 #include <cstddef>
 #include <cstdint>
@@ -31,12 +31,12 @@ enum class Answer : std::uint8_t { result, sentence };
 enum class Frame : std::uint8_t { part, ending };  // the first byte of each packet
 constexpr std::size_t most_bytes_in_a_frame = 32768;
 
-/// Sends the bytes in as many frames as they need; gives up when nobody listens any more.
+/// Sends the bytes in as many frames as needed; gives up if the other end is closed.
 void send_frames(int socket, Frame kind, std::span<const std::byte> bytes);
 
-/// False when nobody is at the other end.
+/// False if the other end is closed.
 bool send(int control, const Request& request, int descriptor);
-/// The next request; nothing when the other end is closed.
+/// The next request; empty if the other end is closed.
 std::optional<RequestWithDescriptor> receive(int control);
 
 }  // namespace floes::helper_protocol

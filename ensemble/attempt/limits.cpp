@@ -14,8 +14,7 @@ AttemptLimits limits_of(const RunRules& rules) {
 }
 
 std::string deadline_reason(const AttemptLimits& limits) {
-    return fmt::format("The member was not done after {} s, which is run.member_deadline_s, and was ended.",
-                       limits.deadline);
+    return fmt::format("The member was not done after {} s (run.member_deadline_s) and was stopped.", limits.deadline);
 }
 
 std::string memory_reason(const AttemptLimits& limits) {
@@ -27,7 +26,7 @@ std::string memory_reason(const AttemptLimits& limits) {
 std::string reason_of(const Ending& ending, const AttemptLimits& limits) {
     if (ending.at_deadline) return deadline_reason(limits);
     if (!WIFSIGNALED(ending.wait_status)) {
-        return fmt::format("The process of the member left with exit status {} and without a result.",
+        return fmt::format("The process of the member exited with status {} without a result.",
                            WEXITSTATUS(ending.wait_status));
     }
     const int signal = WTERMSIG(ending.wait_status);
@@ -35,7 +34,7 @@ std::string reason_of(const Ending& ending, const AttemptLimits& limits) {
     const char* meaning = ::sigdescr_np(signal);
     return fmt::format("The process of the member was killed by SIG{} ({}){}.", name == nullptr ? "?" : name,
                        meaning == nullptr ? "unknown" : meaning,
-                       signal == SIGKILL ? ": by hand, or by the system when it was out of memory" : "");
+                       signal == SIGKILL ? ": by a user, or by the system because memory ran out" : "");
 }
 
 }  // namespace floes

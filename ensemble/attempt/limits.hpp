@@ -1,6 +1,6 @@
 #pragma once
-// What one attempt at a member may take, and sentences for an attempt that has no result to show. They depend on the
-// member alone where they can: a reason stands in the campaign file.
+// Limits of one attempt at a member, and reasons for attempts without a result. If possible, a reason depends on the
+// member alone, because it is stored in the campaign file.
 
 #include <cstdint>
 #include <string>
@@ -12,16 +12,16 @@ namespace floes {
 struct AttemptLimits {
     double deadline = 0;  ///< s of wall clock; 0: none
     std::uint64_t memory =
-        0;              ///< bytes more than its process began with; 0: no limit. Kept only in a process of its own.
-    double grace = 60;  ///< s that one who was asked to end, and looks at it every step, may still take
+        0;              ///< bytes beyond those at process start; 0: no limit. Enforced only in isolated processes.
+    double grace = 60;  ///< s in which a member that polls every step must react to a stop
 };
 
 AttemptLimits limits_of(const RunRules& rules);
 
-/// How the process of a member ended, as its helper saw it.
+/// How the process of a member ended, as seen by its helper.
 struct Ending {
     int wait_status = 0;            ///< of waitpid()
-    bool at_deadline = false;       ///< the helper ended it for that reason
+    bool at_deadline = false;       ///< the helper killed it at its deadline
     std::uint64_t peak_memory = 0;  ///< largest resident set, bytes
 };
 

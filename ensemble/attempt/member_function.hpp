@@ -1,5 +1,6 @@
 #pragma once
-// What computes a member. The driver is given it, so that tests can drive members that are fast, slow or broken.
+// The function that computes a member. It is an argument of the driver, so that tests can pass fast, slow or broken
+// members.
 
 #include <functional>
 #include <stop_token>
@@ -9,13 +10,13 @@
 
 namespace floes {
 
-/// (campaign, member number, stop): the result, a pure function of the first two. Called from many threads at once.
-/// An exception means that the member failed, and its what() is the reason; but after a stop was requested, when the
-/// function is to throw soon, it means that the member was abandoned and is to be run again.
+/// (campaign, member number, stop): the result, a pure function of the first two. Called from many threads at once. An
+/// exception means that the member failed; its what() is the reason. After a stop request the function must throw soon,
+/// and the exception means that the member was abandoned and is to be run again.
 using MemberFunction = std::function<MemberResult(const Campaign&, int number, std::stop_token)>;
 
-/// The MemberFunction of every campaign that is meant: run_member() on the scenario of the member's case, with the seed
-/// and the number of its arrangement.
+/// The MemberFunction of real campaigns: run_member() on the scenario of the member's case, with the seed and the
+/// number of its arrangement.
 MemberResult compute_member(const Campaign& campaign, int number, std::stop_token stop);
 
 }  // namespace floes

@@ -20,7 +20,7 @@
 namespace floes {
 namespace {
 
-/// Empty lists mean the configuration's own value; what is given is combined with all the rest.
+/// An empty list means the configuration's value; given values are combined with each other.
 struct CalibrateOptions {
     std::string config;
     std::vector<std::string> overrides;
@@ -36,7 +36,7 @@ struct CalibrateOptions {
     std::string format = "table";
 };
 
-/// Without a configuration: the paper's ice as a plate of 0.030 m, which its Fig. 2 tested.
+/// Without a configuration: the paper's ice as a plate of 0.030 m, as tested in its Fig. 2.
 Scenario base_scenario(const CalibrateOptions& options) {
     if (!options.config.empty()) return load_campaign(options.config, options.overrides).cases.front().scenario;
     Scenario scenario;
@@ -44,7 +44,7 @@ Scenario base_scenario(const CalibrateOptions& options) {
     return scenario;
 }
 
-/// One plan for each value of the list, for each plan there was.
+/// One plan for each existing plan and each value of the list.
 template <class Value, class Set>
 void vary(std::vector<PointPlan>& plans, const std::vector<Value>& values, Set set) {
     if (values.empty()) return;
@@ -96,14 +96,14 @@ Section curve_section(const std::vector<CurvePoint>& curve) {
              {"elastic_modulus_point_MPa", [](Row row) { return row.elastic_modulus_point / unit::megapascal; }}})}};
 }
 
-/// The one ice whose Σ is looked for.
+/// The one ice whose Σ is to be found.
 PointPlan plan_of_inverse(CalibrateOptions options) {
     options.sheets.resize(1);
     options.cfm.clear();
     const std::vector<PointPlan> plans = make_plans(options);
     if (plans.size() == 1) return plans.front();
     throw InputError(
-        fmt::format("--modulus-MPa looks for the Σ of one ice, and the lists given make {}; give one element size, "
+        fmt::format("--modulus-MPa finds the Σ of one ice, but the given lists make {}; give one element size, "
                     "thickness, time step, Γ and number of iterations each.",
                     plans.size()));
 }

@@ -1,4 +1,4 @@
-// floes cantilever: the strength that a numerical beam shows, beside the strength it was given.
+// floes cantilever: the measured strength of a numerical beam compared with its input strength.
 
 #include <fmt/format.h>
 
@@ -32,7 +32,7 @@ struct CantileverOptions {
 struct Row {
     double cfm;
     BeamStrength shown;
-    double elastic;  ///< what an elastic beam of the given modulus would read, as a ratio; 1 when dry
+    double elastic;  ///< expected ratio for an elastic beam of the given modulus; 1 when dry
 };
 
 BeamLoad load_of(const std::string& word) {
@@ -49,7 +49,7 @@ std::vector<Row> measure(const CantileverOptions& options) {
         scenario.joint.cfm = cfm;
         for (const std::string& word : options.loads) {
             const BeamLoad load = load_of(word);
-            // Shear and compression act on one element; a longer beam would only bend or pass them on.
+            // Shear and compression act on one element; a longer beam would only bend or transmit them.
             const std::vector<int> lengths = load == BeamLoad::bending ? options.elements : std::vector<int>{1};
             for (const int elements : lengths) {
                 const BeamTest test{

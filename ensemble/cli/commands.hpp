@@ -23,7 +23,7 @@ void add_report(CLI::App& program, int& exit_status);
 void add_version(CLI::App& program);
 std::string version_text();
 
-/// The option --set of a verb that reads a configuration: key=value, one at a time, into `overrides`.
+/// The option --set of a verb that reads a configuration: key=value, repeatable, into `overrides`.
 CLI::Option* add_overrides(CLI::App& verb, std::vector<std::string>& overrides);
 
 }  // namespace floes

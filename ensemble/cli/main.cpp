@@ -1,4 +1,4 @@
-// floes: the one program. Verbs live in their own files; this one only picks.
+// floes: the program. Each verb has its own file; this one only dispatches.
 
 #include <csignal>
 #include <cstdio>
@@ -12,7 +12,7 @@
 
 namespace {
 
-/// Under mpirun every rank reads the same command line: what is wrong with it is said once.
+/// Under mpirun every rank reads the same command line, so only one reports an error in it.
 bool speaks() {
     for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
         if (const char* rank = std::getenv(name)) return std::string_view(rank) == "0";
@@ -28,7 +28,7 @@ int refuse(const CLI::App& program, const CLI::ParseError& error) {
         std::fputs(errors.str().c_str(), stderr);
     }
     if (no_error) return 0;
-    // mpirun ends all ranks when one ends with an error. Meeting in MPI first, none ends before rank 0 has spoken.
+    // mpirun ends all ranks when one ends with an error. Starting MPI first keeps all alive until rank 0 has reported.
     if (floes::started_by_mpi()) floes::open_link();
     return 2;
 }
@@ -36,7 +36,7 @@ int refuse(const CLI::App& program, const CLI::ParseError& error) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error to report, like a full disk
+    std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is reported as an error, like a full disk
     CLI::App program{"floes: the load of managed ice floes on a structure, over many random arrangements"};
     program.require_subcommand(1);
     floes::add_version(program);

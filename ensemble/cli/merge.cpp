@@ -1,4 +1,4 @@
-// floes merge: one campaign file out of those that runs with --part computed apart.
+// floes merge: one campaign file from those of separate runs with --part.
 
 #include <algorithm>
 #include <cstdio>
@@ -32,10 +32,10 @@ int merge(const MergeOptions& options) {
     const auto done = std::ranges::count(table.members, RowStatus::done, &MemberRow::status);
     const auto missing = std::ranges::count(table.members, RowStatus::missing, &MemberRow::status);
     const auto failed = std::ssize(table.members) - done - missing;
-    fmt::print(stderr, "floes: {} of {} done, {} failed, {} in no part, into {}\n", done,
+    fmt::print(stderr, "floes: {} of {} done, {} failed, {} missing from all parts, into {}\n", done,
                counted(std::ssize(table.members), "member"), failed, missing, options.output);
     if (missing > 0) {
-        fmt::print(stderr, "floes: floes run CONFIG.toml -o {} --resume computes those that are in no part\n",
+        fmt::print(stderr, "floes: floes run CONFIG.toml -o {} --resume computes the missing members\n",
                    options.output);
     }
     std::fputs(written({summary_section(summarise(table))}, "table").c_str(), stdout);

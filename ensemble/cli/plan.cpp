@@ -1,4 +1,4 @@
-// floes plan: wall time, core-hours, efficiency and sizes of a campaign, before they are spent.
+// floes plan: predicts wall time, core-hours, efficiency and sizes of a campaign.
 
 #include <algorithm>
 #include <cstdio>
@@ -27,7 +27,7 @@ struct PlanOptions {
     std::vector<int> cores;
     std::vector<int> ranks;
     std::string from;
-    double record_bytes = 0;  // 0: as they are
+    double record_bytes = 0;  // 0: the actual size
     std::string format = "table";
     std::vector<std::string> overrides;
 };

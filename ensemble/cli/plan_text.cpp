@@ -29,14 +29,14 @@ std::string remark(const PlanHead& head, const PlanRow& row) {
     const Forecast& forecast = row.forecast;
     const std::string cores = counted(row.cores, "core");
     if (forecast.master_load > busy_master)
-        return fmt::format("{}: the master is busy {:.0f} % of the time; more cores bring little.\n", cores,
+        return fmt::format("{}: the master is busy {:.0f} % of the time; more cores gain little.\n", cores,
                            100 * forecast.master_load);
     const double after = forecast.wall_time - forecast.last_member;
     if (after > 0.1 * forecast.wall_time)
-        return fmt::format("{}: of the time, {} is start-up and {} the writing of the campaign file.\n", cores,
+        return fmt::format("{}: start-up takes {} of the time, and writing the campaign file {}.\n", cores,
                            duration_in_figures(forecast.start_up), duration_in_figures(after));
     if (forecast.efficiency < 0.9 && head.members < 3 * row.cores)
-        return fmt::format("{}: too few members for them; cores wait for the last ones.\n", cores);
+        return fmt::format("{}: too few members; cores are idle while the last ones run.\n", cores);
     return "";
 }
 

@@ -8,24 +8,24 @@
 
 namespace floes {
 
-/// What all the rows share.
+/// Values common to all rows.
 struct PlanHead {
     std::string title;
     int members = 0;
     double mean_run_time = 0;  ///< s
     double longest = 0;        ///< s
     double message_bytes = 0;  ///< the largest answer
-    std::string source;        ///< of the run times
+    std::string source;        ///< origin of the run times
     bool calibrates = false;   ///< cases are calibrated first, which the plan does not count
 };
 
 PlanHead plan_head(const Campaign& campaign, const PlannedMembers& planned);
 
-/// For people; with a line on what limits a setting in which something does.
+/// For people; with a line on the bottleneck of each setting that has one.
 std::string plan_table(const PlanHead& head, std::span<const PlanRow> rows);
 /// For programs: one object; times in s, sizes in bytes.
 std::string plan_json(const PlanHead& head, std::span<const PlanRow> rows);
-/// A line a setting.
+/// One line for each setting.
 std::string plan_csv(std::span<const PlanRow> rows);
 
 }  // namespace floes

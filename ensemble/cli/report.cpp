@@ -1,4 +1,4 @@
-// floes report: a finished or unfinished campaign as one HTML page.
+// floes report: a complete or incomplete campaign as one HTML page.
 
 #include <fmt/format.h>
 
@@ -29,8 +29,8 @@ void write_page(const std::filesystem::path& path, const std::string& page) {
     file << page;
     file.close();
     if (!file)
-        throw RunError(fmt::format("{} cannot be written ({}); is there such a folder, and room in it?", path.string(),
-                                   std::strerror(errno)));
+        throw RunError(fmt::format("{} cannot be written ({}); does the folder exist, and has it free space?",
+                                   path.string(), std::strerror(errno)));
 }
 
 void report(const ReportOptions& options) {

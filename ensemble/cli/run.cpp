@@ -1,4 +1,4 @@
-// floes run: a campaign from its configuration to its campaign file, on every core, alone or under mpirun.
+// floes run: computes a campaign from its configuration to its campaign file, on every core, alone or under mpirun.
 
 #include <fmt/format.h>
 
@@ -40,7 +40,7 @@ struct RunVerb {
     std::vector<std::string> overrides;
 };
 
-/// The word as a shell reads it back.
+/// The word quoted for a shell.
 std::string quoted(const std::string& word) {
     const bool plain = !word.empty() && word.find_first_not_of(
                                             "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
@@ -57,7 +57,7 @@ std::filesystem::path output_of(const RunVerb& verb) {
 }
 
 std::string resume_command(const RunVerb& verb, const std::string& program, int ranks) {
-    const char* launcher = std::getenv("FLOES_LAUNCHER");  // the script that starts the ranks, where there is one
+    const char* launcher = std::getenv("FLOES_LAUNCHER");  // the script that starts the ranks, if any
     std::string command = ranks > 1 && launcher == nullptr ? fmt::format("mpirun -n {} ", ranks) : "";
     command += fmt::format("{} run ", quoted(launcher != nullptr ? launcher : program));
     if (ranks > 1 && launcher != nullptr) command += fmt::format("--ranks {} ", ranks);
@@ -103,7 +103,7 @@ int lead(const RunVerb& verb, const std::string& program, Link& link, Helper& he
         for (const std::string& sentence : advice(campaign)) progress.say(sentence);
         Recorder::check(options.places);  // before the calibration, which takes a minute
         {
-            const LeaveOnSignals leave;  // nothing is begun yet that would have to be ended
+            const LeaveOnSignals leave;  // nothing has started yet that would need an orderly end
             options.places.calibrations = calibrate_campaign(campaign, kept_calibrations(options.places),
                                                              threads_of(link, verb.threads), progress);
         }

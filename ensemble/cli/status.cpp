@@ -1,4 +1,5 @@
-// floes status: what of a campaign is done, failed and still to go. Works while a run is going on, and changes nothing.
+// floes status: the members of a campaign that are done, failed and still to do. Works during a run and changes
+// nothing.
 
 #include <unistd.h>
 
@@ -24,9 +25,9 @@ struct StatusOptions {
 
 constexpr const char* clear_screen = "\033[H\033[2J";
 constexpr std::chrono::seconds watch_interval{2};
-constexpr int least_pause_per_look = 10;  // of a large campaign a look takes seconds
+constexpr int least_pause_per_look = 10;  // reading a large campaign takes seconds
 
-/// Shows the status and says whether a run is at work.
+/// Shows the status. Returns whether a run is active.
 bool show(const StatusOptions& options) {
     const CampaignStatus status = read_status(options.file);
     if (options.watch && options.format == "table" && ::isatty(STDOUT_FILENO) == 1) std::fputs(clear_screen, stdout);

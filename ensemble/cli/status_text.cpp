@@ -26,7 +26,7 @@ int members_of(const CaseStatus& one) {
     return one.done + one.failed + one.missing;
 }
 
-/// With a stop rule the end may come sooner.
+/// With a stop rule the run may end sooner.
 std::string left_text(const CampaignStatus& status) {
     return fmt::format(", {} {} left", status.stop ? "at most" : "about", duration_text(*status.seconds_left));
 }
@@ -35,20 +35,19 @@ std::string work_line(const CampaignStatus& status, int missing) {
     if (status.sessions.empty()) return missing > 0 ? "Continue it with floes run --resume.\n" : "";
     const Session& last = status.sessions.back();
     if (status.at_work)
-        return fmt::format("At work: {}, {} from {} since {}{}{}.\n", counted(last.ranks, "rank"),
+        return fmt::format("Running: {}, {} from {} since {}{}{}.\n", counted(last.ranks, "rank"),
                            counted(last.threads, "thread"), last.host, last.started,
                            status.rate ? ", " + rate_text(*status.rate) : "",
                            status.seconds_left ? left_text(status) : "");
-    if (missing == 0) return fmt::format("Ended {}.\n", last.ended.empty() ? "without a word" : last.ended);
+    if (missing == 0) return fmt::format("Ended {}.\n", last.ended.empty() ? "at an unknown time" : last.ended);
     if (last.ended.empty() && status.heartbeat)
         return fmt::format(
-            "The run begun on {} at {} (process {}) has not been heard of for {}: it was killed; continue it with "
-            "floes "
-            "run --resume.\n",
+            "The run started on {} at {} (process {}) sent its last heartbeat {} ago: it was killed; continue it "
+            "with floes run --resume.\n",
             last.host, last.started, status.heartbeat->process, duration_text(age_of(*status.heartbeat)));
     if (last.ended.empty())
         return fmt::format(
-            "The run begun on {} at {} was killed, or is at work on another machine; if killed, continue "
+            "The run started on {} at {} was killed or is running on another machine; if it was killed, continue "
             "it with floes run --resume.\n",
             last.host, last.started);
     return fmt::format("Ended {} ({}); continue it with floes run --resume.\n", last.ended, last.outcome);
@@ -70,10 +69,10 @@ std::string stop_line(const StopStatus& stop) {
         stop.most_arrangements > stop.arrangements ? fmt::format(" of at most {}", stop.most_arrangements) : "";
     const std::string reached =
         std::isnan(stop.achieved)
-            ? fmt::format("nothing to tell yet, {:g} % wanted", 100 * stop.rule.half_width)
-            : fmt::format("{:.1f} %, {:g} % wanted", 100 * stop.achieved, 100 * stop.rule.half_width);
+            ? fmt::format("not known yet, target {:g} %", 100 * stop.rule.half_width)
+            : fmt::format("{:.1f} %, target {:g} %", 100 * stop.achieved, 100 * stop.rule.half_width);
     if (stop.met)
-        return fmt::format("Precise enough after {}{}, nothing more is wanted. Half-width for {}: {}.\n",
+        return fmt::format("Precise enough after {}{}, no more are needed. Half-width for {}: {}.\n",
                            counted(stop.arrangements, "arrangement"), most, what_of(stop.rule), reached);
     return fmt::format("Half-width for {} after {}{}: {}.\n", what_of(stop.rule),
                        counted(stop.arrangements, "arrangement"), most, reached);
@@ -108,13 +107,13 @@ nlohmann::ordered_json counts_json(const CaseStatus& one) {
 
 std::string status_table(const CampaignStatus& status) {
     const CaseStatus total = total_of(status);
-    std::string text = fmt::format("{}: {} of {} done, {} failed, {} to go\n", status.title, total.done,
+    std::string text = fmt::format("{}: {} of {} done, {} failed, {} to do\n", status.title, total.done,
                                    counted(members_of(total), "member"), total.failed, total.missing);
     text += work_line(status, total.missing);
     if (status.stop) text += stop_line(*status.stop);
     std::size_t width = 4;
     for (const CaseStatus& one : status.cases) width = std::max(width, one.name.size());
-    text += fmt::format("\n{:<{}}  {:>6}  {:>6}  {:>6}  {:>6}\n", "case", width, "done", "failed", "to go", "total");
+    text += fmt::format("\n{:<{}}  {:>6}  {:>6}  {:>6}  {:>6}\n", "case", width, "done", "failed", "to do", "total");
     for (const CaseStatus& one : status.cases)
         text += fmt::format("{:<{}}  {:>6}  {:>6}  {:>6}  {:>6}\n", one.name, width, one.done, one.failed, one.missing,
                             members_of(one));
@@ -122,7 +121,7 @@ std::string status_table(const CampaignStatus& status) {
     for (const FailedMember& one : status.failures)
         text += fmt::format("  member {} (case {}, arrangement {}): {}\n", one.number, one.case_name, one.arrangement,
                             one.reason);
-    text += timed_text("under way", status.under_way);
+    text += timed_text("running", status.under_way);
     text += timed_text("slowest", status.slowest);
     return text;
 }

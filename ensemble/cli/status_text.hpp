@@ -7,7 +7,7 @@
 
 namespace floes {
 
-/// For people: a sentence, who is at work, a line a case, and the failures with their reasons.
+/// For people: a sentence, the active run, a line for each case, and the failures with their reasons.
 std::string status_table(const CampaignStatus& status);
 
 /// For programs: one JSON object with `title`, `done`, `failed`, `missing`, `total`, `at_work`, `seconds_left` and

@@ -1,4 +1,4 @@
-// floes summarize: what a campaign file says, as a table, JSON or CSV. Works on incomplete campaigns too.
+// floes summarize: the findings of a campaign file as a table, JSON or CSV. Works on incomplete campaigns too.
 
 #include <algorithm>
 #include <cstdio>
@@ -29,7 +29,7 @@ struct SummarizeOptions {
     std::string window = "given";
 };
 
-/// What is shown unless parts are named: what suits the campaign as table and JSON, and the one CSV that most want.
+/// What is shown unless parts are named: the parts suited to the campaign as table or JSON, and the cases as CSV.
 bool is_wanted(const Part& part, const SummarizeOptions& options, const Campaign& campaign) {
     if (!options.parts.empty()) return std::ranges::find(options.parts, part.name) != options.parts.end();
     return options.format == "csv" ? part.name == parts().front().name : part.unasked(campaign);
@@ -40,7 +40,7 @@ std::vector<Section> find(const SummarizeOptions& options, const Evidence& evide
     for (const Part& part : parts()) {
         const bool wanted = is_wanted(part, options, evidence.campaign);
         if (wanted && part.for_csv_alone && options.format != "csv")
-            throw InputError(fmt::format("--parts {0}, a line for each member, is for --format csv.", part.name));
+            throw InputError(fmt::format("--parts {0} has a line for each member and needs --format csv.", part.name));
         const bool always = options.format == "json" && part.name == parts().front().name;
         if (wanted || always) sections.push_back(part.section(evidence));
         if (wanted && !sections.back().missing.empty() && options.format != "table")

@@ -8,8 +8,8 @@
 
 namespace floes {
 
-/// Characters on a line of standard output: the terminal's; elsewhere of the environment's COLUMNS, or 100. Never
-/// below 40.
+/// Characters on a line of standard output: those of the terminal; elsewhere COLUMNS of the environment, or 100. At
+/// least 40.
 int terminal_width();
 
 /// The sections in that format: "table", "json" or "csv".

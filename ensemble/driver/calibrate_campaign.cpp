@@ -15,7 +15,7 @@ namespace floes {
 
 namespace {
 
-/// Ice to be calibrated, once for all cases that have it.
+/// One ice to be calibrated, for all cases that have it.
 struct Task {
     std::string cases;  ///< their names
     Scenario scenario;  ///< of the first of them
@@ -26,7 +26,7 @@ struct Task {
 
 PlateTest plate_test(const Scenario& scenario) {
     PlateTest test;
-    // A little more than the sheet, so that rounding does not take an element off where they divide it.
+    // Slightly enlarged, so that rounding does not lose an element if the elements divide the sheet.
     test.sheet = std::floor(test.sheet / scenario.floe.element * (1 + 1e-9)) * scenario.floe.element;
     return test;
 }
@@ -50,7 +50,8 @@ std::vector<Task> tasks_of(const Campaign& campaign, std::span<const Calibration
 
 void calibrate(Task& task) {
     try {
-        // Only what the calibration holds for goes into it: otherwise ice could come out different beside other floes.
+        // Only the inputs of the calibration go into it; otherwise the same ice could get a different Σ in another
+        // field.
         task.record.found =
             calibrate_cfm(plate_scenario(task.scenario), plate_test(task.scenario), task.scenario.ice.elastic_modulus);
     } catch (const InputError& error) {
@@ -63,13 +64,13 @@ std::string intention(const Task& task) {
     const double sheet = plate_test(task.scenario).sheet;
     const double whole = PlateTest{}.sheet;
     const bool divides = std::abs(sheet - whole) < 1e-6 * whole;
-    return fmt::format("calibrating {}: looking for the Σ that shows {:.6g} MPa on a sheet of {:.6g} m{}", task.cases,
+    return fmt::format("calibrating {}: searching for the Σ that gives {:.6g} MPa on a sheet of {:.6g} m{}", task.cases,
                        task.scenario.ice.elastic_modulus / unit::megapascal, sheet,
                        divides ? "" : fmt::format(" (elements of {:.6g} m do not divide {:.6g} m)", element, whole));
 }
 
 std::string finding(const Task& task) {
-    return fmt::format("calibrated {}: Σ = {:.4g} shows {:.6g} MPa (ceiling {:.4g} MPa){}", task.cases,
+    return fmt::format("calibrated {}: Σ = {:.4g} gives {:.6g} MPa (ceiling {:.4g} MPa){}", task.cases,
                        task.record.found.cfm, task.scenario.ice.elastic_modulus / unit::megapascal,
                        task.record.found.ceiling / unit::megapascal, task.kept ? ", from the journal" : "");
 }
@@ -82,7 +83,7 @@ std::vector<CalibrationRecord> kept_calibrations(const Recorder::Places& places)
     try {
         return read_journal(journal, Histories::leave).calibrations;
     } catch (const InputError&) {
-        return {};  // nothing to be had from it; whether one can go on with it, opening it decides and says
+        return {};  // nothing usable; whether the run can resume from it is decided when it is opened
     }
 }
 

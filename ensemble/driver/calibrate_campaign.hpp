@@ -1,5 +1,5 @@
 #pragma once
-// Finds the Σ of cases that give an elastic modulus in its place, before the first member is handed out.
+// Finds the Σ of cases that state an elastic modulus instead, before the first member is handed out.
 
 #include <span>
 #include <vector>
@@ -11,12 +11,12 @@
 
 namespace floes {
 
-/// What the journal that a run goes on with has of calibrations; empty when it begins anew.
+/// The calibrations in the journal that a run resumes; empty for a new campaign.
 std::vector<CalibrationRecord> kept_calibrations(const Recorder::Places& places);
 
-/// Gives every case to be calibrated the Σ that shows its modulus, on the largest sheet up to 5.4 m that its elements
-/// divide: from `kept` where that has it, else by plate tests, each distinct ice once and `threads` of them at a time.
-/// Returns what the cases use. Deterministic. Throws InputError naming the case when its modulus cannot be had.
+/// Gives every case to be calibrated the Σ that yields its modulus, on the largest sheet up to 5.4 m that its elements
+/// divide: from `kept` if that has it, otherwise by plate tests, one for each distinct ice and `threads` at a time.
+/// Returns the calibrations in use. Deterministic. Throws InputError naming the case if its modulus cannot be reached.
 std::vector<CalibrationRecord> calibrate_campaign(Campaign& campaign, std::span<const CalibrationRecord> kept,
                                                   int threads, Progress& progress);
 

@@ -46,14 +46,14 @@ std::optional<StopStatus> stop_status(const Campaign& campaign, const CampaignTa
     return StopStatus{campaign.stop, rule->met(), rule->arrangements(), campaign.arrangements, rule->achieved()};
 }
 
-/// The campaign as far as it is wanted: parts of a merged one were run whole, whatever the rule.
+/// The arrangements that count. Parts of a merged campaign were run in full, regardless of the stop rule.
 Campaign wanted(Campaign campaign, const CampaignTable& table, const std::optional<StopStatus>& stop) {
     const auto missing = [](const MemberRow& row) { return row.status == RowStatus::missing; };
     if (stop && stop->met && std::ranges::any_of(table.members, missing)) campaign.arrangements = stop->arrangements;
     return campaign;
 }
 
-// Members of a case take alike long, and the threads of the session share what is left.
+// Assumes that members of a case take equally long and that the threads of the session share the remaining work.
 std::optional<double> seconds_left(const Campaign& campaign, const CampaignStatus& status,
                                    const std::vector<const MemberRecord*>& records, int threads) {
     double wall_time_per_cost = 0;
@@ -87,9 +87,9 @@ std::vector<TimedMember> slowest(const Campaign& campaign, const std::vector<con
     return members;
 }
 
-/// The lock on the journal may not be seen from another machine; a fresh heartbeat is.
+/// The lock on the journal may be invisible from another machine; a fresh heartbeat is not.
 void add_heartbeat(CampaignStatus& status, const Campaign& campaign, std::optional<Heartbeat> heartbeat) {
-    if (!heartbeat || (status.at_work && is_stale(*heartbeat))) return;  // of the run before
+    if (!heartbeat || (status.at_work && is_stale(*heartbeat))) return;  // of an earlier run
     if (!is_stale(*heartbeat)) status.at_work = true;
     if (status.at_work && heartbeat->elapsed > 0 && heartbeat->finished > 0) {
         status.rate = heartbeat->finished / heartbeat->elapsed;

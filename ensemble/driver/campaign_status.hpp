@@ -1,7 +1,6 @@
 #pragma once
-// How far a campaign is: from its journal, also while a run is going on, or from its campaign file alone. A campaign
-// that ended because its stop rule held ends with the arrangement that the rule stopped after: beyond it nothing is
-// missing.
+// Status of a campaign: from its journal, also during a run, or from its campaign file alone. A campaign that was ended
+// by its stop rule consists of the arrangements up to that point; nothing after them is missing.
 
 #include <filesystem>
 #include <optional>
@@ -28,7 +27,7 @@ struct FailedMember {
     std::string reason;
 };
 
-/// A member under way, or one that took long.
+/// A running member, or a slow one.
 struct TimedMember {
     int number = 0;
     std::string case_name;
@@ -37,28 +36,27 @@ struct TimedMember {
     double seconds = 0;
 };
 
-/// A campaign's stop rule and how near it is.
+/// A campaign's stop rule and how close the campaign is to its target.
 struct StopStatus {
     StopRule rule;
     bool met = false;
-    int arrangements = 0;       ///< in a row from the first on that count; once met, those of the campaign
-    int most_arrangements = 0;  ///< that would be run without the rule
-    double achieved = 0;  ///< largest half-width over its mean, a part of 1; NaN before there are two values of each
+    int arrangements = 0;       ///< complete ones in index order; once met, those of the campaign
+    int most_arrangements = 0;  ///< number without the rule
+    double achieved = 0;  ///< largest half-width over its mean, a fraction; NaN before there are two values of each
 };
 
 struct CampaignStatus {
     std::string title;
     std::vector<CaseStatus> cases;
     std::vector<FailedMember> failures;  ///< in member order
-    std::vector<Session> sessions;       ///< in order of time; of a campaign file alone, none
-    std::optional<StopStatus> stop;      ///< none where there is no rule
-    bool at_work = false;                ///< a run writes the journal now, as far as its lock or heartbeat tell
-    std::optional<Heartbeat> heartbeat;  ///< of a run at work, or of one that did not end
-    std::optional<double> rate;          ///< members finished a second in the present run
+    std::vector<Session> sessions;       ///< in order of time; none from a campaign file alone
+    std::optional<StopStatus> stop;      ///< empty if there is no rule
+    bool at_work = false;                ///< a run is writing the journal now, judged by its lock or heartbeat
+    std::optional<Heartbeat> heartbeat;  ///< of an active run, or of one that did not end properly
+    std::optional<double> rate;          ///< members finished per second in the present run
     std::vector<TimedMember> under_way;  ///< in the present run, longest first
-    std::vector<TimedMember> slowest;    ///< of the done, at most five; of a campaign file alone, none
-    /// Wall time until the last member if the present run goes on as it does, s; none when nobody is at work or no
-    /// member is done yet.
+    std::vector<TimedMember> slowest;    ///< of the done members, at most five; none from a campaign file alone
+    /// Wall time until the last member at the present rate, s; empty if no run is active or no member is done yet.
     std::optional<double> seconds_left;
 };
 

@@ -12,7 +12,7 @@ namespace floes {
 
 namespace {
 
-constexpr unsigned slots_for_the_owner = 0;  // the owner waits and never computes
+constexpr unsigned slots_for_the_owner = 0;  // the owner only waits
 
 }  // namespace
 
@@ -58,7 +58,7 @@ void Crew::begin(Assignment assignment) {
         waiting_.push_back(assignment);
         ++unfinished_;
     }
-    // The thread sanitizer does not see how TBB hands a task over, so the task carries nothing that could race.
+    // The thread sanitizer cannot see how TBB hands over a task, so the task carries no data that could race.
     arena_.enqueue([this]() __attribute__((no_sanitize("thread"))) { execute_next(); });
 }
 

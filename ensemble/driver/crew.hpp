@@ -1,6 +1,6 @@
 #pragma once
-// The threads of this rank at work on members, one member a thread. Assignments go in, outcomes come out, in the order
-// in which they finish; the thread that owns the crew never computes.
+// The threads of this rank that compute members, one member for each thread. Assignments go in; outcomes come out in
+// order of completion. The thread that owns the crew never computes.
 
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/task_arena.h>
@@ -26,24 +26,24 @@ namespace floes {
 struct Assignment {
     int number = 0;
     int attempt = 1;
-    bool apart = false;  ///< in a process of its own, whatever the campaign's rule
+    bool apart = false;  ///< in an isolated process, regardless of run.isolation
 };
 
-/// How it ended. No result: abandoned, to be done again another time.
+/// How an assignment ended. No result: abandoned, to be run again later.
 struct Outcome {
     Assignment assignment;
     std::optional<MemberResult> result;
     std::uint64_t peak_memory = 0;  ///< of the process that computed it, bytes
-    PackedHistory history = {};     ///< of the load; out of the result
+    PackedHistory history = {};     ///< of the load; removed from the result
 };
 
-/// Writes down who computed what on this rank.
+/// Makes the records of members computed on this rank.
 class Scribe {
   public:
     /// `campaign` must outlive the scribe.
     Scribe(const Campaign& campaign, int rank);
 
-    /// Of an outcome that has a result.
+    /// The record of an outcome that has a result.
     MemberRecord record(Outcome outcome) const;
 
   private:
@@ -53,17 +53,17 @@ class Scribe {
     std::vector<std::string> case_keys_;
 };
 
-/// Why a crew cannot go on.
+/// Why a crew cannot continue.
 struct CrewTrouble {
     std::string sentence;
-    bool stuck = false;  ///< a thread is lost in its member for good: the crew cannot even end
+    bool stuck = false;  ///< a thread never returns from its member: the crew cannot even end
 };
 
-/// What a crew computes members with.
+/// What a crew uses to compute members.
 struct CrewSetup {
     MemberFunction compute;
     int threads = 1;           ///< members at a time, >= 1
-    Helper* helper = nullptr;  ///< for members in processes of their own; without one all are computed in this process
+    Helper* helper = nullptr;  ///< for members in isolated processes; nullptr: all are computed in this process
 };
 
 class Crew {
@@ -72,28 +72,28 @@ class Crew {
     Crew(const Campaign& campaign, CrewSetup setup);
     Crew(const Crew&) = delete;
     Crew& operator=(const Crew&) = delete;
-    /// Abandons everything and waits until the threads have let go.
+    /// Abandons everything and waits until the threads have finished.
     ~Crew();
 
-    /// Starts it on a free thread, or as soon as one is free. After abandon() its outcome is "abandoned".
+    /// Starts the assignment on a free thread, or as soon as one is free. After abandon() its outcome is "abandoned".
     void begin(Assignment assignment);
 
-    /// Asks running members to stop and drops those that wait. Each still gives an outcome.
+    /// Asks running members to stop and drops waiting ones. Each still gives an outcome.
     void abandon();
 
     /// The outcomes since the last call.
     std::vector<Outcome> take();
 
-    /// Sleeps until there is an outcome to take or the time is over.
+    /// Sleeps until there is an outcome to take or the time has passed.
     void wait(std::chrono::microseconds longest);
 
-    /// Since when there is some, nothing more is computed here, and what is held is abandoned.
+    /// Once there is some, nothing more is computed here, and all assignments are abandoned.
     std::optional<CrewTrouble> trouble() const;
 
     /// Assignments begun whose outcome has not been taken.
     int held() const { return held_; }
     int threads() const { return setup_.threads; }
-    /// Of those held, the ones that no thread has begun (between take() and the next outcome).
+    /// Those held that no thread has begun (between take() and the next outcome).
     int waiting() const { return std::max(held_ - setup_.threads, 0); }
 
   private:
@@ -108,14 +108,14 @@ class Crew {
     std::stop_source stop_;
     int held_ = 0;
 
-    mutable std::mutex mutex_;  // guards the five below
+    mutable std::mutex mutex_;  // guards the five members below
     std::condition_variable changed_;
     std::deque<Assignment> waiting_;
     std::vector<Outcome> outcomes_;
     int unfinished_ = 0;
     std::optional<CrewTrouble> trouble_;
 
-    tbb::global_control limit_;  // TBB would otherwise never start more threads than there are cores
+    tbb::global_control limit_;  // without it TBB never starts more threads than there are cores
     tbb::task_arena arena_;
 };
 

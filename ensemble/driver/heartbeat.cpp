@@ -15,7 +15,7 @@
 namespace floes {
 namespace {
 
-constexpr double longest_silence = 60;  // s; heartbeats come every few seconds, but publishing may hold one up
+constexpr double longest_silence = 60;  // s; heartbeats come every few seconds, but publishing may delay one
 
 }  // namespace
 

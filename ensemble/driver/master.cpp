@@ -15,7 +15,7 @@ namespace {
 
 constexpr int self = 0;
 
-/// The reasons of all attempts, in order; the same one several times is said once.
+/// The reasons of all attempts, in order; identical ones are given once.
 std::string reason_of_all(std::span<const std::string> reasons) {
     if (reasons.size() == 1) return reasons[0];
     const bool all_equal =
@@ -48,7 +48,7 @@ Master::Master(const Campaign& campaign, const MasterTools& tools, const CrewSet
     tell_time_left();
     for (int rank = 0; rank < link_.size(); ++rank) {
         const int cores = mustered.hellos.at(static_cast<std::size_t>(rank)).cores;
-        handle(WorkerJoined{rank, cores, cores});  // one ahead for each core
+        handle(WorkerJoined{rank, cores, cores});  // one member ahead for each core
     }
 }
 
@@ -81,7 +81,7 @@ void Master::advance() {
         left_ = true;
         handle(WorkerLeft{self});
     }
-    if (scheduler_.workers() == 0) request_stop("the loss of all that compute");
+    if (scheduler_.workers() == 0) request_stop("the loss of all ranks that compute");
     if (signals_.received() != 0) request_stop(signal_name(signals_.received()));
     const auto now = std::chrono::steady_clock::now();
     watch_ranks(now);
@@ -110,7 +110,7 @@ void Master::receive(const Message& message) {
         case Tag::trouble:
             throw RunError(fmt::format("Rank {}: {}", message.from, decode_text(message.bytes)));
         default:
-            throw RunError(fmt::format("The master cannot understand message {} of rank {}.",
+            throw RunError(fmt::format("The master cannot interpret message {} of rank {}.",
                                        static_cast<int>(message.tag), message.from));
     }
 }
@@ -140,18 +140,18 @@ void Master::watch_time(std::chrono::steady_clock::time_point now) {
     if (!left) return;
     if (*left <= 0) request_stop("the end of the time limit");
     if (scheduler_.assigned() == 0 && scheduler_.pending() > 0) {
-        request_stop("the end of the time limit, in which no other member could be done,");
+        request_stop("the end of the time limit, before which no further member could finish,");
     }
 }
 
 void Master::give_up(const CrewTrouble& trouble) {
     if (trouble.stuck) {
         recorder_.sync();
-        progress_.say(fmt::format("{} The run leaves at once; --resume computes that member in a process of its own",
+        progress_.say(fmt::format("{} The run ends immediately; --resume computes that member in an isolated process",
                                   trouble.sentence));
         std::_Exit(exit_stopped);
     }
-    progress_.say(fmt::format("rank 0 computes no more: {}", trouble.sentence));
+    progress_.say(fmt::format("rank 0 stopped computing: {}", trouble.sentence));
     crew_.abandon();
     dismissed_ = true;
 }
@@ -177,7 +177,7 @@ void Master::handle(const Event& event, MemberRecord* record) {
     }
 }
 
-/// All that was handed out of late, in one message to each worker. The journal knows of an attempt before it begins.
+/// Sends the latest assignments, in one message to each worker. The journal notes an attempt before it begins.
 void Master::hand_out() {
     if (handed_out_.empty()) return;
     for (const auto& [worker, assignments] : handed_out_) {
@@ -212,7 +212,7 @@ std::string Master::name_of(int number) const {
 
 void Master::note_failure(const Retry& retry, const MemberRecord& record) {
     failures_[retry.number].push_back(record.result.reason);
-    progress_.say(fmt::format("{} failed and is tried again: {}", name_of(retry.number), record.result.reason));
+    progress_.say(fmt::format("{} failed and will be retried: {}", name_of(retry.number), record.result.reason));
 }
 
 void Master::keep(int number, MemberRecord& record) {
@@ -220,7 +220,7 @@ void Master::keep(int number, MemberRecord& record) {
         std::vector<std::string> reasons = failures_[number];
         reasons.push_back(record.result.reason);
         record.result.reason = reason_of_all(reasons);
-        progress_.say(fmt::format("{} failed and is set aside: {}", name_of(number), record.result.reason));
+        progress_.say(fmt::format("{} failed and was set aside: {}", name_of(number), record.result.reason));
     }
     failures_.erase(number);
     recorder_.keep(record);

@@ -1,6 +1,6 @@
 #pragma once
-// The loop of rank 0: it carries events to the scheduler and its commands out again, keeps the results, and shows the
-// progress. Its own cores work like any other rank's; only this thread sleeps.
+// The loop of rank 0: it passes events to the scheduler and obeys its commands, keeps the results, and shows the
+// progress. The cores of rank 0 compute like those of any other rank; this thread mostly sleeps.
 
 #include <map>
 #include <string>
@@ -19,7 +19,7 @@
 
 namespace floes {
 
-/// What the master has at hand besides its crew.
+/// What the master uses besides its crew.
 struct MasterTools {
     Link& link;
     Recorder& recorder;
@@ -27,7 +27,7 @@ struct MasterTools {
     const StopSignals& signals;
 };
 
-/// How long a run may take and what it waits for.
+/// Time limits of a run.
 struct MasterLimits {
     Walltime walltime;
     Patience patience;
@@ -39,14 +39,14 @@ class Master {
     Master(const Campaign& campaign, const MasterTools& tools, const CrewSetup& setup, const Muster& mustered,
            const MasterLimits& limits);
 
-    /// Until every member has an answer or the run was stopped, and every worker has said farewell. A run that nobody
-    /// is left to compute for stops. Throws RunError when a rank is in trouble or the journal cannot be written.
+    /// Returns when every member has an answer or the run was stopped, and every worker has said farewell. Stops when
+    /// no rank is left that computes. Throws RunError if a rank reports trouble or the journal cannot be written.
     void run();
 
-    /// RankWatch::part(), to be called when all is on the disk.
+    /// RankWatch::part(), to be called when everything is on the disk.
     void part() { ranks_.part(); }
 
-    /// Who asked for the stop, e.g. "SIGTERM"; empty when nobody did or all was done all the same.
+    /// What stopped the run, e.g. "SIGTERM"; empty if nothing did, or if all members were done nevertheless.
     std::string stopped_by() const;
 
   private:
@@ -79,9 +79,9 @@ class Master {
     Pause pause_;
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
     std::map<int, std::vector<Assignment>> handed_out_;  // by worker, since the last hand_out()
-    std::map<int, std::vector<std::string>> failures_;   // reasons by member, of attempts that are made again
+    std::map<int, std::vector<std::string>> failures_;   // by member, the reasons of failed attempts that are retried
     RankWatch ranks_;
-    double pace_;  // s a unit of cost, of the slowest member so far; 0: not known
+    double pace_;  // s per unit of cost, of the slowest member so far; 0: unknown
     std::string stop_reason_;
     bool dismissed_ = false;  // the crew of this rank
     bool left_ = false;

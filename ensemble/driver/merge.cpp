@@ -27,21 +27,21 @@ void check_output(std::span<const fs::path> parts, const fs::path& output, bool 
             throw InputError(fmt::format("{} cannot be merged into itself; -o names another file.", part.string()));
     }
     if (!overwrite && (fs::exists(output) || fs::exists(journal)))
-        throw InputError(fmt::format("{} exists already: --overwrite merges into its place, -o names another file.",
+        throw InputError(fmt::format("{} exists already: --overwrite replaces it, -o names another file.",
                                      fs::exists(output) ? output.string() : journal.string()));
     if (fs::exists(journal) && is_being_written(journal))
         throw InputError(fmt::format("{} is being written by a run.", journal.string()));
 }
 
-/// Throws unless the part belongs to the campaign of the first.
+/// Throws unless the part belongs to the campaign of the first part.
 void check_part(const Campaign& first, const JournalContents& contents, const fs::path& path) {
     const Campaign campaign = read_stored_campaign(contents, path);
     if (fingerprint(campaign) == fingerprint(first)) return;
-    throw InputError(fmt::format("{} belongs to another campaign than the first part: {}.", path.string(),
+    throw InputError(fmt::format("{} belongs to a different campaign than the first part: {}.", path.string(),
                                  fmt::join(differences(first, campaign), "; ")));
 }
 
-/// Where the records of a journal begin.
+/// Offset of the first record of a journal.
 std::uint64_t begin_of_records(const Descriptor& file, const fs::path& path) {
     Bytes fixed(journal_format::fixed_header_bytes);
     read_at(file, path, 0, fixed);
@@ -51,8 +51,8 @@ std::uint64_t begin_of_records(const Descriptor& file, const fs::path& path) {
     return journal_format::fixed_header_bytes + in.u64() + journal_format::crc_bytes;
 }
 
-/// The first `good_bytes` of `part` without the header, as they stand there: sessions, attempts and their order mean
-/// something.
+/// Copies the first `good_bytes` of `part` without the header, unchanged, because the order of sessions and attempts
+/// matters.
 void copy_records(const Descriptor& out, const fs::path& out_path, const fs::path& part, std::uint64_t good_bytes) {
     const Descriptor file = open_file(part, O_RDONLY);
     constexpr std::uint64_t piece = 1 << 20;

@@ -1,15 +1,15 @@
 #pragma once
-// One campaign out of parts that were computed apart, each by a run of its own with --part.
+// Merges parts, each computed by a separate run with --part, into one campaign.
 
 #include <filesystem>
 #include <span>
 
 namespace floes {
 
-/// Makes the campaign file and its journal of everything that the journals beside `parts` hold. Parts may be
-/// unfinished, at work, or overlap; the file is the one that an undisturbed run of the same members gives. Throws
-/// InputError when a part cannot be read, when parts belong to different campaigns (the differing keys named), when the
-/// output is one of them, or is there already and `overwrite` is not set.
+/// Makes the campaign file and its journal from everything in the journals beside `parts`. Parts may be unfinished,
+/// still running, or overlapping; the file equals that of an undisturbed run of the same members. Throws InputError if
+/// a part cannot be read, if parts belong to different campaigns (naming the keys that differ), if the output is one of
+/// the parts, or if it exists and `overwrite` is not set.
 void merge_campaigns(std::span<const std::filesystem::path> parts, const std::filesystem::path& output, bool overwrite);
 
 }  // namespace floes

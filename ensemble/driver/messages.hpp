@@ -1,6 +1,6 @@
 #pragma once
-// What stands in the messages between master and workers. Tags without a function here carry nothing (dismiss,
-// farewell, stop_request) or plain text (campaign, trouble).
+// Contents of the messages between master and workers. Tags without a function here carry nothing (dismiss, farewell,
+// stop_request) or plain text (campaign, trouble).
 
 #include <string>
 #include <string_view>
@@ -14,9 +14,9 @@ namespace floes {
 
 /// A worker introduces itself.
 struct Hello {
-    int cores = 1;  ///< members it computes at a time
+    int cores = 1;  ///< number of members it computes at a time
     std::string host;
-    std::string fingerprint;  ///< of the campaign as it understood it
+    std::string fingerprint;  ///< of the campaign as it read it
     int pid = 0;              ///< of its process
 };
 
@@ -32,7 +32,7 @@ Bytes encode(const std::vector<Answer>& answers);
 Bytes encode_status(int exit_status);
 Bytes encode_text(std::string_view text);
 
-// Each throws RunError when the bytes are not what they should be.
+// Each throws RunError if the bytes are malformed.
 Hello decode_hello(const Bytes& bytes);
 std::vector<Assignment> decode_assignments(const Bytes& bytes);
 std::vector<Answer> decode_answers(const Bytes& bytes);

@@ -1,6 +1,6 @@
 #pragma once
-// How long the thread that waits for messages sleeps between two looks: short after something happened, then longer and
-// longer. A rank that waits for the last member of another must not take its core.
+// How long the thread that waits for messages sleeps between two polls: briefly after an event, then longer and longer.
+// A rank that waits for another's last member must not take a core from it.
 
 #include <algorithm>
 #include <chrono>
@@ -14,7 +14,7 @@ class Pause {
 
     void something_happened() { next_ = shortest; }
 
-    /// The time to sleep now.
+    /// How long to sleep now.
     std::chrono::microseconds next() {
         const auto now = std::min(next_, longest_);
         next_ = std::min(next_ * 2, longest_);
@@ -27,9 +27,9 @@ class Pause {
     std::chrono::microseconds next_ = shortest;
 };
 
-/// For a rank among others a message is noticed within 10 ms, a small part of the time that its cores have work for: a
-/// look costs some 40 us, five times as often was 2 % of a core. Alone, only signals and timers are to be noticed,
-/// since an outcome wakes the sleeper.
+/// With several ranks a message is noticed within 10 ms, which is short compared with the work queued for the cores. A
+/// poll costs some 40 us; polling five times as often took 2 % of a core. A single rank polls only for signals and
+/// timers, because an outcome wakes the sleeper.
 inline Pause pause_between_polls(int ranks) {
     return Pause(ranks > 1 ? std::chrono::milliseconds(10) : std::chrono::milliseconds(50));
 }

@@ -1,5 +1,5 @@
 #pragma once
-// A campaign's stop rule, asked of its members.
+// A campaign's stop rule, applied to its members.
 
 #include <optional>
 
@@ -8,10 +8,10 @@
 
 namespace floes {
 
-/// The rule without any member; none where the campaign has no rule. Throws InputError as PrecisionStop does.
+/// The rule before any member; empty if the campaign has no rule. Throws InputError as PrecisionStop does.
 std::optional<PrecisionStop> stop_rule_of(const Campaign& campaign);
 
-/// The rule with every done and every failed member of `table`, which is of the campaign.
+/// The rule with every done and every failed member of `table`, which belongs to the campaign.
 std::optional<PrecisionStop> stop_rule_of(const Campaign& campaign, const CampaignTable& table);
 
 }  // namespace floes

@@ -37,7 +37,7 @@ std::string progress_text(const ProgressState& state) {
     }
     if (state.half_width_target > 0) {
         if (std::isfinite(state.half_width)) {
-            text += fmt::format(", half-width {:.1f} % after {}, {:g} % wanted", 100 * state.half_width,
+            text += fmt::format(", half-width {:.1f} % after {}, target {:g} %", 100 * state.half_width,
                                 counted(state.in_order, "arrangement"), 100 * state.half_width_target);
         }
         return text;
@@ -53,7 +53,7 @@ Progress::~Progress() {
 void Progress::say(const std::string& text) {
     out_ << fmt::format("{}floes: {}\n", line_is_open_ ? erase_line : "", text) << std::flush;
     line_is_open_ = false;
-    if (style_ == Style::live) shown_ = false;  // the live line comes back at once
+    if (style_ == Style::live) shown_ = false;  // redraws the live line at the next call
 }
 
 void Progress::show(const ProgressState& state, Time now) {

@@ -1,6 +1,6 @@
 #pragma once
-// What the user sees on standard error while a campaign runs: on a terminal one live line, elsewhere a plain line now
-// and then; and notes in between, which never tear the live line.
+// Progress on standard error while a campaign runs: one live line on a terminal, an occasional plain line elsewhere;
+// and notes in between, which never break the live line.
 
 #include <chrono>
 #include <ostream>
@@ -11,16 +11,16 @@ namespace floes {
 /// A campaign at one moment.
 struct ProgressState {
     int total = 0;
-    int done = 0;  ///< with a result, without the failed
+    int done = 0;  ///< with a result, failed ones not included
     int failed = 0;
     int running = 0;
     int finished_now = 0;          ///< done or failed in this session
     double elapsed = 0;            ///< s, of this session
     double finished_cost = 0;      ///< expected cost of finished_now
-    double remaining_cost = 0;     ///< expected cost of all that is not finished, same unit
-    double half_width = 0;         ///< that the stop rule asks of, a part of 1; NaN while nothing is known
+    double remaining_cost = 0;     ///< expected cost of all unfinished members, same unit
+    double half_width = 0;         ///< for the stop rule, a fraction; NaN while unknown
     double half_width_target = 0;  ///< 0: there is no stop rule
-    int in_order = 0;              ///< arrangements that the rule has looked at
+    int in_order = 0;              ///< arrangements evaluated by the rule
 
     /// Remaining cost over the measured rate, s; negative while nothing has finished.
     double time_left() const;
@@ -29,8 +29,8 @@ struct ProgressState {
 /// "3.1 members/s", "4.2 members/min", "0.5 members/h".
 std::string rate_text(double per_second);
 
-/// "12 of 36 done, 1 failed, 2 running, 4.2 members/min, 5 min left"; with a stop rule there is no telling how long,
-/// and in its place stands "half-width 7.1 % after 20 arrangements, 5 % wanted".
+/// "12 of 36 done, 1 failed, 2 running, 4.2 members/min, 5 min left". With a stop rule the time left is unknown, and
+/// "half-width 7.1 % after 20 arrangements, target 5 %" takes its place.
 std::string progress_text(const ProgressState& state);
 
 class Progress {
@@ -43,13 +43,13 @@ class Progress {
     Progress& operator=(const Progress&) = delete;
     ~Progress();  // ends the live line
 
-    /// A line of its own.
+    /// Writes a note on a line of its own.
     void say(const std::string& text);
 
-    /// Shows the state if it is time for it: live, twice a second; plain, after 60 s or a tenth of the members.
+    /// Shows the state if it is due: live, twice a second; plain, after 60 s or a tenth of the members.
     void show(const ProgressState& state, Time now);
 
-    /// Shows the state unless it has just been shown.
+    /// Shows the state unless it was just shown.
     void show_last(const ProgressState& state);
 
   private:

@@ -21,8 +21,8 @@ using Clock = std::chrono::steady_clock;
 constexpr int self = 0;
 constexpr std::chrono::seconds longest_silence{120};
 
-// A process by its descriptor: its number may be another's by the time it is needed. (The wrappers of glibc 2.36 lack
-// their linkage in C++.)
+// A process by descriptor, because its number may be reused before it is needed. (The wrappers of glibc 2.36 have no
+// C++ linkage.)
 Descriptor open_process(int pid) {
     return Descriptor(static_cast<int>(::syscall(SYS_pidfd_open, pid, 0)));
 }
@@ -34,7 +34,7 @@ void kill_process(const Descriptor& process) {
 void check_hello(int from, const Hello& hello, const std::string& fingerprint) {
     if (hello.fingerprint != fingerprint) {
         throw RunError(
-            fmt::format("Rank {} on {} understood another campaign than the master ({} instead of {}): the "
+            fmt::format("Rank {} on {} read a different campaign than the master ({} instead of {}): the "
                         "ranks run different builds of floes.",
                         from, hello.host, hello.fingerprint, fingerprint));
     }
@@ -59,8 +59,8 @@ Muster muster(Link& link, const Campaign& campaign, const Hello& own) {
         const auto message = link.poll();
         if (!message) {
             if (Clock::now() - last_word > longest_silence) {
-                throw RunError(fmt::format("Only {} of {} ranks are there after {} s of silence.", present, link.size(),
-                                           longest_silence.count()));
+                throw RunError(fmt::format("Only {} of {} ranks have answered after {} s of silence.", present,
+                                           link.size(), longest_silence.count()));
             }
             std::this_thread::sleep_for(pause.next());
             continue;

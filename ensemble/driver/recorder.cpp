@@ -15,9 +15,9 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-/// Opens the journal of the campaign file, having seen that nothing is overwritten or mixed up unasked.
+/// Opens the journal of the campaign file after checking that nothing is overwritten or mixed up by accident.
 Journal open(const Campaign& campaign, const Recorder::Places& places) {
-    stop_rule_of(campaign, places.part);  // one that cannot be is refused before there is a file
+    stop_rule_of(campaign, places.part);  // refuses an invalid rule before a file is created
     Recorder::check(places);
     Journal opened = open_journal(journal_path(places.campaign_file), campaign, places.existing);
     if (places.existing == Existing::replace) fs::remove(places.campaign_file);
@@ -33,14 +33,14 @@ void Recorder::check(const Places& places) {
     const bool has_journal = fs::exists(journal);
     if (places.existing == Existing::refuse && (has_file || has_journal)) {
         throw InputError(
-            fmt::format("{} exists already: --resume goes on with it, --overwrite begins anew in its place, "
+            fmt::format("{} exists already: --resume continues it, --overwrite starts afresh and replaces it, "
                         "-o names another file.",
                         has_file ? file : journal.string()));
     }
     if (places.existing == Existing::resume && has_file && !has_journal) {
         throw InputError(
-            fmt::format("{} exists but its journal {} does not, so there is nothing to go on from: "
-                        "--overwrite begins anew in its place, -o names another file.",
+            fmt::format("{} exists but its journal {} does not, so it cannot be resumed: "
+                        "--overwrite starts afresh and replaces it, -o names another file.",
                         file, journal.string()));
     }
 }
@@ -105,7 +105,7 @@ void Recorder::give_up() noexcept {
         fs::remove(heartbeat_path(places_.campaign_file), ignored);
         journal_.end_session("failed");
     } catch (const std::exception&) {
-        // The error that brought us here is the one to tell.
+        // The original error is the one to report.
     }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Keeps the results of a campaign: into the journal at once, onto the disk within a second, into the campaign file now
-// and then and at the end; and tells others every few seconds that the run is alive.
+// Keeps the results of a campaign: in the journal at once, on the disk within a second, in the campaign file from time
+// to time and at the end. Writes a heartbeat every few seconds.
 
 #include <chrono>
 #include <filesystem>
@@ -21,46 +21,46 @@ class Recorder {
         std::filesystem::path campaign_file;
         Existing existing = Existing::refuse;
         std::chrono::seconds publish_every{300};
-        std::vector<CalibrationRecord> calibrations = {};  ///< that gave cases their Σ, to be kept beside the members
-        Part part = {};             ///< what is to be computed; the whole campaign when not given
-        bool retry_failed = false;  ///< give members that were set aside before as many attempts again
+        std::vector<CalibrationRecord> calibrations = {};  ///< that gave cases their Σ, stored with the members
+        Part part = {};                                    ///< what to compute; default: the whole campaign
+        bool retry_failed = false;  ///< give members set aside before the full number of attempts again
     };
 
-    /// Throws InputError when there is something already and `existing` does not say what to do about it.
+    /// Throws InputError if the files exist and `existing` does not allow it.
     static void check(const Places& places);
 
-    /// Opens the journal and takes the inventory of it. `campaign` must outlive the recorder. Throws InputError as
-    /// check() and take_inventory() do, when the journal is another campaign's, or when somebody writes it.
+    /// Opens the journal and takes its inventory. `campaign` must outlive the recorder. Throws InputError as check()
+    /// and take_inventory() do, and if the journal belongs to another campaign or another run is writing it.
     Recorder(const Campaign& campaign, Places places);
 
     const Tally& tally() const { return tally_; }
     const Journal& journal() const { return journal_; }
 
-    /// Notes that a session begins now. Returns what has changed since the session before it, see changed_software();
-    /// empty when there are no members from before.
+    /// Notes that a session begins now. Returns what has changed since the previous session, see changed_software();
+    /// empty if there are no earlier members.
     std::vector<std::string> begin(Session session);
 
-    /// Notes that an attempt at the member begins, so that a later session knows when it never ended.
+    /// Notes that an attempt at the member begins, so that a later session can see if it never ended.
     void started(int number, int attempt);
 
-    /// Keeps a result. It may take a second until it is on the disk.
+    /// Keeps a result. It reaches the disk within a second.
     void keep(const MemberRecord& record);
 
-    /// What was noted and kept so far survives the end of this process, whatever ends it.
+    /// On return, everything noted and kept so far survives the end of this process, whatever its cause.
     void hand_over() { journal_.hand_over(); }
 
-    /// To be called often: brings the journal to the disk and publishes when it is time. Returns a sentence when
-    /// publishing did not succeed; nothing is lost then, the journal has it.
+    /// To be called often: syncs the journal to the disk and publishes when due. Returns a sentence if publishing
+    /// failed; nothing is lost then, because the journal has all results.
     std::string tend(Time now);
 
-    /// Brings the journal to the disk now.
+    /// Syncs the journal to the disk now.
     void sync();
 
-    /// Ends the session as far as that is possible after an error: without it the members under way would stand as
-    /// attempts that took their process down.
+    /// Ends the session as far as possible after an error. Otherwise the running members would count as lost with their
+    /// process.
     void give_up() noexcept;
 
-    /// Ends the session and publishes. Throws RunError when that is impossible.
+    /// Ends the session and publishes. Throws RunError if that fails.
     void finish(const std::string& outcome);
 
   private:

@@ -27,14 +27,14 @@ std::string opening(const Campaign& campaign, const RunOptions& options, int ran
 }
 
 std::string part_text(const Part& part, const Inventory& found) {
-    return fmt::format("part {} of {}: {} of them", part.number, part.of, found.total);
+    return fmt::format("part {} of {}: {} of these members", part.number, part.of, found.total);
 }
 
-/// What was found of earlier sessions; empty when there is nothing.
+/// What earlier sessions left; empty if nothing.
 std::string stock(const Inventory& found) {
     if (found.reused() + found.retried == 0) return {};
     return fmt::format("resumed: {} reused, {} to compute{}", counted(found.reused(), "member"), found.tasks.size(),
-                       found.retried > 0 ? fmt::format(", {} of them again", found.retried) : "");
+                       found.retried > 0 ? fmt::format(", {} of them retried", found.retried) : "");
 }
 
 /// What this session did.
@@ -47,7 +47,7 @@ Session session_of(int ranks, int cores) {
     return describe_session(ranks, cores, std::array{Software{"MPI", library_version()}});
 }
 
-/// The last words, and the exit status that goes with them.
+/// Prints the final messages and returns the exit status.
 int conclude(const Campaign& campaign, const RunOptions& options, Recorder& recorder, Progress& progress,
              const std::string& stopped_by) {
     const Tally& tally = recorder.tally();
@@ -57,12 +57,12 @@ int conclude(const Campaign& campaign, const RunOptions& options, Recorder& reco
     if (tally.precise()) {
         const PrecisionStop& precision = *tally.precision();
         progress.say(fmt::format(
-            "precise enough after {} of at most {} arrangements: half-width {:.1f} %, {:g} % wanted",
+            "precise enough after {} of at most {} arrangements: half-width {:.1f} %, target {:g} %",
             precision.arrangements(), campaign.arrangements, 100 * precision.achieved(), 100 * precision.target()));
     } else if (!stopped_by.empty()) {
-        recorder.sync();  // before anything that takes time: the batch system may not wait
+        recorder.sync();  // before anything slow, because the batch system may kill the run soon
         if (resumed) progress.say(harvest(tally));
-        progress.say(fmt::format("stopped by {} with {} of {} members done and on the disk; to go on: {}", stopped_by,
+        progress.say(fmt::format("stopped by {} with {} of {} members done and on the disk; to resume: {}", stopped_by,
                                  tally.done() + tally.failed(), total, options.resume_command));
         recorder.finish("stopped");
         return exit_stopped;
@@ -72,16 +72,17 @@ int conclude(const Campaign& campaign, const RunOptions& options, Recorder& reco
     if (const auto& precision = tally.precision(); precision && !tally.precise()) {
         const std::string reached =
             precision->achieved() <= precision->target()
-                ? fmt::format(", but that had not held for stop.look_ahead = {} arrangements after stop.minimum = {}",
+                ? fmt::format(", but not met for stop.look_ahead = {} arrangements in a row after stop.minimum = {}",
                               campaign.stop.look_ahead, campaign.stop.minimum)
-                : "; raise campaign.arrangements and --resume for more";
-        progress.say(fmt::format("all {} arrangements are done and the half-width is {:.1f} %, {:g} % wanted{}",
+                : "; to continue, raise campaign.arrangements and resume";
+        progress.say(fmt::format("all {} arrangements are done and the half-width is {:.1f} %, target {:g} %{}",
                                  campaign.arrangements, 100 * precision->achieved(), 100 * precision->target(),
                                  reached));
     }
     if (tally.failed() > 0) {
-        progress.say(fmt::format("{} of {} failed and stand{} as missing in {}; floes status {} has the reasons",
-                                 tally.failed(), counted(total, "member"), tally.failed() == 1 ? "s" : "", file, file));
+        progress.say(fmt::format("{} of {} failed and {} missing in {}; floes status {} shows the reasons",
+                                 tally.failed(), counted(total, "member"), tally.failed() == 1 ? "is" : "are", file,
+                                 file));
         return 1;
     }
     return 0;
@@ -100,16 +101,16 @@ int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link
     if (const std::string remark = binding_remark(link.topology()); !remark.empty()) progress.say(remark);
     if (recorder.journal().damaged_bytes() > 0) {
         progress.say(
-            fmt::format("{} bytes of the journal are damaged and were passed over; what they held is computed "
-                        "again. Is the disk all right?",
+            fmt::format("{} bytes of the journal are damaged and were skipped; the members in them are computed "
+                        "again. Is the disk failing?",
                         recorder.journal().damaged_bytes()));
     }
     for (const std::string& line : recorder.journal().extension()) {
-        progress.say(fmt::format("the campaign is extended, what is there stays: {}", line));
+        progress.say(fmt::format("the campaign is extended, existing results are kept: {}", line));
     }
     for (const std::string& change : recorder.begin(session_of(link.size(), mustered.cores()))) {
-        progress.say(fmt::format(
-            "the members from before may differ in their last bits from what this run would give; {}", change));
+        progress.say(
+            fmt::format("the earlier members may differ in the last bits from results of this program; {}", change));
     }
     if (const std::string text = stock(recorder.tally().found()); !text.empty()) progress.say(text);
     Master master(campaign, {link, recorder, progress, signals}, {compute, own.cores, helper}, mustered,

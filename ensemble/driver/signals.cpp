@@ -11,12 +11,12 @@ namespace floes {
 
 namespace {
 
-// A handler can reach nothing but globals. These belong to the one StopSignals that lives.
+// A handler can only use globals. These belong to the one StopSignals that exists.
 std::atomic<int> first_signal{0};
 std::atomic<std::int64_t> first_time{0};  // ms, monotonic
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free);
 
-// timeout(1), or a batch system together with mpirun, deliver one request twice within microseconds.
+// timeout(1), or a batch system together with mpirun, may deliver one request twice within microseconds.
 constexpr std::int64_t same_request_ms = 250;
 
 std::int64_t now_ms() {
@@ -33,13 +33,14 @@ void on_signal(int signal) {
     }
     const std::int64_t first = first_time;
     if (first == 0 || now_ms() - first < same_request_ms) return;
-    constexpr std::string_view parting = "\nfloes: left at once on the second signal; what was journaled is kept\n";
+    constexpr std::string_view parting =
+        "\nfloes: ended immediately by a second signal; all results in the journal are kept\n";
     [[maybe_unused]] const auto written = ::write(STDERR_FILENO, parting.data(), parting.size());
     ::_exit(exit_stopped);
 }
 
 void leave(int) {
-    constexpr std::string_view parting = "\nfloes: stopped before the first member; the same command begins again\n";
+    constexpr std::string_view parting = "\nfloes: stopped before the first member; the same command starts again\n";
     [[maybe_unused]] const auto written = ::write(STDERR_FILENO, parting.data(), parting.size());
     ::_exit(exit_stopped);
 }

@@ -1,6 +1,6 @@
 #pragma once
-// SIGINT, SIGTERM and SIGUSR1 as a request to stop. The first is remembered for who asks; a second one leaves at once
-// with the exit status "stopped and resumable", which the journal makes true at any moment.
+// SIGINT, SIGTERM and SIGUSR1 as a request to stop. The first signal is stored to be queried. A second one ends the
+// process immediately with the exit status "stopped and resumable", which the journal makes true at any moment.
 
 #include <csignal>
 
@@ -13,7 +13,7 @@ inline constexpr int exit_stopped = 85;
 
 inline constexpr std::array stop_signals{SIGINT, SIGTERM, SIGUSR1};
 
-/// Catches the signals as long as it lives; one at a time in a process.
+/// Catches the signals during its lifetime; at most one in a process.
 class StopSignals {
   public:
     StopSignals();
@@ -21,15 +21,15 @@ class StopSignals {
     StopSignals& operator=(const StopSignals&) = delete;
     ~StopSignals();
 
-    /// The signal that came first; 0 when none came.
+    /// The first signal; 0 if none was received.
     int received() const;
 
   private:
     std::array<struct sigaction, stop_signals.size()> former_{};
 };
 
-/// As long as it lives the first of these signals ends the process with exit_stopped: for work that leaves nothing to
-/// publish. One at a time in a process, and not beside StopSignals.
+/// During its lifetime the first of these signals ends the process with exit_stopped: for work that leaves nothing to
+/// publish. At most one in a process, and not together with StopSignals.
 class LeaveOnSignals {
   public:
     LeaveOnSignals();

@@ -1,6 +1,6 @@
 #pragma once
-// Who has not been heard for how long. A rank that dies under mpirun --enable-recovery says nothing: neither do the
-// calls of MPI. So every rank gives a sign of life now and then, and silence is counted.
+// How long each rank has been silent. If a rank dies under mpirun --enable-recovery, MPI calls report nothing. So every
+// rank sends a regular sign of life, and its silence is measured.
 
 #include <algorithm>
 #include <chrono>
@@ -8,12 +8,13 @@
 
 namespace floes {
 
-/// How often, and how long one waits. A master that publishes to a slow disk is silent for long.
+/// How often signs of life are sent, and how long silence is tolerated. A master that publishes to a slow disk is
+/// silent for long.
 struct Patience {
     double sign_of_life = 5;       ///< s between two of them
     double with_a_worker = 60;     ///< s of silence after which its members are given to others
     double with_the_master = 600;  ///< s of silence after which a worker leaves
-    double with_answers = 0.05;    ///< s that a worker holds one back while it has others to compute
+    double with_answers = 0.05;    ///< s for which a worker may hold back an answer while it has members to compute
 };
 
 class Silence {
@@ -24,8 +25,8 @@ class Silence {
 
     void heard(int rank) { heard_.at(static_cast<std::size_t>(rank)) = listened_; }
 
-    /// To be called after all that had arrived was taken. Time in which nobody listened, since this process was stopped
-    /// or wrote to a slow disk, is no silence of the others: of a longer gap one second counts.
+    /// To be called after all arrived messages were taken. Time in which this process did not listen, because it was
+    /// stopped or wrote to a slow disk, is not silence of the others: of a longer gap, one second counts.
     void listened(Time now) {
         listened_ += std::min(1.0, std::chrono::duration<double>(now - last_).count());
         last_ = now;

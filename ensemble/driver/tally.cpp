@@ -8,7 +8,7 @@ namespace floes {
 
 namespace {
 
-constexpr std::size_t most_told = 20;  // members under way
+constexpr std::size_t most_told = 20;  // running members
 
 }  // namespace
 

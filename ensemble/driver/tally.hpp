@@ -1,5 +1,5 @@
 #pragma once
-// How far a run is: what was there when its session began, and what the session added. No file, no clock.
+// Progress of a run: what existed when its session began, and what the session added. No file, no clock.
 
 #include <chrono>
 #include <map>
@@ -24,23 +24,24 @@ class Tally {
     /// A member is done or set aside.
     void kept(const MemberRecord& record);
 
-    /// What was there when the session began.
+    /// What existed when the session began.
     const Inventory& found() const { return found_; }
     int computed() const { return computed_; }                             ///< members done in this session
-    int set_aside() const { return static_cast<int>(set_aside_.size()); }  ///< likewise those set aside
+    int set_aside() const { return static_cast<int>(set_aside_.size()); }  ///< members set aside in this session
     int done() const { return found_.done + computed_; }                   ///< of this session and before
-    int failed() const;  ///< set aside, of this session and before; of published() alone
+    int failed() const;  ///< members of published() that are set aside, in this session and before
 
-    /// The campaign's stop rule on the members known so far; none where there is no rule.
+    /// The campaign's stop rule with the members known so far; empty if there is no rule.
     const std::optional<PrecisionStop>& precision() const { return precision_; }
-    /// The rule holds: no more members are wanted, and what is published ends with the arrangement it stopped after.
+    /// The stop rule is met: no more members are needed, and the published campaign ends with the arrangement at which
+    /// the rule stopped.
     bool precise() const { return precision_ && precision_->met(); }
-    /// The campaign that is published.
+    /// The campaign as published.
     Campaign published() const;
 
-    /// The member as the journal knows it.
+    /// The member's identity in the journal.
     MemberIdentity identity_of(int number) const;
-    /// All of the heartbeat but host, process and time.
+    /// The heartbeat without host, process and time.
     Heartbeat heartbeat(Time now) const;
 
   private:

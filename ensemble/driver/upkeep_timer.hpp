@@ -1,6 +1,6 @@
 #pragma once
-// When the journal is to be brought to the disk, the heartbeat to be written, and the campaign file to be published: a
-// state machine on points in time that it is told; it looks at no clock.
+// When to sync the journal, write the heartbeat and publish the campaign file: a state machine that is given the time
+// and reads no clock.
 
 #include <chrono>
 
@@ -10,15 +10,15 @@ class UpkeepTimer {
   public:
     using Time = std::chrono::steady_clock::time_point;
 
-    /// `publish_every`: the shortest time between two publishings.
+    /// `publish_every`: minimum time between two publications.
     UpkeepTimer(Time begin, std::chrono::seconds publish_every);
 
-    /// The journal has a result that neither the disk nor the campaign file has.
+    /// Notes that the journal has a new result, not yet on the disk or in the campaign file.
     void kept();
 
-    /// True every 0.9 s: "within a second", with room for the disk.
+    /// True every 0.9 s: "within a second", with a margin for the disk.
     bool sync_is_due(Time now) const;
-    /// The journal has something that the disk does not have.
+    /// The journal has something that is not on the disk yet.
     bool is_unsynced() const { return unsynced_; }
     void synced(Time now);
 
@@ -26,10 +26,10 @@ class UpkeepTimer {
     bool heartbeat_is_due(Time now) const { return now >= next_heartbeat_; }
     void heartbeat_written(Time now);
 
-    /// True when the campaign file lacks a result and it is time.
+    /// True if the campaign file lacks a result and publishing is due.
     bool publishing_is_due(Time now) const { return unpublished_ && now >= next_publishing_; }
-    /// Publishing took from `begin` to `end`. The next one, also of one that did not succeed, is so far away that
-    /// publishing takes at most a twentieth of the time.
+    /// Publishing took from `begin` to `end`. The next one, also after a failure, is delayed so that publishing takes
+    /// at most a twentieth of the time.
     void published(Time begin, Time end, bool success);
 
   private:

@@ -1,5 +1,5 @@
 #pragma once
-// The time that the batch system leaves: asked for once, counted down on a monotonic clock.
+// The time left in the batch job: queried once, counted down on a monotonic clock.
 
 #include <chrono>
 #include <optional>
@@ -7,20 +7,20 @@
 
 namespace floes {
 
-/// Seconds in what `squeue -o %L` prints: [days-][[hours:]minutes:]seconds. Nothing for words such as UNLIMITED.
+/// Seconds from the output of `squeue -o %L`: [days-][[hours:]minutes:]seconds. Empty for words such as UNLIMITED.
 std::optional<double> parse_time_left(std::string_view text);
 
-/// `asked` seconds when that is positive, else what Slurm says inside a job, else nothing.
+/// `asked` seconds if positive, otherwise the time left according to Slurm inside a job, otherwise empty.
 std::optional<double> find_time_left(double asked);
 
 class Walltime {
   public:
     using Time = std::chrono::steady_clock::time_point;
 
-    /// `seconds_left` from `now` on; nothing: for ever. Of that a tenth, at most a minute, is kept for publishing.
+    /// `seconds_left` from `now` on; empty: no limit. A tenth of it, at most a minute, is reserved for publishing.
     explicit Walltime(std::optional<double> seconds_left = {}, Time now = std::chrono::steady_clock::now());
 
-    /// Seconds for computing; not positive when it is time to stop; nothing when there is no end.
+    /// Seconds left for computing; not positive when it is time to stop; empty if there is no limit.
     std::optional<double> left(Time now) const;
 
   private:

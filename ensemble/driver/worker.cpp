@@ -27,7 +27,7 @@ namespace floes {
 namespace {
 
 constexpr int master = 0;
-constexpr std::size_t most_held_back = 256;  // answers: bounds a message
+constexpr std::size_t most_held_back = 256;  // answers; bounds the size of a message
 
 std::string no_file(const std::string& path) {
     throw InputError(fmt::format("The campaign that the master sent refers to the file {}.", path));
@@ -42,7 +42,7 @@ Message wait_for_message(Link& link) {
     }
 }
 
-/// One worker at work: members between hello and leave.
+/// A worker between hello and leave.
 class Worker {
   public:
     Worker(Link& link, const Campaign& campaign, const CrewSetup& setup, const Patience& patience,
@@ -60,7 +60,7 @@ class Worker {
     }
 
   private:
-    /// Does what there is to do. True when there was something.
+    /// Does all pending work. True if there was any.
     bool advance() {
         bool something = link_.moving();
         while (const auto message = link_.poll()) {
@@ -93,7 +93,7 @@ class Worker {
         link_.send(master, Tag::alive, {});
         if (silence_.of(master) < patience_.with_the_master) return;
         fmt::print(stderr,
-                   "floes: rank {} leaves, since the master has been silent for {:.0f} s; go on with --resume\n",
+                   "floes: rank {} leaves, because the master has been silent for {:.0f} s; continue with --resume\n",
                    link_.rank(), silence_.of(master));
         link_.abandon(master);
         exit_status_ = 1;
@@ -118,7 +118,7 @@ class Worker {
                 exit_status_ = decode_status(message.bytes);
                 return;
             default:
-                throw RunError(fmt::format("A worker cannot understand message {}.", static_cast<int>(message.tag)));
+                throw RunError(fmt::format("A worker cannot interpret message {}.", static_cast<int>(message.tag)));
         }
     }
 
@@ -128,7 +128,7 @@ class Worker {
         answers_.push_back({number, scribe_.record(std::move(outcome))});
     }
 
-    /// At once when a core has nothing to do after what it computes now; else a message is shared.
+    /// Sends at once if a core would run out of work; otherwise several answers share a message.
     void send_answers() {
         if (answers_.empty()) return;
         const std::chrono::duration<double> held_back = std::chrono::steady_clock::now() - first_answer_;
@@ -139,7 +139,7 @@ class Worker {
         answers_.clear();
     }
 
-    /// This rank can compute no more: it leaves the members to the others.
+    /// This rank can no longer compute: it leaves its members to the others.
     void give_up(const CrewTrouble& trouble) {
         fmt::print(stderr, "floes: rank {} leaves. {}\n", link_.rank(), trouble.sentence);
         if (trouble.stuck) std::_Exit(exit_stopped);
@@ -155,7 +155,7 @@ class Worker {
     Scribe scribe_;
     Crew crew_;
     Pause pause_ = pause_between_polls(2);
-    std::vector<Answer> answers_;  // that were not sent yet
+    std::vector<Answer> answers_;  // not sent yet
     std::chrono::steady_clock::time_point first_answer_;
     bool dismissed_ = false;
     bool ranks_are_missing_ = false;
@@ -167,7 +167,7 @@ class Worker {
 int serve(Link& link, const CrewSetup& setup, const Patience& patience, const StopSignals& signals) {
     const Message first = wait_for_message(link);
     if (first.tag == Tag::leave) return decode_status(first.bytes);  // the run ended before it began
-    if (first.tag != Tag::campaign) throw RunError("A worker must get the campaign before anything else.");
+    if (first.tag != Tag::campaign) throw RunError("A worker must receive the campaign before anything else.");
     const Campaign campaign = read_campaign({decode_text(first.bytes), "campaign of the master", {}}, no_file);
     return Worker(link, campaign, setup, patience, signals).run();
 }

@@ -7,14 +7,13 @@
 
 namespace floes {
 
-/// Serves the master (rank 0) until it says that the run is over. `threads`: members at a time; 0: the cores of this
-/// rank. A master that is silent for too long is given up: the exit status is then 1. `helper`: computes members in
-/// processes of their own; see run_campaign(). Returns the exit status that the master gave. What goes wrong here is
-/// told to the master, who ends the run.
+/// Serves the master (rank 0) until it ends the run. `threads`: members at a time; 0: the cores of this rank. `helper`:
+/// computes members in isolated processes, see run_campaign(). Returns the exit status sent by the master, or 1 if the
+/// master has been silent for too long. Errors here are reported to the master, which ends the run.
 int serve_campaign(Link& link, int threads, const MemberFunction& compute, Helper* helper = nullptr,
                    const Patience& patience = {});
 
-/// The threads that a rank is to use: `asked`, or its cores when that is 0.
+/// The number of threads of a rank: `asked`, or its cores if that is 0.
 int threads_of(const Link& link, int asked);
 
 }  // namespace floes

@@ -57,7 +57,7 @@ std::vector<std::string> condition_lines(const Summary& summary) {
 }
 
 std::vector<ConditionColumn> condition_columns(const Summary& summary) {
-    std::size_t rows = 0;  // the most that a case has
+    std::size_t rows = 0;  // largest number in any case
     for (const CaseSummary& row : summary.cases) rows = std::max(rows, row.about.shape.rows().size());
     std::vector<ConditionColumn> columns;
     for (std::size_t k = 0; k < rows; ++k) {

@@ -1,6 +1,6 @@
 #pragma once
-// The conditions without which no load means anything, in words: structure wall, far end and contact Γ decide it
-// together.
+// The conditions that decide the load together, in words: structure wall, far end and contact Γ. A load without them
+// means nothing.
 
 #include <string>
 #include <vector>
@@ -19,12 +19,12 @@ std::string far_end_key(FarEnd far_end);
 /// "80 to 230 s after the tow began, in 3 segments".
 std::string window_words(const Analysis& analysis);
 
-/// One sentence a condition; where cases differ, one for each value with the names of its cases.
+/// One sentence for each condition; where cases differ, one for each value with the names of its cases.
 std::vector<std::string> condition_lines(const Summary& summary);
 
 using ConditionColumn = RecordField<CaseRow>;
 
-/// The conditions as columns of a record of a case: "structure_wall" in CSV, under "conditions" in JSON.
+/// The conditions as columns of a case's record: "structure_wall" in CSV, under "conditions" in JSON.
 std::vector<ConditionColumn> condition_columns(const Summary& summary);
 
 }  // namespace floes

@@ -29,7 +29,7 @@ std::vector<Cell> line(const CaseExtremes& one, const FittedExtreme& fitted) {
     return cells;
 }
 
-/// A fit of a case: in JSON at `place` of the case.
+/// Columns of one fit of a case; in JSON at `place` in the case's record.
 template <class Row>
 void add_fit(const std::string& place, const std::function<const FittedExtreme&(const Row&)>& fit_of,
              std::vector<RecordField<Row>>& columns) {
@@ -68,7 +68,7 @@ void add_fit(const std::string& place, const std::function<const FittedExtreme&(
     }
 }
 
-/// In JSON a record a case.
+/// For JSON: a record for each case.
 Records case_records(const Summary& summary, const std::vector<CaseExtremes>& extremes) {
     std::vector<RecordField<CaseExtremes>> columns{
         {"case", [&](const CaseExtremes& one) { return summary.name_of(one.case_index); }},
@@ -81,7 +81,7 @@ Records case_records(const Summary& summary, const std::vector<CaseExtremes>& ex
     return json_only(make_records<CaseExtremes>("extremes", extremes, columns));
 }
 
-/// In CSV a line a fit.
+/// For CSV: a line for each fit.
 Records fit_records(const Summary& summary, const std::vector<CaseExtremes>& extremes) {
     struct Line {
         const CaseExtremes* of;
@@ -148,8 +148,8 @@ Section extremes_section(const Summary& summary, const std::vector<CaseExtremes>
             .table = std::move(table),
             .after = fmt::format(
                 "\nMaximum likelihood; 1 in N: the load that one segment in N exceeds{}, interval by bootstrap over\n"
-                "arrangements. ξ: shape, below 0 with an upper end. p A²: Anderson-Darling; small: the distribution "
-                "does not suit.\nBeyond the longest exposure that was run a return level is an extrapolation.\n",
+                "arrangements. ξ: shape, below 0 with an upper bound. p A²: Anderson-Darling; small: poor fit of the "
+                "distribution.\nFor exposures longer than the one simulated, a return level is an extrapolation.\n",
                 lengths),
             .records = {case_records(summary, extremes), fit_records(summary, extremes)}};
 }

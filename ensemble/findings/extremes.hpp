@@ -9,7 +9,7 @@
 
 namespace floes {
 
-/// One case over the segment maxima of all its done members.
+/// Extremes of one case, from the segment maxima of all its done members.
 struct CaseExtremes {
     std::size_t case_index = 0;
     double segment = 0;  ///< length of a segment, s
@@ -19,19 +19,19 @@ struct CaseExtremes {
     std::vector<ExceedancePoint> exceedance;
 };
 
-/// One segment in so many exceeds the return levels that are told.
+/// Return periods of the reported levels, in segments.
 inline constexpr double return_periods[]{10, 100, 1000};
 
-/// Every case in the order of the file; fits invalid where there are fewer than `fewest_maxima`.
+/// All cases in file order; fits are invalid with fewer than `fewest_maxima` maxima.
 std::vector<CaseExtremes> find_extremes(const CampaignTable& table);
 
 Section extremes_section(const Summary& summary, const std::vector<CaseExtremes>& extremes);
 
-/// The empirical curve of the maxima beside both fits: CSV of its own, in JSON a part of the extremes. No table: it is
-/// too long for people.
+/// The empirical exceedance curve of the maxima with both fits: a CSV of its own, in JSON a part of the extremes. It
+/// has no table, which would be too long to read.
 Section exceedance_section(const Summary& summary, const std::vector<CaseExtremes>& extremes);
 
-/// A line for each case and fit, for a page; without lines where nothing could be fitted.
+/// For the page: a row for each case and fit; only the heading if nothing could be fitted.
 Table extremes_page_table(const Summary& summary, const std::vector<CaseExtremes>& extremes);
 
 /// "Gumbel" or "GEV".

@@ -52,10 +52,10 @@ Section levels_section(const Summary& summary, const std::vector<LevelRow>& rows
          {Names{"upcrossings_high", "upcrossings_per_s/high"}, [](Row row) { return row.upcrossings.high; }}});
     if (rows.empty())
         return {.before =
-                    "Load levels: no member counted any (analysis.exceedance_levels_N). The curve of the segment "
-                    "maxima is in\n--format csv and json.\n",
+                    "Load levels: no member counted any (analysis.exceedance_levels_N). For the exceedance curve of "
+                    "the segment\nmaxima use --format csv or json.\n",
                 .records = {json_only(records)}};
-    Table table{{"case", "load, N", "runs", "time above, %", "95 %", "rises a minute", "95 %"}};
+    Table table{{"case", "load, N", "runs", "time above, %", "95 %", "rises per minute", "95 %"}};
     for (const LevelRow& row : rows) {
         const auto range = [](const Interval& found, double factor, int decimals) {
             return bracket(factor * found.low, factor * found.high, decimals);
@@ -67,7 +67,7 @@ Section levels_section(const Summary& summary, const std::vector<LevelRow>& rows
     return {.before = "Load levels\n\n",
             .table = std::move(table),
             .after =
-                "\nTime above: share of the window with a surge load beyond the level; rises: how often the load "
+                "\nTime above: share of the window with a surge load above the level; rises: how often the load "
                 "rises through it.\nCounted in each member at every time step; mean over arrangements with its "
                 "95 % interval (t).\n",
             .records = {records}};

@@ -32,7 +32,7 @@ Section members_section(const CampaignTable& table) {
         columns.push_back({std::string{name}, [&quantity](Row row) { return row.value(quantity); }});
     };
     for (const Quantity& one : shown_in(Shown::in_summary)) add(one, one.name);
-    std::size_t segments = 0;  // the most that a case has
+    std::size_t segments = 0;  // largest number in any case
     for (const MemberRow& row : table.members) segments = std::max(segments, row.load.segment_maximum.size());
     for (std::size_t k = 0; k < segments; ++k)
         columns.push_back({fmt::format("segment_{}_maximum_N", k + 1), [k](Row row) {

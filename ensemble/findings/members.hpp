@@ -1,5 +1,5 @@
 #pragma once
-// One line a member, for whoever wants to go on with the values themselves.
+// One line for each member, for further analysis of the values themselves.
 
 #include "campaign_file/campaign_file.hpp"
 #include "tables/section.hpp"

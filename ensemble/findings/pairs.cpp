@@ -1,5 +1,6 @@
 #include "findings/pairs.hpp"
 
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -47,8 +48,11 @@ PairRow compare(const SharedMembers& pair, const Quantity& quantity, const PairO
     std::vector<double> first;
     std::vector<double> second;
     for (const auto& [one, other] : pair.members) {
-        first.push_back(quantity.of(*one));
-        second.push_back(quantity.of(*other));
+        const double one_value = quantity.of(*one);
+        const double other_value = quantity.of(*other);
+        if (!std::isfinite(one_value) || !std::isfinite(other_value)) continue;  // a file from before the quantity
+        first.push_back(one_value);
+        second.push_back(other_value);
     }
     PairRow row;
     row.quantity = &quantity;

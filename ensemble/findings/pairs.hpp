@@ -1,6 +1,6 @@
 #pragma once
-// Cases against each other, arrangement by arrangement: only cases of one field geometry meet the same floes, and only
-// they are paired.
+// Cases compared in pairs, arrangement by arrangement. Only cases of the same field geometry meet the same floes, so
+// only those are paired.
 
 #include <cstddef>
 #include <optional>
@@ -20,18 +20,18 @@ struct PairRow {
     double first_mean = 0;   ///< over the same arrangements
     double t_p_holm = 0;     ///< Holm over all pairs of this quantity
     double wilcoxon_p_holm = 0;
-    int to_resolve_observed = 0;  ///< arrangements in all with which a true difference as large is found; 0: unknown
-    int to_resolve_wished = 0;    ///< the same for `resolve` of first_mean
+    int to_resolve_observed = 0;  ///< arrangements needed in total to find a true difference this large; 0: unknown
+    int to_resolve_wished = 0;    ///< the same for a difference of `resolve` x first_mean
 };
 
 struct PairOptions {
-    std::optional<std::size_t> reference;  ///< stands first in its pairs
-    double resolve = 0.1;                  ///< difference to be resolved, as a part of the first case's mean
-    double power = 0.8;                    ///< probability of finding it at the level of 5 %
+    std::optional<std::size_t> reference;  ///< comes first in its pairs
+    double resolve = 0.1;                  ///< difference to be resolved, as a fraction of the first case's mean
+    double power = 0.8;                    ///< probability of finding it at the 5 % level
 };
 
-/// Every pair of cases that share at least two done arrangements, for each quantity of Table 3 in order, pairs in order
-/// of the file.
+/// Every pair of cases that share at least two done arrangements, for each quantity of Table 3 in order; pairs in file
+/// order.
 std::vector<PairRow> compare_pairs(const CampaignTable& table, const PairOptions& options = {});
 
 }  // namespace floes

@@ -16,7 +16,7 @@ std::string needed_text(int arrangements) {
 }
 
 std::string percent(double part) {
-    // 0.0 added: no "-0".
+    // Adding 0.0 avoids "-0".
     return std::isfinite(part) ? fmt::format("{:.0f} %", std::round(part / unit::percent) + 0.0) : "–";
 }
 
@@ -45,9 +45,9 @@ std::size_t compared_quantities() {
     return static_cast<std::size_t>(std::ranges::distance(shown_in(Shown::in_table3)));
 }
 
-/// Three quantities say most; a table of all would be too long.
+/// The three most informative quantities; a table of all would be too long.
 Table headlines(const Summary& summary, const std::vector<PairRow>& rows, const PairOptions& options) {
-    Table table{{"pair", "n", "difference", "95 %", "of first", "p t", "p Wilcoxon", "saved", "n for it",
+    Table table{{"pair", "n", "difference", "95 %", "of first", "p t", "p Wilcoxon", "reduction", "n needed",
                  fmt::format("n for {:g} %", options.resolve / unit::percent)}};
     const Quantity* last = nullptr;
     for (const PairRow& row : rows) {
@@ -64,10 +64,10 @@ Table headlines(const Summary& summary, const std::vector<PairRow>& rows, const 
 std::string notes(const std::vector<PairRow>& rows, const PairOptions& options) {
     const std::size_t pairs = rows.size() / compared_quantities();
     return fmt::format(
-        "\np: two-sided, paired t and Wilcoxon's signed ranks, Holm over the {} of a quantity. Saved: variance "
-        "of the difference that\npairing took away. n for it: arrangements with which a true difference as "
-        "large as the one seen, or of {:g} % of the first\ncase, is found with a probability of {:g} %.\nThe "
-        "other quantities of Table 3: --format csv --parts pairs.\n",
+        "\np: two-sided, paired t test and Wilcoxon signed-rank test, Holm-adjusted over the {} of a quantity.\n"
+        "Reduction: share of the variance of the difference that pairing removes. n needed: arrangements needed to\n"
+        "find a true difference as large as the observed one, or of {:g} % of the first case, with a probability of\n"
+        "{:g} %.\nThe other quantities of Table 3: --format csv --parts pairs.\n",
         pairs == 1 ? std::string{"one pair"} : fmt::format("{} pairs", pairs), options.resolve / unit::percent,
         options.power / unit::percent);
 }
@@ -112,15 +112,15 @@ std::string left_out_text(const Summary& summary, const std::vector<PairRow>& ro
     const std::size_t left_out = all - rows.size() / compared_quantities();
     if (left_out == 0) return "";
     return fmt::format(
-        "{} not compared: cases are paired over arrangements that both have done and begin from with the same floes, "
-        "and {} no two of these (campaign.common_arrangements = false, or fields of another geometry).",
+        "{} not compared: a pair needs two arrangements that are done in both cases and begin with the same floes, "
+        "and {} fewer (campaign.common_arrangements = false, or different field geometries).",
         left_out == all ? (all == 1 ? "The pair is" : "Pairs are") : fmt::format("{} of {} pairs are", left_out, all),
         left_out == 1 ? "it has" : "they have");
 }
 
 std::string unasked_text(const Summary& summary) {
     return fmt::format(
-        "The {} pairs of these {} cases, and the extremes of each: floes summarize --parts pairs,extremes.",
+        "To show the {} pairs of these {} cases and the extremes of each: floes summarize --parts pairs,extremes.",
         all_pairs(summary), summary.cases.size());
 }
 
@@ -128,7 +128,7 @@ Section pairs_section(const Summary& summary, const std::vector<PairRow>& rows, 
     Section section{.records = {make_records<PairRow>("pairs", rows, columns_of(summary, options))}};
     const std::string left_out = left_out_text(summary, rows);
     if (rows.empty()) {
-        section.before = summary.cases.size() < 2 ? "Pairs: there is but one case.\n" : left_out + "\n";
+        section.before = summary.cases.size() < 2 ? "Pairs: there is only one case.\n" : left_out + "\n";
         return section;
     }
     section.before = "Pairs over the same arrangements\n\n";
@@ -139,7 +139,7 @@ Section pairs_section(const Summary& summary, const std::vector<PairRow>& rows, 
 
 Table pairs_page_table(const Summary& summary, const std::vector<PairRow>& rows) {
     Table table{{"quantity", "pair", "n", "difference", "95 % interval", "p (t, Holm)", "p (Wilcoxon, Holm)",
-                 "variance saved, %", "n to resolve it"}};
+                 "variance reduction, %", "n needed"}};
     for (const PairRow& row : rows) {
         const double factor = row.quantity->factor();
         table.push_back({std::string{row.quantity->label},

@@ -1,5 +1,5 @@
 #pragma once
-// Pairs of cases, as they are told.
+// The section on pairs of cases.
 
 #include <string>
 #include <vector>
@@ -11,13 +11,14 @@ namespace floes {
 /// A sentence on the pairs that could not be compared; empty when there are none.
 std::string left_out_text(const Summary& summary, const std::vector<PairRow>& rows);
 
-/// What a campaign of many cases says in place of its pairs and extremes: how many, and what to type.
+/// What a campaign of many cases shows instead of its pairs and extremes: how many pairs, and the command that shows
+/// them.
 std::string unasked_text(const Summary& summary);
 
-/// The quantities of the headlines in the table, all in the records.
+/// The table has the headline quantities, the records have all.
 Section pairs_section(const Summary& summary, const std::vector<PairRow>& rows, const PairOptions& options);
 
-/// A line for each quantity and pair, for a page, which has room for all.
+/// For the page, which has room for all: a row for each quantity and pair.
 Table pairs_page_table(const Summary& summary, const std::vector<PairRow>& rows);
 
 }  // namespace floes

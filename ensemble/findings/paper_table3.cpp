@@ -83,7 +83,7 @@ Table table3(const Campaign& campaign, const Summary& summary) {
         const PaperRow* paper = paper_row(campaign.cases.at(k));
         if (paper == nullptr) continue;
         const bool again =
-            k + 1 < campaign.cases.size() && paper_row(campaign.cases[k + 1]) == paper;  // of a design: once is enough
+            k + 1 < campaign.cases.size() && paper_row(campaign.cases[k + 1]) == paper;  // in a design, show it once
         if (!again) table.push_back(paper_line(*paper));
         experiment = experiment || paper->elastic_modulus_mpa == Experiment{}.elastic_modulus_mpa;
     }

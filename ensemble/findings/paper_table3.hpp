@@ -1,5 +1,5 @@
 #pragma once
-// Table 3 of the paper, one simulation a modulus, and the experiment that it quotes.
+// Table 3 of the paper (one simulation for each modulus) and the experiment that it quotes.
 
 #include <array>
 
@@ -32,15 +32,15 @@ struct Experiment {
     double failure_ratio = 0.22;
 };
 
-/// Whether the scenario is the paper's: whatever the paper states has its value, but for E and Σ. What it leaves open
-/// (wall below the waterline, far end, contact Γ, iterations) may differ.
+/// Whether the scenario is the paper's: everything that the paper states has the stated value, except E and Σ. What it
+/// leaves open (wall below the waterline, far end, contact Γ, iterations) may differ.
 bool is_the_papers(const Scenario& scenario);
 
-/// The paper's run at this case; nullptr where it has none.
+/// The paper's run of this case; nullptr if there is none.
 const PaperRow* paper_row(const Case& one);
 
-/// A line a case, its estimates with confidence and prediction intervals, and those of the paper and of the experiment
-/// that stand beside a case of theirs.
+/// A row for each case with confidence and prediction intervals. Rows of the paper and of the experiment follow the
+/// case that they belong to.
 Table table3(const Campaign& campaign, const Summary& summary);
 
 }  // namespace floes

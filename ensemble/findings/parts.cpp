@@ -48,7 +48,7 @@ Section extremes(const Evidence& evidence) {
     return extremes_section(evidence.summary, find_extremes(evidence.table));
 }
 
-/// The curve of the maxima and the time above the levels that members counted.
+/// The exceedance curve of the maxima and the time above the levels that members counted.
 Section exceedance(const Evidence& evidence) {
     Section curve = exceedance_section(evidence.summary, find_extremes(evidence.table));
     Section levels = levels_section(evidence.summary, find_levels(evidence.table));

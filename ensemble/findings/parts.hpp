@@ -1,6 +1,6 @@
 #pragma once
-// The parts of what is found in a campaign file, by name: what `floes summarize --parts` takes. A new finding is a file
-// of its own and a line in parts.cpp.
+// The findings of a campaign file by name, as `floes summarize --parts` takes them. A new finding is a file of its own
+// and a line in parts.cpp.
 
 #include <filesystem>
 #include <optional>
@@ -12,31 +12,31 @@
 
 namespace floes {
 
-/// What parts are made from.
+/// What parts are computed from.
 struct Evidence {
     std::filesystem::path file;
-    Campaign campaign;  ///< as the file's own configuration has it
+    Campaign campaign;  ///< from the configuration in the file
     CampaignTable table;
     Summary summary;                          ///< of the table
-    std::optional<SteadyReport> steady = {};  ///< where it was needed already: of the window as it was given
+    std::optional<SteadyReport> steady = {};  ///< set if already computed; for the window as given
     Reference reference;                      ///< case that the others are compared with
-    double resolve = 0.1;  ///< difference that pairs are to resolve, as a part of the first case's mean
+    double resolve = 0.1;  ///< difference that pairs are to resolve, as a fraction of the first case's mean
 };
 
-/// Reads the file. `automatic_window`: loads are measured anew where they are steady. Throws InputError as
-/// read_campaign_file() and with_automatic_window() do, and when there is no case `reference` (empty: none).
+/// Reads the file. `automatic_window`: loads are recomputed over the steady part. Throws InputError as
+/// read_campaign_file() and with_automatic_window() do, and if there is no case `reference` (empty: no reference).
 Evidence read_evidence(const std::filesystem::path& file, bool automatic_window = false,
                        std::string_view reference = {});
 
 struct Part {
     std::string_view name;
     Section (*section)(const Evidence&);
-    bool (*unasked)(const Campaign&);  ///< whether it is shown of this campaign when no parts are named
-    std::string_view page_title = {};  ///< of its section on the page; empty: the page has it in a place of its own
+    bool (*unasked)(const Campaign&);  ///< whether it is shown for this campaign when no parts are named
+    std::string_view page_title = {};  ///< of its section on the page; empty: the page places it elsewhere
     bool for_csv_alone = false;
 };
 
-/// In the order in which they are told. The first one, the cases, stands in JSON whatever is asked for.
+/// In order of output. The first one, the cases, is always part of the JSON.
 std::span<const Part> parts();
 
 }  // namespace floes

@@ -1,5 +1,5 @@
 #pragma once
-// Where the cases of a design lie, beside what was found there: the table to draw or fit by other means.
+// Where the cases of a design lie, with the results there: a table for plotting or fitting with other tools.
 
 #include <string>
 #include <variant>
@@ -12,23 +12,23 @@ namespace floes {
 
 struct PointRow {
     std::string name;  ///< of the case
-    std::string base;  ///< of the [[case]] that the point was added to; may be empty
+    std::string base;  ///< name of the [[case]] that the point belongs to; may be empty
     int point = -1;
-    std::vector<std::variant<double, std::string>> values;  ///< one an axis, in the key's unit; words as TOML has them
+    std::vector<std::variant<double, std::string>> values;  ///< one for each axis, in the key's unit; words as in TOML
 };
 
 struct DesignPoints {
     std::vector<std::string> keys;  ///< of the axes
-    std::vector<PointRow> rows;     ///< one a case, in order
+    std::vector<PointRow> rows;     ///< one for each case, in order
 };
 
-/// Of a campaign without a design there are no keys and no rows.
+/// A campaign without a design has no keys and no rows.
 DesignPoints find_points(const Campaign& campaign);
 
 /// Case and values.
 Table points_table(const DesignPoints& points);
 
-/// The same with, in CSV, the members done and the estimate of each quantity of the summary.
+/// The same; CSV also has the number of done members and the estimate of each quantity of the summary.
 Section points_section(const DesignPoints& points, const Summary& summary);
 
 }  // namespace floes

@@ -31,7 +31,7 @@ std::vector<Points> by_base(const Campaign& campaign) {
     return all;
 }
 
-/// Values of a quantity, a row an arrangement and a column a point; NaN where no member is done.
+/// Values of a quantity: a row for each arrangement, a column for each point; NaN where no member is done.
 std::vector<std::vector<double>> values_of(const Points& points, const Quantity& quantity, const CampaignTable& table) {
     const std::size_t cases = table.cases.size();
     std::vector<std::vector<double>> values(table.members.size() / cases);
@@ -48,7 +48,7 @@ bool finite(const std::vector<double>& values) {
     return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
 }
 
-/// Mean of each point over the arrangements in which it is done; NaN where there is none.
+/// Mean of each point over the arrangements in which it is done; NaN if there is none.
 std::vector<double> means_of(const std::vector<std::vector<double>>& values, std::size_t points) {
     std::vector<double> means(points, std::numeric_limits<double>::quiet_NaN());
     for (std::size_t p = 0; p < points; ++p) {
@@ -64,7 +64,7 @@ std::vector<double> means_of(const std::vector<std::vector<double>>& values, std
     return means;
 }
 
-/// Of the base points of which every point has a mean. Points are in the order of design_points().
+/// Uses the base points whose points all have a mean. Points are in the order of design_points().
 SaltelliValues saltelli_values(const std::vector<double>& means, std::size_t axes) {
     SaltelliValues values;
     values.ab.resize(axes);
@@ -151,8 +151,7 @@ Sensitivity find_sensitivity(const Campaign& campaign, const CampaignTable& tabl
     }
     if (const std::string key = word_axis(design); !key.empty()) {
         found.notes.push_back(fmt::format(
-            "The axis {} takes no numbers; indices and planes are over numbers alone. Compare its cases in pairs.",
-            key));
+            "The axis {} is not numeric; indices and planes need numeric axes. Compare its cases in pairs.", key));
         return found;
     }
     found.axes = axes_of(campaign);
@@ -178,12 +177,12 @@ Sensitivity find_sensitivity(const Campaign& campaign, const CampaignTable& tabl
         }
         if (!fitted)
             found.notes.push_back(fmt::format(
-                "{}no plane: it wants more points with a result than axes + 1, and points that tell the axes apart.",
+                "{}no plane: it needs more points with a result than axes + 1, and no axis that depends on the others.",
                 points.base.empty() ? "" : points.base + ": "));
     }
     if (design.indices)
         found.notes.push_back(
-            "Indices are of the means over the arrangements there are: what chance is left in those means counts as "
+            "Indices are computed from means over arrangements. The scatter that remains in these means counts as "
             "interaction and raises the total indices.");
     return found;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What decides the load: how far the statistics of a case follow the axes of the campaign's design.
+// What decides the load: how strongly the statistics of a case depend on the axes of the campaign's design.
 
 #include <optional>
 #include <string>
@@ -12,17 +12,17 @@
 
 namespace floes {
 
-/// One quantity of one [[case]] that was run at the points of the design.
+/// Sensitivity of one quantity of one [[case]] that was run at the points of the design.
 struct SensitivityRow {
     const Quantity* quantity = nullptr;
-    std::string base;                     ///< name of the [[case]]; empty where there is none
+    std::string base;                     ///< name of the [[case]]; empty if there is none
     int points = 0;                       ///< with a done member
-    int base_points = 0;                  ///< of the indices: those that are whole
-    std::optional<SobolIndices> indices;  ///< of the means over arrangements; Saltelli's points alone
-    std::optional<LinearFit> fit;         ///< slopes in the unit of the quantity, over half an axis
+    int base_points = 0;                  ///< complete base points, used for the indices
+    std::optional<SobolIndices> indices;  ///< of the means over arrangements; only for Saltelli's points
+    std::optional<LinearFit> fit;         ///< slopes in the unit of the quantity, per half axis
 };
 
-/// An axis with the ends that its coordinate -1 … 1 runs between.
+/// An axis with its ends, coordinates -1 and 1.
 struct SensitivityAxis {
     std::string key;
     double from = 0;  ///< in the key's unit
@@ -33,17 +33,17 @@ struct SensitivityAxis {
 struct Sensitivity {
     std::vector<SensitivityAxis> axes;
     std::vector<SensitivityRow> rows;  ///< by [[case]], then by quantity
-    std::vector<std::string> notes;    ///< sentences on what cannot be said, and why
+    std::vector<std::string> notes;    ///< sentences on what could not be computed, and why
 };
 
-/// Indices and planes for mean, SD, mean maximum and failure ratio. Where two arrangements or more have every point,
-/// they are fitted one by one, and the slopes are the means over them; otherwise the plane goes through the means of
-/// the points. Members that are not done are left out: their arrangement of the first, their base point of the indices.
-/// `table`: of that campaign.
+/// Indices and planes for mean, SD, mean maximum and failure ratio. If at least two arrangements have every point, each
+/// is fitted separately and the slopes are averaged; otherwise the plane is fitted to the means of the points. A member
+/// that is not done excludes its arrangement from the separate fits and its base point from the indices. `table`: of
+/// that campaign.
 Sensitivity find_sensitivity(const Campaign& campaign, const CampaignTable& table);
 
-/// Whether pairs and extremes are shown unasked: not of a design of many cases, whose axes say more, and of which they
-/// are too many to read and take long.
+/// Whether pairs and extremes are shown by default: not for a design of many cases. Its axes say more, and the pairs
+/// would be too many to read and slow to compute.
 bool in_detail(const Campaign& campaign);
 
 }  // namespace floes

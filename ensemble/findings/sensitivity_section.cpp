@@ -51,7 +51,7 @@ std::string heading_of(const SensitivityRow& row) {
     return text;
 }
 
-/// The slope and the indices of one axis. `axis_of` and `row_of` find them in what a record is made of.
+/// The slope and the indices of one axis. `axis_of` and `row_of` find them in the record's source.
 template <class Row>
 void add_axis(const std::string& place, const std::function<const SensitivityRow&(const Row&)>& row_of,
               const std::function<std::size_t(const Row&)>& axis_of, std::vector<RecordField<Row>>& columns) {
@@ -151,16 +151,16 @@ std::vector<std::string> sensitivity_notes(const Sensitivity& found) {
         const auto fitted =
             std::ranges::find_if(found.rows, [](const SensitivityRow& row) { return row.fit.has_value(); });
         notes.push_back(
-            "Slope: change over half the axis, from its middle to its end, of the plane nearest to all points.");
+            "Slope: change of the plane fitted to all points over half the axis, from its middle to its end.");
         if (fitted != found.rows.end())
             notes.push_back(fitted->fit->repetitions > 0
-                                ? fmt::format("Its interval: Student's t over {} arrangements fitted one by one.",
+                                ? fmt::format("Its interval: Student's t over {} arrangements, each fitted separately.",
                                               fitted->fit->repetitions)
                                 : std::string{"Its interval: from the residuals, since no two arrangements have every "
                                               "point."});
         if (has_indices(found))
             notes.push_back(fmt::format(
-                "First order: share of the variance that the axis explains alone; total: and together with the others. "
+                "First order: share of the variance that the axis explains alone; total: including interactions. "
                 "Intervals: bootstrap over {} base points.",
                 found.rows.front().base_points));
     }

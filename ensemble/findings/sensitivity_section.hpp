@@ -1,5 +1,5 @@
 #pragma once
-// What decides the load, as it is told.
+// The section on what decides the load.
 
 #include <string>
 #include <vector>
@@ -11,10 +11,10 @@ namespace floes {
 /// Slopes and indices by [[case]], quantity and axis; the heading first.
 Table sensitivity_table(const Sensitivity& found);
 
-/// What the columns mean, and the notes: sentences.
+/// The meaning of the columns, then the notes, as sentences.
 std::vector<std::string> sensitivity_notes(const Sensitivity& found);
 
-/// The table with its notes; in JSON a record a quantity, in CSV a line for each of its axes.
+/// The table with its notes; JSON has a record for each quantity, CSV a line for each of its axes.
 Section sensitivity_section(const Sensitivity& found);
 
 }  // namespace floes

@@ -23,7 +23,7 @@ double median(std::vector<double> values) {
     return quantile_of_sorted(values, 0.5);
 }
 
-/// Values of the history that make a batch of at least correlation_batch steps.
+/// Number of history values in a batch of at least correlation_batch steps.
 std::size_t batch_of(const Analysis& analysis) {
     const auto stride = static_cast<std::size_t>(analysis.history_stride);
     return (correlation_batch + stride - 1) / stride;
@@ -43,7 +43,7 @@ struct MeanHistory {
 CaseSteady case_steady(const CampaignTable& table, std::size_t index, const std::vector<MemberSteady>& members,
                        const MeanHistory& mean) {
     CaseSteady found;
-    // The sum is as steady as the mean.
+    // MSER gives the same start for the sum as for the mean.
     if (const auto start = steady_start(mean.sum)) found.start = static_cast<double>(*start) * mean.step;
     std::vector<double> starts;
     std::vector<double> times;
@@ -73,7 +73,7 @@ SteadyReport find_steady(const std::filesystem::path& path, const CampaignTable&
         MemberSteady member{history.member, {}, 0, 0};
         const Analysis& analysis = table.cases[of_case].analysis;
         if (const auto start = steady_start(history.surge)) member.start = static_cast<double>(*start) * history.step;
-        std::optional<double> variance;  // of single steps, which means over several do not show
+        std::optional<double> variance;  // of single steps: means over several steps underestimate it
         const double sd = table.members[static_cast<std::size_t>(history.member)].load.sd;
         if (analysis.history_stride > 1) variance = sd * sd;
         const Autocorrelation found =
@@ -98,7 +98,7 @@ CampaignTable with_automatic_window(const std::filesystem::path& path, CampaignT
         const double end = analysis.steady_start + analysis.window;
         const double segment = analysis.window / analysis.segments;
         if (!steady.cases[index].start) continue;
-        // A start that misses a whole segment by rounding alone still has it.
+        // The tolerance keeps a segment that would be lost by rounding.
         const int segments = static_cast<int>(std::floor((end - *steady.cases[index].start) / segment + 1e-9));
         if (segments < 1) continue;
         analysis.steady_start = end - segments * segment;
@@ -135,8 +135,7 @@ Section steady_section(const Summary& summary, const CampaignTable& table, const
              {"decorrelation_time_s", &MemberSteady::decorrelation_time},
              {"effective_samples", &MemberSteady::effective_samples}})};
     if (steady.members.empty()) {
-        section.missing =
-            "Steady state: the file has no load histories (/history/surge_load), so nothing is known of it.\n";
+        section.missing = "Steady state: unknown, because the file has no load histories (/history/surge_load).\n";
         return section;
     }
     const auto seconds = [](const std::optional<double>& time) { return time ? fixed(*time, 1) : "none"; };
@@ -150,9 +149,9 @@ Section steady_section(const Summary& summary, const CampaignTable& table, const
                                  fixed(one.median_decorrelation_time, 2), fixed(one.median_effective_samples, 0)});
     }
     section.after =
-        "\nSteady from: MSER of the mean history of the case; single runs: median of its members' own; without: "
-        "members in\nwhich no steady part is seen. Decorrelation: load that counts as one independent value; "
-        "effective samples: of the\nwindow. Both are medians over the members.\n";
+        "\nSteady from: MSER of the mean history of the case; single runs: median over its members' own histories;\n"
+        "without: members in which no steady part was found. Decorrelation: duration of load that counts as one\n"
+        "independent value; effective samples: of the window. Both are medians over the members.\n";
     return section;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// When the load of each case became steady, as its histories tell, and the campaign as it looks in that window.
+// When the load of each case became steady, found from its histories, and the statistics in that window.
 
 #include <filesystem>
 #include <optional>
@@ -11,7 +11,7 @@ namespace floes {
 
 struct MemberSteady {
     int member = 0;
-    std::optional<double> start;    ///< s after the tow began, by MSER; none: no steady part seen
+    std::optional<double> start;    ///< s after the tow began, by MSER; none: no steady part found
     double decorrelation_time = 0;  ///< s, in the window of the case
     double effective_samples = 0;   ///< of that window
 };
@@ -19,7 +19,7 @@ struct MemberSteady {
 struct CaseSteady {
     std::optional<double> start;           ///< s, by MSER of the mean over the members' histories
     std::optional<double> median_start;    ///< s, of the members that have one
-    int without_start = 0;                 ///< members that have none
+    int without_start = 0;                 ///< members without a start
     double median_decorrelation_time = 0;  ///< s
     double median_effective_samples = 0;
 };
@@ -29,18 +29,18 @@ struct SteadyReport {
     std::vector<MemberSteady> members;  ///< those with a history
 };
 
-/// Reads the histories of the file that `table` is of. Where there are none it has no members, and its cases have no
-/// start.
+/// Reads the histories of the file that `table` was read from. Without histories the report has no members, and its
+/// cases have no start.
 SteadyReport find_steady(const std::filesystem::path& path, const CampaignTable& table);
 
-/// The table with every done member's load measured anew: in the whole segments, each as long as before, that fit
-/// between the start found for its case and the end of the run, counted from the end. A case without a start, or in
-/// which no segment fits, keeps its window. The failure ratio and what else is not of the load stay.
-/// Throws InputError for histories that are thinned, since maxima and deviations need every step, and where there are
-/// none.
+/// The table with the load statistics of every done member recomputed. The window is as many whole segments, each as
+/// long as before, as fit between the start found for the case and the end of the run, counted from the end. A case
+/// without a start, or in which no segment fits, keeps its window. The failure ratio and everything else that is not a
+/// load stay unchanged. Throws InputError if there are no histories or if they are thinned, since maxima and deviations
+/// need every step.
 CampaignTable with_automatic_window(const std::filesystem::path& path, CampaignTable table, const SteadyReport& steady);
 
-/// A line a case for people, a record a case and one a member in JSON, and in CSV a line a member.
+/// Text has a row for each case, JSON a record for each case and each member, CSV a line for each member.
 Section steady_section(const Summary& summary, const CampaignTable& table, const SteadyReport& steady);
 
 }  // namespace floes

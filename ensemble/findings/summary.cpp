@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "campaign/name_list.hpp"
@@ -39,10 +40,13 @@ CaseSummary summarise_case(const CampaignTable& table, int number) {
         count(member, row);
         if (member.done()) done.push_back(&member);
     }
-    std::vector<double> values(done.size());
     for (const Quantity& quantity : shown_in(Shown::in_summary)) {
-        std::ranges::transform(done, values.begin(), [&](const MemberRow* member) { return quantity.of(*member); });
-        // The bootstrap's limits cannot leave the range that the values keep to; Student's can.
+        std::vector<double> values;
+        for (const MemberRow* member : done) {
+            const double value = quantity.of(*member);
+            if (std::isfinite(value)) values.push_back(value);  // a file from before the quantity does not have it
+        }
+        // Student's limits can leave the range of the values; those of the bootstrap cannot.
         row.estimates[quantity.key] = {clipped(quantity.positive ? positive_interval(values) : mean_interval(values),
                                                quantity.least, quantity.most),
                                        bca_mean_interval(values)};

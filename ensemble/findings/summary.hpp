@@ -1,5 +1,5 @@
 #pragma once
-// A campaign file's members as statistics over arrangements: the row of Table 3, with intervals, for every case.
+// Statistics of a campaign file over arrangements: for every case the row of Table 3, with intervals.
 //
 // A member that failed or has not run yet is a missing value, never zero. One arrangement is one value: the floes of an
 // arrangement are not independent of each other, so the failure ratio's interval is over arrangements too.
@@ -19,7 +19,7 @@
 
 namespace floes {
 
-/// A mean over arrangements with Student's intervals and, beside them, the BCa bootstrap's of the mean.
+/// A mean over arrangements with Student's intervals and the BCa bootstrap interval of the mean.
 struct Estimate : Interval {
     Limits bca{};
 };
@@ -27,17 +27,17 @@ struct Estimate : Interval {
 /// One case over its arrangements. members = done + failed_members + missing_members.
 struct CaseSummary {
     CaseRow about;
-    int members = 0;          ///< that the campaign plans
-    int done = 0;             ///< that the intervals are made of
+    int members = 0;          ///< planned
+    int done = 0;             ///< with a result; the intervals use these
     int failed_members = 0;   ///< set aside
     int missing_members = 0;  ///< without a result yet
     int not_steady = 0;       ///< done, with a load that still had a trend in the window
 
-    /// Of a quantity that is shown in summaries, in its own unit.
+    /// The estimate of a quantity that is shown in summaries, in its unit.
     const Estimate& of(const Quantity& quantity) const { return estimates.at(quantity.key); }
 
     std::map<std::string_view, Estimate> estimates;   ///< by key
-    std::map<std::string_view, std::int64_t> totals;  ///< of counts over the members that are done; none without any
+    std::map<std::string_view, std::int64_t> totals;  ///< sums of counts over the done members; absent if none is done
 };
 
 /// A member that was set aside.
@@ -58,14 +58,14 @@ struct Summary {
 /// Statistics of every case, in the order of the file.
 Summary summarise(const CampaignTable& table);
 
-/// Index of the case named `name`. Throws InputError with the names there are.
+/// Index of the case named `name`. Throws InputError that lists the names of all cases.
 std::size_t case_index(const Summary& summary, std::string_view name);
 
 /// Index of the case that the others are compared with, as Table 3 does; none: no comparison.
 using Reference = std::optional<std::size_t>;
 
 /// What the brackets of Table 3 show: the difference of the estimate from the reference case's, %, negative when
-/// smaller (the paper prints its size). NaN where undefined.
+/// smaller (the paper prints the magnitude). NaN if undefined.
 double difference_percent(const Summary& summary, std::size_t of_case, std::size_t reference, const Quantity& quantity);
 
 }  // namespace floes

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t most_reasons = 10;  // shown; `floes status` has all of them
 
-// -- for people: a line a quantity, a column a case
+// -- text: a row for each quantity, a column for each case
 
 template <typename MakeCell>
 void add_line(const Summary& summary, std::string label, MakeCell make_cell, Table& table) {
@@ -39,13 +39,13 @@ void add_counts(const Summary& summary, Table& table) {
     add("  not steady", [](Row row) { return row.not_steady; });
 }
 
-/// Decimals that suit the largest estimate.
+/// Decimals for the largest estimate.
 int decimals_of(const Summary& summary, const Quantity& quantity) {
     if (quantity.percent || quantity.count) return 1;
     double largest = 0;
     for (const CaseSummary& row : summary.cases) {
         const double estimate = std::abs(row.of(quantity).estimate);
-        if (estimate > largest) largest = estimate;  // NaN is not
+        if (estimate > largest) largest = estimate;  // false for NaN
     }
     return decimals_for(largest);
 }
@@ -62,7 +62,7 @@ void add_estimate(const Summary& summary, const Quantity& quantity, Table& table
             return Cell{fixed(quantity.factor() * found.estimate, decimals), range(found.low, found.high)};
         },
         table);
-    // Failures by mode are no row of Table 3: the estimate will do, the rest is in JSON and CSV.
+    // Failures by mode are not in Table 3, so the estimate is enough here; JSON and CSV have the rest.
     if (quantity.shown < Shown::in_table3) return;
     add_line(
         summary, "  bootstrap",
@@ -115,17 +115,16 @@ std::string heading(const Summary& summary, const Totals& totals) {
 
 std::string notes(const Summary& summary, const Totals& totals) {
     std::string text =
-        "\nOne arrangement is one value. Brackets: where the mean over all arrangements lies, 95 %, by Student's t; "
-        "below "
-        "it by\nBCa bootstrap, which assumes no shape; then where one further run falls, 95 %. Failure ratio: broken "
-        "floes of all floes.\nJoints failed: mean of a run.\n";
+        "\nOne arrangement is one value. Brackets, all 95 %: confidence interval of the mean over all arrangements by\n"
+        "Student's t; below it by BCa bootstrap, which assumes no distribution; then the prediction interval of one\n"
+        "further run. Failure ratio: broken floes / floes. Joints failed: mean per run.\n";
     if (totals.missing > 0 && totals.done > 0) {
-        text += "Members that end sooner come first: until the campaign is complete the figures lean towards them.\n";
+        text += "Short runs finish first: until the campaign is complete, the figures are biased towards them.\n";
     }
     if (totals.not_steady > 0) {
         text += fmt::format(
-            "Not steady: in {} of {} members the load still had a trend in the window; they are in the figures "
-            "above.\n",
+            "Not steady: in {} of {} members the load still had a trend in the window; the figures above include "
+            "them.\n",
             totals.not_steady, totals.done);
     }
     for (std::size_t index = 0; index < std::min(summary.failed.size(), most_reasons); ++index) {
@@ -137,7 +136,7 @@ std::string notes(const Summary& summary, const Totals& totals) {
     return text;
 }
 
-// -- for programs: a record a case
+// -- CSV and JSON: a record for each case
 
 using CaseColumn = RecordField<CaseSummary>;
 
@@ -163,7 +162,7 @@ CaseColumn difference_column(const Summary& summary, std::size_t reference, cons
             }};
 }
 
-/// "failures_bending" is "bending" of "failures".
+/// "failures_bending" goes to "failures/bending".
 CaseColumn total_column(const Quantity& quantity) {
     const std::string key{quantity.key};
     std::string place = key;

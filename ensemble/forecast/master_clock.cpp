@@ -46,7 +46,7 @@ void MasterClock::keep(double bytes) {
 
 void MasterClock::finish() {
     tend(now_);
-    work(2 * costs_.sync);  // the last records, and the end of the session
+    work(2 * costs_.sync);  // the last records and the end of the session
     publish();
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// The time of the master's one thread: it does one thing after the other, brings the journal to the disk when that is
-// due, and publishes. Times in s from the start of the run.
+// Simulated time of the master's single thread, which works sequentially, syncs the journal when due, and publishes.
+// Times in s from the start of the run.
 
 #include <queue>
 #include <vector>
@@ -9,13 +9,13 @@
 
 namespace floes {
 
-/// The processors that all threads share, first come, first served.
+/// The processors shared by all threads, first come, first served.
 class Processors {
   public:
-    /// count 0: every thread has one of its own.
+    /// count 0: every thread has its own.
     explicit Processors(int count);
 
-    /// The end of `work` seconds that are ready to begin at `ready`. To be asked in order of time.
+    /// When `work` seconds of work end that can start at `ready`. To be called in order of time.
     double run(double ready, double work);
 
   private:
@@ -27,17 +27,17 @@ class MasterClock {
     /// Both must outlive the clock. `begin`: when the first member can be handed out.
     MasterClock(const DriverCosts& costs, Processors& processors, double begin);
 
-    /// Notices at `ready` or later that there is something to do; `asleep`: a message, which it has to look for.
+    /// Notices an event at `ready` or later; `asleep`: a message, which is found by polling.
     void notice(double ready, bool asleep);
-    /// Works for so long.
+    /// Works for this time.
     void work(double seconds);
-    /// A record of so many bytes is in the journal.
+    /// Appends a record of this size to the journal.
     void keep(double bytes);
-    /// Brings everything to the disk and publishes.
+    /// Syncs everything to the disk and publishes.
     void finish();
 
-    double now() const { return now_; }    ///< when it is free
-    double busy() const { return busy_; }  ///< of all this time, s
+    double now() const { return now_; }    ///< when the master is free
+    double busy() const { return busy_; }  ///< time spent working, s
 
   private:
     void tend(double until);
@@ -55,8 +55,8 @@ class MasterClock {
     double bytes_ = 0;
 };
 
-/// How long after it arrived a message is noticed by a rank that has had no news for `silence` seconds: such a rank
-/// sleeps for about as long as it has waited already, at most for costs.longest_pause.
+/// Delay until an arrived message is noticed by a rank that has received nothing for `silence` seconds. Such a rank
+/// sleeps about as long as it has already waited, at most costs.longest_pause.
 double notice_delay(const DriverCosts& costs, double silence);
 
 }  // namespace floes

@@ -4,19 +4,19 @@
 //
 //     bench/dispatch.py build/bench/bench/floes_dispatch dispatch.json
 //
-// on two cores of a virtual machine (Intel Xeon, family 6 model 207; Open MPI 4.1.4, HDF5 1.10.8) with nothing else at
-// work: processor times, the least of two rounds. How the plan made of them compares with real runs: docs/scaling.md.
-// Not measured but taken from experience: start_up_per_rank, publish, latency, transfer_per_byte, and the variation of
-// members. The run times of members: configs/table3.toml, 94 s of processor time for three members, 234 s for one with
-// the stock solver. Bytes: the 90 members of that campaign.
+// on two cores of an otherwise idle virtual machine (Intel Xeon, family 6 model 207; Open MPI 4.1.4, HDF5 1.10.8):
+// processor times, the smaller of two rounds. docs/scaling.md compares the resulting plan with real runs. Not measured
+// but taken from experience: start_up_per_rank, publish, latency, transfer_per_byte, and the variation of members. Run
+// times of members: configs/table3.toml, 94 s of processor time for three members, 234 s for one with the stock solver.
+// Bytes: the 90 members of that campaign.
 
 namespace floes {
 
 DriverCosts measured_costs() {
     return {
         .start_up = 0.01,
-        // Not measured but assumed: nodes launch their ranks side by side, and the master greets one after the other.
-        // Where two processors launch them all it is 0.12 s.
+        // Assumed, not measured: nodes launch their ranks in parallel, and the master greets them one after the other.
+        // If two processors launch all ranks it is 0.12 s.
         .start_up_per_rank = 2e-3,
         .send = 0.4e-6,
         .assign = 2.1e-6,
@@ -51,7 +51,7 @@ MemberCosts measured_member_costs() {
         .variation = 0.05,
         .history_bytes = 5.3,
         .file_per_record_byte = 0.5,
-        .source = "the expected cost of each member and what a unit of it took on a Xeon of 2023 (AVX-512)",
+        .source = "the expected cost of each member, times the measured time per unit on a Xeon of 2023 (AVX-512)",
     };
 }
 

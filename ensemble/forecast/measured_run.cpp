@@ -21,7 +21,7 @@ MeasuredRun of_journal(const std::filesystem::path& journal, const std::filesyst
         const bool done = record != nullptr && record->result.status == MemberStatus::done;
         run.wall_time.push_back(done ? record->result.wall_time : nan);
     }
-    // The file of a run under way is older than the journal.
+    // During a run the file is older than the journal.
     const bool complete = !contents.sessions.empty() && !contents.sessions.back().ended.empty();
     if (complete && std::filesystem::exists(campaign_file)) {
         run.file_per_record_byte = static_cast<double>(std::filesystem::file_size(campaign_file)) /

@@ -1,5 +1,5 @@
 #pragma once
-// What a campaign that was run, or is running, tells about run times and sizes.
+// Run times and sizes measured in a finished or running campaign.
 
 #include <cstdint>
 #include <filesystem>
@@ -12,10 +12,10 @@ namespace floes {
 struct MeasuredRun {
     Campaign campaign;
     std::vector<double> wall_time;    ///< s, of each member, in member order; NaN unless it is done
-    double file_per_record_byte = 0;  ///< size of the campaign file over that of the journal; 0: not both are there
+    double file_per_record_byte = 0;  ///< size of the campaign file over that of the journal; 0: one of them is missing
 };
 
-/// From the journal beside the campaign file, or from the campaign file alone. Throws InputError when neither can be
+/// From the journal beside the campaign file, or from the campaign file alone. Throws InputError if neither can be
 /// read.
 MeasuredRun read_measured_run(const std::filesystem::path& campaign_file);
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int cores_of_a_node = 64;
 
-/// The bytes of a done member's record without its history: those of one with as many numbers in it.
+/// Size of a done member's record without its history, from an empty record with as many numbers.
 double record_bytes(const Scenario& scenario) {
     MemberRecord record;
     record.case_key = std::string(32, '0');
@@ -31,10 +31,10 @@ double record_bytes(const Scenario& scenario) {
     return static_cast<double>(encode(record).size());
 }
 
-/// Of its three rows of numbers, packed.
+/// Sizes of its three rows of numbers, packed.
 struct HistoryBytes {
     double all = 0;
-    double deflated = 0;  ///< of these: few numbers are left as they are
+    double deflated = 0;  ///< the compressed part; small sets are left uncompressed
 
     HistoryBytes(const Analysis& analysis, int steps) {
         if (!analysis.keep_history) return;
@@ -44,7 +44,7 @@ struct HistoryBytes {
     }
 };
 
-/// Two independent uniform numbers in (0, 1) that belong to a member.
+/// Two independent uniform numbers in (0, 1) for a member.
 std::array<double, 2> draw(const Campaign& campaign, int number) {
     const PhiloxKey key{static_cast<std::uint32_t>(campaign.seed), static_cast<std::uint32_t>(campaign.seed >> 32)};
     const PhiloxCounter words = philox({static_cast<std::uint32_t>(number), 0, 0, 0}, key);
@@ -58,11 +58,11 @@ double scatter(const std::array<double, 2>& uniform, double variation) {
     return std::exp(sigma * normal - sigma * sigma / 2);
 }
 
-/// `file_of`: what a record takes in the campaign file, of the bytes of its history and of all others.
+/// `file_of`: size of a record in the campaign file from the bytes of its history and its other bytes.
 std::vector<SimulatedMember> members_of(const Campaign& campaign,
                                         const std::function<double(double history, double others)>& file_of) {
     std::vector<HistoryBytes> histories;
-    std::vector<double> others;  // stay in the master's memory; it leaves histories in the journal
+    std::vector<double> others;  // stay in the master's memory; histories stay in the journal
     std::vector<double> costs;
     for (const Case& one : campaign.cases) {
         histories.emplace_back(one.scenario.analysis, one.scenario.step_count());
@@ -82,12 +82,12 @@ std::vector<SimulatedMember> members_of(const Campaign& campaign,
     return members;
 }
 
-/// Without a run to tell.
+/// Used without a measured run.
 double usual_file_bytes(double history, double others) {
     return history + measured_member_costs().file_per_record_byte * others;
 }
 
-/// Seconds per unit of expected cost, as measured, of each case of the run; and of all its members.
+/// Measured seconds per unit of expected cost, for each case of the run and for all its members.
 struct MeasuredRates {
     std::vector<std::vector<double>> of_case;
     std::vector<double> of_all;
@@ -105,7 +105,7 @@ MeasuredRates rates_of(const MeasuredRun& run) {
     return rates;
 }
 
-/// What the members of a case draw from.
+/// The rates from which members of a case draw.
 const std::vector<double>& rates_for(const Case& one, const MeasuredRun& run, const MeasuredRates& rates) {
     const auto same = std::ranges::find(run.campaign.cases, one.name, &Case::name);
     if (same == run.campaign.cases.end()) return rates.of_all;

@@ -1,6 +1,5 @@
 #pragma once
-// A campaign in numbers, before it is run: how long each member takes, how large it is, and what that comes to on so
-// many cores.
+// Plan of a campaign before it is run: time and size of each member, and the forecast for a number of cores.
 
 #include <optional>
 #include <span>
@@ -13,33 +12,33 @@
 
 namespace floes {
 
-/// The members of a campaign, in member order, and where their run times come from, a sentence.
+/// The members of a campaign, in member order, and a sentence on the origin of their run times.
 struct PlannedMembers {
     std::vector<SimulatedMember> members;
     std::string source;
 };
 
-/// By the expected cost of each member, times what a unit of it took on the machine named in the sentence, with the
-/// scatter that was seen there.
+/// Run times from the expected cost of each member, times the measured time per unit on the machine named in the
+/// sentence, with the scatter observed there.
 PlannedMembers expected_members(const Campaign& campaign);
 
-/// By a run of this or a like campaign. A member draws one of the times measured for the case of its name, in
-/// proportion to the expected cost where that differs; of all cases, where there is no case of its name. The draws
-/// depend on the campaign's seed and the member's number alone. Throws InputError when no member is done yet.
+/// Run times from a run of this or a similar campaign. A member draws one of the times measured for the case of the
+/// same name, or for all cases if there is none, scaled by the expected cost. The draws depend only on the campaign's
+/// seed and the member's number. Throws InputError if no member is done yet.
 PlannedMembers measured_members(const Campaign& campaign, const MeasuredRun& run);
 
-/// Every record becomes so large, and takes as much less or more in the campaign file.
+/// Sets the size of every record, and scales its size in the campaign file accordingly.
 void set_record_bytes(PlannedMembers& planned, double bytes);
 
-/// One setting, and what comes of it.
+/// One setting and its forecast.
 struct PlanRow {
     int cores = 1;
     int ranks = 1;
     Forecast forecast;
-    double master_memory = 0;  ///< bytes: it holds every record of the run but its history
+    double master_memory = 0;  ///< bytes: all records of the run without histories
 };
 
-/// Ranks of so many cores when nothing is said: one for each node of up to 64.
+/// Default number of ranks for this number of cores: one for each node of up to 64.
 int usual_ranks(int cores);
 
 PlanRow plan_row(std::span<const SimulatedMember> members, int cores, int ranks, const DriverCosts& costs);

@@ -23,17 +23,17 @@ constexpr int master = 0;
 
 enum class Kind : std::uint8_t {
     assigned,  // a member has reached a rank
-    computed,  // a core is through with a member
-    held,      // a rank has held back its answers for as long as it may
-    answered,  // they have reached the master
+    computed,  // a core has finished a member
+    held,      // a rank has held back its answers for the longest time
+    answered,  // the answers have reached the master
 };
 
 struct Happening {
     double time = 0;
-    std::uint64_t order = 0;  // of two at the same time the one that was foreseen first
+    std::uint64_t order = 0;  // at equal times, the event scheduled first comes first
     Kind kind = Kind::assigned;
     int rank = 0;
-    int number = 0;  // of the member; of the message, where it is answered
+    int number = 0;  // of the member; of the message for `answered`
     int attempt = 0;
 };
 
@@ -47,9 +47,9 @@ struct Rank {
     int cores = 0;
     int idle_cores = 0;
     std::deque<Assign> waiting;
-    std::vector<Assign> answers;  // that were not sent yet
+    std::vector<Assign> answers;  // not sent yet
     double first_answer = 0;
-    double free_at = 0;  // its message thread
+    double free_at = 0;  // of its message thread
 };
 
 std::vector<MemberTask> tasks_of(std::span<const SimulatedMember> members) {
@@ -114,7 +114,7 @@ class Play {
         happenings_.push({time, order_++, kind, at, what.number, what.attempt});
     }
 
-    // Dismissed there, farewell back, each noticed late by a rank that waits.
+    // Dismissal and farewell, each noticed with the delay of a waiting rank.
     double farewell() const { return 2 * (costs_.latency + notice_delay(costs_, costs_.longest_pause)); }
 
     void handle(const Event& event) {
@@ -224,8 +224,8 @@ class Play {
 Machine machine_of(int cores, int ranks) {
     if (ranks < 1 || ranks > cores) {
         throw InputError(
-            fmt::format("{} cannot be spread over {}: there must be at least one rank, and a "
-                        "core for each.",
+            fmt::format("{} cannot be spread over {}: there must be at least one rank, with at "
+                        "least one core each.",
                         counted(cores, "core"), counted(ranks, "rank")));
     }
     Machine machine;

@@ -1,7 +1,7 @@
 #pragma once
-// A run in simulated time: the real Scheduler is given the events that a real run would give it, at the times that the
-// members and the measured costs of the driver lead to. Deterministic: the same members, machine and costs give the
-// same forecast to the last bit.
+// A run in simulated time: the real Scheduler gets the events of a real run, at times that follow from the members and
+// the measured costs of the driver. Deterministic: the same members, machine and costs give the same forecast to the
+// last bit.
 //
 //     const Forecast forecast = simulate(members, machine_of(1000, 16), measured_costs());
 
@@ -12,20 +12,20 @@
 
 namespace floes {
 
-/// A member, as far as the driver is concerned.
+/// A member as the driver sees it.
 struct SimulatedMember {
     double run_time = 0;       ///< s, >= 0
-    double expected_cost = 1;  ///< what the scheduler goes by, any unit, > 0
+    double expected_cost = 1;  ///< used by the scheduler, any unit, > 0
     double record_bytes = 0;   ///< in a message and in the journal
     double file_bytes = 0;     ///< in the campaign file
-    double memory_bytes = 0;   ///< that stay with the master
-    double packed_bytes = 0;   ///< of the record: of histories that the rank has to pack
+    double memory_bytes = 0;   ///< kept by the master
+    double packed_bytes = 0;   ///< part of the record: histories that the rank has to pack
 };
 
 struct Machine {
     std::vector<int> cores_of_rank;  ///< at least one rank; each at least one core
-    /// That all ranks share, where they are more than the machine has processors for; members then sleep rather than
-    /// compute. 0: every thread has a processor of its own.
+    /// Processors shared by all ranks if there are too few for all; members then sleep instead of computing. 0: every
+    /// thread has its own processor.
     int processors = 0;
 };
 

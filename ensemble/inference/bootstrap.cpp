@@ -41,7 +41,7 @@ double acceleration_of(std::span<const double> values, Influence influence) {
     return squares > 0 ? cubes / (6 * std::pow(squares, 1.5)) : 0;
 }
 
-/// That of the statistic without each row in turn.
+/// Acceleration from the jackknife: the statistic without each row in turn.
 double acceleration(std::size_t rows, const RowStatistic& statistic) {
     std::vector<std::uint32_t> others(rows - 1);
     std::vector<double> without(rows);
@@ -74,7 +74,7 @@ Limits corrected_limits(std::vector<double> resampled, double estimate, double a
 
 void check_confidence(double confidence) {
     if (confidence > 0 && confidence < 1) return;
-    throw InputError(fmt::format("A confidence of {} is none: it lies between 0 and 1, as 0.95 does.", confidence));
+    throw InputError(fmt::format("The confidence is {}; it must lie between 0 and 1, such as 0.95.", confidence));
 }
 
 std::vector<std::uint32_t> all_rows(std::size_t rows) {
@@ -116,7 +116,7 @@ Limits bca_mean_interval(std::span<const double> values, const BootstrapOptions&
         for (const std::uint32_t row : rows) sum += values[row];
         return sum / static_cast<double>(rows.size());
     };
-    // Leaving row i out moves the mean by (x_i - mean) / (n - 1), so the influence is known without n sums.
+    // Leaving out row i moves the mean by (x_i - mean) / (n - 1), so the influence needs no n sums.
     const double accelerated =
         acceleration_of(values, [middle = mean_of(values)](double value) { return value - middle; });
     return corrected_limits(bootstrap(values.size(), mean, options), mean(all_rows(values.size())), accelerated,

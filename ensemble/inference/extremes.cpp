@@ -10,7 +10,7 @@ namespace {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double smallest_shape = 1e-9;  // below it log1p(ξ z) / ξ is z to all digits that matter
+constexpr double smallest_shape = 1e-9;  // below it log1p(ξ z) / ξ equals z to all relevant digits
 
 /// y of F = exp(-exp(-y)); ±∞ outside the range of the distribution.
 double reduced(const ExtremeFit& fit, double x) {
@@ -50,7 +50,7 @@ Distances distances(const ExtremeFit& fit, std::span<const double> maxima) {
     std::vector<double> sorted(maxima.begin(), maxima.end());
     std::ranges::sort(sorted);
     const double count = static_cast<double>(sorted.size());
-    // log F and log (1 - F) without cancellation, so that far tails count in A².
+    // log F and log (1 - F) without cancellation, so that A² includes far tails.
     std::vector<double> log_below;
     std::vector<double> log_above;
     double largest_gap = 0;

@@ -1,9 +1,9 @@
 #pragma once
-// Distributions of segment maxima: fits, how well they fit, and the loads they give for longer exposure.
+// Distributions of segment maxima: fits, goodness of fit, and loads for longer exposure.
 //
 // z = (x - location) / scale.
 //   Gumbel:  F(x) = exp(-exp(-z))
-//   GEV:     F(x) = exp(-(1 + ξ z)^(-1/ξ)), 1 + ξ z > 0; ξ = 0 is Gumbel, ξ < 0 has an upper end, ξ > 0 a heavy tail.
+//   GEV:     F(x) = exp(-(1 + ξ z)^(-1/ξ)), 1 + ξ z > 0; ξ = 0 is Gumbel, ξ < 0 has an upper bound, ξ > 0 a heavy tail.
 // scipy: gumbel_r(location, scale), genextreme(c = -ξ, location, scale).
 // Fits and how well they suit are in fit_maxima.cpp, the distributions in extremes.cpp.
 // S. Coles, An Introduction to Statistical Modeling of Extreme Values, Springer 2001, chapter 3.
@@ -16,7 +16,7 @@
 
 namespace floes {
 
-/// A fitted distribution of maxima; Gumbel's has shape 0. NaN only when it could not be fitted.
+/// A fitted distribution of maxima; Gumbel has shape 0. All NaN if it could not be fitted.
 struct ExtremeFit {
     double location = 0;  ///< unit of the maxima
     double scale = 0;     ///< the same, > 0
@@ -32,12 +32,12 @@ enum class ExtremeKind { gumbel, gev };
 inline constexpr std::size_t fewest_maxima = 10;
 
 /// From L-moments: J. R. M. Hosking, J. R. Stat. Soc. B 52 (1990) 105-124; the shape by the approximation of J. R. M.
-/// Hosking, J. R. Wallis and E. F. Wood, Technometrics 27 (1985) 251-261. Invalid where `maxima` has no spread.
+/// Hosking, J. R. Wallis and E. F. Wood, Technometrics 27 (1985) 251-261. Invalid if all `maxima` are equal.
 ExtremeFit fit_by_l_moments(std::span<const double> maxima, ExtremeKind kind);
 
-/// Maximum likelihood, from L-moments on: Gumbel's scale is the root of its likelihood equation, GEV's three parameters
-/// are found by the Nelder-Mead simplex of GSL with -1 < ξ < 1 (below -1 the likelihood has no maximum). Invalid for
-/// fewer than `fewest_maxima` or without spread. `start`: where to begin instead, for resamples.
+/// Maximum likelihood, started from L-moments: Gumbel's scale is the root of its likelihood equation, GEV's three
+/// parameters are found by the Nelder-Mead simplex of GSL with -1 < ξ < 1 (below -1 the likelihood has no maximum).
+/// Invalid for fewer than `fewest_maxima` or if all are equal. `start`: another starting point, for resamples.
 ExtremeFit fit_maxima(std::span<const double> maxima, ExtremeKind kind, const ExtremeFit* start = nullptr);
 
 /// log likelihood of the maxima; -∞ where one lies outside the distribution's range.
@@ -57,8 +57,8 @@ struct Distances {
 };
 Distances distances(const ExtremeFit& fit, std::span<const double> maxima);
 
-/// Share of `samples` samples, drawn from the fit and fitted in turn, that lie at least as far from their fit as the
-/// data from theirs (parametric bootstrap): small when the distribution does not suit. Takes the maxima as independent.
+/// Share of `samples` samples, drawn from the fit and refitted, that lie at least as far from their fit as the data
+/// from theirs (parametric bootstrap). A small value means a poor fit. Treats the maxima as independent.
 struct GoodnessOfFit {
     Distances found;
     double anderson_darling_p;

@@ -1,4 +1,4 @@
-// Fits of Gumbel and GEV to maxima, and how well they suit.
+// Fits of Gumbel and GEV to maxima, and their goodness of fit.
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multimin.h>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr ExtremeFit no_fit{undefined, undefined, undefined, undefined};
-constexpr double impossible = 1e300;  // of the simplex: outside the range of the parameters
+constexpr double impossible = 1e300;  // value for the simplex outside the range of the parameters
 constexpr int most_steps = 2000;
 constexpr int most_fits = 999;
 constexpr double fit_budget = 1e5;  // maxima fitted in all samples of a goodness of fit, at least 199 samples
@@ -81,7 +81,7 @@ struct MinimizerDeleter {
     void operator()(gsl_multimin_fminimizer* minimizer) const { gsl_multimin_fminimizer_free(minimizer); }
 };
 
-/// GSL ends the program on errors unless told otherwise; ours are seen in what it returns.
+/// By default GSL aborts on errors; here they are checked by return value.
 class QuietGsl {
   public:
     QuietGsl() : before_(gsl_set_error_handler_off()) {}
@@ -132,7 +132,7 @@ ExtremeFit walk_simplex(std::span<const double> maxima, const ExtremeFit& start,
     return fit;
 }
 
-/// A start inside the range of the data: Gumbel's, whose likelihood is finite anywhere, where L-moments' is not.
+/// A start with a finite likelihood: the L-moments, or Gumbel's parameters if the data exceed the range of the former.
 ExtremeFit gev_start(std::span<const double> maxima) {
     const ExtremeFit by_moments = fit_by_l_moments(maxima, ExtremeKind::gev);
     if (by_moments.valid() && std::abs(by_moments.shape) < 1 && std::isfinite(by_moments.log_likelihood))
@@ -169,10 +169,10 @@ ExtremeFit fit_maxima(std::span<const double> maxima, ExtremeKind kind, const Ex
     const ExtremeFit gumbel = fit_by_l_moments(maxima, ExtremeKind::gumbel);
     if (!gumbel.valid()) return no_fit;
     if (kind == ExtremeKind::gumbel) return fit_gumbel(maxima, gumbel.scale);
-    // A resample's fit is near that of the data and wants fewer digits than its own spread.
+    // A resample's fit is close to that of the data and needs less precision than the scatter of resamples.
     if (start != nullptr && std::isfinite(log_likelihood(*start, maxima)))
         return walk_simplex(maxima, *start, 0.1, 1e-4);
-    // Twice: a second simplex gets out of where the first may have collapsed.
+    // Run twice: a second simplex escapes if the first one collapsed.
     const ExtremeFit first = walk_simplex(maxima, gev_start(maxima), 0.2, 1e-6);
     return first.valid() ? walk_simplex(maxima, first, 0.05, 1e-9) : no_fit;
 }
@@ -197,7 +197,7 @@ GoodnessOfFit goodness_of_fit(const ExtremeFit& fit, ExtremeKind kind, std::span
         farther_a += other.anderson_darling >= result.found.anderson_darling;
         farther_d += other.kolmogorov_smirnov >= result.found.kolmogorov_smirnov;
     }
-    // The data are one more sample: p is never 0.
+    // The data count as one more sample, so p is never 0.
     result.anderson_darling_p = (farther_a + 1.0) / (samples + 1.0);
     result.kolmogorov_smirnov_p = (farther_d + 1.0) / (samples + 1.0);
     return result;

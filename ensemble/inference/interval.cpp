@@ -24,13 +24,14 @@ double student_t(double freedom, double tail) {
 
 Interval mean_interval(std::span<const double> values, double confidence) {
     if (!(confidence > 0 && confidence < 1)) {
-        throw InputError(fmt::format("A confidence of {} is none: it lies between 0 and 1, as 0.95 does.", confidence));
+        throw InputError(fmt::format("The confidence is {}; it must lie between 0 and 1, such as 0.95.", confidence));
     }
     double sum = 0;
     for (const double value : values) {
         if (!std::isfinite(value)) {
-            throw InputError(fmt::format("A mean over {} members met the value {}; leave members without a result out.",
-                                         values.size(), value));
+            throw InputError(
+                fmt::format("A mean over {} members includes the value {}; leave out members without a result.",
+                            values.size(), value));
         }
         sum += value;
     }
@@ -60,7 +61,7 @@ Interval positive_interval(std::span<const double> values, double confidence) {
 }
 
 Interval clipped(const Interval& interval, double least, double most) {
-    // NaN compares false both ways and so stays NaN.
+    // NaN stays NaN, because both comparisons are false.
     const auto cut = [&](double value) { return value < least ? least : value > most ? most : value; };
     return {cut(interval.estimate), cut(interval.low), cut(interval.high), cut(interval.prediction_low),
             cut(interval.prediction_high)};

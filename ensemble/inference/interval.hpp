@@ -1,5 +1,5 @@
 #pragma once
-// What a handful of members says about all arrangements that could have been drawn.
+// Inference from a sample of arrangements to all arrangements that could have been drawn.
 
 #include <span>
 
@@ -10,7 +10,7 @@ struct Interval {
     double estimate;  ///< mean over arrangements
     double low;       ///< confidence interval of the mean over all arrangements
     double high;
-    double prediction_low;  ///< prediction interval: where the value of one further arrangement falls
+    double prediction_low;  ///< prediction interval of the value of one further arrangement
     double prediction_high;
     friend bool operator==(const Interval&, const Interval&) = default;
 };
@@ -19,9 +19,9 @@ struct Interval {
 double student_t(double freedom, double tail);
 
 /// Mean of `values`, one value an arrangement, with Student's t: mean ± t s / √n for the mean and mean ± t s √(1 + 1/n)
-/// for one further run, where s is the sample SD (n - 1). Both take the values as independent and nearly normal; the
-/// first forgives a skewed distribution as n grows, the second does not. One value has an estimate alone; none, NaN
-/// only. `values` finite; `confidence` between 0 and 1. Throws InputError otherwise.
+/// for one further run, where s is the sample SD (n - 1). Both treat the values as independent and nearly normal; with
+/// large n the first tolerates a skewed distribution, the second does not. A single value gives only an estimate; no
+/// values give NaN. `values` finite; `confidence` between 0 and 1. Throws InputError otherwise.
 Interval mean_interval(std::span<const double> values, double confidence = 0.95);
 
 /// The same for values above 0, such as maxima: the prediction interval is that of their logarithms, so it cannot reach

@@ -34,7 +34,7 @@ bool solvable(const Eigen::MatrixXd& matrix) {
 Eigen::MatrixXd checked_model(const PointCoordinates& points) {
     Eigen::MatrixXd matrix = model(points);
     if (!solvable(matrix))
-        throw InputError("A plane wants more points than it has axes, and points that tell the axes apart.");
+        throw InputError("A plane needs more points than axes + 1, and no axis that depends on the others.");
     return matrix;
 }
 
@@ -42,7 +42,7 @@ Eigen::VectorXd checked_values(std::span<const double> values, Eigen::Index poin
     const Eigen::VectorXd vector =
         Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
     if (vector.size() != points || !vector.allFinite())
-        throw InputError("A plane wants one finite value for each point.");
+        throw InputError("A plane needs one finite value for each point.");
     return vector;
 }
 
@@ -58,7 +58,7 @@ bool can_fit(const PointCoordinates& points) {
 }
 
 LinearFit fit_repetitions(const PointCoordinates& points, std::span<const std::vector<double>> repetitions) {
-    if (repetitions.size() < 2) throw InputError("An interval over repetitions wants two of them.");
+    if (repetitions.size() < 2) throw InputError("An interval over repetitions needs at least two.");
     const Eigen::MatrixXd matrix = checked_model(points);
     const Decomposition decomposition(matrix);
     const auto count = static_cast<Eigen::Index>(repetitions.size());

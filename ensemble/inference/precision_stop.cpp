@@ -14,13 +14,13 @@ namespace floes {
 namespace {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
-constexpr double normal_half = 1.959963984540054;  // no t is smaller: what this does not pass, t does not
+constexpr double normal_half = 1.959963984540054;  // lower bound of t: a target missed with this is missed with t
 
 int index_of(const std::string& name, const std::vector<std::string>& cases, const char* key) {
     const auto found = std::ranges::find(cases, name);
     if (found == cases.end()) {
         throw InputError(
-            fmt::format("stop.{} names the case '{}', and the cases are {}.", key, name, name_list(cases)));
+            fmt::format("stop.{} names the case '{}', but the cases are {}.", key, name, name_list(cases)));
     }
     return static_cast<int>(found - cases.begin());
 }
@@ -36,8 +36,8 @@ PrecisionStop::PrecisionStop(const StopRule& rule, const std::vector<std::string
     };
     const auto no_pair = [&](const std::string& which) {
         return InputError(
-            fmt::format("stop.contrast = \"{}\" asks for a paired difference, and {} begin from arrangements of their "
-                        "own: cases are paired where their fields have the same geometry and "
+            fmt::format("stop.contrast = \"{}\" asks for a paired difference, but {} do not share their arrangements: "
+                        "cases can be paired if their fields have the same geometry and "
                         "campaign.common_arrangements is true.",
                         rule.contrast, which));
     };
@@ -58,7 +58,7 @@ PrecisionStop::PrecisionStop(const StopRule& rule, const std::vector<std::string
         const std::size_t minus = rule.contrast.find(" - ");
         if (minus == std::string::npos) {
             throw InputError(fmt::format(
-                "stop.contrast = \"{}\" is no contrast; write \"none\", \"all\", or two cases as in \"{} - {}\".",
+                "stop.contrast = \"{}\" is not a contrast; write \"none\", \"all\", or two cases as in \"{} - {}\".",
                 rule.contrast, cases.back(), cases.front()));
         }
         const int second = index_of(rule.contrast.substr(0, minus), cases, "contrast");
@@ -68,7 +68,7 @@ PrecisionStop::PrecisionStop(const StopRule& rule, const std::vector<std::string
     }
     if (targets_.empty()) {
         throw InputError(
-            "stop.half_width_percent is given, but neither stop.case nor stop.contrast says of what; write "
+            "stop.half_width_percent is given without stop.case or stop.contrast, which say what it applies to; write "
             "stop.case = \"all\".");
     }
 }

@@ -1,13 +1,13 @@
 #pragma once
-// Whether a campaign has enough arrangements: asked of the arrangements in index order only, never in order of arrival.
-// A member's run time goes with its load, so those that are there first are the easy ones: a rule that looks at them
-// stops too soon and too low. In index order the answer is a function of the campaign alone, the same on any number of
-// workers, and what lies beyond the arrangement where it stops is not used.
+// Whether a campaign has enough arrangements, judged in index order only, never in order of arrival. A member's run
+// time grows with its load, so members with small loads arrive first, and a rule based on them would stop too early
+// with a mean that is too low. In index order the result depends on the campaign alone, for any number of workers, and
+// arrangements after the stop are not used.
 //
-// The rule: 95 % half-width t s / √n, over |mean|, at most the target for each case that it is asked of; for a contrast
-// "B - A" that of the paired difference over |mean of A|. It is asked from `minimum` arrangements on, and must have
-// held at each of the `look_ahead` arrangements before the one that it stops after: once alone it holds by chance too
-// often. After K. Hoad, S. Robinson and R. Davies, "Automated selection of the number of replications for a
+// The rule: 95 % half-width t s / √n, over |mean|, is at most the target for each case that the rule names; for a
+// contrast "B - A" it is that of the paired difference, over |mean of A|. The rule applies from `minimum` arrangements
+// on, and must also hold at each of the `look_ahead` arrangements before the stop, because it is often met once by
+// chance. After K. Hoad, S. Robinson and R. Davies, "Automated selection of the number of replications for a
 // discrete-event simulation", J. Oper. Res. Soc. 61 (2010) 1632-1644.
 
 #include <limits>
@@ -23,32 +23,32 @@ namespace floes {
 
 class PrecisionStop {
   public:
-    /// An active rule over cases of these names. `groups`: a number for each case, equal for those that share
-    /// arrangements (sharing_groups()), since only they have paired differences; empty: all do. Throws InputError when
-    /// the rule names a case that is none of them, asks for nothing, or for a difference of cases that are no pair.
+    /// An active rule over cases of these names. `groups`: a number for each case, equal for cases that share
+    /// arrangements (sharing_groups()), because only those can be paired; empty: all share them. Throws InputError if
+    /// the rule names an unknown case, names nothing, or asks for the difference of cases that cannot be paired.
     PrecisionStop(const StopRule& rule, const std::vector<std::string>& cases, const std::vector<int>& groups = {});
 
-    /// The value of one member, in any order; NaN when it failed: then it does not count, but is no gap. Of two values
-    /// for one member the first counts.
+    /// Adds the value of one member, in any order; NaN if it failed: it is then not counted, but leaves no gap. Of two
+    /// values for one member the first counts.
     void put(int arrangement, int case_index, double value);
 
-    /// The rule holds: the campaign ends after arrangements().
+    /// The rule is met: the campaign ends after arrangements().
     bool met() const { return met_; }
 
-    /// Arrangements from the first on of which every member is known; once met, those that the rule stopped after.
+    /// Number of leading arrangements of which every member is known; once met, the number at which the rule stopped.
     int arrangements() const { return arrangements_; }
 
-    /// Largest half-width over its mean, of all that is asked for, at arrangements(); a part of 1. NaN before there are
-    /// two values of each.
+    /// Largest half-width over its mean, of all targets, at arrangements(); a fraction. NaN before there are two values
+    /// of each.
     double achieved() const;
 
     double target() const { return rule_.half_width; }
 
   private:
-    // Mean and spread of one case, or of the difference of two, over the prefix (Welford).
+    // Mean and scatter of one case, or of the difference of two, over the leading arrangements (Welford).
     struct Target {
         int case_index = 0;
-        std::optional<int> minus;  ///< case that is subtracted, and whose mean the half-width is compared with
+        std::optional<int> minus;  ///< case that is subtracted; its mean is the reference of the half-width
         int count = 0;
         double mean = 0;
         double squares = 0;
@@ -67,9 +67,9 @@ class PrecisionStop {
         std::vector<double> values;
         std::vector<bool> known;
     };
-    std::map<int, Waiting> waiting_;  ///< arrangements beyond the prefix
+    std::map<int, Waiting> waiting_;  ///< later arrangements, by number
     int arrangements_ = 0;
-    int held_for_ = 0;  ///< arrangements in a row
+    int held_for_ = 0;  ///< consecutive arrangements
     bool met_ = false;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// How sure a fit of maxima is. Segments of one member are not independent, so arrangements are resampled, each with all
-// its segments, and the distribution is fitted again.
+// Uncertainty of a fit of maxima. Segments of one member are not independent, so arrangements are resampled, each with
+// all its segments, and the distribution is refitted.
 
 #include <span>
 #include <vector>
@@ -10,7 +10,7 @@
 namespace floes {
 
 struct ReturnLevel {
-    double segments = 0;  ///< one segment in so many exceeds it on average
+    double segments = 0;  ///< on average one segment in this many exceeds the level
     double level = 0;     ///< unit of the maxima
     Limits interval{};    ///< 95 %, percentile bootstrap over arrangements
 };
@@ -21,13 +21,13 @@ struct FittedExtreme {
     ExtremeFit fit;
     Limits location{};
     Limits scale{};
-    Limits shape{};  ///< of a Gumbel [0, 0]
+    Limits shape{};  ///< [0, 0] for Gumbel
     GoodnessOfFit goodness{};
     std::vector<ReturnLevel> levels;
 };
 
-/// Fits the maxima of all arrangements together. `maxima`: of each arrangement the maxima of its segments; `segments`:
-/// for which return levels are wanted, each above 1. Everything is NaN where there are too few to fit.
+/// Fits the maxima of all arrangements together. `maxima`: for each arrangement the maxima of its segments; `segments`:
+/// the return periods of the levels, each above 1. Everything is NaN if there are too few maxima.
 FittedExtreme fit_extremes(std::span<const std::vector<double>> maxima, ExtremeKind kind,
                            std::span<const double> segments);
 

@@ -15,11 +15,10 @@ using Rows = std::span<const std::uint32_t>;
 void check(const SaltelliValues& values) {
     const auto check_one = [&](const std::vector<double>& one) {
         if (one.size() != values.a.size())
-            throw InputError(
-                "Sobol indices want as many values at each of Saltelli's points as there are base points.");
+            throw InputError("Sobol indices need one value for each base point at each of Saltelli's points.");
         for (const double value : one) {
             if (!std::isfinite(value))
-                throw InputError("Sobol indices met a value that is not finite; leave its base point out.");
+                throw InputError("Sobol indices need finite values; leave out base points with other ones.");
         }
     };
     check_one(values.a);
@@ -32,7 +31,7 @@ struct Moments {
     double variance;
 };
 
-/// Of y_A and y_B together, over the rows.
+/// Moments of y_A and y_B together, over the rows.
 Moments moments(const SaltelliValues& values, Rows rows) {
     const double count = 2 * static_cast<double>(rows.size());
     double sum = 0;

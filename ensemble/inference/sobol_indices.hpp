@@ -1,5 +1,5 @@
 #pragma once
-// Which input moves an output, by how much of its variance: Sobol indices from Saltelli's points.
+// Sobol indices from Saltelli's points: the share of an output's variance due to each input.
 
 #include <span>
 #include <vector>
@@ -22,16 +22,16 @@ struct SobolIndex {
 };
 
 struct SobolIndices {
-    std::vector<SobolIndex> first;  ///< share of the variance that an input explains by itself, one an input
-    std::vector<SobolIndex> total;  ///< … and together with the others
+    std::vector<SobolIndex> first;  ///< share of the variance that an input explains by itself, one for each input
+    std::vector<SobolIndex> total;  ///< … including interactions with the others
 };
 
 /// With y - mean in place of y, and V the population variance of all y_A and y_B:
 ///   first  S_i = mean(y_B (y_ABi - y_A)) / V    A. Saltelli et al., Comput. Phys. Commun. 181 (2010) 259-270, (b)
 ///   total  T_i = mean((y_A - y_ABi)²) / (2 V)   M. J. W. Jansen, Comput. Phys. Commun. 117 (1999) 35-43
-/// as scipy.stats.sobol_indices has them. All NaN where V is 0 or there is no base point; intervals as bca_interval(),
-/// which takes base points as independent: for points of a Sobol sequence, which fill space more evenly, too wide.
-/// Throws InputError when the sizes differ or a value is not finite.
+/// as in scipy.stats.sobol_indices. All NaN if V is 0 or there is no base point. Intervals are those of bca_interval(),
+/// which treats base points as independent; for a Sobol sequence, which fills space more evenly, they are too wide.
+/// Throws InputError if the sizes differ or a value is not finite.
 SobolIndices sobol_indices(const SaltelliValues& values, const BootstrapOptions& options = {});
 
 }  // namespace floes

@@ -1,4 +1,4 @@
-// Wilcoxon's signed-rank test: by counting all signs where they are few, by the normal distribution beyond.
+// Wilcoxon's signed-rank test: exact by counting all signs for few differences, otherwise by the normal distribution.
 
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
@@ -31,8 +31,8 @@ std::vector<int> doubled_ranks(std::span<const double> differences) {
     return ranks;
 }
 
-/// P(sum of the ranks of positive differences <= smaller) when every sign is as likely as its opposite. The products
-/// are exact up to 2^53 ways and lose no more than rounding beyond.
+/// P(sum of the ranks of positive differences <= smaller) if both signs are equally likely. Counts are exact up to
+/// 2^53; above that only rounding is lost.
 double tail_by_counting(const std::vector<int>& ranks, std::int64_t smaller) {
     std::vector<double> chance(static_cast<std::size_t>(smaller) + 1, 0.0);
     chance[0] = 1;

@@ -22,7 +22,7 @@ namespace {
 
 using journal_format::RecordType;
 
-constexpr std::size_t most_appended = 1 << 20;  // bytes that wait for a write()
+constexpr std::size_t most_appended = 1 << 20;  // bytes buffered before a write()
 
 struct flock whole_file(short type) {
     struct flock lock {};
@@ -31,8 +31,8 @@ struct flock whole_file(short type) {
     return lock;
 }
 
-// Locks of the open file rather than of the process: they also hold between two journals of one process.
-// A file system without locks lets both in; docs/campaign_file.md says so.
+// Locks of the open file, not of the process, so that they also work between two journals of one process. A file system
+// without locks lets both in (docs/campaign_file.md).
 void lock_for_writing(const Descriptor& file, const std::filesystem::path& path) {
     auto lock = whole_file(F_WRLCK);
     if (::fcntl(file.get(), F_OFD_SETLK, &lock) == 0 || (errno != EAGAIN && errno != EACCES)) return;
@@ -44,14 +44,14 @@ void lock_for_writing(const Descriptor& file, const std::filesystem::path& path)
 
 std::string load_nothing(const std::string& path) {
     throw InputError(
-        fmt::format("the configuration in a journal refers to the file {}, which it should contain", path));
+        fmt::format("the configuration in a journal refers to the file {}, which should be part of it", path));
 }
 
 Campaign read_text(const std::string& campaign_text, const std::filesystem::path& path) {
     return read_campaign({campaign_text, path.string(), {}}, load_nothing);
 }
 
-/// True when every member of `part` is one of `whole`. Names of cases do not matter, nor does their order.
+/// True if every member of `part` is one of `whole`. Names and order of cases do not matter.
 bool is_part_of(const Campaign& part, const Campaign& whole) {
     std::set<std::string> keys;
     for (int k = 0; k < static_cast<int>(whole.cases.size()); ++k) keys.insert(case_fingerprint(whole, k));
@@ -73,7 +73,7 @@ Journal::~Journal() {
     try {
         hand_over();
     } catch (const std::exception&) {
-        // Who has to know asks for sync(), and is told by that.
+        // Callers that need the error call sync(), which reports it.
     }
 }
 
@@ -85,11 +85,11 @@ Journal open_journal(const std::filesystem::path& path, const std::string& campa
         if (reading.begun) {
             if (existing == Existing::refuse)
                 throw InputError(
-                    fmt::format("{} is there already. Continue it with --resume, begin anew with "
+                    fmt::format("{} exists already. Continue it with --resume, start afresh with "
                                 "--overwrite, or choose another output file with -o.",
                                 path.string()));
             truncate_file(file, path, reading.contents.good_bytes);
-            reading.contents.attempts.close_session();  // nobody else is at work: the lock is ours
+            reading.contents.attempts.close_session();  // no other run is active, because we hold the lock
             return {path, std::move(file), std::move(reading.contents)};
         }
     }
@@ -117,12 +117,12 @@ Journal open_journal(const std::filesystem::path& path, const Campaign& campaign
     }
     if (is_part_of(campaign, there))
         throw InputError(fmt::format(
-            "{} has more members than this configuration asks for: {}. A campaign may grow and never shrinks: ask for "
-            "at least as much, or choose another output file with -o.",
+            "{} has more members than this configuration: {}. A campaign may grow but not shrink: ask for at least as "
+            "many, or choose another output file with -o.",
             path.string(), fmt::join(differences(there, campaign), "; ")));
     throw InputError(
-        fmt::format("{} belongs to another campaign: {}. Give the configuration it was begun with, choose "
-                    "another output file with -o, or begin anew with --overwrite.",
+        fmt::format("{} belongs to another campaign: {}. Give the configuration it was started with, choose "
+                    "another output file with -o, or start afresh with --overwrite.",
                     path.string(), fmt::join(differences(there, campaign), "; ")));
 }
 
@@ -184,7 +184,7 @@ void Journal::started(const MemberIdentity& member, int attempt) {
 void Journal::sync() {
     hand_over();
     sync_data(file_, path_);
-    // A file without a name takes everything and gives nothing back.
+    // A deleted file accepts writes, but they are lost.
     if (!is_named(file_, path_))
         throw RunError(
             fmt::format("{} is gone: its folder was deleted, moved or replaced during the run.", path_.string()));
@@ -209,7 +209,7 @@ void Journal::end_session(const std::string& outcome) {
 JournalContents read_journal(const std::filesystem::path& path, Histories histories) {
     const Descriptor file = open_file(path, O_RDONLY);
     journal_format::Reading reading = journal_format::read(file, path, histories);
-    if (!reading.begun) throw InputError(fmt::format("{} holds nothing yet.", path.string()));
+    if (!reading.begun) throw InputError(fmt::format("{} is still empty.", path.string()));
     return std::move(reading.contents);
 }
 

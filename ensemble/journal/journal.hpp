@@ -1,8 +1,8 @@
 #pragma once
-// The truth about a campaign under way: an append-only file beside the campaign file. A header (magic, schema version,
-// resolved configuration) and records {length, type, payload, CRC32C}. A record that
-// sync() has returned for survives kill -9 of the program and loss of the machine. A torn tail is recognised and cut.
-// docs/campaign_file.md has the layout.
+// The authoritative record of a campaign: an append-only file beside the campaign file, with a header (magic, schema
+// version, resolved configuration) and records {length, type, payload, CRC32C}. Once sync() has returned, the records
+// survive kill -9 of the program and loss of the machine. A torn tail is recognised and cut. docs/campaign_file.md has
+// the layout.
 //
 //     Journal journal = open_journal(journal_path("a.h5"), campaign, Existing::resume);
 //     journal.begin_session(describe_session(ranks, threads, {}));
@@ -21,49 +21,48 @@
 
 namespace floes {
 
-/// What to do about a journal that is already there.
+/// What to do with an existing journal.
 enum class Existing { refuse, replace, resume };
 
-/// A journal open for writing, locked against a second writer as long as the object lives.
+/// A journal open for writing, locked against a second writer during its lifetime.
 class Journal {
   public:
     Journal(Journal&&) = default;
-    /// Hands over what was appended.
+    /// Calls hand_over().
     ~Journal();
 
-    /// Adds a record. It is in the hands of the operating system after the next hand_over(), on the disk after the next
-    /// sync().
+    /// Appends a record. It reaches the operating system with the next hand_over() and the disk with the next sync().
     void append(const MemberRecord& record);
-    /// Likewise what gave a case its Σ; one that is there already is not added again.
+    /// The same for a calibration; one that exists already is not added again.
     void append(const CalibrationRecord& record);
-    /// Notes that an attempt at the member begins. Not worth a sync(): a lost note costs one attempt more.
+    /// Notes that an attempt at the member begins. Needs no sync(): a lost note only costs one more attempt.
     void started(const MemberIdentity& member, int attempt);
-    /// Everything appended so far is in the hands of the operating system on return, by one write(): it survives the
-    /// end of this process.
+    /// Passes everything appended so far to the operating system by one write(), so that it survives the end of this
+    /// process.
     void hand_over();
-    /// Everything appended so far is on the disk on return. Throws RunError when the disk refuses, or when the file is
-    /// no longer there under its name.
+    /// On return everything appended so far is on the disk. Throws RunError if the disk refuses, or if the file no
+    /// longer exists under its name.
     void sync();
     /// Records the start of a session, and syncs.
     void begin_session(const Session& session);
-    /// Records that the session begun last has ended now, and syncs.
+    /// Records that the latest session has ended now, and syncs.
     void end_session(const std::string& outcome);
 
     /// All members, without their load histories.
     const std::vector<MemberRecord>& records() const { return contents_.members; }
-    /// The load history of one of records() that was handed over, from the file. Throws RunError when it cannot be read
-    /// back.
+    /// The load history of one of records() that was handed over, read from the file. Throws RunError if it cannot be
+    /// read.
     PackedHistory history(const MemberRecord& record) const;
     const std::vector<Session>& sessions() const { return contents_.sessions; }
     const std::vector<CalibrationRecord>& calibrations() const { return contents_.calibrations; }
-    /// Attempts that earlier sessions began and that were lost with them are lost() here.
+    /// Attempts that were lost with earlier sessions are counted as lost() here.
     const AttemptBook& attempts() const { return contents_.attempts; }
     const std::string& campaign_text() const { return contents_.campaign_text; }
-    /// In what the campaign has become larger since the journal was begun or opened last, see differences().
+    /// How the campaign has grown since the journal was last opened, see differences().
     const std::vector<std::string>& extension() const { return extension_; }
-    /// Bytes inside the journal that are damaged and were passed over; what they held is computed again.
+    /// Damaged bytes inside the journal, which were skipped; the members in them are computed again.
     std::uint64_t damaged_bytes() const { return contents_.damaged_bytes; }
-    /// Bytes of torn tail that were cut off when the journal was opened.
+    /// Bytes of the torn tail that were cut off when the journal was opened.
     std::uint64_t cut_bytes() const { return contents_.torn_bytes; }
 
   private:
@@ -77,29 +76,29 @@ class Journal {
     Descriptor file_;
     JournalContents contents_;
     std::vector<std::string> extension_;
-    Bytes appended_;  ///< and not handed over yet: the last of contents_.good_bytes
+    Bytes appended_;  ///< not handed over yet: the last of contents_.good_bytes
 };
 
 /// `a.h5` -> `a.journal`, in the same folder.
 std::filesystem::path journal_path(const std::filesystem::path& campaign_file);
 
-/// Opens for writing. refuse: throws InputError when a journal is there; replace: begins anew; resume: keeps every
-/// whole record, cuts a torn tail, and begins anew when there is nothing yet. Throws InputError when another process
-/// writes this journal, when it is of a newer schema or no journal at all, when its header is damaged; RunError when
-/// the file system refuses.
+/// Opens for writing. refuse: throws InputError if the journal exists; replace: starts afresh; resume: keeps every
+/// whole record, cuts a torn tail, and starts afresh if there is no journal. Throws InputError if another process is
+/// writing this journal, if it has a newer schema, a damaged header or is not a journal; RunError if the file system
+/// refuses.
 Journal open_journal(const std::filesystem::path& path, const std::string& campaign_text, Existing existing);
 
-/// As above for a campaign. One that has all members of the journal's and more extends it; resuming any other one is
-/// refused (InputError) with the differing keys named.
+/// As above for a campaign. A campaign that has all members of the journal's campaign and more extends it. Resuming
+/// with any other is refused (InputError), and the error names the keys that differ.
 Journal open_journal(const std::filesystem::path& path, const Campaign& campaign, Existing existing);
 
-/// Reads without locking or changing anything, also while a run is going on. Throws as open_journal() does.
+/// Reads without locking or changing anything, also during a run. Throws as open_journal() does.
 JournalContents read_journal(const std::filesystem::path& path, Histories histories = Histories::keep);
 
-/// The campaign that a journal belongs to. Throws InputError when this program does not accept its configuration.
+/// The campaign that a journal belongs to. Throws InputError if this program does not accept its configuration.
 Campaign read_stored_campaign(const JournalContents& contents, const std::filesystem::path& path);
 
-/// True when a process has the journal open for writing (where the file system knows locks).
+/// True if a process has the journal open for writing (on file systems with locks).
 bool is_being_written(const std::filesystem::path& path);
 
 }  // namespace floes

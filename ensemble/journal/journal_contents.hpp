@@ -1,6 +1,5 @@
 #pragma once
-// All that a journal holds, and what each of its records adds to that: the same when it is appended and when it is
-// read.
+// The contents of a journal, and how each record changes them, both when appended and when read.
 
 #include <cstdint>
 #include <span>
@@ -14,11 +13,11 @@
 
 namespace floes {
 
-/// Whether the load histories of members, nearly all that a journal holds, are kept in memory or left in the file.
+/// Whether load histories, the bulk of a journal, are kept in memory or left in the file.
 enum class Histories { keep, leave };
 
 struct JournalContents {
-    /// Where the record of a member stands in the file.
+    /// Position of a member's record in the file.
     struct Place {
         std::uint64_t offset = 0;
         std::uint64_t size = 0;
@@ -31,14 +30,14 @@ struct JournalContents {
     std::vector<CalibrationRecord> calibrations;
     AttemptBook attempts;
     std::uint64_t good_bytes = 0;     ///< up to the end of the last whole record
-    std::uint64_t damaged_bytes = 0;  ///< of these, those that belong to no whole record and were passed over
-    std::uint64_t torn_bytes = 0;     ///< after that: a torn or damaged tail, or a record just being written
+    std::uint64_t damaged_bytes = 0;  ///< bytes among these that belong to no whole record and were skipped
+    std::uint64_t torn_bytes = 0;     ///< after these: a torn or damaged tail, or a record being written
 
-    /// Enters a member, which is one more of the session that it came in.
+    /// Adds a member, and counts it in the current session.
     void add(MemberRecord record, Place place, Histories histories);
-    /// A session begins; attempts that the one before it left open are lost.
+    /// A session begins; attempts left open by the previous one are lost.
     void begin(const Session& session);
-    /// The session begun last has ended by itself.
+    /// The latest session has ended properly.
     void end(const std::string& when, const std::string& outcome);
 };
 

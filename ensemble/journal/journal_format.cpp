@@ -13,7 +13,7 @@ namespace {
 using Crc32c = boost::crc_optimal<32, 0x1EDC6F41, 0xFFFFFFFF, 0xFFFFFFFF, true, true>;
 
 #ifdef __x86_64__
-// The sum over histories was most of what a member costs the master: the processor's instruction is ten times faster.
+// The checksum of histories dominated the master's cost per member; the processor's instruction is ten times faster.
 __attribute__((target("sse4.2"))) std::uint32_t crc32c_by_processor(std::span<const std::byte> bytes) {
     std::uint64_t crc = 0xFFFFFFFF;
     for (; bytes.size() >= sizeof(std::uint64_t); bytes = bytes.subspan(sizeof(std::uint64_t))) {
@@ -43,7 +43,7 @@ bool crc_is_right(std::span<const std::byte> with_crc) {
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& path, std::string_view why) {
-    throw InputError(fmt::format("{} {}. Move it away, or begin anew with --overwrite.", path.string(), why));
+    throw InputError(fmt::format("{} {}. Move it away, or start afresh with --overwrite.", path.string(), why));
 }
 
 bool magic_fits(std::span<const std::byte> bytes) {
@@ -51,7 +51,7 @@ bool magic_fits(std::span<const std::byte> bytes) {
     return magic.starts_with(std::string_view(reinterpret_cast<const char*>(first.data()), first.size()));
 }
 
-// The text length of a header whose fixed part is whole.
+// The text length from the complete fixed part of a header.
 std::uint64_t check_fixed_header(std::span<const std::byte> bytes, const std::filesystem::path& path) {
     ByteReader in(bytes.subspan(magic.size()));
     const std::uint32_t found = in.u32();
@@ -66,25 +66,25 @@ std::uint64_t check_fixed_header(std::span<const std::byte> bytes, const std::fi
     return length;
 }
 
-/// Reads the record at `at`; false when there is none that is whole.
+/// Reads the record at `at`; false if there is no whole record.
 bool read_record(const Descriptor& file, const std::filesystem::path& path, std::uint64_t at, std::uint64_t size,
                  Bytes& bytes) {
     if (size - at < record_head_bytes + crc_bytes) return false;
     bytes.resize(record_head_bytes);
     if (!read_at(file, path, at, bytes)) return false;
     const std::uint64_t payload = ByteReader(bytes).u64();
-    // Only a length that fits the file is believed, so a damaged one cannot ask for memory.
+    // Only a length that fits the file is accepted, so that a damaged one cannot cause a huge allocation.
     if (payload > size - at - record_head_bytes - crc_bytes) return false;
     bytes.resize(record_head_bytes + payload + crc_bytes);
     return read_at(file, path, at, bytes) && crc_is_right(bytes);
 }
 
-/// Where the next whole record begins, from `at` on; `size` when there is none. What follows a damaged record was
-/// acknowledged as well and is not given up.
+/// Offset of the next whole record from `at` on; `size` if there is none. Records after a damaged one were acknowledged
+/// too and must not be lost.
 std::uint64_t next_record(const Descriptor& file, const std::filesystem::path& path, std::uint64_t at,
                           std::uint64_t size) {
     constexpr std::uint64_t window_bytes = 1 << 20;
-    constexpr std::uint32_t types = 256;  // a filter: more than there will be
+    constexpr std::uint32_t types = 256;  // a filter: more types than there will ever be
     Bytes bytes;
     for (Bytes window; size > at && size - at >= record_head_bytes + crc_bytes;) {
         window.resize(std::min(window_bytes, size - at));
@@ -157,7 +157,7 @@ MemberRecord read_member(const Descriptor& file, const std::filesystem::path& pa
     Bytes bytes(place.size);
     if (!read_at(file, path, place.offset, bytes) || !crc_is_right(bytes))
         throw RunError(
-            fmt::format("{} was changed or damaged at byte {} while it was in use; --resume goes on with what is "
+            fmt::format("{} was changed or damaged at byte {} while it was in use; --resume continues with what is "
                         "whole.",
                         path.string(), place.offset));
     return decode_member(type_of(bytes),
@@ -190,7 +190,7 @@ Bytes record(RecordType type, std::span<const std::byte> payload) {
 
 Reading read(const Descriptor& file, const std::filesystem::path& path, Histories histories) {
     Reading reading;
-    // The size is taken once: what a live writer adds meanwhile is for the next reader.
+    // The size is read once: data that a live writer adds meanwhile is left to the next reader.
     const std::uint64_t size = file_size(file, path);
     Bytes fixed(std::min(size, fixed_header_bytes));
     read_at(file, path, 0, fixed);

@@ -1,5 +1,5 @@
 #pragma once
-// The layout of a journal, for those alone who read or write one as bytes. All numbers little endian.
+// The binary layout of a journal. All numbers are little endian.
 //
 //     header   magic (8)  schema (u32)  text length (u64)  CRC32C of these 20 bytes (u32)
 //              text  CRC32C of the text (u32)
@@ -23,7 +23,7 @@ inline constexpr std::uint64_t fixed_header_bytes = 24;
 inline constexpr std::uint64_t record_head_bytes = 12;
 inline constexpr std::uint64_t crc_bytes = 4;
 
-/// Append only. A reader passes over types that it does not know.
+/// Types are only added. A reader skips unknown ones.
 enum class RecordType : std::uint32_t {
     older_member = 1,  ///< of schema 1 and 2
     session_begin = 2,
@@ -38,11 +38,11 @@ std::uint32_t crc32c(std::span<const std::byte> bytes);
 Bytes header(std::string_view text);
 Bytes record(RecordType type, std::span<const std::byte> payload);
 
-/// The member whose record stands at `place`. Throws RunError when it is damaged.
+/// The member whose record is at `place`. Throws RunError if it is damaged.
 MemberRecord read_member(const Descriptor& file, const std::filesystem::path& path, JournalContents::Place place);
 
-/// What a file that was opened for reading holds. `begun` is false when it ends inside the header: a journal whose
-/// writer was stopped before it could keep anything. Throws InputError when the file is no readable journal.
+/// The contents of a file open for reading. `begun` is false if the file ends inside the header: its writer was stopped
+/// before it kept anything. Throws InputError if the file is not a readable journal.
 struct Reading {
     bool begun = false;
     JournalContents contents;

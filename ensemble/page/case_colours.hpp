@@ -1,5 +1,5 @@
 #pragma once
-// One colour a case, the same in every figure. For this room only.
+// One colour for each case, the same in every figure. For this room only.
 
 #include <cstddef>
 #include <string>

@@ -56,7 +56,7 @@ std::string levels_figure(const ReportData& data) {
               {720, 340});
     const std::size_t cases = data.summary.cases.size();
     for (std::size_t i = 0; i < cases; ++i) {
-        // A little aside, so that intervals of one level stand side by side.
+        // A small offset puts the intervals of one level side by side.
         const double aside = 0.006 * (x.high - x.low) * (static_cast<double>(i) - 0.5 * static_cast<double>(cases - 1));
         Plot::Points curve;
         for (const LevelRow& row : rows) {

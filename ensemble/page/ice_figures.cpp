@@ -1,4 +1,4 @@
-// Figures of ice and structure: what the scenario looks like, and what closed formulas say of it.
+// Figures of ice and structure: the scenario, and the results of closed formulas for it.
 
 #include <fmt/format.h>
 
@@ -14,10 +14,10 @@
 namespace floes {
 namespace {
 
-constexpr double margin_x = 80;  // what axes and labels take of a figure
+constexpr double margin_x = 80;  // of a figure, for axes and labels
 constexpr double margin_y = 74;
 
-/// A figure in which a metre is as long along both axes.
+/// Size of a figure with the same scale along both axes.
 Size to_scale(double width_m, double height_m, double widest) {
     const double scale = std::min((widest - margin_x) / width_m, 420 / height_m);
     return {margin_x + scale * width_m, margin_y + scale * height_m};
@@ -128,7 +128,7 @@ std::string modulus_figure(const ReportData& data) {
     if (data.curve.empty()) return "";
     std::vector<double> moduli{200};
     Plot::Points points;
-    constexpr double least_cfm = 1e-4;  // where the axis begins: what is smaller stands at its edge
+    constexpr double least_cfm = 1e-4;  // start of the axis; smaller values are drawn at its edge
     double largest_cfm = 0.1;
     for (const CurvePoint& point : data.curve) {
         points.emplace_back(std::max(point.cfm, least_cfm), point.elastic_modulus / unit::megapascal);

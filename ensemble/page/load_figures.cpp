@@ -23,7 +23,7 @@ std::vector<const MemberRow*> done_members(const ReportData& data, std::size_t o
     return members;
 }
 
-/// The first name is to stand at the top.
+/// Reverses the names, so that the first one is at the top.
 std::vector<std::string> from_the_bottom(std::vector<std::string> names) {
     std::ranges::reverse(names);
     return names;
@@ -47,7 +47,7 @@ std::string histories_figure(const ReportData& data) {
     const double largest = loads.empty() ? 1 : std::ranges::max(loads);
     const double shift = std::max(100.0, 100 * std::ceil(0.7 * largest / 100));
     const double count = static_cast<double>(data.histories.size());
-    Plot plot("Surge load over time, one curve a case",
+    Plot plot("Surge load over time, one curve for each case",
               {fmt::format("time since the tow began, s; each case shifted by {:g} N", shift), 0, end},
               {"surge load, N", 0, std::max(1.0, shift * (count - 1) + 1.05 * largest)}, {720, 160 + 90 * count});
     for (std::size_t i = 0; i < data.histories.size(); ++i) {
@@ -85,7 +85,7 @@ std::string strips_figure(const ReportData& data, const Quantity& quantity) {
             "dashed");
         plot.line({{factor * estimate.low, middle - 0.28}, {factor * estimate.high, middle - 0.28}}, "thick");
         plot.dot(factor * estimate.estimate, middle - 0.28, "ink", 4.5);
-        int turn = 0;  // spreads dots over the strip's height, the same way each time
+        int turn = 0;  // spreads dots over the strip's height, always in the same way
         for (const MemberRow* member : done_members(data, i)) {
             const double lift = 0.08 * (turn++ * 2 % 5);
             plot.dot(factor * quantity.of(*member), middle - 0.04 + lift, colour(i) + " faint");
@@ -137,7 +137,7 @@ std::string convergence_figure(const ReportData& data) {
         std::vector<double> so_far;
         for (const MemberRow* member : done_members(data, i)) {
             so_far.push_back(member->load.mean);
-            if (so_far.size() < 3) continue;  // two arrangements have an interval too wide to draw
+            if (so_far.size() < 3) continue;  // the interval of two arrangements is too wide to draw
             const double n = static_cast<double>(so_far.size());
             const Interval interval = mean_interval(so_far);
             curve.mean.emplace_back(n, interval.estimate);
@@ -190,7 +190,7 @@ std::string failures_figure(const ReportData& data) {
         }
     }
     Plot plot("Failed joints over time by mode, mean over arrangements", {"time since the tow began, s", 0, end},
-              axis_around("failed joints a run", counts, true));
+              axis_around("failed joints per run", counts, true));
     for (const auto& [style, points] : curves) plot.line(points, style);
     plot.legend(case_legend(data));
     return plot.svg();

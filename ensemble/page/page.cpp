@@ -67,15 +67,15 @@ bool has_paper_rows(const Campaign& campaign) {
 std::string loads(const ReportData& data) {
     std::string body = html_table(table3(data.campaign, data.summary));
     body += note(
-        "Mean over arrangements with its 95 % confidence interval; below it the 95 % prediction interval, where one "
-        "further arrangement falls." +
+        "Mean over arrangements with its 95 % confidence interval; below it the 95 % prediction interval of one "
+        "further arrangement." +
         std::string{has_paper_rows(data.campaign)
                         ? " The paper's figures are one run each, and the experiment's maximum is one value."
                         : ""});
     body +=
         figure(strips_figure(data, quantity("mean_load")),
-               "Each dot is one arrangement. Below the dots: mean, its 95 % interval (thick), and where one further "
-               "run falls with 95 % (dashed).");
+               "Each dot is one arrangement. Below the dots: mean, its 95 % confidence interval (thick), and the 95 % "
+               "prediction interval of one further run (dashed).");
     body += figure(strips_figure(data, quantity("mean_maximum")), "The same for the mean of the segments' maxima.");
     body += figure(strips_figure(data, quantity("failure_ratio")), "The same for the share of broken floes.");
     return body;
@@ -84,13 +84,12 @@ std::string loads(const ReportData& data) {
 std::string over_time(const ReportData& data) {
     if (data.histories.empty())
         return section("Load over time",
-                       paragraph("No figure: the file has no load histories of an arrangement that every case has "
-                                 "done."));
+                       paragraph("No figure: the file has no load histories of an arrangement that is done in every "
+                                 "case."));
     std::string caption =
-        "One arrangement, every case, shifted upwards (the paper's Fig. 6). Dashed: the window in which the load is "
-        "measured begins.";
+        "One arrangement, every case, shifted upwards (the paper's Fig. 6). Dashed: start of the analysis window.";
     if (std::ranges::any_of(data.table.cases, [](const CaseRow& one) { return one.analysis.history_stride > 1; }))
-        caption += " The file keeps means over several steps, whose peaks are lower than those that were measured.";
+        caption += " The file holds means over several steps, whose peaks are lower than the measured ones.";
     return section("Load over time", figure(histories_figure(data), caption));
 }
 
@@ -104,8 +103,8 @@ std::string comparisons(const ReportData& data) {
     std::string body = html_table(pairs_page_table(summary, *data.pairs));
     if (!left_out.empty()) body += paragraph(left_out);
     body += note(
-        "Cases met the same arrangements, so they are compared arrangement by arrangement. p by Student's t and "
-        "by Wilcoxon's signed ranks, Holm over all pairs of a quantity.");
+        "Cases share their arrangements, so they are compared arrangement by arrangement. p: paired t test and "
+        "Wilcoxon signed-rank test, Holm-adjusted over all pairs of a quantity.");
     body += figure(pairs_figure(data, quantity("mean_load")), "Mean load: differences within an arrangement.");
     body +=
         figure(pairs_figure(data, quantity("mean_maximum")), "Mean maximum load: differences within an arrangement.");
@@ -143,7 +142,7 @@ std::string failures(const ReportData& data) {
     if (data.breaks.empty()) return section("Broken floes", paragraph("No joint failed in any member."));
     return section("Broken floes",
                    figure(failures_figure(data),
-                          "Failed joints so far, mean over arrangements: full line bending, dashed shear, "
+                          "Failed joints so far, mean over arrangements: solid line bending, dashed shear, "
                           "dotted compression."));
 }
 
@@ -167,12 +166,12 @@ std::string theory(const ReportData& data) {
                        "The hybrid model of Eqs. (6)-(7) (the paper's Fig. 8). KPR's coefficient k1 is chosen so that "
                        "both limits cross at 10 MPa as in the paper: its line is a calibration, not a prediction.");
     body += figure(modulus_figure(data),
-                   "Elastic modulus shown by this ice in a plate test over Σ (the paper's Fig. 2), a sheet of 13 "
-                   "elements square.");
+                   "Elastic modulus of this ice in a plate test over Σ (the paper's Fig. 2), on a sheet of 13 x 13 "
+                   "elements.");
     return body.empty() ? "" : section("Elastic modulus and closed formulas", body);
 }
 
-/// The parts that have a title here and no place of their own: table and notes as in text.
+/// The parts with a page title and no section of their own: table and notes as in text.
 std::string further_parts(const ReportData& data) {
     std::string sections;
     for (const Part& part : parts()) {
@@ -190,12 +189,13 @@ std::string provenance(const ReportData& data) {
     for (const auto& [name, value] : data.origin.facts)
         rows +=
             fmt::format("<tr><td>{}</td><td class=\"words\">{}</td></tr>\n", html_escaped(name), html_escaped(value));
-    return section("Where it comes from",
-                   fmt::format("<p>To repeat it, save the configuration below as <code>{}.toml</code> and run</p>\n"
-                               "<pre>{}</pre>\n<div class=\"wide\"><table>{}</table></div>\n"
-                               "<details><summary>Configuration</summary><pre>{}</pre></details>\n",
-                               html_escaped(data.summary.title), html_escaped(data.command), rows,
-                               html_escaped(data.origin.configuration)));
+    return section(
+        "Provenance",
+        fmt::format("<p>To repeat this campaign, save the configuration below as <code>{}.toml</code> and run</p>\n"
+                    "<pre>{}</pre>\n<div class=\"wide\"><table>{}</table></div>\n"
+                    "<details><summary>Configuration</summary><pre>{}</pre></details>\n",
+                    html_escaped(data.summary.title), html_escaped(data.command), rows,
+                    html_escaped(data.origin.configuration)));
 }
 
 }  // namespace
@@ -211,7 +211,7 @@ std::string report_page(const ReportData& data) {
                title, page_style) +
            section("Loads", loads(data)) + section("What was run", what_was_run(data)) + sensitivity(data) +
            comparisons(data) + over_time(data) + extremes(data) + further_parts(data) +
-           section("How sure is the mean?",
+           section("Uncertainty of the mean",
                    figure(convergence_figure(data), "Mean load of the first n arrangements with its 95 % interval.")) +
            failures(data) + largest(data) + theory(data) + provenance(data) + "</body></html>\n";
 }

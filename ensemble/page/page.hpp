@@ -1,5 +1,5 @@
 #pragma once
-// The report of a campaign: one HTML page with everything in it, for the engineer who has to defend a design load.
+// The report of a campaign: one self-contained HTML page for the engineer who has to defend a design load.
 
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace floes {
 
-/// The page: no scripts, nothing loaded from elsewhere, light and dark, fit for paper.
+/// The page: no scripts, no external resources, for light and dark screens and for print.
 std::string report_page(const ReportData& data);
 
 }  // namespace floes

@@ -1,6 +1,6 @@
 #pragma once
-// The style sheet of the report: light and dark, screen and paper. Colours of cases are those of Okabe and Ito, which
-// people with any colour vision tell apart. For this room only.
+// The style sheet of the report: light and dark, screen and print. Cases have the colours of Okabe and Ito, which are
+// safe for colour-blind readers. For this room only.
 
 namespace floes {
 

@@ -12,9 +12,9 @@ namespace floes {
 namespace {
 
 constexpr double right = 16;
-constexpr double top = 28;  // the legend's row
+constexpr double top = 28;  // height of the legend's row
 constexpr double bottom = 46;
-constexpr double letter = 7;  // about how wide one is
+constexpr double letter = 7;  // approximate width of one
 
 double width_of(std::string_view text) {
     return letter * static_cast<double>(text_width(text));

@@ -1,6 +1,6 @@
 #pragma once
 // One diagram as SVG: axes with units, lines, dots, whiskers, bars. Colours are classes of the page's style sheet, so
-// that a figure is right on light and on dark ground and on paper. For this room only.
+// that a figure works on light and dark screens and on paper. For this room only.
 
 #include <span>
 #include <string>
@@ -10,19 +10,19 @@
 
 namespace floes {
 
-/// One axis: what it shows, with its unit, and from where to where (low < high; logarithmic: 0 < low).
+/// One axis: its label with the unit, and its range (low < high; logarithmic: 0 < low).
 struct Axis {
     std::string label;
     double low = 0;
     double high = 1;
     bool logarithmic = false;
-    std::vector<std::string> names = {};  ///< of an upright axis, in place of numbers: name i stands at i + 0.5
+    std::vector<std::string> names = {};  ///< on a vertical axis, instead of numbers: name i is at i + 0.5
 };
 
-/// An axis with some air round `values` that are finite; with `with_zero` it begins or ends at 0 at least.
+/// An axis with a margin around the finite `values`; `with_zero`: the range includes 0.
 Axis axis_around(std::string label, std::span<const double> values, bool with_zero);
 
-/// "1", "2", "5" times a power of ten from low to high, at most about `most`; of a logarithmic axis the decades.
+/// 1, 2 or 5 times a power of ten from low to high, at most about `most` of them; decades on a logarithmic axis.
 std::vector<double> ticks(const Axis& axis, int most);
 
 struct Size {
@@ -34,16 +34,16 @@ class Plot {
   public:
     using Points = std::vector<std::pair<double, double>>;
 
-    /// `description`: what a reader who does not see it is told.
+    /// `description`: the text for screen readers.
     Plot(std::string description, Axis x, Axis y, Size size = {});
 
-    /// All in the units of the axes; what is not finite is left out. `style`: classes such as "c0 thin".
+    /// All in the units of the axes; values that are not finite are left out. `style`: classes such as "c0 thin".
     void line(const Points& points, std::string_view style);
     void area(const Points& outline, std::string_view style);
     void dot(double x, double y, std::string_view style, double radius = 3.5);
     void cross(double x, double y, std::string_view style, double radius = 4);
     void text(double x, double y, std::string_view words, std::string_view anchor, std::string_view style = {});
-    void upright(double x, std::string_view style);  ///< a line across the whole diagram
+    void upright(double x, std::string_view style);  ///< a vertical line over the whole diagram
     void level(double y, std::string_view style);
 
     /// Coloured names in a row above the diagram.
@@ -61,7 +61,7 @@ class Plot {
     Axis x_;
     Axis y_;
     Size size_;
-    double left_ = 64;  // wider where names need it
+    double left_ = 64;  // wider if names need it
     std::string body_;
 };
 

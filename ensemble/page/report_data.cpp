@@ -1,4 +1,4 @@
-// Gathers what the page tells from a campaign file.
+// Collects the contents of the page from a campaign file.
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ constexpr std::size_t drawn_columns = 700;
 constexpr double drawn_moduli[]{3, 5, 7, 10, 14, 20, 30, 45, 60, 90, 130, 200, 300, 450, 700, 1000};  // MPa
 constexpr double crossing_of_the_paper = 10 * unit::megapascal;                                       // Fig. 8
 
-/// The smallest and the largest value of each column, in order of time: peaks survive.
+/// The smallest and the largest value of each column, in order of time, so that peaks are kept.
 std::vector<std::pair<double, double>> thinned(const SurgeHistory& history) {
     std::vector<std::pair<double, double>> points;
     const std::size_t width = std::max<std::size_t>(1, history.surge.size() / drawn_columns);
@@ -30,7 +30,7 @@ std::vector<std::pair<double, double>> thinned(const SurgeHistory& history) {
     return points;
 }
 
-/// The first arrangement that every case has done; -1 where there is none.
+/// The first arrangement that is done in every case; -1 if there is none.
 int common_arrangement(const CampaignTable& table) {
     std::vector<std::size_t> done;
     for (const MemberRow& member : table.members) {
@@ -59,7 +59,7 @@ std::optional<HybridCurve> hybrid_of(const Scenario& scenario) {
     try {
         return hybrid_curve(scenario, hybrid_model(scenario).crossing_at(crossing_of_the_paper), moduli);
     } catch (const InputError&) {
-        return std::nullopt;  // a wall that Lindqvist has no load for
+        return std::nullopt;  // Lindqvist's formula does not apply to this wall
     }
 }
 

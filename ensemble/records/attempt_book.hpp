@@ -1,6 +1,6 @@
 #pragma once
-// Which attempts were begun and never came to an end: the trace of a member that takes its process down. A journal
-// keeps the book, since nobody else is there afterwards.
+// Which attempts began but never ended: the trace of a member that crashes its process. It is kept in the journal,
+// which survives the process.
 
 #include <map>
 #include <string>
@@ -8,20 +8,20 @@
 
 namespace floes {
 
-/// A member as the journal knows it: the fingerprint of its case, and its arrangement number.
+/// Identity of a member in the journal: the fingerprint of its case, and its arrangement number.
 using MemberIdentity = std::pair<std::string, int>;
 
 class AttemptBook {
   public:
     void started(const MemberIdentity& member) { entries_[member].open = true; }
-    /// A result is there; the account of the member begins anew.
+    /// The member has a result; its count starts again from zero.
     void finished(const MemberIdentity& member) { entries_.erase(member); }
-    /// The session ended by itself: no member is to blame for what was under way.
+    /// The session ended properly: running attempts do not count against their members.
     void session_ended();
-    /// A session begins, or somebody asks who knows that none is at work: what is still under way was lost.
+    /// A new session begins, or the caller knows that none is active: attempts still running were lost.
     void close_session();
 
-    /// Sessions that were lost while the member was under way, since its last result if it has one.
+    /// Number of sessions lost while the member was running, since its last result if it has one.
     int lost(const MemberIdentity& member) const;
 
   private:

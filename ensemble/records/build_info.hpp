@@ -1,5 +1,5 @@
 #pragma once
-// What this program was built from and with.
+// Version, sources and tools of this build.
 
 #include <string>
 #include <vector>
@@ -16,7 +16,7 @@ struct Software {
 /// Version of floes, e.g. "0.1.0".
 std::string floes_version();
 
-/// Revision of the source tree, with "-dirty" behind it when files differed from it; "unknown" outside a git checkout.
+/// Revision of the source tree, with "-dirty" appended if files differed from it; "unknown" outside a git checkout.
 std::string git_revision();
 
 /// floes, its revision, compiler, flags, and the libraries.

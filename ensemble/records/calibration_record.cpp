@@ -58,7 +58,8 @@ CalibrationRecord decode_calibration_record(std::span<const std::byte> bytes) {
         for (double* value : {&point.cfm, &point.slope, &point.elastic_modulus, &point.elastic_modulus_point})
             *value = in.f64();
     }
-    if (in.left() != 0) throw RunError("a stored calibration goes on after its end; it was written by another version");
+    if (in.left() != 0)
+        throw RunError("a stored calibration is longer than expected; it was written by another version");
     return record;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// What gave a case its Σ, as it is kept: the ice it holds for, the Σ found, and the curve measured on the way.
+// The stored calibration of a case's Σ: the ice it applies to, the Σ found, and the curve measured for it.
 
 #include <span>
 #include <string>
@@ -16,21 +16,21 @@ struct CalibrationRecord {
     Calibration found;
 };
 
-/// 32 hex digits: equal exactly when two scenarios' ice and wanted elastic modulus are the same, so that one
-/// calibration does for both. Their Σ does not matter.
+/// 32 hex digits, equal exactly if ice and requested elastic modulus of two scenarios are the same, so that they can
+/// share a calibration. Σ is not part of it.
 std::string calibration_key(const Scenario& scenario);
 
-/// The record of that key; nullptr where there is none.
+/// The record of that key; nullptr if there is none.
 const CalibrationRecord* find_calibration(std::span<const CalibrationRecord> records, const std::string& key);
 
-/// For each case of the campaign the calibration that gave it its Σ; nullptr where it was stated otherwise.
+/// For each case of the campaign the calibration of its Σ; nullptr if Σ was not calibrated.
 std::vector<const Calibration*> match_calibrations(const Campaign& campaign,
                                                    std::span<const CalibrationRecord> records);
 
 /// The bytes of a record, the same on every machine.
 Bytes encode(const CalibrationRecord& record);
 
-/// The record that encode() was given, bit for bit. Throws RunError when the bytes are not exactly one record.
+/// Restores the record bit for bit. Throws RunError if the bytes are not exactly one record.
 CalibrationRecord decode_calibration_record(std::span<const std::byte> bytes);
 
 }  // namespace floes

@@ -15,8 +15,8 @@ namespace floes {
 namespace {
 
 [[noreturn]] void refuse(const char* call, const std::filesystem::path& path, int error) {
-    throw RunError(fmt::format("{} of {} failed: {}. Is the disk full, or the file system gone?", call, path.string(),
-                               std::strerror(error)));
+    throw RunError(fmt::format("{} of {} failed: {}. Is the disk full, or the file system unavailable?", call,
+                               path.string(), std::strerror(error)));
 }
 
 }  // namespace
@@ -24,7 +24,7 @@ namespace {
 Descriptor open_file(const std::filesystem::path& path, int flags) {
     const int value = ::open(path.c_str(), flags | O_CLOEXEC, 0666);
     if (value < 0)
-        throw InputError(fmt::format("{} cannot be opened: {}. The folder must exist and allow it.", path.string(),
+        throw InputError(fmt::format("{} cannot be opened: {}. The folder must exist and permit it.", path.string(),
                                      std::strerror(errno)));
     return Descriptor(value);
 }
@@ -80,7 +80,7 @@ bool is_named(const Descriptor& file, const std::filesystem::path& path) {
 void sync_folder_of(const std::filesystem::path& path) {
     const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
     const Descriptor opened = open_file(folder, O_RDONLY | O_DIRECTORY);
-    // Some network file systems do not know fsync of a folder (EINVAL); they keep names in order themselves.
+    // Some network file systems do not support fsync of a folder (EINVAL); they keep names consistent themselves.
     if (::fsync(opened.get()) != 0 && errno != EINVAL) refuse("fsync", folder, errno);
 }
 

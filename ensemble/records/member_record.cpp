@@ -11,7 +11,7 @@
 namespace floes {
 namespace {
 
-// Cases of equal physics share their records, hence several numbers to an identity.
+// Cases of equal physics share their records, so an identity can have several member numbers.
 std::multimap<MemberIdentity, std::size_t> member_numbers(const Campaign& campaign) {
     std::vector<std::string> keys;
     for (std::size_t k = 0; k < campaign.cases.size(); ++k)
@@ -50,7 +50,7 @@ void read_history(ByteReader& in, MemberRecord& record) {
     record.history.surge = read_numbers(in);
     record.history.sway = read_numbers(in);
     record.history.heave = read_numbers(in);
-    if (in.left() != 0) throw RunError("a stored member goes on after its end; it was written by another version");
+    if (in.left() != 0) throw RunError("a stored member is longer than expected; it was written by another version");
 }
 
 }  // namespace

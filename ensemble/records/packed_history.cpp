@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t width = sizeof(double);
 
-/// Where byte k of number i stands.
+/// Position of byte k of number i.
 struct Layout {
     std::size_t of_number, of_byte;
     std::size_t operator()(std::size_t i, std::size_t k) const { return i * of_number + k * of_byte; }
@@ -48,11 +48,11 @@ Bytes deflated(const Bytes& plain) {
                                reinterpret_cast<const Bytef*>(plain.data()), plain.size(), compression_level);
     if (code != Z_OK) throw RunError(fmt::format("zlib cannot compress a load history: {}.", zError(code)));
     chunk.resize(size);
-    chunk.shrink_to_fit();  // it waits in a message
+    chunk.shrink_to_fit();  // it is kept in a message for a while
     return chunk;
 }
 
-/// To `size` bytes.
+/// Decompresses to `size` bytes.
 Bytes inflated(const Bytes& chunk, std::size_t size) {
     uLongf found = size;
     Bytes plain(size);
@@ -72,11 +72,11 @@ PackedNumbers pack(std::span<const double> numbers) {
 }
 
 std::vector<double> unpack(const PackedNumbers& packed) {
-    // Deflate makes bytes 1032 times fewer at best, so a damaged count cannot ask for memory.
+    // Deflate compresses by a factor of at most 1032, so a damaged count cannot cause a huge allocation.
     constexpr std::uint64_t most_in_a_byte = 1032 / width + 1;
     const bool possible = packed.deflated() ? packed.count <= most_in_a_byte * packed.chunk.size()
                                             : packed.chunk.size() == width * packed.count;
-    if (!possible) throw RunError("a stored load history has another length than it says; it was damaged");
+    if (!possible) throw RunError("a stored load history does not have the stated length; it was damaged");
     const Layout at = layout(packed.deflated(), packed.count);
     return numbers_of(packed.deflated() ? inflated(packed.chunk, width * packed.count) : packed.chunk, at);
 }

@@ -1,6 +1,6 @@
 #pragma once
-// Load histories as the campaign file holds them, compressed chunk by chunk. The rank that computes a member packs its
-// histories, so that whoever keeps them only moves bytes: a third less of them, in messages, journal and file alike.
+// Load histories as stored in the campaign file, compressed chunk by chunk. The rank that computes a member packs its
+// histories, so that the master only moves bytes, and a third fewer in messages, journal and file alike.
 
 #include <cstdint>
 #include <span>
@@ -13,11 +13,11 @@ namespace floes {
 
 inline constexpr int compression_level = 4;
 
-/// Numbers, little endian, as one chunk of HDF5's filters shuffle and deflate: first the first byte of each, then the
-/// second …, and that as a zlib stream. A few are left as they are: zlib's start costs more than there is to save.
+/// Little-endian numbers as one chunk of HDF5's filters shuffle and deflate: the first byte of each, then the second …,
+/// compressed by zlib. Small sets are left uncompressed, because starting zlib costs more than it saves.
 struct PackedNumbers {
     std::uint64_t count = 0;  ///< of the numbers
-    Bytes chunk;              ///< empty when there are none
+    Bytes chunk;              ///< empty if there are no numbers
 
     bool deflated() const { return count >= 128; }
     friend bool operator==(const PackedNumbers&, const PackedNumbers&) = default;
@@ -26,7 +26,7 @@ struct PackedNumbers {
 /// The same numbers give the same bytes with the same zlib.
 PackedNumbers pack(std::span<const double> numbers);
 
-/// The numbers bit for bit. Throws RunError when the chunk is damaged.
+/// The numbers bit for bit. Throws RunError if the chunk is damaged.
 std::vector<double> unpack(const PackedNumbers& packed);
 
 struct PackedHistory {

@@ -32,8 +32,8 @@ std::string system_and_processor() {
     return fmt::format("{} {} {}, {}", name.sysname, name.release, name.machine, processor());
 }
 
-/// glibc has a sin and a cos with fused multiply-add and ones without, and takes what the processor has: other bits.
-/// Bullet's own solver calls them; the lanes do not.
+/// glibc has sin and cos with and without fused multiply-add and chooses by processor, so the bits differ. Bullet's own
+/// solver calls them; the lanes do not.
 std::string math_library() {
 #if defined(__x86_64__)
     const bool fused = __builtin_cpu_supports("fma") && __builtin_cpu_supports("avx2");
@@ -129,10 +129,10 @@ Session decode_session(std::span<const std::byte> bytes) {
         software.name = in.text();
         software.version = in.text();
     }
-    if (in.left() == 0) return session;  // of a version that did not count
+    if (in.left() == 0) return session;  // from a version without counts
     session.reused = in.i32();
     session.retried = in.i32();
-    if (in.left() != 0) throw RunError("a stored session goes on after its end; it was written by another version");
+    if (in.left() != 0) throw RunError("a stored session is longer than expected; it was written by another version");
     return session;
 }
 

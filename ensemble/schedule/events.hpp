@@ -1,7 +1,6 @@
 #pragma once
-// What happens to a campaign in progress (events) and what is to be done about it (commands). A worker is a rank; it
-// is known by its number. An attempt is one execution of a member, numbered from 1, so that a late answer is
-// recognised.
+// Events of a running campaign, and the commands that answer them. A worker is a rank, identified by its number. An
+// attempt is one execution of a member, numbered from 1 so that a late answer is recognised.
 
 #include <variant>
 
@@ -9,18 +8,18 @@ namespace floes {
 
 /// A member still to be computed.
 struct MemberTask {
-    int number = 0;         ///< of the member, >= 0, unique
+    int number = 0;         ///< member number, >= 0, unique
     double cost = 0;        ///< expected run time in any unit, > 0
-    int batch = 0;          ///< all of an earlier batch is handed out before any of a later one
+    int batch = 0;          ///< all members of a batch are handed out before any of a later batch
     int attempts_made = 0;  ///< in earlier runs; the next attempt is this + 1
-    int failures = 0;       ///< of these, those that ended as failed
-    bool suspect = false;   ///< its process was lost during an attempt: from now on it is computed apart
+    int failures = 0;       ///< those of these attempts that failed
+    bool suspect = false;   ///< its process was lost during an attempt, so it is computed in an isolated process
 };
 
 // -- events
 
-/// A worker is ready for members: it computes `cores` at a time, and holds up to `prefetch` more so that no core waits
-/// for a round trip; of short members, several times as many.
+/// A worker is ready for members. It computes `cores` at a time and holds up to `prefetch` more (several times as many
+/// short ones), so that no core waits for a round trip.
 struct WorkerJoined {
     int worker = 0;
     int cores = 1;
@@ -35,15 +34,15 @@ struct MemberFinished {
     int number = 0;
     int attempt = 0;
     AttemptEnd end = AttemptEnd::done;
-    double run_time = 0;  ///< s that a done one took
+    double run_time = 0;  ///< s, if done
 };
 
-/// A worker said farewell. What it held is to be done again.
+/// A worker said farewell. The members that it held are to be run again.
 struct WorkerLeft {
     int worker = 0;
 };
 
-/// A worker is gone without a word. What it held is to be done again, and one of that may have been the cause.
+/// A worker was lost. The members that it held are to be run again, and one of them may be the cause.
 struct WorkerLost {
     int worker = 0;
 };
@@ -51,7 +50,7 @@ struct WorkerLost {
 /// The user or the batch system wants the run to end: nothing new is handed out.
 struct StopRequested {};
 
-/// What begins now must not cost more than this to be done in time.
+/// Only members up to this cost can finish in time if started now.
 struct TimeLeft {
     double cost = 0;
 };
@@ -65,26 +64,26 @@ struct Assign {
     int worker = 0;
     int number = 0;
     int attempt = 0;
-    bool apart = false;  ///< in a process of its own, whatever the others do
+    bool apart = false;  ///< in an isolated process, even if the others are not
     friend bool operator==(const Assign&, const Assign&) = default;
 };
 
-/// Keep the answer of this attempt, the first valid one of its member or its last allowed failure. A late answer gets
-/// no such command.
+/// Keep the answer of this attempt: the member's first valid answer or its last allowed failure. A late answer gets no
+/// such command.
 struct Record {
     int number = 0;
     int attempt = 0;
     friend bool operator==(const Record&, const Record&) = default;
 };
 
-/// The attempt failed, and is not the last one: remember why.
+/// The attempt failed but was not the last one: remember the reason.
 struct Retry {
     int number = 0;
     int attempt = 0;
     friend bool operator==(const Retry&, const Retry&) = default;
 };
 
-/// Tell the worker to abandon what it holds and say farewell; nothing more will come. Once a worker.
+/// Tell the worker to abandon its members and say farewell; nothing more will come. Once for each worker.
 struct Dismiss {
     int worker = 0;
     friend bool operator==(const Dismiss&, const Dismiss&) = default;

@@ -11,7 +11,8 @@ namespace floes {
 
 namespace {
 
-constexpr double time_ahead = 0.2;  // s: much longer than a message takes, much shorter than what a lost rank may cost
+constexpr double time_ahead =
+    0.2;  // s; much longer than a message takes, much shorter than the time that a lost rank may cost
 constexpr double most_rounds_ahead = 64;
 
 void require(bool holds, const char* what, int which) {
@@ -47,7 +48,7 @@ std::vector<Command> Scheduler::handle(const Event& event) {
     if (const auto* lost = std::get_if<WorkerLost>(&event)) remove(lost->worker, Leave::lost);
     if (std::holds_alternative<StopRequested>(event)) stopping_ = true;
     if (const auto* left = std::get_if<TimeLeft>(&event)) affordable_ = left->cost;
-    // While workers join, one after the other, members given ahead would be missing on those still to come.
+    // Workers join one after the other; members given ahead now would be missing on those still to join.
     hand_out(commands, std::holds_alternative<WorkerJoined>(event) ? 0 : rounds());
     dismiss_when_over(commands);
     return commands;
@@ -91,7 +92,7 @@ void Scheduler::take(const MemberFinished& event, std::vector<Command>& commands
 
 void Scheduler::remove(int worker, Leave how) {
     const auto found = workers_.find(worker);
-    if (found == workers_.end()) return;  // given up before its farewell came
+    if (found == workers_.end()) return;  // considered lost before its farewell arrived
     withdraw(worker);
     for (const Index index : found->second.held) {
         tasks_[index].worker.reset();

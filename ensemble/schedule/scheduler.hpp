@@ -1,14 +1,15 @@
 #pragma once
-// Who computes what next: a pure state machine. Events in, commands out; no MPI, no clock, no physics, no randomness.
+// Decides which worker computes which member next: a pure state machine. Events in, commands out; no MPI, no clock, no
+// physics, no randomness.
 //
 // Order: batch, then longest expected cost first, ties by member number. (Longest first keeps the last members short:
-// 0.93 instead of 0.68 of the ideal speed for 192 members on 64 workers, 20 % error in the expectation.)
-// A member goes to the worker with the most idle cores. Workers are given members ahead of their cores, in rounds of
-// `prefetch`: one, or as many as take a fifth of a second by the members done so far, so that short ones travel many in
-// a message. Nobody gets a round k ahead unless k + 1 members for every core are pending, so that near the end no
-// member waits behind a busy core while another is idle; and none before the first answer, so that at the beginning no
-// member waits while a worker has yet to join. Of a TimeLeft only members that can be done in it are handed out; one
-// that is given k rounds ahead begins when k others have ended, so it counts k + 1 times.
+// 0.93 instead of 0.68 of the ideal speed for 192 members on 64 workers with 20 % error of the expected cost.) A member
+// goes to the worker with the most idle cores. Workers get members ahead, in rounds of `prefetch`: one round, or as
+// many as take a fifth of a second judged by the members done so far, so that many short members share a message. Round
+// k ahead is given only while k + 1 members for every core are pending, so that near the end no member waits behind a
+// busy core while another core is idle. No round is given before the first answer, so that at the start no member waits
+// while a worker has yet to join. After a TimeLeft only members that can finish in that time are handed out; one that
+// is given k rounds ahead starts after k others, so its cost counts k + 1 times.
 //
 //     Scheduler scheduler(tasks);
 //     while (!scheduler.finished())
@@ -29,42 +30,42 @@ namespace floes {
 
 class Scheduler {
   public:
-    /// A member whose attempts failed `most_failures` times, >= 1, is set aside: that answer is kept. Attempts that
-    /// were lost with their process do not count, since most of them only stood beside the cause; such a member is
-    /// computed apart from then on, where it can harm nobody and its own end is seen. Throws std::logic_error if a
-    /// number comes twice or a cost is not positive and finite.
+    /// A member whose attempts failed `most_failures` times, >= 1, is set aside: its last answer is kept. Attempts that
+    /// were lost with their process do not count, because the cause is usually another member; such a member is
+    /// computed in an isolated process from then on, where it harms no other and its own failure shows. Throws
+    /// std::logic_error if a number comes twice or a cost is not positive and finite.
     explicit Scheduler(std::vector<MemberTask> tasks, int most_failures = 1);
 
-    /// Takes the event in and returns what to do, in order. Throws std::logic_error on an event that cannot be: a
-    /// worker that joins twice or without cores. An answer that nobody waits for is no error: see late_answers().
+    /// Handles the event and returns the commands to obey, in order. Throws std::logic_error on an impossible event: a
+    /// worker that joins twice or without cores. A late answer is not an error: see late_answers().
     std::vector<Command> handle(const Event& event);
 
-    /// Nothing is left to wait for: every member is done or the stop was requested, and every worker has left.
+    /// True if every member is done or the stop was requested, and every worker has left.
     bool finished() const;
 
     int total() const { return static_cast<int>(tasks_.size()); }
     int done() const { return done_; }
     int assigned() const { return assigned_; }  ///< handed out and not answered
     int pending() const { return static_cast<int>(pending_.size()); }
-    int running() const { return running_; }                           ///< of the assigned, those that have a core
-    int workers() const { return static_cast<int>(workers_.size()); }  ///< that have not left and are not lost
-    int late_answers() const { return late_answers_; }                 ///< answers of attempts that had been given up
+    int running() const { return running_; }                           ///< assigned members that have a core
+    int workers() const { return static_cast<int>(workers_.size()); }  ///< neither left nor lost
+    int late_answers() const { return late_answers_; }  ///< answers of attempts that had been considered lost
     bool stopping() const { return stopping_; }
     double done_cost() const { return done_cost_; }  ///< sum over done members
     double remaining_cost() const;                   ///< sum over all others
 
-    /// Throws std::logic_error naming the first inconsistency of the books. O(members + workers); for tests.
+    /// Throws std::logic_error naming the first inconsistency of the state. O(members + workers); for tests.
     void check_invariants() const;
 
   private:
-    using Index = std::size_t;  // into tasks_, which is in the order of handing out
+    using Index = std::size_t;  // into tasks_, which is sorted in the order of handing out
 
     struct Entry {
         MemberTask task;
         int attempts = 0;
         int failures = 0;  // of these
         bool suspect = false;
-        std::optional<int> worker;  // who holds it
+        std::optional<int> worker;  // that holds it
         bool done = false;
     };
     struct Worker {
@@ -74,7 +75,7 @@ class Scheduler {
         bool dismissed = false;
 
         int running() const { return std::min(static_cast<int>(held.size()), cores); }
-        // Rounds that it holds ahead of its cores; idle cores count below 0.
+        // Rounds held ahead of its cores; negative if cores are idle.
         int level() const {
             const int ahead = static_cast<int>(held.size()) - cores;
             return ahead < 0 || prefetch == 0 ? ahead : ahead / prefetch;
@@ -86,19 +87,19 @@ class Scheduler {
     void take(const MemberFinished& event, std::vector<Command>& commands);
     enum class Leave { farewell, lost };
     void remove(int worker, Leave how);
-    int rounds() const;  // to be held ahead, by what the members so far took
+    int rounds() const;  // to hold ahead, judged by the run times so far
     std::set<Index>::iterator next(int level) const;
     void hand_out(std::vector<Command>& commands, int most_rounds);
     void dismiss_when_over(std::vector<Command>& commands);
-    void offer(int worker);     // counts what the worker runs, and enters it among those with room
-    void withdraw(int worker);  // takes both back, before its load changes
+    void offer(int worker);     // counts its running members and enters it in room_
+    void withdraw(int worker);  // undoes both, before its load changes
 
     int most_failures_;
     std::vector<Entry> tasks_;
     std::unordered_map<int, Index> index_of_;  // looked up for every answer, never walked
     std::set<Index> pending_;
     std::map<int, Worker> workers_;
-    std::set<std::pair<int, int>> room_;  // (level, worker) of the workers that may be given something
+    std::set<std::pair<int, int>> room_;  // (level, worker) of the workers that may get members
     int cores_ = 0;                       // of all workers
     int done_ = 0;
     int assigned_ = 0;
@@ -106,8 +107,8 @@ class Scheduler {
     int late_answers_ = 0;
     double total_cost_ = 0;
     double done_cost_ = 0;
-    double timed_cost_ = 0;  // of the members that were done with success
-    double run_time_ = 0;    // theirs, s
+    double timed_cost_ = 0;  // of the done members
+    double run_time_ = 0;    // of the same members, s
     double affordable_ = std::numeric_limits<double>::infinity();
     bool stopping_ = false;
 };

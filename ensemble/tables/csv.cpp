@@ -13,7 +13,7 @@ struct Field {
     std::string operator()(bool value) const { return value ? "1" : "0"; }
     std::string operator()(std::int64_t value) const { return fmt::format("{}", value); }
     std::string operator()(double value) const { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
-    /// In quotes where a comma, a quote or a line end would be misread.
+    /// Quoted if a comma, a quote or a line end would be misread.
     std::string operator()(const std::string& text) const {
         if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
         std::string quoted;

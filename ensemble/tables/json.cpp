@@ -6,7 +6,7 @@
 namespace floes {
 namespace {
 
-using Json = nlohmann::ordered_json;  // names in the order of writing
+using Json = nlohmann::ordered_json;  // keeps the order of names
 
 struct ToJson {
     Json operator()(Absent) const { return nullptr; }
@@ -17,7 +17,7 @@ struct ToJson {
     Json operator()(const std::string& text) const { return text; }
 };
 
-/// "a/0/b" in `parent`, made where it is not there yet.
+/// The element "a/0/b" of `parent`, created if absent.
 Json& at(Json& parent, const std::string& place) {
     return place.empty() || place == "." ? parent : parent[Json::json_pointer("/" + place)];
 }

@@ -1,5 +1,5 @@
 #pragma once
-// How figures are written in tables for people.
+// Number formats of the text tables.
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 namespace floes {
 
-/// Decimals that leave about four digits of a quantity as large as `largest`.
+/// Decimals that give a quantity as large as `largest` about four digits.
 inline int decimals_for(double largest) {
     return largest >= 1000 ? 0 : largest >= 100 ? 1 : largest >= 1 ? 2 : 4;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Figures for programs: the same values as CSV and as JSON, under the names that their columns give them.
+// Figures for programs: the same values as CSV and as JSON, under the names of their columns.
 
 #include <concepts>
 #include <cstdint>
@@ -15,13 +15,13 @@ namespace floes {
 
 /// No value: left out of JSON, empty in CSV.
 struct Absent {};
-/// Undefined: null in JSON, empty in CSV. So is a number that is not finite.
+/// Undefined: null in JSON, empty in CSV, like a number that is not finite.
 struct Undefined {};
 
 /// One value of a record. true and false are 1 and 0 in CSV.
 class Datum {
   public:
-    Datum(Absent none) : value_(none) {}                         // NOLINT: each of these is a value
+    Datum(Absent none) : value_(none) {}                         // NOLINT: implicit, so that any of these is a value
     Datum(Undefined none) : value_(none) {}                      // NOLINT
     Datum(bool value) : value_(value) {}                         // NOLINT
     Datum(double value) : value_(value) {}                       // NOLINT
@@ -37,13 +37,13 @@ class Datum {
     std::variant<Absent, Undefined, bool, std::int64_t, double, std::string> value_;
 };
 
-/// Where a value goes.
+/// Where a value is written.
 struct Names {
     std::string csv;   ///< column; empty: not in CSV
     std::string json;  ///< place in the record's object, "interval/low"; ".": the record itself; empty: not in JSON
 };
 
-/// A column of records that are made of rows: its names, and the value of a row.
+/// A column of records: its names, and how a row gives its value.
 template <class Row>
 struct RecordField {
     /// One name for both.
@@ -57,9 +57,9 @@ struct RecordField {
 struct Records {
     enum class Shape { list, object };
 
-    std::string place;  ///< in JSON: of the list, or of the object that the only record is; empty: the root
+    std::string place;  ///< in JSON: of the list, or of the object if there is one record; empty: the root
     std::vector<Names> names;
-    std::vector<std::vector<Datum>> rows;  ///< as long as names
+    std::vector<std::vector<Datum>> rows;  ///< each as long as names
     Shape shape = Shape::list;
 };
 
@@ -90,15 +90,14 @@ Records make_list(std::string place, const std::vector<Element>& values) {
                                  {{Names{"", "."}, [](const Element& value) { return Datum(value); }}});
 }
 
-/// The same for one of the two alone.
+/// The same records for CSV or JSON only.
 Records csv_only(Records records);
 Records json_only(Records records);
 
-/// A header line and one line a record (RFC 4180), numbers with all their digits; empty where no column is for CSV.
+/// A header line and a line for each record (RFC 4180), numbers with all digits; empty if no column is for CSV.
 std::string csv(const Records& records);
 
-/// All of them in one JSON document, names in order; ends in a newline. Where two write to one place the later one
-/// holds.
+/// All of them in one JSON document, names in order; ends in a newline. If two write to one place, the later one wins.
 std::string json(std::span<const Records> records);
 
 }  // namespace floes

@@ -1,5 +1,5 @@
 #pragma once
-// A finding as it is told: a table and words for people, records for programs, and the four ways to write it.
+// A finding as output: a table and notes for people, records for programs, and the writers of both.
 
 #include <span>
 #include <string>
@@ -13,18 +13,18 @@ namespace floes {
 struct Section {
     enum class Layout { columns, panels };
 
-    std::string before = {};  ///< stands above the table: the title, an empty line
-    Table table = {};         ///< empty: there is nothing to show, and `before` says why
-    std::string after = {};   ///< stands below the table: what its columns mean
+    std::string before = {};  ///< above the table: the title, an empty line
+    Table table = {};         ///< empty if there is nothing to show; `before` then says why
+    std::string after = {};   ///< below the table: the meaning of its columns
     std::vector<Records> records = {};
     Layout layout = Layout::columns;
-    std::string missing = {};  ///< a sentence where the file lacks what the finding is made of; programs get it aside
+    std::string missing = {};  ///< a sentence if the file lacks the data; for CSV and JSON it goes to standard error
 };
 
-/// For people, no line wider than `width` where that can be: the sections in order, an empty line between two.
+/// For people: the sections in order, separated by an empty line. No line is wider than `width` if possible.
 std::string text(std::span<const Section> sections, int width);
 
-/// The records that are for CSV, each with its own header line, an empty line between two.
+/// The records that are for CSV, each with its own header line, separated by an empty line.
 std::string csv(std::span<const Section> sections);
 
 /// All records in one document.

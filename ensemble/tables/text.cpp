@@ -16,7 +16,7 @@ std::string without_trailing_spaces(const std::string& line) {
     return line.substr(0, line.find_last_not_of(' ') + 1);
 }
 
-/// One text a column.
+/// One text for each column.
 std::vector<std::vector<std::string>> texts_of(const Table& table) {
     std::vector<std::vector<std::string>> rows;
     for (const std::vector<Cell>& cells : table) {
@@ -63,7 +63,7 @@ std::string panel_line(const std::vector<Cell>& row, const PanelWidths& widths, 
 }  // namespace
 
 std::size_t text_width(std::string_view text) {
-    // UTF-8 continuation bytes take no place.
+    // UTF-8 continuation bytes have no width.
     return static_cast<std::size_t>(std::ranges::count_if(text, [](char byte) { return (byte & 0xC0) != 0x80; }));
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The link of a process that is alone: messages to itself.
+// The link of a single process: messages to itself.
 
 #include <deque>
 
@@ -16,7 +16,7 @@ class LocalLink final : public Link {
     const Topology& topology() const override { return topology_; }
     void send(int to, Tag tag, std::vector<std::byte> bytes) override;
     std::optional<Message> poll() override;
-    void abandon(int) override {}  // there are no others
+    void abandon(int) override {}  // there are no other ranks
     bool moving() const override { return !waiting_.empty(); }
 
   private:

@@ -24,11 +24,11 @@ namespace floes {
 
 namespace {
 
-constexpr std::size_t most_receives_at_once = 256;  // bounds the memory of a master that many ranks answer at once
+constexpr std::size_t most_receives_at_once = 256;  // bounds the master's memory if many ranks answer at once
 constexpr std::chrono::seconds longest_parting{10};
 constexpr unsigned longest_finalize = 60;  // s
 
-/// Quotes the call that failed.
+/// Throws naming the call that failed.
 void check(int code, const char* call) {
     if (code == MPI_SUCCESS) return;
     char text[MPI_MAX_ERROR_STRING] = "";
@@ -39,8 +39,8 @@ void check(int code, const char* call) {
 
 #define FLOES_MPI(call) check(call, #call)
 
-// Open MPI catches crashes to print where they were. That takes memory: when it was malloc that crashed, or was just at
-// work, the handler waits for ever, and with it everybody else. So crashes stay what they were before MPI.
+// Open MPI catches crashes to print a stack trace, which allocates memory. After a crash inside malloc the handler
+// deadlocks, and the whole run with it. So the signal handlers from before MPI are restored.
 class CrashSignals {
   public:
     CrashSignals() {
@@ -84,7 +84,7 @@ Topology find_topology() {
 }  // namespace
 
 struct MpiLink::Transfer {
-    Message message;  // `from` is the other rank, either way
+    Message message;  // `from` is the other rank, in both directions
     MPI_Request request = MPI_REQUEST_NULL;
 
     bool complete() {
@@ -118,10 +118,11 @@ MpiLink::~MpiLink() {
             std::this_thread::sleep_for(std::chrono::microseconds(200));
         }
     } catch (const RunError&) {
-        return;  // MPI itself is broken: its finalization would only hang
+        return;  // MPI itself failed: MPI_Finalize would hang
     }
     if (!outgoing_.empty() || !abandoned_.empty()) return;
-    // It waits for every rank, and one may be stopped just now. All is said and stored: better to end by SIGALRM.
+    // MPI_Finalize waits for every rank, and one may be suspended. All results are sent and stored, so SIGALRM may end
+    // it.
     ::alarm(longest_finalize);
     MPI_Finalize();
     ::alarm(0);
@@ -138,7 +139,7 @@ void MpiLink::send(int to, Tag tag, std::vector<std::byte> bytes) {
 
 void MpiLink::abandon(int rank) {
     abandoned_.insert(rank);
-    // What is on its way to it may never arrive, and belongs to MPI until it does.
+    // A transfer to that rank may never complete, and its buffer belongs to MPI until it does.
     std::list<Transfer>::iterator next;
     for (auto it = outgoing_.begin(); it != outgoing_.end(); it = next) {
         next = std::next(it);

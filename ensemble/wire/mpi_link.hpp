@@ -1,6 +1,6 @@
 #pragma once
-// The link over MPI. Constructing it starts MPI, destroying it ends MPI, so a process has at most one, ever, and calls
-// it from the thread that made it.
+// The link over MPI. Its constructor starts MPI and its destructor ends MPI, so a process can have only one, ever, and
+// must use it from the thread that made it.
 
 #include <list>
 #include <set>
@@ -12,13 +12,13 @@ namespace floes {
 
 class MpiLink final : public Link {
   public:
-    /// Collective over all ranks. Throws RunError when MPI cannot be started.
+    /// Collective over all ranks. Throws RunError if MPI cannot be started.
     MpiLink();
 
-    /// Waits (asleep, and not for ever) until what was sent has left, then ends MPI. When an exception is under way the
-    /// other ranks may never come to MPI_Finalize, so it is not called: mpirun then sees an improper exit and ends
-    /// them all, which beats waiting for ever. Nor is it called when a rank was abandoned, which may never come either.
-    /// Where a rank hangs there for a minute, SIGALRM ends this process.
+    /// Waits (asleep, for a limited time) until all messages are sent, then ends MPI. During an exception MPI_Finalize
+    /// is not called, because the other ranks may never reach it: mpirun then sees an improper exit and ends them all,
+    /// instead of waiting without end. It is not called either if a rank was abandoned. If a rank hangs in it for a
+    /// minute, SIGALRM ends this process.
     ~MpiLink() override;
 
     int rank() const override { return rank_; }
@@ -38,11 +38,11 @@ class MpiLink final : public Link {
 
     int rank_ = 0;
     int size_ = 1;
-    int exceptions_ = 0;  // under way at construction
+    int exceptions_ = 0;  // active at construction
     Topology topology_;
     std::set<int> abandoned_;
     std::list<Transfer> outgoing_;
-    std::list<Transfer> stranded_;  // sent to ranks that were abandoned since
+    std::list<Transfer> stranded_;  // sent to ranks that were abandoned later
     std::list<Transfer> incoming_;  // in the order in which they were matched
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// The link that fits how this process was started.
+// The link that matches how this process was started.
 
 #include <memory>
 
@@ -7,10 +7,10 @@
 
 namespace floes {
 
-/// True when mpirun or srun started this process as one of its ranks. Looks at the environment only.
+/// True if mpirun or srun started this process as one of its ranks. Reads only the environment.
 bool started_by_mpi();
 
-/// MPI under mpirun or srun, else local without touching MPI.
+/// MPI under mpirun or srun, otherwise local without starting MPI.
 std::unique_ptr<Link> open_link();
 
 }  // namespace floes

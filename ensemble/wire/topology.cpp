@@ -56,7 +56,7 @@ Topology make_topology(std::span<const CoreMask> masks, std::size_t mine) {
 std::string binding_remark(const Topology& topology) {
     if (topology.node_ranks > 1 || topology.bound_cores >= topology.node_cores) return {};
     return fmt::format(
-        "the only rank on this node is bound to {} of its {} cores and uses no more; mpirun --bind-to none lifts that",
+        "the only rank on this node is bound to {} of its {} cores; mpirun --bind-to none lets it use all",
         topology.bound_cores, topology.node_cores);
 }
 

@@ -23,8 +23,8 @@ std::vector<PlanarPose> monte_carlo(const Scenario& scenario, RandomStream rando
     const auto begin_at = [&](const std::vector<PlanarPose>& poses) {
         return HardRectangles(walls.shrunk(rule.clearance), shape, rule.clearance, poses);
     };
-    // The step belongs to the field and not to the start: tuned where floes are packed, it would be too short for the
-    // chain ever to leave that start.
+    // The step is tuned for the field, not for the start: tuned where floes are packed, it would be too short for the
+    // chain ever to leave the start.
     HardRectangles floes = begin_at(lattice_start(walls, shape, rule.clearance, scenario.field.floes));
     const Step step = tune(floes, random);
     if (rule.start == ArrangementStart::stripes) {

@@ -1,5 +1,5 @@
 #pragma once
-// The front door of the room: where all floes lie at t = 0.
+// The entry point of the room: the poses of all floes at t = 0.
 //
 //   scenario, campaign seed, arrangement number -> make_arrangement -> poses, psi4
 //
@@ -21,12 +21,12 @@ struct Arrangement {
 };
 
 /// Arrangement `number` of the campaign with this seed: a pure function of its arguments, the same bits anywhere.
-/// Checked before it is returned. Floes that do not fit, a jitter that finds no room and given poses that
-/// overlap are an InputError.
+/// Checked before it is returned. Throws InputError if floes do not fit, a jitter finds no room, or given poses
+/// overlap.
 Arrangement make_arrangement(const Scenario& scenario, std::uint64_t seed, std::uint32_t number);
 
-/// Digest of what decides where floes lie: floe sides, field, arrangement rule. Scenarios of one key get the same floes
-/// for the same seed and number, whatever else differs (common random numbers).
+/// Digest of everything that determines the poses: floe sides, field, arrangement rule. Scenarios with the same key get
+/// the same floes for the same seed and number, whatever else differs (common random numbers).
 std::uint64_t geometry_key(const Scenario& scenario);
 
 /// |<exp(4 i yaw)>|: 1 if all floes are parallel or at right angles, about 0.89 / sqrt(n) for n random yaws.

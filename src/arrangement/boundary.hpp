@@ -1,5 +1,5 @@
 #pragma once
-// What happens at the edge of the area that the sampler fills. Both kinds answer the same questions:
+// The edge of the area that the sampler fills. Both kinds have the same interface:
 //   low_x, low_z, length, breadth   the area, m
 //   periodic                        do opposite edges meet?
 //   admits(shape, x, z, turn)       may a rectangle lie there, as far as the edge is concerned?
@@ -32,7 +32,7 @@ struct Walls {
     }
 };
 
-/// A box that repeats itself for ever: ice far from any wall.
+/// A periodic box: ice far from any wall.
 struct PeriodicBox {
     double low_x = 0;
     double low_z = 0;

@@ -1,7 +1,7 @@
 #pragma once
-// Cell list: the area in cells no smaller than the reach of a rectangle, so that whatever may overlap a rectangle has
-// its centre in the rectangle's own cell or in one of the eight round it. Centres are kept in their cell, side by side
-// in memory: the sampler spends its time walking over them.
+// Cell list: cells no smaller than the reach of a rectangle, so that anything that may overlap it has its centre in the
+// same cell or in one of the eight around it. The centres of a cell are contiguous in memory, because the sampler
+// spends its time iterating over them.
 
 #include <cstdint>
 #include <span>
@@ -30,14 +30,14 @@ struct Resident {
 
 class Cells {
   public:
-    /// reach: least width of a cell, m; capacity: most residents of one cell; floes: their number.
-    /// A periodic area less than three cells wide is an InputError: a neighbour would be met twice.
+    /// reach: least width of a cell, m; capacity: most residents of one cell; floes: their number. Throws InputError
+    /// for a periodic area less than three cells wide, where a neighbour would be visited twice.
     Cells(const CellArea& area, double reach, int capacity, int floes);
 
     /// Index of the cell at a point of the area.
     int cell_at(double x, double z) const;
 
-    /// The cell itself and those round it, the nearest kinds first.
+    /// The cell itself and those around it, the nearest kinds first.
     std::span<const int> neighbourhood(int cell) const {
         const auto at = static_cast<std::size_t>(cell);
         return {neighbours_.data() + neighbours_begin_[at], neighbours_begin_[at + 1] - neighbours_begin_[at]};
@@ -48,7 +48,7 @@ class Cells {
     }
 
     void insert(const Resident& resident);
-    /// Gives a rectangle that is in the list its new place.
+    /// Moves a rectangle that is in the list to its new place.
     void move(const Resident& resident);
 
   private:
@@ -65,9 +65,9 @@ class Cells {
     double columns_per_metre_;
     double rows_per_metre_;
     int capacity_;
-    std::vector<Resident> residents_;  // capacity_ places a cell
+    std::vector<Resident> residents_;  // capacity_ places for each cell
     std::vector<int> count_;           // residents of a cell
-    std::vector<Slot> slot_;           // where each floe lives
+    std::vector<Slot> slot_;           // place of each floe
     std::vector<int> neighbours_;
     std::vector<std::size_t> neighbours_begin_;
 };

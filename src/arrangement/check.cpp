@@ -90,7 +90,7 @@ std::optional<Fault> find_fault(const Scenario& scenario, std::span<const Planar
     std::vector<Turn> turns;
     for (std::size_t i = 0; i < poses.size(); ++i) {
         const PlanarPose& pose = poses[i];
-        // Asked before the turn is taken: a yaw that is no number has none.
+        // Checked before the turn is computed, which NaN does not have.
         if (!(std::abs(pose.yaw) < 1e6)) return Fault{fmt::format("floe {} has the yaw {} rad", i, pose.yaw), {i}};
         turns.push_back(turn_of(pose.yaw));
         if (!walls.admits(shape, pose.x, pose.z, turns.back())) {

@@ -1,5 +1,5 @@
 #pragma once
-// The last look at an arrangement before it is used: every pair of floes, every wall, the concentration.
+// The final check of an arrangement: every pair of floes, every wall, the concentration.
 
 #include <optional>
 #include <span>
@@ -23,11 +23,11 @@ struct Fault {
     std::vector<std::size_t> floes = {};  ///< that it is about, as numbers of poses; of most faults none, one or two
 };
 
-/// The first thing wrong with poses as an arrangement of the scenario; nothing if all is well. Wrong are: another
-/// number of floes, a floe nearer than the clearance to a wall or to another floe (by more than a nanometre, which is
-/// rounding), a concentration that differs from the scenario's by more than 1e-12 of it. Two floes are too near when
-/// they overlap with half the clearance added on every side: between a corner and a side that wants up to 1.21 times
-/// the clearance.
+/// The first fault of poses as an arrangement of the scenario; nothing if there is none. Faults are a different number
+/// of floes, a floe closer than the clearance to a wall or to another floe (by more than a nanometre, to allow for
+/// rounding), and a concentration whose relative difference from the scenario's exceeds 1e-12. Two floes are too close
+/// if they overlap with half the clearance added on every side; between a corner and a side this requires up to 1.21
+/// times the clearance.
 std::optional<Fault> find_fault(const Scenario& scenario, std::span<const PlanarPose> poses);
 
 }  // namespace floes

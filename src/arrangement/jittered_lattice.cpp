@@ -41,7 +41,7 @@ std::vector<PlanarPose> jittered_lattice(const Walls& walls, const Rectangle& sh
         turns[floe] = turn;
         return true;
     };
-    // A floe's turn comes while those after it still lie on their sites, so no floe is ever asked to lie on another.
+    // A floe moves while later ones are still on their sites, so floes never overlap in between.
     for (std::size_t floe = 0; floe < poses.size(); ++floe) {
         const PlanarPose site = poses[floe];
         int trial = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// A lattice whose floes are shifted and turned at random, each about its own site: a broken sheet that has not drifted.
+// A lattice whose floes are randomly shifted and turned about their sites: a broken sheet that has not drifted.
 
 #include <vector>
 
@@ -17,8 +17,8 @@ struct Jitter {
 };
 
 /// count floes at least clearance (m) apart and from the walls, each uniformly distributed over the positions within
-/// its jitter that the others leave free. Floes that fit on no lattice, and a floe that finds no such position in 10
-/// 000 trials, are an InputError.
+/// its jitter that the others leave free. Throws InputError if floes fit on no lattice, or if a floe finds no position
+/// in 10 000 trials.
 std::vector<PlanarPose> jittered_lattice(const Walls& walls, const Rectangle& shape, double clearance, int count,
                                          const Jitter& jitter, RandomStream& random);
 

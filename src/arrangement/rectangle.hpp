@@ -1,6 +1,6 @@
 #pragma once
-// Rectangles on the water and whether two of them overlap: the separating-axis test. Two convex polygons are apart
-// exactly if they are apart in projection on the normal of one of their sides, here on four directions.
+// Rectangles on the water and whether two of them overlap: the separating-axis test. Two convex polygons are disjoint
+// exactly if their projections on the normal of one of their sides are; here there are four directions.
 
 #include <cmath>
 
@@ -39,7 +39,7 @@ inline Extent joint_extent(const Rectangle& shape, Turn first, Turn second) {
             shape.half_breadth + shape.half_length * sin_between + shape.half_breadth * cos_between};
 }
 
-/// Do two equal rectangles overlap? The second lies at (dx, dz) from the first (m). Those that touch do not overlap. A
+/// Whether two equal rectangles overlap. The second lies at (dx, dz) from the first (m). Touching is not overlap. A
 /// rectangle turned by yaw about +y has its own x axis along (cos yaw, -sin yaw) of the world's (x, z).
 inline bool overlap(const Rectangle& shape, Turn first, Turn second, double dx, double dz) {
     const Extent reach = joint_extent(shape, first, second);

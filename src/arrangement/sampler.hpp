@@ -1,8 +1,8 @@
 #pragma once
 // Hard-rectangle Monte Carlo (Metropolis: every arrangement without overlap is equally likely). A trial move shifts and
 // turns one floe uniformly and is accepted if the floe then overlaps nothing. A sweep tries every floe once, in order.
-// The boundary (walls or periodic) is a template parameter: the code that fills the channel is the code that the
-// reference test checks.
+// The boundary (walls or periodic) is a template parameter: the reference test checks the same code that fills the
+// channel.
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +26,7 @@ struct Step {
 template <class Boundary>
 class HardRectangles {
   public:
-    /// Rectangles of one shape at least clearance (m) apart, starting where poses are. The start must be free of
-    /// overlap.
+    /// Rectangles of one shape at least clearance (m) apart, starting at `poses`, which must not overlap.
     HardRectangles(const Boundary& boundary, const Rectangle& shape, double clearance,
                    std::span<const PlanarPose> poses)
         : boundary_(boundary),
@@ -43,7 +42,7 @@ class HardRectangles {
         }
     }
 
-    /// Tries every floe once; the number of accepted moves. Three draws a floe.
+    /// Tries every floe once. Returns the number of accepted moves. Three draws for each floe.
     int sweep(const Step& step, RandomStream& random) {
         int accepted = 0;
         for (std::size_t i = 0; i < poses_.size(); ++i) accepted += try_move(i, step, random);
@@ -98,7 +97,7 @@ class HardRectangles {
     }
 
     Boundary boundary_;
-    Rectangle wall_shape_;          // as it is: the walls have been moved in by the whole clearance
+    Rectangle wall_shape_;          // actual size: the walls have been moved inward by the whole clearance
     Rectangle shape_;               // grown by half the clearance
     double certainly_apart_;        // squared distance of centres at which circumscribed circles touch, m²
     double certainly_overlapping_;  // squared distance of centres at which inscribed circles touch, m²
@@ -106,14 +105,14 @@ class HardRectangles {
     Cells cells_;
 };
 
-/// How the step size is found: rounds of sweeps, each followed by a correction towards the target acceptance.
+/// Tuning of the step size: rounds of sweeps, each followed by a correction towards the target acceptance.
 struct Tuning {
     int rounds = 40;
     int sweeps_per_round = 25;
     double target = 0.45;  ///< accepted moves per trial
 };
 
-/// Runs the rounds (they are part of the chain, and equilibrate it too) and gives the step to be kept from then on.
+/// Runs the rounds, which are part of the chain and also equilibrate it. Returns the step to use from then on.
 template <class Boundary>
 Step tune(HardRectangles<Boundary>& floes, RandomStream& random, const Tuning& tuning = {}) {
     const double half_diagonal = floes.shape().half_diagonal();

@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <numbers>
 
-#include "core/turn.hpp"
 #include "core/error.hpp"
+#include "core/turn.hpp"
 
 namespace floes {
 
 namespace {
 
-// What lengths that should be equal may differ by after rounding, m.
+// Tolerance for rounding of equal lengths, m.
 constexpr double rounding = 1e-12;
 
 // Columns pushed together, leaning by angle; lengths in m along x and z.

@@ -17,15 +17,15 @@ struct LatticeSize {
     double gap_z = 0;  ///< between rows, and to the walls, m
 };
 
-/// The lattice of count rectangles inside the walls whose smaller gap is widest. If that gap is below clearance (m), an
-/// InputError says so: rectangles that no lattice holds have no start.
+/// The lattice of count rectangles inside the walls with the largest smaller gap. Throws InputError if that gap is
+/// below clearance (m): without a lattice there is no start.
 LatticeSize lattice_size(const Walls& walls, const Rectangle& shape, double clearance, int count);
 
-/// Rows and columns with equal gaps, all yaws 0. psi4 = 1, even density. Sites beyond count stay empty.
+/// Rows and columns with equal gaps, all yaws 0. psi4 = 1, even density. Sites after `count` stay empty.
 std::vector<PlanarPose> lattice_start(const Walls& walls, const Rectangle& shape, double clearance, int count);
 
 /// The columns of that lattice pushed together to one side and to the near end; those of the near half lean one way,
-/// the others the other way, as far as the room allows. psi4 about 0.6 in the paper's channel, uneven density.
+/// the others the other way, as far as space allows. psi4 about 0.6 in the paper's channel, uneven density.
 std::vector<PlanarPose> stripes_start(const Walls& walls, const Rectangle& shape, double clearance, int count);
 
 }  // namespace floes

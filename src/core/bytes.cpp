@@ -89,7 +89,7 @@ double ByteReader::f64() {
 std::size_t ByteReader::count(std::size_t bytes_each) {
     const std::uint64_t number = u64();
     if (number > rest_.size() / bytes_each)
-        throw RunError("a stored record counts more things than it has room for; it was damaged");
+        throw RunError("a stored record has a count that exceeds its length; it was damaged");
     return static_cast<std::size_t>(number);
 }
 

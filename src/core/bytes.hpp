@@ -1,6 +1,6 @@
 #pragma once
-// Values to bytes and back: little endian, doubles bit by bit, every length checked before it is believed.
-// Journal records and messages between ranks are made of these.
+// Values to bytes and back: little endian, doubles bit by bit, every length checked before use. Journal records and
+// messages between ranks are made of these.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace floes {
 
 using Bytes = std::vector<std::byte>;
 
-/// Appends values to a growing row of bytes.
+/// Appends values to a byte buffer.
 class ByteWriter {
   public:
     void u8(std::uint8_t value);
@@ -32,8 +32,8 @@ class ByteWriter {
     Bytes bytes_;
 };
 
-/// Takes values off the front of a row of bytes. Throws RunError when it ends too early; a false length never
-/// allocates more than the bytes that are there.
+/// Reads values from the front of a byte buffer. Throws RunError if it ends too early; a wrong length never allocates
+/// more than the bytes that exist.
 class ByteReader {
   public:
     explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}
@@ -46,7 +46,7 @@ class ByteReader {
     std::string text();
     std::vector<double> doubles();
     Bytes blob();
-    /// A count of things that take at least `bytes_each` bytes; throws when so many cannot follow.
+    /// A count of items of at least `bytes_each` bytes; throws if the rest of the buffer is too short for them.
     std::size_t count(std::size_t bytes_each);
 
     std::size_t left() const { return rest_.size(); }

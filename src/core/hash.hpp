@@ -1,6 +1,6 @@
 #pragma once
-// Digests of text (XXH3): the same on every machine, so they may be stored in files and compared between ranks.
-// For telling things apart, not against an adversary.
+// Digests of text (XXH3): the same on every machine, so they may be stored in files and compared between ranks. Not
+// cryptographic.
 
 #include <cstdint>
 #include <string>

@@ -7,7 +7,7 @@
 
 namespace floes {
 
-/// An index from 0 of the things that Tag names.
+/// An index, from 0, of the kind named by Tag.
 template <class Tag>
 class Id {
   public:

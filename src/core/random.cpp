@@ -44,7 +44,7 @@ void RandomStream::refill() {
 std::uint32_t RandomStream::below(std::uint32_t n) {
     std::uint64_t product = (next() >> 32) * n;
     if (low_word(product) < n) {
-        const std::uint32_t surplus = -n % n;  // 2^32 mod n: that many low words would favour small results
+        const std::uint32_t surplus = -n % n;  // 2^32 mod n: this many low words would favour small results
         while (low_word(product) < surplus) product = (next() >> 32) * n;
     }
     return high_word(product);

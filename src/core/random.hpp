@@ -1,12 +1,12 @@
 #pragma once
-// Counter-based random numbers: a draw is a pure function of who asks and how often it asked before, so any rank, any
-// thread and any order gives the same numbers. Generator: Philox4x32-10, J. K. Salmon et al., "Parallel random numbers:
-// as easy as 1, 2, 3", SC11 (2011), from the Random123 library.
+// Counter-based random numbers: a draw is a pure function of the stream and the number of its earlier draws, so any
+// rank, thread and order gives the same numbers. Generator: Philox4x32-10, J. K. Salmon et al., "Parallel random
+// numbers: as easy as 1, 2, 3", SC11 (2011), from the Random123 library.
 //
-// A Philox block has a counter of 128 bits; arrangement, stream, geometry and draw want 192. So one block, keyed by the
+// A Philox block has a counter of 128 bits; arrangement, stream, geometry and draw need 192. So one block, keyed by the
 // campaign's seed, turns (arrangement, stream, geometry) into the 64-bit key of the stream, and under that key the
-// counter is (draw, arrangement, stream): two streams of one geometry differ for certain, those of two geometries
-// unless two 64-bit keys happen to be equal.
+// counter is (draw, arrangement, stream): two streams of one geometry always differ, those of two geometries unless two
+// 64-bit keys happen to be equal.
 
 #include <array>
 #include <cstdint>
@@ -41,7 +41,7 @@ class RandomStream {
     /// Uniform between low and high. One draw.
     double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
-    /// Uniform in 0 … n - 1 without bias, n >= 1. One draw, seldom more (D. Lemire, ACM TOMACS 29(1), 2019).
+    /// Uniform in 0 … n - 1 without bias, n >= 1. One draw, rarely more (D. Lemire, ACM TOMACS 29(1), 2019).
     std::uint32_t below(std::uint32_t n);
 
     /// Number of 64-bit words handed out so far.
@@ -58,7 +58,8 @@ class RandomStream {
     std::uint32_t arrangement_;
     std::uint32_t stream_;
     std::uint64_t draws_ = 0;
-    std::array<std::uint64_t, 8> words_{};  // four blocks at a time: independent, so the processor overlaps them
+    std::array<std::uint64_t, 8>
+        words_{};  // four blocks at a time: they are independent, so the processor overlaps them
 };
 
 }  // namespace floes

@@ -6,7 +6,7 @@ namespace floes {
 
 namespace {
 
-// Taylor series in r² for |r| <= pi/4: the first term left out is below 1e-19.
+// Taylor series in r² for |r| <= pi/4: the first omitted term is below 1e-19.
 double sine(double r, double r2) {
     double series = 1.0 / 355687428096000.0;  // 17!
     series = series * r2 - 1.0 / 1307674368000.0;

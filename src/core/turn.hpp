@@ -1,7 +1,7 @@
 #pragma once
-// Cosine and sine of a yaw from additions and multiplications only. A C library may choose its sin by the processor it
-// finds (glibc has one with fused multiply-add and one without), and a Monte Carlo chain that differs in one last bit
-// somewhere is another chain soon after.
+// Cosine and sine of a yaw from additions and multiplications only. A C library may choose its sin by processor (glibc
+// has one with fused multiply-add and one without), and a Monte Carlo chain that differs in a single last bit soon
+// becomes a different chain.
 
 namespace floes {
 

@@ -1,5 +1,5 @@
 #pragma once
-// Plain SI doubles inside, units at the door: value_in_SI = value_in_unit * unit.
+// Plain SI doubles inside, other units only at input and output: value_in_SI = value_in_unit * unit.
 
 #include <numbers>
 

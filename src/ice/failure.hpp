@@ -6,8 +6,8 @@
 //   bending      λ_b = |bending|                                 ε_b = L_e T_e² σ_b / 6   (3)
 //
 // The paper prints (1) and (2) with T_e², which makes a moment of a force (design decision 3);
-// ThresholdForm::as_printed compares these numbers as they stand. The paper has no criterion for the other parts. Given
-// a strength they get
+// ThresholdForm::as_printed compares these numbers as they stand. The paper has no criterion for the other parts. If a
+// strength is given, they are
 //
 //   tension           λ = max(0, axial)       ε = L_e T_e σ_t
 //   torsion           λ = |torsion|           ε = L_e T_e² τ / 3   thin rectangle, L_e >> T_e (Timoshenko and Goodier,
@@ -36,11 +36,11 @@ struct Thresholds {
 /// The thresholds of a scenario: its strengths, element size, thickness and form of Eqs. (1)-(2).
 Thresholds make_thresholds(const Scenario& scenario);
 
-/// The mode in which a joint with this reaction fails: the one with the largest λ/ε, if that exceeds 1. Of equals the
-/// first in the order of FailureMode.
+/// The mode in which a joint with this reaction fails: the one with the largest λ/ε, if that exceeds 1. Among equals,
+/// the first in the order of FailureMode.
 std::optional<FailureMode> failure(const JointReaction& reaction, const Thresholds& thresholds);
 
-/// The peaks when a joint has also carried this reaction.
+/// The peaks updated with this reaction of a joint.
 PeakReactions raised(const PeakReactions& peaks, const JointReaction& reaction);
 
 }  // namespace floes

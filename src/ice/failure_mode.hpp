@@ -1,5 +1,5 @@
 #pragma once
-// The ways in which a joint fails. The numbers are those of /breaks/mode in a campaign file: append only.
+// The failure modes of a joint. The numbers are those of /breaks/mode in a campaign file: only append.
 
 #include <array>
 #include <cstdint>

@@ -29,7 +29,7 @@ std::uint8_t FloeGrid::outline_edges(int index) const {
 
 namespace {
 
-/// Which square ring round the floe's centre a joint lies on, in half elements: exact, so that ties are ties.
+/// The square ring around the floe's centre on which a joint lies, in half elements: integers, so that ties are exact.
 int ring(const FloeGrid& grid, const GridJoint& joint) {
     const int i = joint.a % grid.elements_long;
     const int k = joint.a / grid.elements_long;
@@ -61,7 +61,7 @@ Quat joint_frame(JointAxis axis) {
 std::vector<int> connected_pieces(int elements, const std::vector<GridJoint>& joints) {
     std::vector<int> smallest(static_cast<std::size_t>(elements));
     for (int element = 0; element < elements; ++element) smallest[static_cast<std::size_t>(element)] = element;
-    // A floe has few elements: lower both ends of each joint until nothing changes.
+    // A floe has few elements: lower the labels at both ends of each joint until nothing changes.
     for (bool changed = true; changed;) {
         changed = false;
         for (const GridJoint& joint : joints) {

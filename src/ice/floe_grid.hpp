@@ -12,7 +12,7 @@ namespace floes {
 /// Edge faces of an element, along its own axes; bits of ElementState::exposed_edges.
 enum Edge : std::uint8_t { edge_plus_x = 1, edge_minus_x = 2, edge_plus_z = 4, edge_minus_z = 8 };
 
-/// Along which of the floe's axes a joint ties two elements.
+/// The axis of the floe along which a joint connects two elements.
 enum class JointAxis : std::uint8_t { x, z };
 
 /// A joint between two elements of a floe: b is a's neighbour in the direction +axis.
@@ -40,9 +40,9 @@ struct FloeGrid {
     std::uint8_t outline_edges(int index) const;
 };
 
-/// All joints of a floe in the one order in which they are created, numbered in the break log and swept by the solver.
+/// All joints of a floe in the order in which they are created, numbered in the break log and swept by the solver.
 /// Joints whose Σ is nearly 0 are as stiff as 50 sweeps in this order make them (design decision 1), so the order is
-/// part of the model. Chosen: square rings round the floe's centre, inner before outer, within a ring by element, x
+/// part of the model. Chosen: square rings around the floe's centre, inner before outer, within a ring by element, x
 /// before z. Σ = 1e-10 on the 5.4 m sheet of Fig. 2 then shows 207 MPa by the point-load formula (the paper: about 200;
 /// Bullet's own order 206, row by row 125, all x joints before all z joints 235).
 std::vector<GridJoint> joint_order(const FloeGrid& grid);
@@ -50,7 +50,7 @@ std::vector<GridJoint> joint_order(const FloeGrid& grid);
 /// joint -> floe rotation: x from a to b, y up.
 Quat joint_frame(JointAxis axis);
 
-/// For each of `elements` elements the smallest index in its connected piece, given the joints that are left.
+/// For each of `elements` elements the smallest index in its connected piece, given the remaining joints.
 std::vector<int> connected_pieces(int elements, const std::vector<GridJoint>& joints);
 
 }  // namespace floes

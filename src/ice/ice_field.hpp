@@ -28,19 +28,20 @@ struct IceElement {
 
 class IceField {
   public:
-    /// Puts one floe at each pose, flat at its floating height: middle at T/2 above its lower face, the draught being
-    /// T ρ_i/ρ_w. Elements floe by floe, joints floe by floe in joint_order(); every floe is one piece.
+    /// Puts one floe at each pose, flat at its floating height: its middle is T/2 above its lower face, and the draught
+    /// is T ρ_i/ρ_w. Creates elements floe by floe, then joints floe by floe in joint_order(); every floe is one piece.
     IceField(World& world, const Scenario& scenario, std::span<const PlanarPose> poses);
 
     /// All elements, floe by floe, within a floe by index.
     const std::vector<IceElement>& elements() const { return elements_; }
 
     /// To be called after every step of the world, which must be the one given to the constructor. Every joint whose
-    /// reaction exceeds a threshold fails and is removed; pieces, exposed edges, the break log and the peaks follow.
-    /// `time`: end of the step, s. Returns the number of joints that failed.
+    /// reaction exceeds a threshold fails and is removed; pieces, exposed edges, the break log and the peaks are
+    /// updated. `time`: end of the step, s. Returns the number of joints that failed.
     int break_joints(World& world, double time);
 
-    /// Repeats the breaks of another run over the same floes, which enter the log as they are: their joints are removed.
+    /// Repeats the breaks of another run over the same floes: removes their joints and copies them to the log
+    /// unchanged.
     void repeat_breaks(World& world, std::span<const BreakEvent> breaks);
 
     const std::vector<BreakEvent>& breaks() const { return breaks_; }  ///< by time, then floe, then joint

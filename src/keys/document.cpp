@@ -26,7 +26,7 @@ Value to_value(const toml::node& node) {
     return {Value::Strange{"a date or time"}};
 }
 
-/// An entry together with the line that orders it.
+/// An entry with its position in the text.
 struct Placed {
     Entry entry;
     toml::source_position at;

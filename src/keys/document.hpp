@@ -10,7 +10,8 @@
 
 namespace floes {
 
-/// A value as the text gives it. `Strange` is what no key takes: dates, tables, empty tables; `kind` names it.
+/// A value as written in the text. `Strange` is a kind that no key accepts: dates, tables, empty tables; `kind` names
+/// it.
 struct Value {
     struct Strange {
         std::string kind;
@@ -42,8 +43,8 @@ struct Document {
     std::vector<Block> blocks;
 };
 
-/// Reads TOML; `file` names it in messages. Throws InputError with file, line and column where the text is not TOML,
-/// and with file, line and key where a key is given twice.
+/// Reads TOML; `file` names it in messages. Throws InputError with file, line and column if the text is not TOML, and
+/// with file, line and key if a key is given twice.
 Document parse_document(std::string_view text, const std::string& file);
 
 /// Reads "key=value" of a command line option. A value that is not TOML is taken as a word, so that

@@ -1,5 +1,5 @@
 #pragma once
-// How far a mistyped word is from a known one.
+// Distance of a mistyped word from a known one.
 
 #include <cstddef>
 #include <string_view>

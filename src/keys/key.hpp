@@ -1,7 +1,7 @@
 #pragma once
 // A key of the configuration: a dotted path bound to one field, with its unit, range, meaning and source. One list of
-// keys drives all there is to do with configuration text: reading, overriding, writing, comparing, the reference. A
-// list of keys points into the value it describes and must not outlive it.
+// keys drives everything that concerns configuration text: reading, overriding, writing, comparing, the reference. A
+// list of keys points into the value that it describes and must not outlive it.
 
 #include <cstdint>
 #include <functional>
@@ -16,13 +16,13 @@
 
 namespace floes {
 
-/// What a number may be, in the unit of the key. NaN and infinities are never allowed.
+/// Allowed range of a number, in the unit of the key. NaN and infinities are never allowed.
 struct Range {
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
     bool low_included = true;
     bool high_included = true;
-    std::string reason;  ///< why, where it is not plain; said in the message
+    std::string reason;  ///< why, if it is not obvious; part of the message
 
     Range at_most(double bound) const;
     Range below(double bound) const;
@@ -43,7 +43,7 @@ struct NumberField {
 struct NumbersField {
     std::vector<double>* values;  ///< SI
     double unit;
-    Range range;  ///< of each
+    Range range;  ///< of each number
 };
 struct IntegerField {
     std::function<std::int64_t()> get;
@@ -86,7 +86,7 @@ struct Key {
 
 using Keys = std::vector<Key>;
 
-/// Makers of keys, one a kind of field.
+/// Functions that make keys, one for each kind of field.
 Key number_key(std::string path, double& field, double unit, Range range, std::string source, std::string doc);
 Key numbers_key(std::string path, std::vector<double>& field, double unit, Range range, std::string source,
                 std::string doc);
@@ -109,7 +109,7 @@ Key word_key(std::string path, Enum& field, std::vector<std::string> words, std:
 Key choice_key(std::string path, std::string& field, std::vector<std::string> words, std::string source,
                std::string doc);
 
-/// What the key takes, as said in messages and in the reference: "above 0 and at most 10".
+/// The values that the key accepts, as in messages and in the reference: "above 0 and at most 10".
 std::string allowed(const Key& key);
 
 /// The field's value as TOML text in the key's unit; reading it gives the same field, bit for bit.
@@ -121,8 +121,8 @@ std::string exact_text(const Key& key);
 /// The key of that path, or none.
 const Key* find_key(std::span<const Key> keys, const std::string& path);
 
-/// The path nearest to a mistyped one: fewest edits, a right name in a wrong table counting as one edit.
-/// `keys` is not empty.
+/// The path nearest to a mistyped one: fewest edits, where a correct name in a wrong table counts as one edit. `keys`
+/// is not empty.
 std::string nearest_path(std::span<const Key> keys, const std::string& path);
 
 }  // namespace floes

@@ -8,7 +8,7 @@
 namespace floes {
 namespace {
 
-/// TOML tells integers from numbers by the point; a key that takes a number shows one.
+/// TOML distinguishes integers from floats by the point, so a key that takes a number is written with one.
 std::string with_point(std::string text) {
     if (text.find_first_of(".en") == std::string::npos) text += ".0";
     return text;

@@ -33,7 +33,7 @@ struct Assigner {
         const std::optional<double> number = as_number(entry.value);
         if (!number) throw wrong("is not a number", field.range.reason);
         const double in_si = *number * field.unit;
-        // The range is about the number; the product may still underflow to a forbidden 0, or overflow.
+        // The range applies to the number as written; the product may still underflow to a forbidden 0, or overflow.
         const bool lost = (in_si == 0 && *number != 0) || std::isinf(in_si);
         if (!field.range.contains(*number) || lost) throw wrong("is out of range", field.range.reason);
         *field.value = in_si;

@@ -41,7 +41,7 @@ std::string broken_literal(const Key& key) {
     return broken;
 }
 
-/// "|" would end a cell of a Markdown table.
+/// Escapes "|", which would end a cell of a Markdown table.
 std::string cell(std::string text) {
     for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2)) text.insert(at, "\\");
     return text;

@@ -15,10 +15,12 @@ using TableTitles = std::map<std::string, std::string>;
 
 enum class Comments { none, all };
 
-/// "[table]" and "name = value" lines in the order of the keys, with what each key means and allows when asked for.
+/// "[table]" and "name = value" lines in the order of the keys, with the meaning and the allowed values of each key if
+/// requested.
 std::string write_tables(std::span<const Key> keys, const TableTitles& titles, Comments comments);
 
-/// A section and a Markdown table a table of keys: key, default (the fields' present values), allowed, meaning, source.
+/// A section with a Markdown table for each table of keys: key, default (the fields' present values), allowed, meaning,
+/// source.
 std::string reference_markdown(std::span<const Key> keys, const TableTitles& titles);
 
 /// "path = exact value" lines, sorted by path: equal exactly when all fields are.

@@ -11,11 +11,11 @@
 namespace floes {
 namespace {
 
-constexpr double largest_cfm = 0.9;  // the sweeps hardly converge from there on
+constexpr double largest_cfm = 0.9;  // above it the sweeps hardly converge
 constexpr double tolerance = 0.005;  // of E, relative
 constexpr int most_tests = 24;
 
-/// The plate test at one Σ, remembered in the curve.
+/// Runs the plate test for values of Σ and stores the points of the curve.
 class Curve {
   public:
     Curve(const Scenario& scenario, const PlateTest& test) : scenario_(scenario), test_(test) {}
@@ -41,11 +41,9 @@ class Curve {
 
 [[noreturn]] void refuse_above_ceiling(const Scenario& scenario, double wanted, double ceiling) {
     throw InputError(
-        fmt::format("An elastic modulus of {:.6g} MPa is above {:.4g} MPa, the most that elements of {} m show with {} "
-                    "iterations and a "
-                    "time step of {} s: sweeps that have not converged leave the ice soft however small Σ is. Allowed "
-                    "is less; try more "
-                    "iterations or larger elements.",
+        fmt::format("An elastic modulus of {:.6g} MPa is above {:.4g} MPa, the largest that elements of {} m reach "
+                    "with {} iterations and a time step of {} s: sweeps that have not converged leave the ice soft "
+                    "however small Σ is. Allowed is less; try more iterations or larger elements.",
                     wanted / unit::megapascal, ceiling / unit::megapascal, scenario.floe.element,
                     scenario.general.iterations, scenario.general.time_step));
 }
@@ -90,7 +88,7 @@ CurvePoint measure_curve_point(const Scenario& scenario, const PlateTest& test) 
 
 Calibration calibrate_cfm(const Scenario& scenario, const PlateTest& test, double elastic_modulus) {
     if (!(elastic_modulus > 0 && std::isfinite(elastic_modulus)))
-        throw InputError(fmt::format("The wanted elastic modulus is {} Pa; it must be above 0.", elastic_modulus));
+        throw InputError(fmt::format("The requested elastic modulus is {} Pa; it must be above 0.", elastic_modulus));
     Curve curve(scenario, test);
     const double wanted = std::log(elastic_modulus);
     const double ceiling = curve.log_modulus(vanishing_cfm);
@@ -106,8 +104,7 @@ Calibration calibrate_cfm(const Scenario& scenario, const PlateTest& test, doubl
         if (high >= std::log(largest_cfm))
             throw InputError(
                 fmt::format("An elastic modulus of {:.6g} MPa needs Σ above {}, where the sweeps do not converge; try "
-                            "a larger modulus, "
-                            "smaller elements or a larger time step.",
+                            "a larger modulus, smaller elements or a larger time step.",
                             elastic_modulus / unit::megapascal, largest_cfm));
         low = high;
         low_excess = high_excess;
@@ -128,7 +125,7 @@ Calibration calibrate_cfm(const Scenario& scenario, const PlateTest& test, doubl
             low_excess /= 2;
         }
     }
-    throw InputError(fmt::format("No Σ was found that shows {:.6g} MPa; its curve is not smooth for these iterations.",
+    throw InputError(fmt::format("No Σ was found that gives {:.6g} MPa; the curve is not smooth with these iterations.",
                                  elastic_modulus / unit::megapascal));
 }
 

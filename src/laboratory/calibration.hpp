@@ -1,5 +1,5 @@
 #pragma once
-// The E-Σ curve of Fig. 2, and its inverse: the Σ with which numerical ice shows a wanted elastic modulus.
+// The E-Σ curve of Fig. 2, and its inverse: the Σ that gives numerical ice a requested elastic modulus.
 
 #include <vector>
 
@@ -8,7 +8,7 @@
 
 namespace floes {
 
-/// One plate test and all that its modulus depends on. SI.
+/// One plate test and everything on which its modulus depends. SI.
 struct CurvePoint {
     double sheet = 0;
     double element = 0;
@@ -35,21 +35,21 @@ std::vector<PointPlan> curve_plans(const Scenario& scenario);
 /// measure_plate_deflection() on the scenario's ice; throws as it does.
 CurvePoint measure_curve_point(const Scenario& scenario, const PlateTest& test);
 
-/// The scenario with all that a plate test does not depend on at its default: equal for two scenarios exactly when
-/// their ice is calibrated alike. Keeps general, ice, joint (but Σ, which the test varies), element and water density.
+/// The scenario with everything that does not affect a plate test set to its default: equal for two scenarios exactly
+/// if they share a calibration. Keeps general, ice, joint (except Σ, which the test varies), element and water density.
 Scenario plate_scenario(const Scenario& scenario);
 
 /// Σ so small that only the sweeps limit the stiffness: E there is the ceiling of element size, Δt, Γ and iterations.
 inline constexpr double vanishing_cfm = 1e-10;
 
 struct Calibration {
-    double cfm = 0;                 ///< shows the wanted modulus within 1 %
+    double cfm = 0;                 ///< gives the requested modulus within 1 %
     double ceiling = 0;             ///< Pa, E at vanishing_cfm
-    std::vector<CurvePoint> curve;  ///< all that was measured on the way, by rising Σ
+    std::vector<CurvePoint> curve;  ///< all points measured, by ascending Σ
 };
 
-/// The Σ that makes the scenario's ice show `elastic_modulus` (Pa, patch load). Throws InputError when the modulus is
-/// above the ceiling (unconverged Gauss-Seidel is no stiffer) or so small that Σ would have to be 0.9 or more.
+/// The Σ that gives the scenario's ice `elastic_modulus` (Pa, patch load). Throws InputError if the modulus is above
+/// the ceiling (set by unconverged Gauss-Seidel) or so small that Σ would have to be 0.9 or more.
 Calibration calibrate_cfm(const Scenario& scenario, const PlateTest& test, double elastic_modulus);
 
 }  // namespace floes

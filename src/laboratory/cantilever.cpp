@@ -16,7 +16,8 @@
 namespace floes {
 namespace {
 
-// Statics only: damping shortens the way to rest and is absent at it. As a share of momentum lost in one step.
+// Only the state at rest matters: damping shortens the settling and has no effect at rest. Share of momentum lost in
+// one step.
 constexpr double settling_loss = 0.1;
 constexpr double largest_load = 6.0;  // in units of the predicted one
 
@@ -39,7 +40,7 @@ class Beam {
                  0) {
         const double height = test.floating ? scenario.floating_height() : 0;
         const Vec3 half_extents(side_ / 2, scenario.ice.thickness / 2, side_ / 2);
-        // The clamp holds by its joint alone: the body stands aside, where nothing touches it.
+        // The clamp acts only through its joint: its body is placed aside, where nothing touches it.
         BodyId last = world_.add_fixed_box({.half_extents = half_extents, .pose = {.position = {-10 * side_, 0, 0}}});
         for (int i = 0; i < test.elements; ++i) {
             elements_.push_back(world_.add_element({.half_extents = half_extents,
@@ -57,7 +58,7 @@ class Beam {
         }
     }
 
-    /// Brings the beam to rest under the load, N; false when it does not come to rest.
+    /// Brings the beam to rest under the load, N; false if it does not come to rest.
     bool settle_under(double load) {
         const double start = side_ * (test_.elements - 0.5);
         return settle([&] { advance(load); },
@@ -65,7 +66,7 @@ class Beam {
             .has_value();
     }
 
-    /// The joint, from the clamp, that fails at rest under what it carries: the one with the largest λ/ε of all.
+    /// The joint, counted from the clamp, that fails at rest: the one with the largest λ/ε.
     std::optional<std::pair<int, FailureMode>> failing_joint() const {
         for (std::size_t j = 0; j < joints_.size(); ++j) {
             if (const auto mode = failure(world_.reaction(joints_[j]), thresholds_))
@@ -80,7 +81,8 @@ class Beam {
             const BodyState body = world_.state(element);
             if (test_.floating)
                 world_.apply(element, water_.wrench({body.position, body.rotation, body.velocity, body.spin, 0}, 0));
-            const double moment_of_inertia = mass_ * side_ * side_ / 12;  // the smallest of a flat box, so none gains
+            const double moment_of_inertia =
+                mass_ * side_ * side_ / 12;  // the smallest of a flat box, so that no axis gains momentum
             world_.apply(element, {.force = -settling_loss * mass_ / time_step_ * body.velocity,
                                    .moment = -settling_loss * moment_of_inertia / time_step_ * body.spin});
         }
@@ -91,7 +93,8 @@ class Beam {
     Wrench load_wrench(double load) const {
         const double half = side_ / 2;
         switch (test_.load) {
-            case BeamLoad::bending:  // at the tip; a floating beam is lifted, pressed down it would soon drown
+            case BeamLoad::bending:  // at the tip; a floating beam is lifted, because pressed down it would soon
+                                     // submerge
                 return test_.floating ? Wrench{{0, load, 0}, {0, 0, load * half}}
                                       : Wrench{{0, -load, 0}, {0, 0, -load * half}};
             case BeamLoad::shear:  // through the clamp's face, so that no moment acts there

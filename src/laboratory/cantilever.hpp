@@ -1,6 +1,6 @@
 #pragma once
 // The cantilever test on numerical ice: a beam one element wide, clamped at one end, loaded at the other until a joint
-// fails. What strength does the beam show? Also one element sheared or crushed against the clamp.
+// fails. Measures the strength of the beam. Also shears or crushes one element against the clamp.
 
 #include "ice/failure_mode.hpp"
 #include "scenario/scenario.hpp"
@@ -18,11 +18,12 @@ struct BeamTest {
 
 struct BeamStrength {
     FailureMode mode = FailureMode::bending;  ///< of the joint that failed first
-    int joint = 0;                            ///< which, from 0 at the clamp
+    int joint = 0;                            ///< its index, from 0 at the clamp
     double length = 0;                        ///< m, from the load to that joint
     double load = 0;                          ///< N, at failure
-    double strength = 0;  ///< Pa shown: bending 6 P L/(b h²), else P/(b h), or P/(b h²) as Eqs. (1)-(2) are printed
-    double set = 0;       ///< Pa, the scenario's strength of that kind
+    double strength =
+        0;  ///< Pa, measured: bending 6 P L/(b h²), otherwise P/(b h), or P/(b h²) as Eqs. (1)-(2) are printed
+    double set = 0;  ///< Pa, the scenario's strength of that kind
 };
 
 /// Raises the load in increments, each settled, until a joint fails. Uses general, ice, joint, floe.element of the

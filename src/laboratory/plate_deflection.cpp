@@ -15,7 +15,8 @@
 namespace floes {
 namespace {
 
-// Statics only: damping shortens the way to rest and is absent at it. 0.7 of critical settles fastest.
+// Only the state at rest matters: damping shortens the settling and has no effect at rest. 0.7 of critical settles
+// fastest.
 constexpr double settling_damping = 0.7;
 
 int elements_across(const Scenario& scenario, double sheet) {
@@ -65,7 +66,7 @@ class Sheet {
                  scenario.element_mass(), 0, 0),
           loaded_(loaded_elements(across, scenario.floe.element)) {}
 
-    /// How far the centre of the sheet lies below its first height when at rest under a total load, m.
+    /// Depth of the centre of the sheet below its initial height, at rest under a total load, m.
     double settled_depth(double load) {
         const auto depth = settle([&] { advance(load); }, [&] { return checked_depth(load); }, 0.0);
         if (!depth)
@@ -88,7 +89,7 @@ class Sheet {
             throw InputError(fmt::format("The load of {} N breaks the sheet; try a smaller one.", load));
     }
 
-    /// Past its freeboard the sheet is no longer a plate on a foundation.
+    /// Below its freeboard the sheet is no longer a plate on a foundation.
     double checked_depth(double load) const {
         const double depth = start_height_ - centre_height();
         const double freeboard = scenario_.ice.thickness * (1 - scenario_.ice.density / scenario_.water.density);

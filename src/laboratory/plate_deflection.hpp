@@ -1,7 +1,7 @@
 #pragma once
 // The plate-deflection test of Fig. 2 on numerical ice: a floating sheet of elements is loaded at its centre in
-// increments, and the slope of load over deflection gives the elastic modulus that element size, Σ, Γ, Δt and the
-// number of iterations make together. The sheet is one large floe: same joints, solver and joint order as a campaign.
+// increments, and the slope of load over deflection gives the elastic modulus that results from element size, Σ, Γ, Δt
+// and the number of iterations. The sheet is one large floe: same joints, solver and joint order as a campaign.
 
 #include <vector>
 
@@ -11,7 +11,7 @@ namespace floes {
 
 struct PlateTest {
     double sheet = 5.4;  ///< side of the square sheet, m; a whole number of elements, at least 2
-    double load = 3.0;   ///< largest total load, N, on the centre element, or on the four round the centre
+    double load = 3.0;   ///< largest total load, N, on the centre element, or on the four around the centre
     int increments = 3;  ///< equal steps up to it, each settled
 };
 
@@ -24,7 +24,7 @@ struct PlateDeflection {
 };
 
 /// Runs the test on the scenario's ice (thickness, density, element, joint, general, water density; ν = 0.3; the rest
-/// of the scenario does not matter). Throws InputError when elements do not divide the sheet, the load breaks or sinks
+/// of the scenario does not matter). Throws InputError if elements do not divide the sheet, the load breaks or sinks
 /// the sheet, or an increment does not settle.
 PlateDeflection measure_plate_deflection(const Scenario& scenario, const PlateTest& test);
 

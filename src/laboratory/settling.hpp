@@ -1,5 +1,5 @@
 #pragma once
-// Waiting for rest: a laboratory test reads its ice only when another while changes nothing any more.
+// Waiting for rest: a laboratory test takes a reading only when further steps no longer change it.
 
 #include <cmath>
 #include <optional>
@@ -7,12 +7,13 @@
 
 namespace floes {
 
-/// Steps between two looks, and how many looks a test may take.
+/// Steps between two observations, and the largest number of observations.
 inline constexpr int steps_between_looks = 25;
 inline constexpr int most_looks = 400;
 
-/// Calls advance() until observe() (m) changes by no more than 1e-7 of its distance from `origin` between two looks,
-/// twice running; a turning point is no rest. Returns that reading, or nothing when it never settles.
+/// Calls advance() until observe() (m) changes by no more than 1e-7 of its distance from `origin` between two
+/// observations, twice in a row, because a turning point is not rest. Returns the last observation, or nothing if it
+/// never settles.
 template <class Advance, class Observe>
 std::optional<double> settle(Advance&& advance, Observe&& observe, double origin) {
     double reading = observe();

@@ -1,5 +1,5 @@
 #pragma once
-// What one member gives: a row of Table 3, its load histories, its break log and the arrangement it began from.
+// The result of one member: a row of Table 3, its load histories, its break log and its initial arrangement.
 
 #include <limits>
 #include <string>
@@ -15,7 +15,8 @@ namespace floes {
 
 enum class MemberStatus : std::int8_t { done = 0, failed = 1 };
 
-/// The result of one member. Of a failed member only status, reason, arrangement and what was recorded before count.
+/// The result of one member. For a failed member only status, reason, arrangement and what was recorded before the
+/// failure are valid.
 struct MemberResult : MemberOutputs {
     static constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
 

@@ -12,11 +12,11 @@ constexpr std::size_t level_bytes = 2 * 4;
 
 std::uint8_t read_below(ByteReader& in, std::uint8_t limit) {
     const std::uint8_t value = in.u8();
-    if (value >= limit) throw RunError("a stored member has a state that does not exist; it was damaged");
+    if (value >= limit) throw RunError("a stored member has an unknown state; it was damaged");
     return value;
 }
 
-/// Each with its key, so that a reader of another version knows which they are.
+/// Writes each with its key, so that a reader of another version can identify it.
 void write_quantities(ByteWriter& out, const MemberOutputs& outputs) {
     out.u32(static_cast<std::uint32_t>(quantities.size()));
     for (const Quantity& one : quantities) {
@@ -25,7 +25,7 @@ void write_quantities(ByteWriter& out, const MemberOutputs& outputs) {
     }
 }
 
-/// Those that are not in the bytes are NaN; keys that this version does not know are passed over.
+/// Quantities missing in the bytes are NaN; keys unknown to this version are skipped.
 void read_quantities(ByteReader& in, MemberOutputs& outputs) {
     outputs = unmeasured(0);
     for (std::uint32_t left = in.u32(); left > 0; --left) {
@@ -137,9 +137,9 @@ MemberResult read_older_member_result(ByteReader& in) {
           &quantity("peak_torsion"), &quantity("peak_in_plane_bending")})
         take(*one, in.f64());
     read_record(in, result);
-    // The oldest end here,
+    // The oldest records end here,
     if (in.left() > 0) result.cpu_time = in.f64();
-    if (in.left() == 0) return result;  // and those of layout 1.2 here.
+    if (in.left() == 0) return result;  // those of layout 1.2 here.
     take(quantity("skewness"), in.f64());
     take(quantity("excess_kurtosis"), in.f64());
     read_levels(in, result);

@@ -1,6 +1,6 @@
 #pragma once
-// A member's result as bytes, to the last bit and the same on every machine: what journals keep, and what goes between
-// ranks and between a member's own process and the one that waits for it.
+// A member's result as bytes, exact and the same on every machine: for journals, and for messages between ranks and
+// from isolated processes.
 
 #include "core/bytes.hpp"
 #include "member/result.hpp"
@@ -9,11 +9,11 @@ namespace floes {
 
 void write(ByteWriter& out, const MemberResult& result);
 
-/// What write() wrote, bit for bit. Throws RunError when the bytes are no result.
+/// Restores what write() wrote, bit for bit. Throws RunError if the bytes are not a result.
 MemberResult read_member_result(ByteReader& in);
 
-/// What versions wrote before quantities had their keys beside them (journals of schema 1 and 2). Where the result is
-/// the last thing in the bytes, those of still older versions are read as well.
+/// The same for results without keys of quantities (journals of schema 1 and 2). Even older versions are read if the
+/// result is the last thing in the bytes.
 MemberResult read_older_member_result(ByteReader& in);
 
 }  // namespace floes

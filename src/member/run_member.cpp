@@ -17,7 +17,7 @@
 namespace floes {
 namespace {
 
-// A member is computed by one thread from its begin to its end.
+// One thread computes a member from start to end.
 double cpu_seconds_of_this_thread() {
     timespec now{};
     ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -32,7 +32,7 @@ int count_failures(std::span<const BreakEvent> breaks, FailureMode mode) {
     return static_cast<int>(std::ranges::count(breaks, mode, &BreakEvent::mode));
 }
 
-/// What was recorded, whether or not the run reached its end.
+/// Takes over what was recorded, whether or not the run reached its end.
 void take_record(MemberResult& result, const Simulation& simulation) {
     result.history = simulation.loads();
     result.breaks = simulation.ice().breaks();
@@ -54,7 +54,7 @@ void take_statistics(MemberResult& result, const Scenario& scenario, const Simul
     result.failure_ratio = simulation.ice().failure_ratio();
 }
 
-/// What the campaign keeps of a history of every step.
+/// Thins a history of every step as the campaign requests.
 LoadHistory kept(LoadHistory history, const Analysis& analysis) {
     if (!analysis.keep_history) return {};
     if (analysis.history_stride == 1) return history;

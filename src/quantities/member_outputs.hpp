@@ -1,12 +1,12 @@
 #pragma once
-// What a member measures, as numbers. Which of them are known by name, and where they appear: quantity.hpp.
+// The numbers that a member measures. quantity.hpp lists those with a name and where they appear.
 
 #include "ice/peak_reactions.hpp"
 #include "statistics/load_statistics.hpp"
 
 namespace floes {
 
-/// Of a failed member only the failures and the peaks count: they were recorded before it failed.
+/// For a failed member only the failures and the peaks are valid: they were recorded before it failed.
 struct MemberOutputs {
     LoadStatistics load;       ///< of the surge load in the window
     double mean_sway = 0;      ///< N, over the window

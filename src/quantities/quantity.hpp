@@ -1,7 +1,7 @@
 #pragma once
-// The list of what a member gives as single numbers. It drives the journal, the columns of the campaign file and their
-// page, the stop rule, summaries, pairs and designs. A new quantity is its field in MemberOutputs, one line here, and
-// the computation in member/run_member.cpp.
+// The list of scalar quantities of a member. It drives the journal, the columns of the campaign file and their page,
+// the stop rule, summaries, pairs and designs. A new quantity is its field in MemberOutputs, one line here, and the
+// computation in member/run_member.cpp.
 
 #include <algorithm>
 #include <array>
@@ -14,13 +14,13 @@
 
 namespace floes {
 
-/// Where a quantity stands in the outputs.
+/// Access to a quantity in the outputs.
 struct Place {
     double (*get)(const MemberOutputs&);
     void (*set)(MemberOutputs&, double);  ///< a count takes NaN as 0
 };
 
-/// at<&MemberOutputs::load, &LoadStatistics::mean>: the members to follow, a double or an int at the end.
+/// at<&MemberOutputs::load, &LoadStatistics::mean>: the chain of data members, which ends at a double or an int.
 template <auto... Path>
 constexpr Place at() {
     return {[](const MemberOutputs& outputs) { return static_cast<double>((outputs.*....*Path)); },
@@ -36,12 +36,12 @@ constexpr Place at() {
 inline constexpr double no_least = -std::numeric_limits<double>::infinity();
 inline constexpr double no_most = std::numeric_limits<double>::infinity();
 
-/// How far up a quantity is shown.
+/// Where a quantity is shown; each level includes those before it.
 enum class Shown {
-    in_file,      ///< a column of /members, no more
-    in_summary,   ///< and a line of each case's summary
-    in_table3,    ///< and with every interval, and in comparisons of cases: the rows of Table 3
-    in_headlines  ///< and where there is room for few
+    in_file,      ///< only a column of /members
+    in_summary,   ///< also a line of each case's summary
+    in_table3,    ///< also with every interval and in comparisons of cases: the rows of Table 3
+    in_headlines  ///< also where there is room for only a few
 };
 
 struct Quantity {
@@ -52,17 +52,17 @@ struct Quantity {
     Shown shown = Shown::in_file;
     std::string_view name = {};   ///< in JSON and CSV of summaries; ends in the unit
     std::string_view label = {};  ///< in tables, with the unit
-    double least = 0;             ///< values keep to [least, most], and so do intervals
+    double least = 0;             ///< values and intervals lie in [least, most]
     double most = no_most;
     bool positive = false;    ///< above 0 in any run: ranges of single runs are taken on a logarithmic scale
     bool percent = false;     ///< shown in percent
-    bool count = false;       ///< a whole number, whose total over runs says something too
-    bool stops = false;       ///< a stop rule may look at it
-    bool in_designs = false;  ///< followed along the axes of a design
-    int since = 0;            ///< minor version of the file's layout 1 that brought it
+    bool count = false;       ///< a whole number whose total over runs is reported too
+    bool stops = false;       ///< a stop rule may use it
+    bool in_designs = false;  ///< used in the sensitivity to a design's axes
+    int since = 0;            ///< minor version of the file's layout 1 that introduced it
 
     double of(const MemberOutputs& outputs) const { return place.get(outputs); }
-    constexpr double factor() const { return percent ? 100 : 1; }  ///< from the value to what is shown
+    constexpr double factor() const { return percent ? 100 : 1; }  ///< displayed value / stored value
 };
 
 /// In the order in which they are shown.
@@ -207,7 +207,7 @@ inline constexpr std::array quantities{
              .count = true},
 };
 
-/// The quantity of that key; nullptr where there is none.
+/// The quantity of that key; nullptr if there is none.
 constexpr const Quantity* find_quantity(std::string_view key) {
     const auto* const found = std::ranges::find(quantities, key, &Quantity::key);
     return found == quantities.end() ? nullptr : found;
@@ -218,12 +218,12 @@ consteval const Quantity& quantity(std::string_view key) {
     return *find_quantity(key);
 }
 
-/// Those that are shown at least so far up, in order.
+/// The quantities shown at this level or above, in order.
 constexpr auto shown_in(Shown least) {
     return std::views::filter(quantities, [least](const Quantity& one) { return one.shown >= least; });
 }
 
-/// Outputs of which nothing is known: every quantity is NaN, every count 0, each of `segments` maxima NaN.
+/// Outputs without data: every quantity is NaN, every count 0, each of `segments` maxima NaN.
 inline MemberOutputs unmeasured(int segments) {
     MemberOutputs outputs;
     outputs.load.steady = false;

@@ -1,5 +1,5 @@
 #pragma once
-// How long and how often a load is beyond given levels: what is left of a load history when it is not kept.
+// How long and how often a load exceeds given levels: a summary for members whose load history is not kept.
 
 #include <span>
 #include <vector>

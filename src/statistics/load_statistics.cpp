@@ -14,8 +14,8 @@
 namespace floes {
 namespace {
 
-// Batch means: 15 batches of a 150 s window are 10 s each, longer than the load remembers, so their means are nearly
-// independent, and 13 degrees of freedom remain for the test.
+// Batch means: 15 batches of a 150 s window last 10 s each, longer than the correlation time of the load, so their
+// means are nearly independent, and 13 degrees of freedom remain for the test.
 constexpr std::size_t most_batches = 15;
 constexpr double significance = 0.05;
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
@@ -85,7 +85,7 @@ LoadStatistics load_statistics(std::span<const double> window, double time_step,
         throw std::invalid_argument(fmt::format("The time step is {} s; it must be above 0.", time_step));
     if (!std::ranges::all_of(window, [](double value) { return std::isfinite(value); })) {
         throw std::invalid_argument(
-            "The load in the window is not finite everywhere; a member like that has no statistics.");
+            "The load in the window is not finite everywhere, so the member has no statistics.");
     }
     LoadStatistics result;
     result.mean = mean_of(window);

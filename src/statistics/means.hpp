@@ -10,7 +10,7 @@ namespace floes {
 /// Sum over count, added in order; NaN of none.
 double mean_of(std::span<const double> values);
 
-/// Value k is the mean of values[k * batch] … values[(k + 1) * batch - 1]; values left over at the end are left out.
+/// Value k is the mean of values[k * batch] … values[(k + 1) * batch - 1]; an incomplete batch at the end is dropped.
 /// `batch` at least 1.
 std::vector<double> batch_means(std::span<const double> values, std::size_t batch);
 

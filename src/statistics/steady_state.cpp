@@ -28,14 +28,14 @@ std::optional<std::size_t> steady_start(std::span<const double> load) {
     std::size_t best = 0;
     double least = std::numeric_limits<double>::infinity();
     double mean = 0;
-    double squares = 0;  // of means[i] … from their mean, taken in from the end (Welford)
+    double squares = 0;  // of means[i] … about their mean, accumulated from the end (Welford)
     for (std::size_t i = means.size(); i-- > 0;) {
         const double count = static_cast<double>(means.size() - i);
         const double before = means[i] - mean;
         mean += before / count;
         squares += before * (means[i] - mean);
         const double error = squares / (count * count);
-        if (i <= most && error <= least) {  // of equal ones the longest
+        if (i <= most && error <= least) {  // of equal ones, the longest
             least = error;
             best = i;
         }

@@ -1,5 +1,5 @@
 #pragma once
-// A clamped beam loaded at its tip, dry and floating: the strength that a cantilever test reads.
+// A clamped beam loaded at its tip, dry and floating: the strength measured by a cantilever test.
 
 namespace floes {
 
@@ -7,9 +7,9 @@ namespace floes {
 /// failing section of breadth b and thickness h (m): 6 P L/(b h²).
 double nominal_flexural_strength(double load, double length, double breadth, double thickness);
 
-/// P L/M0 of a floating cantilever: what the nominal formula reads divided by the strength at the root. Hetényi (1946),
-/// beam on an elastic foundation: M0 = (P/λ)(sinh λL cos λL + cosh λL sin λL)/(cosh² λL + cos² λL),
-/// λ = (3 k/(E h³))^(1/4), k = ρ_w g. At least 1; 1 for a stiff or short beam. SI.
+/// P L/M0 of a floating cantilever: the result of the nominal formula divided by the strength at the root. Hetényi
+/// (1946), beam on an elastic foundation: M0 = (P/λ)(sinh λL cos λL + cosh λL sin λL)/(cosh² λL + cos² λL), λ = (3 k/(E
+/// h³))^(1/4), k = ρ_w g. At least 1; 1 for a stiff or short beam. SI.
 double floating_cantilever_factor(double elastic_modulus, double length, double thickness, double foundation);
 
 }  // namespace floes

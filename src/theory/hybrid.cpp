@@ -8,7 +8,7 @@ namespace floes {
 HybridModel::HybridModel(const IceHull& hull, const LevelIce& ice, double concentration, double floe_length,
                          double speed)
     : hull_(hull), ice_(ice), concentration_(concentration), floe_length_(floe_length), speed_(speed) {
-    limit_stress(1);  // refuses a hull that has no load
+    limit_stress(1);  // throws for a hull without a load
 }
 
 HybridModel HybridModel::with(const KprCoefficients& coefficients) const {

@@ -1,7 +1,7 @@
 #pragma once
-// The hybrid model of Uto et al. (2015) as the paper uses it: the mean load is the smaller one of what it takes to
-// break the floes (limit stress, Lindqvist) and of what it takes to push them aside (limit momentum, KPR).
-// R_F = min(R_LS, R_LM), R_LS = IC R_LF (Eq. (6)), R_LM = R_SF (Eq. (7)).
+// The hybrid model of Uto et al. (2015) as the paper uses it: the mean load is the smaller of the load that breaks the
+// floes (limit stress, Lindqvist) and the load that pushes them aside (limit momentum, KPR). R_F = min(R_LS, R_LM),
+// R_LS = IC R_LF (Eq. (6)), R_LM = R_SF (Eq. (7)).
 
 #include <optional>
 
@@ -17,16 +17,16 @@ class HybridModel {
     HybridModel(const IceHull& hull, const LevelIce& ice, double concentration, double floe_length, double speed);
 
     /// The same with the KPR static coefficient k1 that makes both limits cross at a modulus (Pa), k2 = k3 = 0: one
-    /// free constant from one known fact, a calibration and not a test. At model speed the other two parts are below
-    /// 1 % of the static one.
+    /// free constant from one known value, which is a calibration and not a test. At model speed the other two parts
+    /// are below 1 % of the static one.
     HybridModel crossing_at(double elastic_modulus) const;
     HybridModel with(const KprCoefficients& coefficients) const;
 
-    LindqvistLoad limit_stress(double elastic_modulus) const;  ///< R_LS in its parts, N; E in Pa, > 0
+    LindqvistLoad limit_stress(double elastic_modulus) const;  ///< R_LS by component, N; E in Pa, > 0
     double limit_momentum() const;                             ///< R_LM, N
     double load(double elastic_modulus) const;                 ///< R_F, N
 
-    /// The modulus (Pa) at which both limits are equal: floes break above it. None when R_LM is below R_LS at any E.
+    /// The modulus (Pa) at which both limits are equal: floes break above it. Empty if R_LM is below R_LS at any E.
     std::optional<double> crossing() const;
 
     const KprCoefficients& coefficients() const { return coefficients_; }

@@ -10,13 +10,13 @@
 
 namespace floes {
 
-/// The load at one modulus, N.
+/// Loads at one modulus, N.
 struct HybridPoint {
     double elastic_modulus = 0;        ///< Pa
-    double characteristic_length = 0;  ///< of a floating plate of it, m
-    LindqvistLoad limit_stress;        ///< in its parts
+    double characteristic_length = 0;  ///< of a floating plate of this modulus, m
+    LindqvistLoad limit_stress;        ///< by component
     double limit_momentum = 0;
-    double load = 0;  ///< the smaller one
+    double load = 0;  ///< the smaller of the two limits
 };
 
 struct HybridCurve {
@@ -26,9 +26,9 @@ struct HybridCurve {
     std::optional<double> crossing;  ///< Pa; none when floes are pushed aside at any modulus
 };
 
-/// What Lindqvist asks of a ship, of a body of revolution: breadth and length are the waterline diameter, the wall is
-/// met square (α = 90 degrees), its angle is that from the waterline upwards, which Table 2 gives. Throws InputError
-/// when the wall is vertical or leans over there.
+/// The ship dimensions of Lindqvist's formula for a body of revolution: breadth and length are the waterline diameter,
+/// the ice meets the wall squarely (α = 90 degrees), and the wall angle is the one just above the waterline (Table 2).
+/// Throws InputError if the wall is vertical or overhangs there.
 IceHull hull_of(const Scenario& scenario);
 
 /// The model without KPR coefficients. Throws InputError as hull_of() and lindqvist_load() do.

@@ -1,13 +1,13 @@
 #pragma once
 // Kashtelyan, Poznyak and Ryvlin (1968): the load of small floes that do not break, as the sum of a static, a
-// dissipative (~ speed) and an impact part (~ speed²). The three coefficients were fitted to ships by the authors; no
-// source that could be read gives their numbers, so here they are arguments. SI units, angles in rad.
+// dissipative (~ speed) and an impact part (~ speed²). The authors fitted the three coefficients to ships; no
+// accessible source gives their values, so they are arguments here. SI units, angles in rad.
 
 #include "theory/lindqvist.hpp"
 
 namespace floes {
 
-/// k1, k2, k3: how much of each part there is. Concentration and channel width are in them.
+/// k1, k2, k3: the weights of the parts. They include concentration and channel width.
 struct KprCoefficients {
     double static_part = 0;
     double dissipative = 0;

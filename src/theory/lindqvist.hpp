@@ -3,7 +3,7 @@
 // sloping hull by crushing at the stem, bending along the waterline and submergence of the broken ice. SI units,
 // angles in rad.
 //
-// Of the elastic modulus only bending knows, as 1/√E, so the load is a + b/√E and falls with E.
+// Only bending depends on the elastic modulus, as 1/√E, so the load is a + b/√E and decreases with E.
 
 namespace floes {
 
@@ -19,7 +19,7 @@ struct IceHull {
     double normal_angle() const;  ///< ψ, of the hull's normal from the vertical
 };
 
-/// The ice it goes through.
+/// The ice.
 struct LevelIce {
     double thickness = 0;         ///< h, m
     double bending_strength = 0;  ///< σ_b, Pa
@@ -40,7 +40,7 @@ struct LindqvistLoad {
 };
 
 /// R = (R_c + R_b)(1 + 1.4 v/√(g h)) + R_s (1 + 9.4 v/√(g L)), part by part; `speed` in m/s, >= 0. Throws InputError
-/// for a hull that jams rather than breaks ice: μ sin φ >= cos ψ.
+/// for a hull on which ice jams instead of breaking: μ sin φ >= cos ψ.
 LindqvistLoad lindqvist_load(const IceHull& hull, const LevelIce& ice, double speed);
 
 }  // namespace floes

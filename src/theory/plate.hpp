@@ -27,8 +27,8 @@ double patch_load_slope(const FloatingPlate& plate, double elastic_modulus, doub
 /// E (Pa) from the slope (N/m) of a point load: 3/16 (1 - ν²)/(ρ_w g h³) slope².
 double modulus_from_point_slope(const FloatingPlate& plate, double slope);
 
-/// E (Pa) from the slope (N/m) of a load on a circle of radius a (m). Throws InputError when the slope is no more than
-/// the buoyancy of the loaded circle itself, π a² k: no plate is that soft.
+/// E (Pa) from the slope (N/m) of a load on a circle of radius a (m). Throws InputError unless the slope exceeds the
+/// buoyancy of the loaded circle itself, π a² k: no plate is softer.
 double modulus_from_patch_slope(const FloatingPlate& plate, double slope, double radius);
 
 }  // namespace floes

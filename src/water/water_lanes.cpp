@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t widest = 8;
 
 WaterKernel water_kernel(int width) {
-    static_cast<void>(lane_kernels(width));  // refuses a width that this processor does not have
+    static_cast<void>(lane_kernels(width));  // throws for a width that this processor does not have
 #if defined(__x86_64__)
     if (width == 2) return water_sse2;
     if (width == 4) return water_avx2;
@@ -44,7 +44,7 @@ void WaterLanes::set(std::size_t place, const ElementState& state) {
         for (std::size_t i = 0; i < count; ++i) at[(first + i) * stride_] = values[i];
     };
     put(state.position.data(), water_field::position, 3);
-    put(state.rotation.data(), water_field::rotation, 9);  // column by column, as Eigen keeps it
+    put(state.rotation.data(), water_field::rotation, 9);  // by column, as in Eigen
     put(state.velocity.data(), water_field::velocity, 3);
     put(state.spin.data(), water_field::spin, 3);
     exposed_edges_[place] = state.exposed_edges;

@@ -1,5 +1,5 @@
 #pragma once
-// WaterModel::wrench for many elements at once, one a SIMD lane. The same bits, at every width.
+// WaterModel::wrench for many elements at once, one for each SIMD lane. The same bits at every width.
 //
 //   water.set(place, element);           // places 0, 1, ... in any order; neighbours with the same exposed edges are
 //   water.compute(count, structure_x);   // computed fastest
@@ -17,7 +17,7 @@ namespace floes {
 
 class WaterLanes {
   public:
-    /// Room for `elements` elements. width: one of lane_widths(); RunError for any other.
+    /// Space for `elements` elements. width: one of lane_widths(); throws RunError for any other.
     WaterLanes(const WaterModel& model, std::size_t elements, int width);
 
     void set(std::size_t place, const ElementState& state);

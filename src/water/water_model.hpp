@@ -1,10 +1,10 @@
 #pragma once
 // The force of the water on one element, as a pure function of its state: buoyancy, form drag, skin drag, heave drag.
 //
-// Buoyancy. At the 2 x 2 Gauss points of the element's base, (±L/√12, ±L/√12), stands a column along the element's own
+// Buoyancy. At the 2 x 2 Gauss points of the element's base, (±L/√12, ±L/√12), there is a column along the element's
 // normal. Each gives ρ_w g (L²/4) x (its submerged length), upward, at the middle of its submerged part. As long as
 // neither face crosses the surface, force and moment are exact at any tilt: the Gauss points integrate ξ² exactly, so
-// the metacentric term ρ_w g L⁴/12 is all there. Fully submerged or dry elements are exact as well.
+// the metacentric term ρ_w g L⁴/12 is complete. Fully submerged or dry elements are exact as well.
 //
 // Drag, relative to the water velocity u (flow.hpp, at the point concerned; the structure's circle moves):
 //   form  an edge face without a live joint whose outward normal n meets the flow (u_rel · n < 0):
@@ -40,7 +40,7 @@ class WaterModel {
     /// Depth of the lower face of an element of this mass at rest: m / (ρ_w L²), m.
     double floating_draught() const;
 
-    /// What many elements at once are computed with (water_lanes.hpp).
+    /// The constants for computing many elements at once (water_lanes.hpp).
     WaterFactors factors() const;
 
   private:

@@ -1,5 +1,5 @@
 // The separating-axis test against another algorithm: two polygons overlap if a corner of one lies inside the other or
-// two of their sides cross. (The area they share would not do: where they nearly touch it drowns in rounding.)
+// two of their sides cross. (Their common area is no alternative: rounding dominates it where they nearly touch.)
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // The sampler against a reference: orientational order of 400 hard squares in a periodic square box. The reference
 // figures are those of an independent program (0.4 to 1 million sweeps; the same program gives the density of hard
 // discs within its error of the published one): concentration 0.50, 0.65, 0.75 -> psi4 0.0555(3), 0.126(3), 0.808(2).
-// At 0.75 psi4 seems to depend on how the floes' common direction lies to the box, and that direction needs more than a
-// million sweeps to turn round: chains that begin along the box give 0.8155(12); two that were compressed from a
+// At 0.75 psi4 seems to depend on the angle between the floes' common direction and the box, and that direction needs
+// more than a million sweeps to turn: chains that begin along the box give 0.8155(12); two that were compressed from a
 // disordered fluid gave 0.810(2) and 0.798(4), at 35 and 10 to 28 degrees. So one chain begins along the box, one
 // across.
 

@@ -1,5 +1,5 @@
-// Is the start forgotten? Arrangements from two very different starts are compared, figure by figure, in units of the
-// standard error that their scatter from arrangement to arrangement gives.
+// Whether the chain forgets its start: arrangements from two very different starts are compared, figure by figure, in
+// units of the standard error from their scatter over arrangements.
 
 #include <gtest/gtest.h>
 

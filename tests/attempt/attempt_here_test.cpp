@@ -1,4 +1,4 @@
-// Members in this process: what can be contained, is.
+// Members in this process: failures that can be contained are contained.
 
 #include "attempt/attempt_here.hpp"
 
@@ -27,7 +27,7 @@ TEST(AttemptHere, GivesResultsAndContainsExceptionsAndNonsense) {
     const MemberFunction hungry = [](const Campaign&, int, std::stop_token) -> MemberResult { throw std::bad_alloc(); };
     EXPECT_EQ(here(hungry, 0).result->reason, "There was not enough memory for the member.");
     const MemberFunction silent = [](const Campaign&, int, std::stop_token) -> MemberResult { throw 42; };
-    EXPECT_THAT(here(silent, 0).result->reason, HasSubstr("says nothing"));
+    EXPECT_THAT(here(silent, 0).result->reason, HasSubstr("without a message"));
 }
 
 TEST(AttemptHere, EndsAtTheDeadlineAMemberThatLooks) {

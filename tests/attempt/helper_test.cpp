@@ -1,4 +1,4 @@
-// Members in processes of their own, in every way they can end.
+// Members in isolated processes, in every way they can end.
 
 #include "attempt/helper.hpp"
 
@@ -97,16 +97,16 @@ TEST_F(HelperTest, SaysHowAProcessEnded) {
     EXPECT_EQ(reason(members::crash), "The process of the member was killed by SIGSEGV (Segmentation fault).");
     EXPECT_EQ(reason(members::abort), "The process of the member was killed by SIGABRT (Aborted).");
     EXPECT_THAT(reason(members::killed), HasSubstr("SIGKILL (Killed): by hand, or by the system"));
-    EXPECT_EQ(reason(members::leave), "The process of the member left with exit status 3 and without a result.");
+    EXPECT_EQ(reason(members::leave), "The process of the member exited with status 3 without a result.");
     EXPECT_EQ(reason(members::exception), "the ice melted");
-    EXPECT_EQ(reason(members::nan), "The load of the member has statistics that are not numbers.");
+    EXPECT_EQ(reason(members::nan), "The load statistics of the member are not numbers.");
     EXPECT_TRUE(run(members::good).result) << "the helper survives it all";
 }
 
 TEST_F(HelperTest, EndsAMemberAtItsDeadlineHungOrStopped) {
     for (const members::Way way : {members::hang, members::stop_itself}) {
         const auto begin = Clock::now();
-        EXPECT_THAT(reason(way, {.deadline = 0.2}), HasSubstr("not done after 0.2 s, which is run.member_deadline_s"));
+        EXPECT_THAT(reason(way, {.deadline = 0.2}), HasSubstr("not done after 0.2 s (run.member_deadline_s)"));
         EXPECT_GE(seconds_since(begin), 0.2);
         EXPECT_LT(seconds_since(begin), 5.0);
     }

@@ -1,5 +1,5 @@
 #pragma once
-// Members that end in every way there is. Which way is told by the member's number.
+// Members that end in every possible way, chosen by the member's number.
 
 #include <sys/prctl.h>
 #include <unistd.h>

@@ -5,12 +5,12 @@ source "$(dirname "$0")/common.sh"
 SHORT=(--set analysis.window_s=3.0)
 expect 0 whole "$FLOES" run campaign.toml -o whole.h5 "${SHORT[@]}"
 expect 0 first "$FLOES" run campaign.toml -o first.h5 --part 1/3 "${SHORT[@]}"
-said first "part 1 of 3: 4 of them"
+said first "part 1 of 3: 4 of these members"
 said first "4 of 4 done, 0 failed"
 expect 0 second "$FLOES" run campaign.toml -o second.h5 --part 2/3 "${SHORT[@]}"
 
 expect 1 two "$FLOES" merge first.h5 second.h5 -o two.h5
-said two "6 of 8 members done, 0 failed, 2 in no part"
+said two "6 of 8 members done, 0 failed, 2 missing from all parts"
 expect 0 completed "$FLOES" run campaign.toml -o two.h5 --resume "${SHORT[@]}"
 said completed "6 members reused, 2 to compute"
 same whole.h5 two.h5

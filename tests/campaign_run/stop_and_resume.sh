@@ -16,9 +16,9 @@ expect 0 whole "$FLOES" run campaign.toml -o whole.h5
 wait_for_a_member alone.journal
 stopped alone TERM $!
 said alone "stopped by SIGTERM"
-command=$(sed -n 's/.*to go on: //p' alone.log)
+command=$(sed -n 's/.*to resume: //p' alone.log)
 [ "$command" = "$FLOES run campaign.toml -o alone.h5 --resume --threads 1 --set campaign.seed=1" ] ||
-    fail "the command to go on is '$command'"
+    fail "the command to resume is '$command'"
 expect 0 alone_resumed bash -c "$command"
 said alone_resumed "resumed: "
 same whole.h5 alone.h5
@@ -41,7 +41,7 @@ same whole.h5 again.h5
 "${MPIRUN[@]}" -n 2 "$FLOES" run campaign.toml -o ranks.h5 > ranks.log 2>&1 &
 wait_for_a_member ranks.journal
 stopped ranks USR1 $!
-said ranks "to go on: mpirun -n 2 $FLOES run campaign.toml -o ranks.h5 --resume"
+said ranks "to resume: mpirun -n 2 $FLOES run campaign.toml -o ranks.h5 --resume"
 expect 0 ranks_resumed "${MPIRUN[@]}" -n 3 "$FLOES" run campaign.toml -o ranks.h5 --resume
 same whole.h5 ranks.h5
 

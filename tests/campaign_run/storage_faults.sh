@@ -35,7 +35,7 @@ wait_for_a_member two.journal
 expect 2 second "$FLOES" run campaign.toml -o two.h5 --resume --set campaign.arrangements=12
 said second "is being written by another run"
 expect 0 status "$FLOES" status two.h5
-said status "At work"
+said status "Running: "
 kill -9 "$first"
 wait "$first" || true
 expect 0 status "$FLOES" status two.h5 --watch

@@ -1,4 +1,4 @@
-// floes calibrate: what it is asked for is what it measures, in both directions.
+// floes calibrate: it measures what the arguments request, in both directions.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -45,7 +45,7 @@ TEST(Plan, GivesATableThatSaysWhereTheTimesComeFrom) {
     const std::string text = plan("--cores 400");
     EXPECT_THAT(text, HasSubstr("table3: 90 members"));
     EXPECT_THAT(text, HasSubstr("Run times: the expected cost of each member"));
-    EXPECT_THAT(text, HasSubstr("400 cores: too few members for them"));
+    EXPECT_THAT(text, HasSubstr("400 cores: too few members;"));
     EXPECT_EQ(std::ranges::count(plan("--cores 2,4 --format csv"), '\n'), 3);
 }
 

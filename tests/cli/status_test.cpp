@@ -54,7 +54,7 @@ TEST(Status, IsReadFromTheJournalDuringARunAndAfterIt) {
         ASSERT_TRUE(live.seconds_left.has_value());
         // Done members took 12.5 to 21.5 s each; three are left on four threads.
         EXPECT_NEAR(*live.seconds_left, 3 * 16.5 / 4, 3.0);
-        EXPECT_THAT(status_table(live), HasSubstr("At work: 2 ranks, 4 threads from node0"));
+        EXPECT_THAT(status_table(live), HasSubstr("Running: 2 ranks, 4 threads from node0"));
     }
     const CampaignStatus killed = read_status(folder / "a.h5");
     expect_counts(killed);
@@ -83,7 +83,7 @@ TEST(Status, TellsFromTheHeartbeatWhatIsUnderWay) {
         EXPECT_DOUBLE_EQ(*live.seconds_left, 180);
         const std::string text = status_table(live);
         EXPECT_THAT(text, HasSubstr(", 6.0 members/min, about 3 min left"));
-        EXPECT_THAT(text, HasSubstr("under way\n  member 5 (case open, arrangement 1, attempt 2): 33 s\n"));
+        EXPECT_THAT(text, HasSubstr("running\n  member 5 (case open, arrangement 1, attempt 2): 33 s\n"));
         EXPECT_THAT(text, HasSubstr("slowest\n  member 9 (case soft, arrangement 3, attempt 2): 22 s\n"));
         const auto json = nlohmann::json::parse(status_json(live));
         EXPECT_EQ(json["heartbeat"]["stale"], false);
@@ -102,7 +102,7 @@ TEST(Status, TellsFromTheHeartbeatWhatIsUnderWay) {
     EXPECT_FALSE(killed.at_work);
     EXPECT_FALSE(killed.rate.has_value());
     EXPECT_TRUE(killed.under_way.empty());
-    EXPECT_THAT(status_table(killed), HasSubstr("has not been heard of for"));
+    EXPECT_THAT(status_table(killed), HasSubstr("sent its last heartbeat"));
     EXPECT_EQ(nlohmann::json::parse(status_json(killed))["heartbeat"]["stale"], true);
 }
 
@@ -123,7 +123,7 @@ TEST(Status, TableNamesCasesAndFailures) {
     const Campaign campaign = synthetic::campaign();
     publish(folder / "a.h5", campaign, some_records(campaign), {});
     const std::string text = status_table(read_status(folder / "a.h5"));
-    EXPECT_THAT(text, HasSubstr("synthetic: 8 of 12 members done, 1 failed, 3 to go"));
+    EXPECT_THAT(text, HasSubstr("synthetic: 8 of 12 members done, 1 failed, 3 to do"));
     EXPECT_THAT(text, HasSubstr("stiff       1       1       2       4"));
     EXPECT_THAT(text, HasSubstr("member 4 (case stiff, arrangement 1): an element ran away"));
     publish(folder / "b.h5", synthetic::campaign(1), synthetic::records(synthetic::campaign(1)), {});
@@ -178,11 +178,11 @@ TEST(Status, MissesNothingBeyondThePrecisionThatWasWanted) {
     }
     const CampaignStatus status = read_status(folder / "a.h5");
     const std::string text = status_table(status);
-    EXPECT_THAT(text, HasSubstr("synthetic: 6 of 6 members done, 0 failed, 0 to go\n"));
+    EXPECT_THAT(text, HasSubstr("synthetic: 6 of 6 members done, 0 failed, 0 to do\n"));
     EXPECT_THAT(text, Not(HasSubstr("--resume")));
     // 102 ± 1.5 t(1) / √1: half-widths of 12.706 · 1.5 over 101.5, the smallest of the three means.
-    EXPECT_THAT(text, HasSubstr("Precise enough after 2 arrangements of at most 4, nothing more is wanted. Half-width "
-                                "for mean_load of every case: 18.8 %, 50 % wanted.\n"));
+    EXPECT_THAT(text, HasSubstr("Precise enough after 2 arrangements of at most 4, no more are needed. Half-width "
+                                "for mean_load of every case: 18.8 %, target 50 %.\n"));
     const auto json = nlohmann::json::parse(status_json(status));
     EXPECT_EQ(json["missing"], 0);
     EXPECT_EQ(json["stop"]["met"], true);
@@ -200,13 +200,13 @@ TEST(Status, TellsHowFarThePrecisionIsThatIsWanted) {
     precise.campaign.stop.case_name = "soft";
     publish(folder / "a.h5", precise.campaign, precise.records, {});
     const CampaignStatus status = read_status(folder / "a.h5");
-    EXPECT_THAT(status_table(status), HasSubstr("5 to go"));
+    EXPECT_THAT(status_table(status), HasSubstr("5 to do"));
     EXPECT_THAT(status_table(status), HasSubstr("Half-width for mean_load of case soft and of stiff - soft after 2 "
-                                                "arrangements of at most 4: 18.8 %, 10 % wanted.\n"));
+                                                "arrangements of at most 4: 18.8 %, target 10 %.\n"));
     EXPECT_EQ(nlohmann::json::parse(status_json(status))["stop"]["met"], false);
     publish(folder / "b.h5", precise.campaign, {}, {});
     const CampaignStatus none = read_status(folder / "b.h5");
-    EXPECT_THAT(status_table(none), HasSubstr("nothing to tell yet, 10 % wanted"));
+    EXPECT_THAT(status_table(none), HasSubstr("not known yet, target 10 %"));
     EXPECT_TRUE(nlohmann::json::parse(status_json(none))["stop"]["half_width_percent"].is_null());
     publish(folder / "c.h5", synthetic::campaign(), {}, {});
     EXPECT_TRUE(nlohmann::json::parse(status_json(read_status(folder / "c.h5")))["stop"].is_null());

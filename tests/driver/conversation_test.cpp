@@ -1,5 +1,5 @@
-// Master and worker, each against a script that plays the other side: what is said, in which order, and what is said
-// when something is wrong.
+// Master and worker, each against a script that plays the other side: which messages they send, in which order, and in
+// case of errors.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -69,7 +69,8 @@ TEST(WorkerConversation, SaysHelloAnswersAndLeaves) {
     link.finish();
 }
 
-// With one thread: those done while another waits behind the one at work go together, the last by itself.
+// With one thread: answers finished while another member waits behind the running one travel together, the last one
+// alone.
 TEST(WorkerConversation, AnswersTogetherWhileOthersWait) {
     const Campaign campaign = synthetic::campaign(2);
     FakeLink link(1, 2);
@@ -274,7 +275,7 @@ TEST(MasterConversation, EndsTheRunWhenRanksDisagreeOrAreInTrouble) {
     FakeLink disagreeing(0, 2);
     disagreeing.expect(1, Tag::campaign);
     disagreeing.deliver(1, Tag::hello, encode(Hello{1, "there", "another"}));
-    EXPECT_THAT(error_of(disagreeing), HasSubstr("Rank 1 on there understood another campaign"));
+    EXPECT_THAT(error_of(disagreeing), HasSubstr("Rank 1 on there read a different campaign"));
     disagreeing.finish();
 
     FakeLink troubled(0, 2);

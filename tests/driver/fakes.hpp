@@ -1,5 +1,5 @@
 #pragma once
-// Member functions that stand in for the physics: fast, slow, broken. What they give depends on the member alone.
+// Member functions that replace the physics: fast, slow, broken. Their results depend on the member alone.
 
 #include <algorithm>
 #include <chrono>

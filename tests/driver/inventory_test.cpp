@@ -1,4 +1,4 @@
-// What is done and what is to do, from records alone.
+// Which members are done and which are still to do, from records alone.
 
 #include "driver/inventory.hpp"
 
@@ -28,7 +28,7 @@ class InventoryOf : public testing::Test {
         records_.back().attempt = attempt;
     }
 
-    /// A session is lost while the member is under way.
+    /// A session is lost while the member is running.
     void lose(int number) {
         attempts_.started(identity(synthetic::record(campaign_, number)));
         attempts_.close_session();

@@ -1,4 +1,4 @@
-// Campaigns that end when they are precise enough: after the same arrangement whatever finishes first.
+// Campaigns that end when they are precise enough: after the same arrangement in any order of completion.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -57,8 +57,9 @@ TEST(Precision, SaysWhatWasReachedWhenArrangementsRunOut) {
     TemporaryFolder folder;
     fake::Run run(folder / "a.h5", campaign(0.01));
     EXPECT_EQ(run(fake::compute), 0) << run.said;
-    EXPECT_THAT(run.said, HasSubstr("all 60 arrangements are done and the half-width is 15.1 %, 1 % wanted; raise"));
-    EXPECT_THAT(run.said, HasSubstr("% after 60 arrangements, 1 % wanted"));
+    EXPECT_THAT(run.said,
+                HasSubstr("all 60 arrangements are done and the half-width is 15.1 %, target 1 %; to continue, raise"));
+    EXPECT_THAT(run.said, HasSubstr("% after 60 arrangements, target 1 %"));
     EXPECT_EQ(read_campaign_file(run.file).members.size(), 180u);
 }
 
@@ -67,7 +68,7 @@ TEST(Precision, SaysThatItHadNotHeldLongEnough) {
     fake::Run run(folder / "a.h5", campaign(0.25));
     run.campaign.arrangements = enough_for_a_quarter - 1;
     EXPECT_EQ(run(fake::compute), 0) << run.said;
-    EXPECT_THAT(run.said, HasSubstr("25 % wanted, but that had not held for stop.look_ahead = 2 arrangements"));
+    EXPECT_THAT(run.said, HasSubstr("target 25 %, but not met for stop.look_ahead = 2 arrangements in a row"));
 }
 
 TEST(Precision, RefusesARuleOfNoCase) {

@@ -1,4 +1,4 @@
-// What a resumed run finds in the journal of the runs before it.
+// What a resumed run finds in the journal of earlier runs.
 
 #include "driver/recorder.hpp"
 
@@ -20,7 +20,7 @@ class Sessions : public testing::Test {
         return recorder;
     }
 
-    /// A session that is killed while `number` is under way.
+    /// A session that is killed while `number` is running.
     void lose(int number, bool retry_failed = false) {
         Recorder recorder = open(retry_failed);
         recorder.started(number, attempts_made(recorder, number) + 1);

@@ -70,9 +70,9 @@ TEST(RunCampaign, SetsFailedMembersAsideAndGoesOn) {
     };
     EXPECT_EQ(run(broken), 1);
     EXPECT_EQ(finished(run), 12);
-    EXPECT_THAT(run.said, HasSubstr("member 5 (case open, arrangement 1) failed and is tried again: the ice melted"));
+    EXPECT_THAT(run.said, HasSubstr("member 5 (case open, arrangement 1) failed and will be retried: the ice melted"));
     EXPECT_THAT(run.said,
-                HasSubstr("member 5 (case open, arrangement 1) failed and is set aside: the ice melted (2 attempts)"));
+                HasSubstr("member 5 (case open, arrangement 1) failed and was set aside: the ice melted (2 attempts)"));
     EXPECT_THAT(run.said, HasSubstr("1 of 12 members failed"));
     const CampaignTable table = read_campaign_file(run.file);
     EXPECT_EQ(table.members[5].status, RowStatus::failed);
@@ -86,7 +86,7 @@ TEST(RunCampaign, StopsOnASignalPublishesAndCanBeResumed) {
     fake::Run run(folder / "a.h5");
     EXPECT_EQ(run(stopping_at(6), Existing::resume), 85);
     EXPECT_THAT(run.said, HasSubstr("stopped by SIGTERM with"));
-    EXPECT_THAT(run.said, HasSubstr("to go on: RESUME COMMAND"));
+    EXPECT_THAT(run.said, HasSubstr("to resume: RESUME COMMAND"));
     const int kept = finished(run);
     EXPECT_GE(kept, 1);
     EXPECT_LT(kept, 12);
@@ -169,7 +169,7 @@ TEST(RunCampaign, ExtendedCampaignEqualsOneMadeAtOnce) {
     };
     EXPECT_EQ(grown(counted, Existing::resume), 0);
     EXPECT_EQ(calls, 12 - 4);
-    EXPECT_THAT(grown.said, HasSubstr("the campaign is extended, what is there stays: campaign.arrangements: 2 there"));
+    EXPECT_THAT(grown.said, HasSubstr("the campaign is extended, existing results are kept: campaign.arrangements: 2 there"));
     EXPECT_THAT(grown.said, HasSubstr("4 members reused, 8 computed, 0 retried, 0 set aside"));
     fake::Run whole(folder / "whole.h5");
     ASSERT_EQ(whole(fake::compute_by_identity), 0);
@@ -189,7 +189,7 @@ TEST(RunCampaign, NeverOverwritesUnasked) {
         }
         return std::string("not refused");
     };
-    EXPECT_THAT(refused(), HasSubstr("a.h5 exists already: --resume goes on with it, --overwrite begins anew"));
+    EXPECT_THAT(refused(), HasSubstr("a.h5 exists already: --resume continues it, --overwrite starts afresh"));
     std::filesystem::remove(run.file);
     EXPECT_THAT(refused(), HasSubstr("a.journal exists already"));
     EXPECT_EQ(run(fake::compute, Existing::replace), 0);

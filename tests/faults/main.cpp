@@ -1,9 +1,9 @@
-// A floes run whose members are made up and break in a chosen way: what tests/faults/matrix.py runs.
+// A floes run with fake members that break in a chosen way, for tests/faults/matrix.py.
 //
 //     faulty FOLDER NAME.h5 ISOLATION THREADS [WAY MEMBER]
 //
-// FOLDER gets the process numbers of every rank and its helper. With a WAY, the MEMBER breaks so the first time it is
-// computed, and whenever it is with "always_" before the way. Goes on with what is there.
+// FOLDER gets the process numbers of every rank and its helper. With a WAY, the MEMBER breaks in this way on its first
+// attempt, with the prefix "always_" on every attempt. Resumes an existing campaign.
 
 #include <unistd.h>
 

@@ -135,7 +135,7 @@ def member_always_breaks(folder, whole, way, isolation):
         if status == 1:
             break
     assert status == 1, f"the member is not set aside: {status}"
-    said(folder, "is set aside")
+    said(folder, "was set aside")
     assert run_to_end(folder, isolation=isolation, fault=fault) == 1
     said(folder, "30 members reused, 0 to compute")
 

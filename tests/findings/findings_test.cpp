@@ -1,4 +1,4 @@
-// The parts of what is found, as table, JSON and CSV.
+// The findings as table, JSON and CSV.
 
 #include "findings/parts.hpp"
 

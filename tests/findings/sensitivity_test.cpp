@@ -1,4 +1,4 @@
-// What decides the load, from a design and its members to text.
+// Sensitivity, from a design and its members to text.
 
 #include "findings/sensitivity.hpp"
 #include "campaign/read.hpp"
@@ -121,7 +121,7 @@ TEST(Sensitivity, IsOfNumbersAlone) {
     const Campaign of_words = read(words);
     const Sensitivity found = find_sensitivity(of_words, table_of(of_words));
     EXPECT_THAT(found.rows, IsEmpty());
-    EXPECT_THAT(text_of(sensitivity_section(found)), HasSubstr("The axis field.far_end takes no numbers"));
+    EXPECT_THAT(text_of(sensitivity_section(found)), HasSubstr("The axis field.far_end is not numeric"));
     const Campaign none = read("");
     EXPECT_THAT(text_of(sensitivity_section(find_sensitivity(none, table_of(none)))), HasSubstr("has no design"));
 }

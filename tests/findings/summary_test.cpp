@@ -1,14 +1,16 @@
-// Members become statistics of their case; a member without a result is missing, never zero.
+// Statistics of a case from its members; a member without a result is missing, never zero.
 
 #include "findings/summary.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
 #include "findings/example.hpp"
+#include "findings/pairs.hpp"
 
 namespace floes {
 namespace {
@@ -77,6 +79,21 @@ TEST(Summary, OfACaseWithoutResultsIsUndefined) {
         EXPECT_TRUE(row.totals.empty());
         for (const Quantity& one : shown_in(Shown::in_summary)) EXPECT_TRUE(std::isnan(row.of(one).estimate));
     }
+}
+
+// A quantity that is younger than the file, or than some of its journal.
+TEST(Summary, LeavesOutWhatADoneMemberDoesNotHave) {
+    CampaignTable table = example::campaign();
+    table.members[0].load.sd = std::nan("");
+    const Summary summary = summarise(table);
+    EXPECT_DOUBLE_EQ(summary.cases[0].of(quantity("sd_load")).estimate, (28 + 24 + 30) / 6.0);
+    EXPECT_EQ(summary.cases[0].done, 4);
+    const std::vector<PairRow> pairs = compare_pairs(table);
+    const auto of_sd = std::ranges::find(pairs, &quantity("sd_load"), &PairRow::quantity);
+    EXPECT_EQ(of_sd->found.arrangements, pairs.front().found.arrangements - 1);
+    for (MemberRow& row : table.members) row.load.sd = std::nan("");
+    EXPECT_TRUE(std::isnan(summarise(table).cases[0].of(quantity("sd_load")).estimate));
+    EXPECT_NO_THROW(compare_pairs(table));
 }
 
 TEST(Summary, OfOneArrangementHasNoLimits) {

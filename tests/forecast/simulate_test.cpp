@@ -1,4 +1,4 @@
-// The simulated run against closed forms and against a run played by hand.
+// The simulated run against closed forms and a run computed by hand.
 
 #include "forecast/simulate.hpp"
 

@@ -1,4 +1,4 @@
-// Joints break at their thresholds in the world, and what follows from it.
+// Joints break at their thresholds in the world, and the consequences.
 
 #include <gtest/gtest.h>
 

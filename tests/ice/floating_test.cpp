@@ -1,4 +1,4 @@
-// Floes as they are put on the water: where they float, that they stay at rest, that they do not touch themselves.
+// Newly placed floes: where they float, that they stay at rest, that their elements do not touch each other.
 
 #include <gtest/gtest.h>
 

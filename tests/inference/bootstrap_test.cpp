@@ -1,4 +1,4 @@
-// Bootstrap intervals: what they must be in closed form, that they cover, and that they repeat.
+// Bootstrap intervals: closed forms, coverage and repeatability.
 
 #include "inference/bootstrap.hpp"
 

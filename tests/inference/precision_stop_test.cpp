@@ -1,4 +1,4 @@
-// The stop rule: by hand, and what its intervals cover when run time goes with the load.
+// The stop rule: by hand, and the coverage of its intervals if run time grows with the load.
 
 #include "inference/precision_stop.hpp"
 

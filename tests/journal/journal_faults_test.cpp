@@ -1,4 +1,4 @@
-// What disks and other processes do to a journal: cut, flipped, full, gone, shared.
+// Damage to a journal by disks and other processes: cut, flipped, full, gone, shared.
 
 #include <gmock/gmock.h>
 #include <sys/resource.h>
@@ -30,7 +30,7 @@ TEST(JournalFaults, CutAtEveryByteKeepsEveryWholeRecordAndGoesOn) {
             EXPECT_EQ(contents.torn_bytes, size - small.ends[kept]);
             EXPECT_EQ(std::filesystem::file_size(torn), size) << "reading must not change the file";
         } else {
-            EXPECT_THAT(refusal([&] { read_journal(torn); }), HasSubstr("holds nothing yet"));
+            EXPECT_THAT(refusal([&] { read_journal(torn); }), HasSubstr("is still empty"));
         }
         {
             Journal journal = open_journal(torn, "name = \"small\"\n", Existing::resume);

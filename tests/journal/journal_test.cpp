@@ -76,7 +76,7 @@ TEST(Journal, KnowsTheAttemptsThatNeverEnded) {
         journal.begin_session(synthetic::session(session));
         journal.started(ended, 1);
         journal.started(lost, session + 1);
-        EXPECT_EQ(journal.attempts().lost(lost), session) << "it is under way";
+        EXPECT_EQ(journal.attempts().lost(lost), session) << "it is running";
         journal.append(small_record(0));
     }  // killed
     {

@@ -1,4 +1,5 @@
-// kill -9 at a moment of chance: what a writer said was stored is stored, and the campaign file is never half a file.
+// kill -9 at a random moment: everything that the writer reported as stored is stored, and the campaign file is always
+// whole.
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

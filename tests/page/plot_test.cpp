@@ -1,4 +1,4 @@
-// One diagram: where its ticks stand, and that a value lands where the axis says.
+// One diagram: positions of its ticks, and values drawn at the position given by the axis.
 
 #include "page/plot.hpp"
 

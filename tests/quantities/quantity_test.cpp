@@ -1,4 +1,4 @@
-// The list that everything goes by: its keys are of one kind, and each finds its own place.
+// The list of quantities: its keys have one form, and each leads to its own place.
 
 #include "quantities/quantity.hpp"
 

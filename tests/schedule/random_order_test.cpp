@@ -1,7 +1,7 @@
-// Random orders of events against the scheduler. Whatever joins, answers, dies, comes late or asks to stop:
-//   the invariants hold after every event; no member is recorded twice; an attempt number is never given twice;
+// Random sequences of events against the scheduler: workers join, answer, die and answer late, and stops are requested.
+//   the invariants hold after every event; no member is recorded twice; an attempt number is never used twice;
 //   without a stop every member is recorded; after a stop nothing is assigned; a member is recorded as failed exactly
-//   when its failures are as many as allowed; once lost with its worker, it is only computed apart.
+//   when it has used up its failures; once lost with its worker, it is only computed in isolation.
 
 #include <algorithm>
 #include <map>

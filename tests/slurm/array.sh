@@ -16,10 +16,10 @@ until_true 60 is_asleep || fail "the second part has no member after a minute"
 scancel --batch --signal=USR1 "$held"
 
 ends "$merge" COMPLETED 90
-said "floes-${held}_2.log" "part 2 of 3: 4 of them"
+said "floes-${held}_2.log" "part 2 of 3: 4 of these members"
 said "floes-${held}_2.log" "ended with 85 and requeued"
 said "floes-${held}_2.log" "resumed: "
-said "floes-merge-$merge.log" "12 of 12 members done, 0 failed, 0 in no part"
+said "floes-merge-$merge.log" "12 of 12 members done, 0 failed, 0 missing from all parts"
 same whole.h5 campaign.h5
 
 # What is no part of it is refused.

@@ -1,4 +1,4 @@
-// Steady state and autocorrelation of loads whose answer is known.
+// Steady state and autocorrelation of loads with known results.
 
 #include "statistics/steady_state.hpp"
 #include "statistics/means.hpp"

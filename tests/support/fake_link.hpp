@@ -1,13 +1,13 @@
 #pragma once
-// A link that plays the other ranks by a script and complains about every message that the script does not have.
+// A link that plays the other ranks by a script and reports every message that is not in the script.
 //
 //     FakeLink link(/*rank*/ 1, /*size*/ 2);
-//     link.deliver(0, Tag::campaign, …);   // handed out by poll() once all that was expected before it has been sent
+//     link.deliver(0, Tag::campaign, …);   // returned by poll() after all messages expected before it were sent
 //     link.expect(0, Tag::hello);          // the next message sent must be this one
 //     …
 //     link.finish();                       // nothing of the script is left
 //
-// A party that waits for something the script does not have gets an exception after a while.
+// If the tested side waits for a message that is not in the script, it gets an exception after a while.
 
 #include <chrono>
 #include <deque>

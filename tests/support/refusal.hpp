@@ -1,5 +1,5 @@
 #pragma once
-// What the user is told when something is refused.
+// The message of a refusal.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// A journal of three small members, and what tests of journals have in common.
+// A journal of three small members, and the common parts of the tests of journals.
 
 #include <gtest/gtest.h>
 

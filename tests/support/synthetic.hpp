@@ -1,5 +1,5 @@
 #pragma once
-// A small campaign and made-up results of its members, for tests of the store: every field differs from every other.
+// A small campaign with synthetic results, for tests of storage: every field has a different value.
 
 #include <cmath>
 #include <limits>

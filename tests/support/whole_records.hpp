@@ -1,5 +1,5 @@
 #pragma once
-// The records of a journal as they were appended: with their histories, which a journal leaves in its file.
+// The records of a journal as appended, with their histories, which a journal leaves in its file.
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 #pragma once
-// What every link must do, alone or on MPI. Each function is run by all ranks together.
+// Requirements on every link, local or over MPI. All ranks run each function together.
 
 #include <chrono>
 #include <cstdint>

@@ -1,4 +1,4 @@
-// MpiLink on however many ranks mpirun started. MPI starts once in a process, so all tests share one link.
+// MpiLink on any number of ranks started by mpirun. MPI starts once in a process, so all tests share one link.
 
 #include "wire/mpi_link.hpp"
 
