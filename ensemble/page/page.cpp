@@ -190,7 +190,7 @@ std::string provenance(const ReportData& data) {
         rows +=
             fmt::format("<tr><td>{}</td><td class=\"words\">{}</td></tr>\n", html_escaped(name), html_escaped(value));
     return section(
-        "Provenance",
+        "How it was computed",
         fmt::format("<p>To repeat this campaign, save the configuration below as <code>{}.toml</code> and run</p>\n"
                     "<pre>{}</pre>\n<div class=\"wide\"><table>{}</table></div>\n"
                     "<details><summary>Configuration</summary><pre>{}</pre></details>\n",

@@ -96,7 +96,7 @@ TEST_F(HelperTest, GivesTheResultToTheLastBit) {
 TEST_F(HelperTest, SaysHowAProcessEnded) {
     EXPECT_EQ(reason(members::crash), "The process of the member was killed by SIGSEGV (Segmentation fault).");
     EXPECT_EQ(reason(members::abort), "The process of the member was killed by SIGABRT (Aborted).");
-    EXPECT_THAT(reason(members::killed), HasSubstr("SIGKILL (Killed): by hand, or by the system"));
+    EXPECT_THAT(reason(members::killed), HasSubstr("SIGKILL (Killed): by a user, or by the system"));
     EXPECT_EQ(reason(members::leave), "The process of the member exited with status 3 without a result.");
     EXPECT_EQ(reason(members::exception), "the ice melted");
     EXPECT_EQ(reason(members::nan), "The load statistics of the member are not numbers.");

@@ -50,7 +50,7 @@ TEST(CalibrateCampaign, GivesCasesOfOneIceTheSigmaThatShowsTheirModulus) {
     const CurvePoint point =
         measure_curve_point(run.campaign.cases[0].scenario, {.sheet = 7 * 0.75});  // 5.4 m are 7.2 elements
     EXPECT_NEAR(point.elastic_modulus, 200e6, 0.01 * 200e6);
-    EXPECT_THAT(run.out.str(), HasSubstr("calibrating soft, open: looking for the Σ that shows 200 MPa on a sheet of "
+    EXPECT_THAT(run.out.str(), HasSubstr("calibrating soft, open: searching for the Σ that gives 200 MPa on a sheet of "
                                          "5.25 m (elements of 0.75 m do not divide 5.4 m)"));
     EXPECT_THAT(run.out.str(), HasSubstr("calibrated soft, open: Σ = "));
 }

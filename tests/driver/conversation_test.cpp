@@ -69,8 +69,7 @@ TEST(WorkerConversation, SaysHelloAnswersAndLeaves) {
     link.finish();
 }
 
-// With one thread: answers finished while another member waits behind the running one travel together, the last one
-// alone.
+// With one thread: answers finished while another member waits are sent together, the last one alone.
 TEST(WorkerConversation, AnswersTogetherWhileOthersWait) {
     const Campaign campaign = synthetic::campaign(2);
     FakeLink link(1, 2);

@@ -116,7 +116,7 @@ TEST(RunCampaign, StopsWhenTheTimeIsOverOrNoMemberCouldBeDoneInIt) {
     };
     run.walltime = Walltime(1.9);
     EXPECT_EQ(run(a_second), 85);
-    EXPECT_THAT(run.said, HasSubstr("in which no other member could be done, with 2 of 4"));
+    EXPECT_THAT(run.said, HasSubstr("before which no further member could finish, with 2 of 4"));
     run.walltime = Walltime();
     EXPECT_EQ(run(fake::compute, Existing::resume), 0);
 }
@@ -136,7 +136,7 @@ TEST(RunCampaign, LosesNothingWhenItsHelperIsKilled) {
         Helper helper(kills_its_helper);
         EXPECT_EQ(run.on(link, fake::compute, Existing::refuse, 2, &helper), 85);
     }
-    EXPECT_THAT(run.said, HasSubstr("stopped by the loss of all that compute"));
+    EXPECT_THAT(run.said, HasSubstr("stopped by the loss of all ranks that compute"));
     Helper helper(fake::compute);
     EXPECT_EQ(run.on(link, fake::compute, Existing::resume, 2, &helper), 0);
     EXPECT_EQ(run.results(), whole.results());
@@ -169,7 +169,8 @@ TEST(RunCampaign, ExtendedCampaignEqualsOneMadeAtOnce) {
     };
     EXPECT_EQ(grown(counted, Existing::resume), 0);
     EXPECT_EQ(calls, 12 - 4);
-    EXPECT_THAT(grown.said, HasSubstr("the campaign is extended, existing results are kept: campaign.arrangements: 2 there"));
+    EXPECT_THAT(grown.said,
+                HasSubstr("the campaign is extended, existing results are kept: campaign.arrangements: 2 there"));
     EXPECT_THAT(grown.said, HasSubstr("4 members reused, 8 computed, 0 retried, 0 set aside"));
     fake::Run whole(folder / "whole.h5");
     ASSERT_EQ(whole(fake::compute_by_identity), 0);

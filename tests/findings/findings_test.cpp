@@ -89,7 +89,7 @@ TEST(Pairs, AreNotMadeOfDifferentFields) {
     EXPECT_TRUE(compare_pairs(table).empty());
     const Summary summary = summarise(table);
     EXPECT_THAT(text_of(pairs_section(summary, {}, {})),
-                testing::StartsWith("Pairs are not compared: cases are paired over"));
+                testing::StartsWith("Pairs are not compared: a pair needs two arrangements"));
 }
 
 TEST(Pairs, SayWhichAreLeftOut) {

@@ -169,7 +169,7 @@ TEST(Journal, GrowsWithItsCampaignAndNeverShrinks) {
     const std::uint64_t size = std::filesystem::file_size(path);
     const std::string message = refusal([&] { open_journal(path, small, Existing::resume); });
     EXPECT_THAT(message, HasSubstr("campaign.arrangements: 3 there, 2 here"));
-    EXPECT_THAT(message, HasSubstr("may grow and never shrinks"));
+    EXPECT_THAT(message, HasSubstr("may grow but not shrink"));
     large.cases[1].scenario.general.iterations = 20;
     large.arrangements = 9;
     EXPECT_THAT(refusal([&] { open_journal(path, large, Existing::resume); }),
