@@ -57,7 +57,8 @@ TEST(Hybrid, TakesCoefficients) {
 
 TEST(Hybrid, PrintsATable) {
     const std::string table = hybrid("--modulus-MPa 60");
-    EXPECT_NE(table.find("60          0.377     50.6        26.1       12.2           12.3     68.3    50.6"), std::string::npos)
+    EXPECT_NE(table.find("60       0.377     50.6        26.1       12.2           12.3     68.3    50.6"),
+              std::string::npos)
         << table;
     EXPECT_NE(table.find("floes break above 10 MPa"), std::string::npos);
 }
