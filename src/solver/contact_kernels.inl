@@ -115,3 +115,36 @@ void solve_frictions(double* delta, const ContactPacks& packs, const ContactRowA
     };
     for_each_row(delta, packs, all.row, solve, idle);
 }
+
+/// Coulomb's cone: an explicit step of both rows together, then back to the circle of the current normal impulse. With
+/// one effective mass for both this is a projected gradient step: where it comes to rest, friction points against the
+/// sliding velocity or nothing slides, whatever the basis. A 2 x 2 solve scaled back would turn friction off that line.
+void solve_cones(double* delta, const ContactPacks& packs, const FrictionArrays& all, const double* normal_impulse) {
+    const auto solve = [&](int i, const double* row, Motion& a, Motion& b) __attribute__((always_inline)) {
+        const double* second = all.second.row + static_cast<std::size_t>(i) * (contact_field::count * lanes);
+        const Pack old_first = load(all.first.impulse, i);
+        const Pack old_second = load(all.second.impulse, i);
+        const Pack first_total = old_first + (load(all.first.target, i) - along(row, a, b));
+        const Pack second_total = old_second + (load(all.second.target, i) - along(second, a, b));
+        const Pack bound = load(row, contact_field::grip) * load(normal_impulse, i);
+        const Pack held = in_circle(first_total, second_total, bound);
+        const Pack next_first = first_total * held;
+        const Pack next_second = second_total * held;
+        store(all.first.impulse, i, next_first);
+        store(all.second.impulse, i, next_second);
+        push(row, a, b, next_first - old_first);
+        push(second, a, b, next_second - old_second);
+    };
+    // Friction goes with its normal impulse: a pack rests when it has neither.
+    const auto idle = [=](const ContactPack& pack) {
+        for (std::uint32_t row = pack.first_row; row < pack.end_row; ++row) {
+            const int i = static_cast<int>(row);
+            const Pack first = load(all.first.impulse, i);
+            const Pack second = load(all.second.impulse, i);
+            const Pack size = (first < 0.0 ? -first : first) + (second < 0.0 ? -second : second);
+            if (any_positive(load(normal_impulse, i) + size)) return false;
+        }
+        return true;
+    };
+    for_each_row(delta, packs, all.first.row, solve, idle);
+}

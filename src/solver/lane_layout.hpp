@@ -133,6 +133,14 @@ struct ContactRowArrays {
     double* scale;  ///< s
 };
 
+/// Friction rows. The cone has two at right angles in the contact plane; both with one scale, so that the bound on
+/// their scaled impulses is a circle.
+struct FrictionArrays {
+    ContactRowArrays first;
+    ContactRowArrays second;  ///< cone only, as `start`
+    const double* start;      ///< impulse to start from, world axes, by groups of 3 fields
+};
+
 struct ContactStep {
     double inverse_step;  ///< 1/s
     double split_depth;   ///< penetrations this deep are corrected outside the impulse, m; infinite for none
@@ -158,12 +166,14 @@ struct LaneKernels {
     /// Rows of the points; targets of those normal rows that correct a penetration outside the impulse, minus infinity,
     /// which exerts nothing, for the others.
     void (*prepare_contacts)(const LaneArrays&, const ContactPacks&, const double* points,
-                             const ContactRowArrays& normals, const ContactRowArrays& frictions, double* split_target,
+                             const ContactRowArrays& normals, const FrictionArrays& frictions, double* split_target,
                              const ContactStep&);
-    /// What the impulses do that rows begin with; one sweep over all normal rows; one over all friction rows.
+    /// What the impulses do that rows begin with; one sweep over all normal rows; one over all friction rows of either
+    /// law.
     void (*start_contacts)(double* delta, const ContactPacks&, const ContactRowArrays&);
     void (*solve_normals)(double* delta, const ContactPacks&, const ContactRowArrays&);
     void (*solve_frictions)(double* delta, const ContactPacks&, const ContactRowArrays&, const double* normal_impulse);
+    void (*solve_cones)(double* delta, const ContactPacks&, const FrictionArrays&, const double* normal_impulse);
 };
 
 }  // namespace floes
