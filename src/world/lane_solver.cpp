@@ -131,6 +131,8 @@ void LaneSolver::read_forces(std::span<btCollisionObject* const> bodies) {
 void LaneSolver::read_contacts(std::span<btPersistentManifold* const> manifolds, const btContactSolverInfo& info) {
     const bool cone = law_.friction == Friction::cone;
     if (cone) last_.swap(contacts_);
+    // With the cone all of it: what is left to build up anew in each step lets a contact near its limit creep.
+    const double kept = cone ? 1.0 : info.m_warmstartingFactor;
     contacts_.clear();
     for (btPersistentManifold* manifold : manifolds) {
         if (!solvable(*manifold)) continue;
@@ -143,12 +145,12 @@ void LaneSolver::read_contacts(std::span<btPersistentManifold* const> manifolds,
                                  .normal = array_of(point.m_normalWorldOnB),
                                  .distance = point.getDistance(),
                                  .friction = point.m_combinedFriction,
-                                 .impulse = point.m_appliedImpulse * info.m_warmstartingFactor});
+                                 .impulse = point.m_appliedImpulse * kept});
             if (!cone) continue;
             if (const auto number = static_cast<std::size_t>(number_in_last_solve(point)); number > 0) {
                 const SolverContact& last = last_[number - 1];
                 contacts_.back().slide = last.slide;
-                contacts_.back().friction_impulse = last.friction_impulse * info.m_warmstartingFactor;
+                contacts_.back().friction_impulse = last.friction_impulse;
             }
         }
     }
