@@ -124,16 +124,25 @@ void solve_cones(double* delta, const ContactPacks& packs, const FrictionArrays&
         const double* second = all.second.row + static_cast<std::size_t>(i) * (contact_field::count * lanes);
         const Pack old_first = load(all.first.impulse, i);
         const Pack old_second = load(all.second.impulse, i);
-        const Pack first_total = old_first + (load(all.first.target, i) - along(row, a, b));
-        const Pack second_total = old_second + (load(all.second.target, i) - along(second, a, b));
+        const V3 first_axis = load3(row, contact_field::axis);
+        const V3 second_axis = load3(second, contact_field::axis);
+        const V3 sliding = (a.velocity - b.velocity) + (cross(a.spin, load3(row, contact_field::lever_a)) -
+                                                        cross(b.spin, load3(row, contact_field::lever_b)));
+        const Pack first_total = old_first + (load(all.first.target, i) - dot(first_axis, sliding));
+        const Pack second_total = old_second + (load(all.second.target, i) - dot(second_axis, sliding));
         const Pack bound = load(row, contact_field::grip) * load(normal_impulse, i);
         const Pack held = in_circle(first_total, second_total, bound);
         const Pack next_first = first_total * held;
         const Pack next_second = second_total * held;
         store(all.first.impulse, i, next_first);
         store(all.second.impulse, i, next_second);
-        push(row, a, b, next_first - old_first);
-        push(second, a, b, next_second - old_second);
+        const Pack first = next_first - old_first;
+        const Pack other = next_second - old_second;
+        const V3 impulse = first_axis * first + second_axis * other;
+        a.velocity = a.velocity + impulse * a.inverse_mass;
+        b.velocity = b.velocity - impulse * b.inverse_mass;
+        a.spin = a.spin + (load3(row, contact_field::spin_a) * first + load3(second, contact_field::spin_a) * other);
+        b.spin = b.spin - (load3(row, contact_field::spin_b) * first + load3(second, contact_field::spin_b) * other);
     };
     // Friction goes with its normal impulse: a pack rests when it has neither.
     const auto idle = [=](const ContactPack& pack) {

@@ -103,6 +103,8 @@ namespace contact_field {
 inline constexpr int axis = 0;      ///< s * direction
 inline constexpr int torque_a = 3;  ///< lever a x axis
 inline constexpr int torque_b = 6;
+inline constexpr int lever_a = torque_a;  ///< in the first row of a cone: one sliding velocity serves both rows
+inline constexpr int lever_b = torque_b;
 inline constexpr int spin_a = 9;  ///< I_a^-1 torque_a
 inline constexpr int spin_b = 12;
 inline constexpr int grip = 15;  ///< friction: bound / normal impulse, both scaled
