@@ -116,44 +116,51 @@ void solve_frictions(double* delta, const ContactPacks& packs, const ContactRowA
     for_each_row(delta, packs, all.row, solve, idle);
 }
 
-/// Coulomb's cone: an explicit step of both rows together, then back to the circle of the current normal impulse. With
-/// one effective mass for both this is a projected gradient step: where it comes to rest, friction points against the
-/// sliding velocity or nothing slides, whatever the basis. A 2 x 2 solve scaled back would turn friction off that line.
-void solve_cones(double* delta, const ContactPacks& packs, const FrictionArrays& all, const double* normal_impulse) {
+/// Coulomb's cone: of each contact the normal row, then an explicit step of both friction rows together and back to the
+/// circle of the normal impulse. With one effective mass for both this is a projected gradient step: where it comes to
+/// rest, friction points against the sliding velocity or nothing slides, whatever the basis. A 2 x 2 solve scaled back
+/// would turn friction off that line. The three rows see what they do to each other through the coupling.
+void solve_cones(double* delta, const ContactPacks& packs, const ContactRowArrays& normals, const FrictionArrays& all) {
     const auto solve = [&](int i, const double* row, Motion& a, Motion& b) __attribute__((always_inline)) {
+        const double* first = all.first.row + static_cast<std::size_t>(i) * (contact_field::count * lanes);
         const double* second = all.second.row + static_cast<std::size_t>(i) * (contact_field::count * lanes);
+        const Pack none{};
+        const V3 sliding = (a.velocity - b.velocity) + (cross(a.spin, load3(first, contact_field::lever_a)) -
+                                                        cross(b.spin, load3(first, contact_field::lever_b)));
+        const V3 axis = load3(row, contact_field::axis);
+        const Pack old = load(normals.impulse, i);
+        const Pack total = old + (load(normals.target, i) - dot(axis, sliding));
+        const Pack normal = total > 0.0 ? total : none;
+        const Pack pressed = normal - old;
+        store(normals.impulse, i, normal);
         const Pack old_first = load(all.first.impulse, i);
         const Pack old_second = load(all.second.impulse, i);
-        const V3 first_axis = load3(row, contact_field::axis);
+        const Pack held = (old_first < 0.0 ? -old_first : old_first) + (old_second < 0.0 ? -old_second : old_second);
+        if (!any_positive(normal + held)) {  // nothing to hold with, nothing to let go of
+            push(row, a, b, pressed);
+            return;
+        }
+        const V3 first_axis = load3(first, contact_field::axis);
         const V3 second_axis = load3(second, contact_field::axis);
-        const V3 sliding = (a.velocity - b.velocity) + (cross(a.spin, load3(row, contact_field::lever_a)) -
-                                                        cross(b.spin, load3(row, contact_field::lever_b)));
-        const Pack first_total = old_first + (load(all.first.target, i) - dot(first_axis, sliding));
-        const Pack second_total = old_second + (load(all.second.target, i) - dot(second_axis, sliding));
-        const Pack bound = load(row, contact_field::grip) * load(normal_impulse, i);
-        const Pack held = in_circle(first_total, second_total, bound);
-        const Pack next_first = first_total * held;
-        const Pack next_second = second_total * held;
+        const Pack first_slides = dot(first_axis, sliding) + load(second, contact_field::coupling) * pressed;
+        const Pack second_slides = dot(second_axis, sliding) + load(second, contact_field::coupling + 1) * pressed;
+        const Pack first_total = old_first + (load(all.first.target, i) - first_slides);
+        const Pack second_total = old_second + (load(all.second.target, i) - second_slides);
+        const Pack cut = in_circle(first_total, second_total, load(first, contact_field::grip) * normal);
+        const Pack next_first = first_total * cut;
+        const Pack next_second = second_total * cut;
         store(all.first.impulse, i, next_first);
         store(all.second.impulse, i, next_second);
-        const Pack first = next_first - old_first;
-        const Pack other = next_second - old_second;
-        const V3 impulse = first_axis * first + second_axis * other;
+        const Pack one = next_first - old_first;
+        const Pack two = next_second - old_second;
+        const V3 impulse = axis * pressed + first_axis * one + second_axis * two;
         a.velocity = a.velocity + impulse * a.inverse_mass;
         b.velocity = b.velocity - impulse * b.inverse_mass;
-        a.spin = a.spin + (load3(row, contact_field::spin_a) * first + load3(second, contact_field::spin_a) * other);
-        b.spin = b.spin - (load3(row, contact_field::spin_b) * first + load3(second, contact_field::spin_b) * other);
+        const auto turned = [&](int spin) __attribute__((always_inline)) {
+            return load3(row, spin) * pressed + load3(first, spin) * one + load3(second, spin) * two;
+        };
+        a.spin = a.spin + turned(contact_field::spin_a);
+        b.spin = b.spin - turned(contact_field::spin_b);
     };
-    // Friction goes with its normal impulse: a pack rests when it has neither.
-    const auto idle = [=](const ContactPack& pack) {
-        for (std::uint32_t row = pack.first_row; row < pack.end_row; ++row) {
-            const int i = static_cast<int>(row);
-            const Pack first = load(all.first.impulse, i);
-            const Pack second = load(all.second.impulse, i);
-            const Pack size = (first < 0.0 ? -first : first) + (second < 0.0 ? -second : second);
-            if (any_positive(load(normal_impulse, i) + size)) return false;
-        }
-        return true;
-    };
-    for_each_row(delta, packs, all.first.row, solve, idle);
+    for_each_row(delta, packs, normals.row, solve, never_idle);
 }

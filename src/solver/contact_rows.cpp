@@ -110,12 +110,12 @@ void ContactRows::start(const LaneKernels& kernels, double* delta) {
 }
 
 void ContactRows::sweep(const LaneKernels& kernels, double* delta) {
-    kernels.solve_normals(delta, order_.packs(), normals_.arrays());
     if (cone_) {
-        kernels.solve_cones(delta, order_.packs(), friction_arrays(), normals_.impulse.data());
-    } else {
-        kernels.solve_frictions(delta, order_.packs(), frictions_.arrays(), normals_.impulse.data());
+        kernels.solve_cones(delta, order_.packs(), normals_.arrays(), friction_arrays());
+        return;
     }
+    kernels.solve_normals(delta, order_.packs(), normals_.arrays());
+    kernels.solve_frictions(delta, order_.packs(), frictions_.arrays(), normals_.impulse.data());
 }
 
 std::array<double, 3> ContactRows::row_axis(const Rows& rows, std::uint32_t slot) const {

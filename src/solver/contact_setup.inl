@@ -116,6 +116,9 @@ inline void prepare_cone(const FrictionArrays& frictions, int i, const V3& n, co
     const std::size_t row = static_cast<std::size_t>(i) * (contact_field::count * lanes);
     store_row(frictions.first.row + row, first, s);
     store_row(frictions.second.row + row, second, s);
+    const Arm normal = make_arm(n, lever_a, lever_b, a, b);
+    store(frictions.second.row + row, contact_field::coupling, coupling(normal, first) * (normal_scale * s));
+    store(frictions.second.row + row, contact_field::coupling + 1, coupling(normal, second) * (normal_scale * s));
     store3(frictions.first.row + row, contact_field::lever_a, lever_a);
     store3(frictions.first.row + row, contact_field::lever_b, lever_b);
     store(frictions.first.row + row, contact_field::grip, friction * normal_scale / s);

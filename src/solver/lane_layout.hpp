@@ -103,9 +103,11 @@ namespace contact_field {
 inline constexpr int axis = 0;      ///< s * direction
 inline constexpr int torque_a = 3;  ///< lever a x axis
 inline constexpr int torque_b = 6;
-inline constexpr int lever_a = torque_a;  ///< in the first row of a cone: one sliding velocity serves both rows
-inline constexpr int lever_b = torque_b;
-inline constexpr int spin_a = 9;  ///< I_a^-1 torque_a
+// In a cone one sliding velocity serves all three rows.
+inline constexpr int lever_a = torque_a;   ///< first friction row
+inline constexpr int lever_b = torque_b;   ///< likewise
+inline constexpr int coupling = torque_a;  ///< second friction row: J M^-1 J^T of the normal row with first and second
+inline constexpr int spin_a = 9;           ///< I_a^-1 torque_a
 inline constexpr int spin_b = 12;
 inline constexpr int grip = 15;  ///< friction: bound / normal impulse, both scaled
 inline constexpr int count = 16;
@@ -170,12 +172,12 @@ struct LaneKernels {
     void (*prepare_contacts)(const LaneArrays&, const ContactPacks&, const double* points,
                              const ContactRowArrays& normals, const FrictionArrays& frictions, double* split_target,
                              const ContactStep&);
-    /// What the impulses do that rows begin with; one sweep over all normal rows; one over all friction rows of either
-    /// law.
+    /// What the impulses do that rows begin with; one sweep over all normal rows; one over all friction rows in one
+    /// direction; one over all rows of cones, contact by contact.
     void (*start_contacts)(double* delta, const ContactPacks&, const ContactRowArrays&);
     void (*solve_normals)(double* delta, const ContactPacks&, const ContactRowArrays&);
     void (*solve_frictions)(double* delta, const ContactPacks&, const ContactRowArrays&, const double* normal_impulse);
-    void (*solve_cones)(double* delta, const ContactPacks&, const FrictionArrays&, const double* normal_impulse);
+    void (*solve_cones)(double* delta, const ContactPacks&, const ContactRowArrays& normals, const FrictionArrays&);
 };
 
 }  // namespace floes
