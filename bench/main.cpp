@@ -23,9 +23,11 @@ namespace {
 
 constexpr int warm_up = 5;  // steps: the contacts that a stored state lacks, memory that grows once
 
-void tow_step(benchmark::State& state, SolverKind solver, Scene (*make_scene)()) {
+void tow_step(benchmark::State& state, SolverKind solver, Scene (*make_scene)(), Friction friction) {
     const Scene scene = make_scene();
-    Simulation simulation(tow_scenario(solver, scene.wall), scene.arrangement, scene.state);
+    Scenario scenario = tow_scenario(solver, scene.wall);
+    scenario.contact.friction = friction;
+    Simulation simulation(scenario, scene.arrangement, scene.state);
     for (int i = 0; i < warm_up; ++i) simulation.step();
     for (auto _ : state) simulation.step();
     state.counters["surge_N"] = simulation.loads().surge.back();
@@ -74,12 +76,14 @@ void add_all(int steps) {
     const auto add = [steps](const char* name, auto function, auto... arguments) {
         benchmark::RegisterBenchmark(name, function, arguments...)->Iterations(steps)->Unit(benchmark::kMillisecond);
     };
-    add("TowStep/stock/late", tow_step, SolverKind::stock, late_scene);
-    add("TowStep/lanes/late", tow_step, SolverKind::lanes, late_scene);
-    add("TowStep/stock/late_steep", tow_step, SolverKind::stock, late_steep_scene);
-    add("TowStep/lanes/late_steep", tow_step, SolverKind::lanes, late_steep_scene);
-    add("TowStep/stock/early", tow_step, SolverKind::stock, early_scene);
-    add("TowStep/lanes/early", tow_step, SolverKind::lanes, early_scene);
+    add("TowStep/stock/late", tow_step, SolverKind::stock, late_scene, Friction::one_direction);
+    add("TowStep/lanes/late", tow_step, SolverKind::lanes, late_scene, Friction::one_direction);
+    add("TowStep/lanes/late_cone", tow_step, SolverKind::lanes, late_scene, Friction::cone);
+    add("TowStep/stock/late_steep", tow_step, SolverKind::stock, late_steep_scene, Friction::one_direction);
+    add("TowStep/lanes/late_steep", tow_step, SolverKind::lanes, late_steep_scene, Friction::one_direction);
+    add("TowStep/lanes/late_steep_cone", tow_step, SolverKind::lanes, late_steep_scene, Friction::cone);
+    add("TowStep/stock/early", tow_step, SolverKind::stock, early_scene, Friction::one_direction);
+    add("TowStep/lanes/early", tow_step, SolverKind::lanes, early_scene, Friction::one_direction);
     add("Peer/bullet/late", peer_step, make_bullet, late_scene);
     add("Peer/ode/late", peer_step, make_ode, late_scene);
     const auto add_member = [](const std::string& name, SolverKind solver, double wake_radius) {

@@ -76,6 +76,14 @@ void check_floating(const Scenario& scenario, Contradictions& found) {
     }
 }
 
+void check_friction(const Scenario& scenario, Contradictions& found) {
+    if (scenario.contact.friction != Friction::cone || scenario.general.solver != SolverKind::stock) return;
+    found.push_back({{"contact.friction", "general.solver"},
+                     fmt::format("{} is not possible with {}, because Bullet's own solver bounds friction by a square; "
+                                 "take general.solver = \"lanes\", or contact.friction = \"one_direction\"",
+                                 given(scenario, "contact.friction"), given(scenario, "general.solver"))});
+}
+
 void check_time(const Scenario& scenario, Contradictions& found) {
     const Analysis& analysis = scenario.analysis;
     const double steps = (analysis.steady_start + analysis.window) / scenario.general.time_step;

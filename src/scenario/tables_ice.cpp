@@ -91,6 +91,11 @@ void add_contact(Keys& keys, ContactLaw& contact) {
         "contact.split_impulse_depth_m", contact.split_impulse_depth, unit::one, at_least(0).at_most(10),
         "Bullet's default",
         "Penetration depth from which split_impulse acts; with the default hardly any contact is that deep."));
+    keys.push_back(late_key(word_key(
+        "contact.friction", contact.friction, {"one_direction", "cone"}, "Bullet's default",
+        "Law of friction. one_direction: one row per contact along the sliding velocity, as in Bullet; a contact that "
+        "sticks is not held across that row. cone: Coulomb's law in the whole contact plane, with solver lanes only; "
+        "higher loads and more broken floes (docs/contact.md).")));
 }
 
 }  // namespace floes

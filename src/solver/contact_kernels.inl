@@ -115,3 +115,52 @@ void solve_frictions(double* delta, const ContactPacks& packs, const ContactRowA
     };
     for_each_row(delta, packs, all.row, solve, idle);
 }
+
+/// Coulomb's cone: of each contact the normal row, then an explicit step of both friction rows together and back to the
+/// circle of the normal impulse. With one effective mass for both this is a projected gradient step: where it comes to
+/// rest, friction points against the sliding velocity or nothing slides, whatever the basis. A 2 x 2 solve scaled back
+/// would turn friction off that line. The three rows see what they do to each other through the coupling.
+void solve_cones(double* delta, const ContactPacks& packs, const ContactRowArrays& normals, const FrictionArrays& all) {
+    const auto solve = [&](int i, const double* row, Motion& a, Motion& b) __attribute__((always_inline)) {
+        const double* first = all.first.row + static_cast<std::size_t>(i) * (contact_field::count * lanes);
+        const double* second = all.second.row + static_cast<std::size_t>(i) * (contact_field::count * lanes);
+        const Pack none{};
+        const V3 sliding = (a.velocity - b.velocity) + (cross(a.spin, load3(first, contact_field::lever_a)) -
+                                                        cross(b.spin, load3(first, contact_field::lever_b)));
+        const V3 axis = load3(row, contact_field::axis);
+        const Pack old = load(normals.impulse, i);
+        const Pack total = old + (load(normals.target, i) - dot(axis, sliding));
+        const Pack normal = total > 0.0 ? total : none;
+        const Pack pressed = normal - old;
+        store(normals.impulse, i, normal);
+        const Pack old_first = load(all.first.impulse, i);
+        const Pack old_second = load(all.second.impulse, i);
+        const Pack held = (old_first < 0.0 ? -old_first : old_first) + (old_second < 0.0 ? -old_second : old_second);
+        if (!any_positive(normal + held)) {  // nothing to hold with, nothing to let go of
+            push(row, a, b, pressed);
+            return;
+        }
+        const V3 first_axis = load3(first, contact_field::axis);
+        const V3 second_axis = load3(second, contact_field::axis);
+        const Pack first_slides = dot(first_axis, sliding) + load(second, contact_field::coupling) * pressed;
+        const Pack second_slides = dot(second_axis, sliding) + load(second, contact_field::coupling + 1) * pressed;
+        const Pack first_total = old_first + (load(all.first.target, i) - first_slides);
+        const Pack second_total = old_second + (load(all.second.target, i) - second_slides);
+        const Pack cut = in_circle(first_total, second_total, load(first, contact_field::grip) * normal);
+        const Pack next_first = first_total * cut;
+        const Pack next_second = second_total * cut;
+        store(all.first.impulse, i, next_first);
+        store(all.second.impulse, i, next_second);
+        const Pack one = next_first - old_first;
+        const Pack two = next_second - old_second;
+        const V3 impulse = axis * pressed + first_axis * one + second_axis * two;
+        a.velocity = a.velocity + impulse * a.inverse_mass;
+        b.velocity = b.velocity - impulse * b.inverse_mass;
+        const auto turned = [&](int spin) __attribute__((always_inline)) {
+            return load3(row, spin) * pressed + load3(first, spin) * one + load3(second, spin) * two;
+        };
+        a.spin = a.spin + turned(contact_field::spin_a);
+        b.spin = b.spin - turned(contact_field::spin_b);
+    };
+    for_each_row(delta, packs, normals.row, solve, never_idle);
+}

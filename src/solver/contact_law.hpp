@@ -4,6 +4,12 @@
 
 namespace floes {
 
+/// Direction and bound of friction, docs/contact.md.
+enum class Friction {
+    one_direction,  ///< one row a contact along the sliding velocity, Bullet's default: nothing acts across it
+    cone            ///< in the whole contact plane, |impulse| <= f * impulse of the normal; not in the stock solver
+};
+
 /// Restitution is 0 (Table 1). World refuses what is out of the ranges given here.
 struct ContactLaw {
     double erp = 0.2;               ///< Γ, share of a penetration pushed out each step, 0-1 (design decision 5)
@@ -11,6 +17,7 @@ struct ContactLaw {
     double ice_structure_friction = 0.2;  ///< f_is, of ice on the structure, 0-10 (Table 1)
     bool split_impulse = true;            ///< correct penetrations deeper than split_impulse_depth outside the impulse
     double split_impulse_depth = 0.04;    ///< m, >= 0
+    Friction friction = Friction::one_direction;
 };
 
 }  // namespace floes

@@ -1,6 +1,7 @@
 #include "solver/contact_rows.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "solver/lane_slot.hpp"
@@ -57,6 +58,17 @@ void ContactRows::fill_points(std::span<const SolverContact> contacts) {
     }
 }
 
+void ContactRows::fill_friction_start(std::span<const SolverContact> contacts) {
+    constexpr int fields = 3;
+    const auto width = static_cast<std::size_t>(width_);
+    friction_start_.reserve(order_.rows() * width * fields);
+    std::fill_n(friction_start_.data(), order_.rows() * width * fields, 0.0);
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        double* at = friction_start_.data() + place(order_.slot(i), fields, 0, width_);
+        for (std::size_t k = 0; k < 3; ++k) at[k * width] = contacts[i].slide[k] * contacts[i].friction_impulse;
+    }
+}
+
 void ContactRows::prepare(std::span<const SolverContact> contacts, std::span<const std::uint32_t> slot_of_body,
                           std::size_t body_slots, const LaneArrays& arrays, const LaneKernels& kernels,
                           const ContactLaw& law, double time_step) {
@@ -67,8 +79,13 @@ void ContactRows::prepare(std::span<const SolverContact> contacts, std::span<con
     normals_.reserve(slots);
     frictions_.reserve(slots);
     split_target_.reserve(slots);
+    cone_ = law.friction == Friction::cone;
+    if (cone_) {
+        seconds_.reserve(slots);
+        fill_friction_start(contacts);
+    }
     const double split_depth = law.split_impulse ? law.split_impulse_depth : infinity;
-    kernels.prepare_contacts(arrays, order_.packs(), points_.data(), normals_.arrays(), frictions_.arrays(),
+    kernels.prepare_contacts(arrays, order_.packs(), points_.data(), normals_.arrays(), friction_arrays(),
                              split_target_.data(), {1.0 / time_step, split_depth, law});
     any_split_ = std::any_of(contacts.begin(), contacts.end(),
                              [&](const SolverContact& contact) { return contact.distance <= -split_depth; });
@@ -87,21 +104,45 @@ void ContactRows::solve_penetrations(const LaneKernels& kernels, int iterations)
 
 void ContactRows::start(const LaneKernels& kernels, double* delta) {
     kernels.start_contacts(delta, order_.packs(), normals_.arrays());
+    if (!cone_) return;  // friction in one direction starts from nothing
+    kernels.start_contacts(delta, order_.packs(), frictions_.arrays());
+    kernels.start_contacts(delta, order_.packs(), seconds_.arrays());
 }
 
 void ContactRows::sweep(const LaneKernels& kernels, double* delta) {
+    if (cone_) {
+        kernels.solve_cones(delta, order_.packs(), normals_.arrays(), friction_arrays());
+        return;
+    }
     kernels.solve_normals(delta, order_.packs(), normals_.arrays());
     kernels.solve_frictions(delta, order_.packs(), frictions_.arrays(), normals_.impulse.data());
+}
+
+std::array<double, 3> ContactRows::row_axis(const Rows& rows, std::uint32_t slot) const {
+    const double* axis = rows.row.data() + place(slot, contact_field::count, contact_field::axis, width_);
+    const auto width = static_cast<std::size_t>(width_);
+    return {axis[0], axis[width], axis[2 * width]};
 }
 
 void ContactRows::finish(std::span<SolverContact> contacts) const {
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         const std::uint32_t at = order_.slot(i);
-        const double t = frictions_.scale[at];
         contacts[i].impulse = normals_.impulse[at] * normals_.scale[at];
-        contacts[i].friction_impulse = frictions_.impulse[at] * t;
-        const double* axis = frictions_.row.data() + place(at, contact_field::count, contact_field::axis, width_);
-        for (std::size_t k = 0; k < 3; ++k) contacts[i].slide[k] = axis[k * static_cast<std::size_t>(width_)] / t;
+        std::array<double, 3> friction = row_axis(frictions_, at);  // times s
+        if (cone_) {
+            const std::array<double, 3> second = row_axis(seconds_, at);
+            for (std::size_t k = 0; k < 3; ++k) {
+                friction[k] = friction[k] * frictions_.impulse[at] + second[k] * seconds_.impulse[at];
+            }
+            const double size =
+                std::sqrt(friction[0] * friction[0] + friction[1] * friction[1] + friction[2] * friction[2]);
+            contacts[i].friction_impulse = size;
+            for (std::size_t k = 0; k < 3; ++k) contacts[i].slide[k] = size > 0 ? friction[k] / size : 0;
+        } else {
+            const double t = frictions_.scale[at];
+            contacts[i].friction_impulse = frictions_.impulse[at] * t;
+            for (std::size_t k = 0; k < 3; ++k) contacts[i].slide[k] = friction[k] / t;
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Contacts as rows: one normal and one friction row a contact, as Bullet 3.24 sets them up (restitution 0, no contact
-// softness, friction along the sliding velocity).
+// Contacts as rows: one normal row a contact, as Bullet 3.24 sets it up (restitution 0, no contact softness), and for
+// friction one along the sliding velocity, as Bullet's, or two in the contact plane, bounded together by the cone.
 
 #include <array>
 #include <cstdint>
@@ -45,12 +45,18 @@ class ContactRows {
     void order(std::span<const SolverContact> contacts, std::span<const std::uint32_t> slot_of_body,
                const LaneArrays& arrays, std::size_t body_slots, const LaneKernels& kernels);
     void fill_points(std::span<const SolverContact> contacts);
+    void fill_friction_start(std::span<const SolverContact> contacts);
+    FrictionArrays friction_arrays() { return {frictions_.arrays(), seconds_.arrays(), friction_start_.data()}; }
+    std::array<double, 3> row_axis(const Rows& rows, std::uint32_t slot) const;
 
     int width_ = 1;
     std::vector<ContactOrder::Contact> to_order_;
     ContactOrder order_;
     AlignedArray<double> points_;
     Rows normals_, frictions_;
+    bool cone_ = false;
+    Rows seconds_;  ///< with the cone: the friction rows at right angles to frictions_
+    AlignedArray<double> friction_start_;
     bool any_split_ = false;
     AlignedArray<double> split_target_, split_impulse_;  ///< of the normal rows, for deep penetrations
     AlignedArray<double> push_;

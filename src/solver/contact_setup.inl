@@ -34,20 +34,43 @@ inline Touching touching(const LaneArrays& arrays, const std::uint32_t* slots) {
             {m[0], m[1], m[2], m[3], m[4], m[5]},         m[6]};
 }
 
+/// A unit impulse along `axis`: its torques, and the spins that these cause.
+struct Arm {
+    V3 axis, torque_a, torque_b, spin_a, spin_b;
+};
+
+inline Arm make_arm(const V3& axis, const V3& lever_a, const V3& lever_b, const Touching& a, const Touching& b) {
+    const V3 torque_a = cross(lever_a, axis);
+    const V3 torque_b = cross(lever_b, axis);
+    return {axis, torque_a, torque_b, a.inverse_inertia * torque_a, b.inverse_inertia * torque_b};
+}
+
+/// What a unit impulse along one changes along the other, through spin.
+inline Pack coupling(const Arm& one, const Arm& other) {
+    return dot(one.torque_a, other.spin_a) + dot(one.torque_b, other.spin_b);
+}
+
+inline void store_row(double* row, const Arm& arm, Pack s) {
+    store3(row, contact_field::axis, arm.axis * s);
+    store3(row, contact_field::torque_a, arm.torque_a * s);
+    store3(row, contact_field::torque_b, arm.torque_b * s);
+    store3(row, contact_field::spin_a, arm.spin_a * s);
+    store3(row, contact_field::spin_b, arm.spin_b * s);
+}
+
 /// A row along `axis` at the given levers. Returns its scale s = A^-1/2.
 inline Pack make_row(double* row, const V3& axis, const V3& lever_a, const V3& lever_b, const Touching& a,
                      const Touching& b) {
-    const V3 torque_a = cross(lever_a, axis);
-    const V3 torque_b = cross(lever_b, axis);
-    const V3 spin_a = a.inverse_inertia * torque_a;
-    const V3 spin_b = b.inverse_inertia * torque_b;
-    const Pack s = 1.0 / square_root(a.inverse_mass + b.inverse_mass + (dot(torque_a, spin_a) + dot(torque_b, spin_b)));
-    store3(row, contact_field::axis, axis * s);
-    store3(row, contact_field::torque_a, torque_a * s);
-    store3(row, contact_field::torque_b, torque_b * s);
-    store3(row, contact_field::spin_a, spin_a * s);
-    store3(row, contact_field::spin_b, spin_b * s);
+    const Arm arm = make_arm(axis, lever_a, lever_b, a, b);
+    const Pack s = 1.0 / square_root(a.inverse_mass + b.inverse_mass + coupling(arm, arm));
+    store_row(row, arm, s);
     return s;
+}
+
+/// Factor that brings (x, y) into the circle about 0, along the line to its centre; 1 inside. Radius >= 0.
+inline Pack in_circle(Pack x, Pack y, Pack radius) {
+    const Pack square = x * x + y * y;
+    return square > radius * radius ? radius / square_root(square) : Pack{} + 1.0;
 }
 
 /// Bullet's btPlaneSpace1: some direction at right angles to the unit vector n.
@@ -70,9 +93,49 @@ inline V3 slide_direction(const V3& velocity, const V3& normal) {
     return {slides ? along.x : any.x, slides ? along.y : any.y, slides ? along.z : any.z};
 }
 
-/// Row i of both kinds.
+/// The two rows of the cone, which stop `velocity`, and their impulses to start from. Directions follow from the normal
+/// alone (Duff et al. 2017, Building an orthonormal basis, revisited): what is carried from step to step is a vector in
+/// world axes. The scale is that of the stiffest direction in the plane, which keeps the sweeps stable.
+inline void prepare_cone(const FrictionArrays& frictions, int i, const V3& n, const V3& velocity, const V3& lever_a,
+                         const V3& lever_b, const Touching& a, const Touching& b, Pack friction, Pack normal_impulse,
+                         Pack normal_scale) {
+    const Pack none{};
+    const Pack sign = n.z < 0.0 ? none - 1.0 : none + 1.0;
+    const Pack k = -1.0 / (sign + n.z);
+    const Pack xy = n.x * n.y * k;
+    const Arm first = make_arm({1.0 + sign * n.x * n.x * k, sign * xy, -sign * n.x}, lever_a, lever_b, a, b);
+    const Arm second = make_arm({xy, sign + n.y * n.y * k, -n.y}, lever_a, lever_b, a, b);
+    const Pack one_one = coupling(first, first);
+    const Pack two_two = coupling(second, second);
+    const Pack one_two = coupling(first, second);
+    const Pack half = 0.5 * (one_one - two_two);
+    const Pack most = a.inverse_mass + b.inverse_mass + 0.5 * (one_one + two_two) +
+                      square_root(half * half + one_two * one_two);  // the larger eigenvalue of the 2 x 2 block
+    const Pack s = 1.0 / square_root(most);
+
+    const std::size_t row = static_cast<std::size_t>(i) * (contact_field::count * lanes);
+    store_row(frictions.first.row + row, first, s);
+    store_row(frictions.second.row + row, second, s);
+    const Arm normal = make_arm(n, lever_a, lever_b, a, b);
+    store(frictions.second.row + row, contact_field::coupling, coupling(normal, first) * (normal_scale * s));
+    store(frictions.second.row + row, contact_field::coupling + 1, coupling(normal, second) * (normal_scale * s));
+    store3(frictions.first.row + row, contact_field::lever_a, lever_a);
+    store3(frictions.first.row + row, contact_field::lever_b, lever_b);
+    store(frictions.first.row + row, contact_field::grip, friction * normal_scale / s);
+    store(frictions.first.target, i, -dot(first.axis, velocity) * s);
+    store(frictions.second.target, i, -dot(second.axis, velocity) * s);
+    const V3 start = load3(frictions.start, 3 * i);
+    const Pack along_first = dot(first.axis, start);
+    const Pack along_second = dot(second.axis, start);
+    const Pack held = in_circle(along_first, along_second, friction * normal_impulse);
+    store(frictions.first.impulse, i, along_first * held / s);
+    store(frictions.second.impulse, i, along_second * held / s);
+}
+
+/// Row i of all kinds.
+template <Friction law>
 inline void prepare_contact(const double* point, int i, const Touching& a, const Touching& b,
-                            const ContactRowArrays& normals, const ContactRowArrays& frictions, double* split_target,
+                            const ContactRowArrays& normals, const FrictionArrays& frictions, double* split_target,
                             const ContactStep& step) {
     const std::size_t row = static_cast<std::size_t>(i) * (contact_field::count * lanes);
     const V3 direction = load3(point, point_field::normal);
@@ -96,19 +159,26 @@ inline void prepare_contact(const double* point, int i, const Touching& a, const
     store(normals.scale, i, s);
     store(split_target, i, split ? (correction > 0.0 ? correction * s : never) : never);
 
+    const Pack friction = load(point, point_field::friction);
+    if constexpr (law == Friction::cone) {
+        const Pack impulse = load(point, point_field::impulse);
+        prepare_cone(frictions, i, direction, velocity, lever_a, lever_b, a, b, friction, impulse, s);
+        return;
+    }
     // Bullet leaves the torque of this step out of the sliding velocity that the row stops.
     const V3 slide = slide_direction(velocity, direction);
-    const Pack t = make_row(frictions.row + row, slide, lever_a, lever_b, a, b);
+    const Pack t = make_row(frictions.first.row + row, slide, lever_a, lever_b, a, b);
     const V3 sliding = (a.start_velocity + cross(a.spin, lever_a)) - (b.start_velocity + cross(b.spin, lever_b));
-    store(frictions.row + row, contact_field::grip, load(point, point_field::friction) * s / t);
-    store(frictions.target, i, -dot(slide, sliding) * t);
-    store(frictions.impulse, i, none);
-    store(frictions.scale, i, t);
+    store(frictions.first.row + row, contact_field::grip, friction * s / t);
+    store(frictions.first.target, i, -dot(slide, sliding) * t);
+    store(frictions.first.impulse, i, none);
+    store(frictions.first.scale, i, t);
 }
 
-void prepare_contacts(const LaneArrays& arrays, const ContactPacks& packs, const double* points,
-                      const ContactRowArrays& normals, const ContactRowArrays& frictions, double* split_target,
-                      const ContactStep& step) {
+template <Friction law>
+void prepare_all(const LaneArrays& arrays, const ContactPacks& packs, const double* points,
+                 const ContactRowArrays& normals, const FrictionArrays& frictions, double* split_target,
+                 const ContactStep& step) {
     const std::uint32_t* slots = packs.slots;
     for (std::size_t k = 0; k < packs.count; ++k) {
         const ContactPack& pack = packs.packs[k];
@@ -119,9 +189,17 @@ void prepare_contacts(const LaneArrays& arrays, const ContactPacks& packs, const
             const Touching a = touching(arrays, real);
             const Touching b = touching(arrays, real + lanes);
             for (std::uint32_t row = pack.first_row + turn; row < pack.end_row; row += pack.turns) {
-                prepare_contact(points + static_cast<std::size_t>(row) * (point_field::count * lanes),
-                                static_cast<int>(row), a, b, normals, frictions, split_target, step);
+                prepare_contact<law>(points + static_cast<std::size_t>(row) * (point_field::count * lanes),
+                                     static_cast<int>(row), a, b, normals, frictions, split_target, step);
             }
         }
     }
+}
+
+void prepare_contacts(const LaneArrays& arrays, const ContactPacks& packs, const double* points,
+                      const ContactRowArrays& normals, const FrictionArrays& frictions, double* split_target,
+                      const ContactStep& step) {
+    const auto prepare =
+        step.law.friction == Friction::cone ? prepare_all<Friction::cone> : prepare_all<Friction::one_direction>;
+    prepare(arrays, packs, points, normals, frictions, split_target, step);
 }

@@ -23,8 +23,8 @@ namespace {
 }  // namespace
 
 extern const LaneKernels FLOES_KERNELS;
-const LaneKernels FLOES_KERNELS{FLOES_LANES,    turns,          prepare_bodies, prepare_joints, sweep,
-                                reactions,      advance_bodies, to_contacts,    from_contacts,  prepare_contacts,
-                                start_contacts, solve_normals,  solve_frictions};
+const LaneKernels FLOES_KERNELS{FLOES_LANES,    turns,          prepare_bodies,  prepare_joints, sweep,
+                                reactions,      advance_bodies, to_contacts,     from_contacts,  prepare_contacts,
+                                start_contacts, solve_normals,  solve_frictions, solve_cones};
 
 }  // namespace floes

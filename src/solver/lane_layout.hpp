@@ -103,7 +103,11 @@ namespace contact_field {
 inline constexpr int axis = 0;      ///< s * direction
 inline constexpr int torque_a = 3;  ///< lever a x axis
 inline constexpr int torque_b = 6;
-inline constexpr int spin_a = 9;  ///< I_a^-1 torque_a
+// In a cone one sliding velocity serves all three rows.
+inline constexpr int lever_a = torque_a;   ///< first friction row
+inline constexpr int lever_b = torque_b;   ///< likewise
+inline constexpr int coupling = torque_a;  ///< second friction row: J M^-1 J^T of the normal row with first and second
+inline constexpr int spin_a = 9;           ///< I_a^-1 torque_a
 inline constexpr int spin_b = 12;
 inline constexpr int grip = 15;  ///< friction: bound / normal impulse, both scaled
 inline constexpr int count = 16;
@@ -133,6 +137,14 @@ struct ContactRowArrays {
     double* scale;  ///< s
 };
 
+/// Friction rows. The cone has two at right angles in the contact plane; both with one scale, so that the bound on
+/// their scaled impulses is a circle.
+struct FrictionArrays {
+    ContactRowArrays first;
+    ContactRowArrays second;  ///< cone only, as `start`
+    const double* start;      ///< impulse to start from, world axes, by groups of 3 fields
+};
+
 struct ContactStep {
     double inverse_step;  ///< 1/s
     double split_depth;   ///< penetrations this deep are corrected outside the impulse, m; infinite for none
@@ -158,12 +170,14 @@ struct LaneKernels {
     /// Rows of the points; targets of those normal rows that correct a penetration outside the impulse, minus infinity,
     /// which exerts nothing, for the others.
     void (*prepare_contacts)(const LaneArrays&, const ContactPacks&, const double* points,
-                             const ContactRowArrays& normals, const ContactRowArrays& frictions, double* split_target,
+                             const ContactRowArrays& normals, const FrictionArrays& frictions, double* split_target,
                              const ContactStep&);
-    /// What the impulses do that rows begin with; one sweep over all normal rows; one over all friction rows.
+    /// What the impulses do that rows begin with; one sweep over all normal rows; one over all friction rows in one
+    /// direction; one over all rows of cones, contact by contact.
     void (*start_contacts)(double* delta, const ContactPacks&, const ContactRowArrays&);
     void (*solve_normals)(double* delta, const ContactPacks&, const ContactRowArrays&);
     void (*solve_frictions)(double* delta, const ContactPacks&, const ContactRowArrays&, const double* normal_impulse);
+    void (*solve_cones)(double* delta, const ContactPacks&, const ContactRowArrays& normals, const FrictionArrays&);
 };
 
 }  // namespace floes

@@ -1,7 +1,8 @@
 #pragma once
 // The joints and contacts of many floes, solved side by side. The physics is that of Bullet 3.24's sequential-impulse
-// solver with fixed joints (btGeneric6DofSpring2Constraint locked in all six axes) and one friction direction; each
-// floe's rows are solved in the order in which its joints are given. A step reads:
+// solver with fixed joints (btGeneric6DofSpring2Constraint locked in all six axes) and one friction direction, or
+// Coulomb's cone in place of that; each floe's rows are solved in the order in which its joints are given. A step
+// reads:
 //
 //   system.set_force(body, force, torque);         // every body; set_state for those that something else moves
 //   system.prepare(time_step);

@@ -17,8 +17,10 @@ struct SolverContact {
     double distance = 0;             ///< along the normal, negative when the bodies overlap
     double friction = 0;             ///< Coulomb coefficient
     double impulse = 0;              ///< N s, of the normal: in, the value to start from; out, what was exerted on a
-    std::array<double, 3> slide{};   ///< out: unit vector of the friction row
-    double friction_impulse = 0;     ///< out: N s, exerted on a along slide
+    /// Unit vector of the friction impulse. In: of the one to start from, cone only. With the cone zero where there is
+    /// none.
+    std::array<double, 3> slide{};
+    double friction_impulse = 0;  ///< N s, exerted on a along slide; in and out likewise
 };
 
 }  // namespace floes

@@ -20,8 +20,12 @@ void check_box(const Vec3& half_extents) {
             "above 0 m");
 }
 
-/// Both solvers can do every law that there is. One that Bullet cannot do is to be refused here, by the solver's name.
-void check_contact(const ContactLaw& law) {
+void check_contact(const ContactLaw& law, ConstraintSolver solver) {
+    if (law.friction == Friction::cone && solver == ConstraintSolver::stock) {
+        throw InputError(
+            "The world cannot be built: Bullet's own solver bounds friction by a square, not by Coulomb's cone; take "
+            "general.solver = \"lanes\", or contact.friction = \"one_direction\".");
+    }
     require(law.erp >= 0 && law.erp <= 1, "the contact ERP", law.erp, "between 0 and 1");
     require(law.split_impulse_depth >= 0, "the split impulse depth", law.split_impulse_depth, "at least 0 m");
 }
@@ -32,7 +36,7 @@ void check(const WorldDefinition& d) {
     require(d.time_step > 0, "the time step", d.time_step, "above 0 s");
     require(d.iterations >= 1, "the number of iterations", d.iterations, "at least 1");
     require(std::isfinite(d.gravity), "gravity", d.gravity, "a finite number");
-    check_contact(d.contact);
+    check_contact(d.contact, d.solver);
 }
 
 void check(const BoxDefinition& box) {

@@ -51,6 +51,12 @@ bool solvable(const btPersistentManifold& manifold) {
     return moves(rigid(manifold.getBody0())) || moves(rigid(manifold.getBody1()));
 }
 
+/// With the cone a point remembers here which contact it was in the last solve, counted from 1; 0: none. Bullet keeps
+/// this number while the point lasts, and a new point has 0. The direction of friction it does not keep.
+double& number_in_last_solve(btManifoldPoint& point) {
+    return point.m_appliedImpulseLateral2;
+}
+
 constexpr std::size_t not_in_system = static_cast<std::size_t>(-1);
 
 }  // namespace
@@ -123,11 +129,15 @@ void LaneSolver::read_forces(std::span<btCollisionObject* const> bodies) {
 }
 
 void LaneSolver::read_contacts(std::span<btPersistentManifold* const> manifolds, const btContactSolverInfo& info) {
+    const bool cone = law_.friction == Friction::cone;
+    if (cone) last_.swap(contacts_);
+    // With the cone all of it: what is left to build up anew in each step lets a contact near its limit creep.
+    const double kept = cone ? 1.0 : info.m_warmstartingFactor;
     contacts_.clear();
-    for (const btPersistentManifold* manifold : manifolds) {
+    for (btPersistentManifold* manifold : manifolds) {
         if (!solvable(*manifold)) continue;
         for (int i = 0; i < manifold->getNumContacts(); ++i) {
-            const btManifoldPoint& point = manifold->getContactPoint(i);
+            btManifoldPoint& point = manifold->getContactPoint(i);
             contacts_.push_back({.a = static_cast<std::uint32_t>(body_id_of(*manifold->getBody0())),
                                  .b = static_cast<std::uint32_t>(body_id_of(*manifold->getBody1())),
                                  .on_a = array_of(point.getPositionWorldOnA()),
@@ -135,17 +145,29 @@ void LaneSolver::read_contacts(std::span<btPersistentManifold* const> manifolds,
                                  .normal = array_of(point.m_normalWorldOnB),
                                  .distance = point.getDistance(),
                                  .friction = point.m_combinedFriction,
-                                 .impulse = point.m_appliedImpulse * info.m_warmstartingFactor});
+                                 .impulse = point.m_appliedImpulse * kept});
+            if (!cone) continue;
+            if (const auto number = static_cast<std::size_t>(number_in_last_solve(point)); number > 0) {
+                const SolverContact& last = last_[number - 1];
+                contacts_.back().slide = last.slide;
+                contacts_.back().friction_impulse = last.friction_impulse;
+            }
         }
     }
 }
 
 void LaneSolver::write_contacts(std::span<btPersistentManifold* const> manifolds) const {
+    const bool cone = law_.friction == Friction::cone;
     std::size_t at = 0;
     for (btPersistentManifold* manifold : manifolds) {
-        if (!solvable(*manifold)) continue;
+        const bool solved = solvable(*manifold);
+        for (int i = 0; cone && !solved && i < manifold->getNumContacts(); ++i) {
+            number_in_last_solve(manifold->getContactPoint(i)) = 0;
+        }
+        if (!solved) continue;
         for (int i = 0; i < manifold->getNumContacts(); ++i, ++at) {
             btManifoldPoint& point = manifold->getContactPoint(i);
+            if (cone) number_in_last_solve(point) = static_cast<double>(at + 1);
             point.m_appliedImpulse = contacts_[at].impulse;
             point.m_appliedImpulseLateral1 = contacts_[at].friction_impulse;
             point.m_lateralFrictionDir1 = vector_of(contacts_[at].slide);

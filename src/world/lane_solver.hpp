@@ -58,6 +58,7 @@ class LaneSolver final : public btSequentialImpulseConstraintSolver {
     std::vector<std::size_t> joint_in_system_;  ///< of every joint; not_in_system while its floe sleeps
     bool stale_ = true;                         ///< bodies, joints or who sleeps have changed since then
     std::vector<SolverContact> contacts_;
+    std::vector<SolverContact> last_;  ///< of the solve before, for the friction that the cone starts from
 };
 
 }  // namespace floes

@@ -55,6 +55,12 @@ TEST(Validate, EveryContradictionIsOneSentence) {
          "general.time_step_s = 0.02 is too long for ice.thickness_m = 0.001: floating ice heaves at 102.7 rad/s there "
          "and "
          "diverges; take a step below 0.01947"},
+        {[](Scenario& s) {
+             s.contact.friction = Friction::cone;
+             s.general.solver = SolverKind::stock;
+         },
+         "contact.friction = \"cone\" is not possible with general.solver = \"stock\", because Bullet's own solver "
+         "bounds friction by a square; take general.solver = \"lanes\", or contact.friction = \"one_direction\""},
         {[](Scenario& s) { s.general.time_step = 1e-6; },
          "general.time_step_s = 1e-06 with analysis.steady_start_s = 80.0 and analysis.window_s = 150.0 makes 2.3e+08 "
          "steps, "

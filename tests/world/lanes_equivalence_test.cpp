@@ -112,19 +112,27 @@ TEST(LanesEquivalence, BrokenFloesMoveAsInBullet) {
     EXPECT_EQ(vector_of(lanes.world.reaction(lanes.joints[5])).norm(), 0);
 }
 
-TEST(LanesEquivalence, EveryWidthGivesTheSameBits) {
+class EveryWidth : public testing::TestWithParam<Friction> {};
+
+TEST_P(EveryWidth, GivesTheSameBits) {
     std::vector<LanesScene> scenes;
     for (const int width : lane_widths()) {
-        LanesScene& scene = scenes.emplace_back(solved_by(ConstraintSolver::lanes, width));
+        WorldDefinition definition = solved_by(ConstraintSolver::lanes, width);
+        definition.contact.friction = GetParam();
+        LanesScene& scene = scenes.emplace_back(definition);
         for (int i = 0; i < 40; ++i) {
             if (i == 20) scene.break_joints(7);
             scene.step();
         }
+        EXPECT_GT(scene.world.contact_force(scene.cone).norm(), 0.1);
         for (std::size_t i = 0; i < scene.elements.size(); ++i) {
             EXPECT_TRUE(same_bits(scene.world.state(scene.elements[i]), scenes[0].world.state(scene.elements[i])));
         }
+        EXPECT_EQ(scene.world.contact_force(scene.cone), scenes[0].world.contact_force(scenes[0].cone));
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(LanesEquivalence, EveryWidth, testing::Values(Friction::one_direction, Friction::cone));
 
 }  // namespace
 }  // namespace floes::test

@@ -1,0 +1,135 @@
+// The cone at the level of rows: what an impulse starts from, that it stays in the cone, and the same bits at every
+// lane width. What the law does to bodies: tests/world/cone_test.cpp.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "solver/bullet_scene.hpp"
+#include "solver/lane_width.hpp"
+
+namespace floes::testing {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+double dot(const Vector& a, const Vector& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Vector scaled(const Vector& a, double k) {
+    return {a[0] * k, a[1] * k, a[2] * k};
+}
+
+Vector unit(const Vector& a) {
+    return scaled(a, 1 / std::sqrt(dot(a, a)));
+}
+
+/// A floating box with one contact, solved in no sweeps: the impulses that it starts from come back.
+SolverContact started(const Vector& normal, const Vector& friction, double impulse) {
+    const SolverBody box{0.8, {2, 3, 4}};
+    LaneSystem system(std::vector<SolverBody>{box, {}}, {}, 1);
+    system.prepare(0.02);
+    const double size = std::sqrt(dot(friction, friction));
+    std::vector<SolverContact> contact{{.a = 0,
+                                        .b = 1,
+                                        .on_a = {0.1, 0.02, -0.3},
+                                        .on_b = {0.1, 0.02, -0.3},
+                                        .normal = normal,
+                                        .friction = 0.5,
+                                        .impulse = impulse,
+                                        .slide = scaled(friction, 1 / size),
+                                        .friction_impulse = size}};
+    system.solve(contact, {.friction = Friction::cone}, 0);
+    return contact[0];
+}
+
+// The impulse is carried in world axes: its part in the contact plane, whatever the plane, cut to the cone.
+TEST(FrictionCone, StartsFromTheSameVectorWhateverTheNormal) {
+    const Vector friction{0.3, -0.2, 0.1};
+    for (const Vector& direction : std::vector<Vector>{{1, 0, 0},
+                                                       {-1, 0, 1e-12},
+                                                       {-1, 0, -1e-12},
+                                                       {0, 0, 1},
+                                                       {0, 0, -1},
+                                                       {0, 1, 0},
+                                                       {1, 2, 3},
+                                                       {1, -2, -3},
+                                                       {-3, 1, 0}}) {
+        const Vector normal = unit(direction);
+        const double lost = dot(friction, normal);
+        const Vector expected{friction[0] - lost * normal[0], friction[1] - lost * normal[1],
+                              friction[2] - lost * normal[2]};
+        for (const double impulse : {10.0, 0.4, 0.0}) {
+            const double size = std::sqrt(dot(expected, expected));
+            const double cut = std::min(1.0, 0.5 * impulse / size);
+            const SolverContact contact = started(normal, friction, impulse);
+            for (std::size_t k = 0; k < 3; ++k) {
+                EXPECT_NEAR(contact.slide[k] * contact.friction_impulse, cut * expected[k], 1e-15);
+            }
+            EXPECT_NEAR(contact.impulse, impulse, 1e-15);
+        }
+    }
+}
+
+/// Contacts of a packed scene, solved in lanes by the law at every tenth step.
+std::vector<SolverContact> packed(Friction friction, int width) {
+    BulletScene scene({});
+    ContactLaw law = scene.law();
+    law.friction = friction;
+    std::vector<SolverContact> all;
+    int steps = 0;
+    scene.solver.before = [&](std::span<btPersistentManifold*> manifolds) {
+        if (++steps % 10 != 0) return;
+        LaneSystem system = scene.lane_system(width);
+        std::vector<SolverContact> contacts = scene.contacts(manifolds);
+        for (SolverContact& contact : contacts) {  // something to start from, more than the cone allows
+            contact.slide = unit({1, 0.3, -0.5});
+            contact.friction_impulse = contact.impulse;
+        }
+        system.solve(contacts, law, BulletScene::iterations);
+        all.insert(all.end(), contacts.begin(), contacts.end());
+    };
+    for (int i = 0; i < 100; ++i) scene.step();
+    return all;
+}
+
+int beyond_the_cone(const std::vector<SolverContact>& contacts) {
+    int count = 0;
+    for (const SolverContact& contact : contacts) {
+        count += std::abs(contact.friction_impulse) > contact.friction * contact.impulse * (1 + 1e-12);
+    }
+    return count;
+}
+
+TEST(FrictionCone, NoContactOfAPackedSceneExceedsIt) {
+    const std::vector<SolverContact> contacts = packed(Friction::cone, lane_widths().back());
+    EXPECT_EQ(beyond_the_cone(contacts), 0);
+    int sliding = 0, sticking = 0;
+    for (const SolverContact& contact : contacts) {
+        const double bound = contact.friction * contact.impulse;
+        sliding += bound > 0 && contact.friction_impulse > 0.999 * bound;
+        sticking += bound > 0 && contact.friction_impulse < 0.9 * bound;
+        EXPECT_LE(std::abs(dot(contact.slide, contact.normal)), 1e-12);
+    }
+    EXPECT_GT(sliding, 20);
+    EXPECT_GT(sticking, 20);
+    EXPECT_GT(beyond_the_cone(packed(Friction::one_direction, lane_widths().back())), 0)
+        << "there friction keeps its impulse when the normal one is gone";
+}
+
+TEST(FrictionCone, EveryWidthGivesTheSameBits) {
+    const std::vector<SolverContact> one = packed(Friction::cone, 1);
+    for (const int width : lane_widths()) {
+        const std::vector<SolverContact> other = packed(Friction::cone, width);
+        ASSERT_EQ(other.size(), one.size());
+        for (std::size_t i = 0; i < one.size(); ++i) {
+            EXPECT_EQ(other[i].impulse, one[i].impulse);
+            EXPECT_EQ(other[i].friction_impulse, one[i].friction_impulse);
+            EXPECT_EQ(other[i].slide, one[i].slide);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace floes::testing
