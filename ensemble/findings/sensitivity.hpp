@@ -14,7 +14,7 @@ namespace floes {
 
 /// One quantity of one [[case]] that was run at the points of the design.
 struct SensitivityRow {
-    const Quantity* quantity = nullptr;
+    Quantity quantity{};
     std::string base;                     ///< name of the [[case]]; empty where there is none
     int points = 0;                       ///< with a done member
     int base_points = 0;                  ///< of the indices: those that are whole

@@ -56,6 +56,7 @@ TEST(ScenarioKeys, LaterKeysAreSilentAtTheirDefault) {
     Scenario scenario;
     EXPECT_EQ(canonical_text(scenario).find("analysis.history_stride"), std::string::npos);
     EXPECT_EQ(canonical_text(scenario).find("analysis.exceedance_levels_N"), std::string::npos);
+    EXPECT_EQ(canonical_text(scenario).find("analysis.averaging_s"), std::string::npos);
     scenario.analysis.history_stride = 10;
     scenario.analysis.exceedance_levels = {20, 50};
     EXPECT_NE(canonical_text(scenario).find("analysis.history_stride = 10\n"), std::string::npos);
