@@ -120,8 +120,8 @@ std::string notes(const Summary& summary, const Totals& totals) {
         "it by\nBCa bootstrap, which assumes no shape; then where one further run falls, 95 %. Failure ratio: broken "
         "floes of all floes.\nJoints failed: mean of a run.\n";
     text +=
-        "Maxima that are over no time are over one step: a rigid contact gives its impulse within it, so they belong "
-        "to their time step.\nQuote maxima with the time that they are averaged over.\n";
+        "Maxima without an averaging time are maxima of single steps: a rigid contact gives its impulse within one\n"
+        "step, so they depend on the time step. Quote averaged maxima, with their averaging time.\n";
     if (totals.missing > 0 && totals.done > 0) {
         text += "Members that end sooner come first: until the campaign is complete the figures lean towards them.\n";
     }

@@ -70,9 +70,9 @@ std::string loads(const ReportData& data) {
     if (const Table averaged = averaged_table(data.summary); averaged.size() > 1) {
         body += html_table(averaged);
         body += note(
-            "Load averaged over the time given: mean over arrangements of the segments' maxima, with its 95 % interval "
-            "and where one further arrangement falls. Maxima without a time, below, are over one time step: a rigid "
-            "contact gives its impulse within it, so they belong to that step.");
+            "Surge load averaged over the time given: mean over arrangements of the segment maxima, with its 95 % "
+            "confidence and prediction intervals. The maxima below, without an averaging time, are of single steps: a "
+            "rigid contact gives its impulse within one step, so they depend on the time step.");
     }
     body += html_table(table3(data.campaign, data.summary));
     body += note(

@@ -6,6 +6,7 @@
 
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -91,6 +92,15 @@ class Summarize(unittest.TestCase):
     def summarize(cls, *arguments):
         run = [FLOES, "summarize", cls.path, "--format", "json", *arguments]
         return json.loads(subprocess.run(run, check=True, stdout=subprocess.PIPE).stdout)
+
+    def column_of(self, name):
+        """Of /members, or of /averaged as /members would have it: "sd_0.5s_N" is sd_load over 0.5 s."""
+        averaged = re.fullmatch(r"(.*)_([0-9.]+)s(_N)", name)
+        if averaged is None:
+            return QUANTITIES[name]
+        base = QUANTITIES[averaged[1] + averaged[3]]
+        self.members[name] = self.averaged[base][:, list(self.times).index(float(averaged[2]))]
+        return name
 
     def values(self, case, column):
         chosen = self.done & (self.members["case"] == case)
@@ -198,8 +208,8 @@ class Summarize(unittest.TestCase):
         self.assertGreater(len(self.summary["pairs"]), 0)
         t_p = {}
         for row in self.summary["pairs"]:
-            a, x = self.values(self.names.index(row["first"]), QUANTITIES[row["quantity"]])
-            b, y = self.values(self.names.index(row["second"]), QUANTITIES[row["quantity"]])
+            a, x = self.values(self.names.index(row["first"]), self.column_of(row["quantity"]))
+            b, y = self.values(self.names.index(row["second"]), self.column_of(row["quantity"]))
             shared, i, j = np.intersect1d(a, b, return_indices=True)
             x, y = x[i], y[j]
             with self.subTest(**{key: row[key] for key in ("quantity", "first", "second")}):
