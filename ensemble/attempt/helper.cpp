@@ -96,7 +96,9 @@ MemberResult understand(std::span<const std::byte> written, const Ending& ending
     if (static_cast<helper_protocol::Answer>(in.u8()) == helper_protocol::Answer::sentence) {
         return failed_result(in.text());
     }
-    return read_member_result(in);
+    MemberResult result = read_member_result(in);
+    read_averaged(in, result);
+    return result;
 }
 
 }  // namespace

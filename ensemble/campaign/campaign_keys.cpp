@@ -1,5 +1,8 @@
 #include "campaign/campaign_keys.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <limits>
 
 #include "quantities/quantity.hpp"
@@ -77,9 +80,11 @@ Keys describe(StopRule& stop) {
                    "all arrangements are run. Only arrangements in index order count, whatever finishes first."));
     std::vector<std::string> stoppable;
     for (const Quantity& one : quantities)
-        if (one.stops) stoppable.emplace_back(one.key);
-    keys.push_back(choice_key("stop.of", stop.of, std::move(stoppable), "the first of Table 3",
-                              "Member result to which the rule applies."));
+        if (one.stops) stoppable.emplace_back(one.key.view());
+    keys.push_back(text_key("stop.of", stop.of, "the first of Table 3",
+                            fmt::format("Member result to which the rule applies: {}; sd_load and mean_maximum also "
+                                        "averaged over a time of analysis.averaging_s, as \"mean_maximum_0.5s\".",
+                                        fmt::join(stoppable, ", "))));
     keys.push_back(text_key("stop.case", stop.case_name, "every case",
                             "Case to which the rule applies: \"all\", \"none\", or the name of one."));
     keys.push_back(text_key("stop.contrast", stop.contrast, "none",

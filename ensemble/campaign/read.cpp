@@ -13,6 +13,7 @@
 #include "campaign/name_list.hpp"
 #include "campaign/pose_file.hpp"
 #include "campaign/read_design.hpp"
+#include "campaign/stop_quantity.hpp"
 #include "core/error.hpp"
 #include "keys/read.hpp"
 #include "scenario/keys.hpp"
@@ -54,6 +55,9 @@ class Reader {
         const std::vector<CaseBlock> blocks = at_points(std::move(given), design_, axes_, head_.seed, source_.file);
         for (const CaseBlock& block : blocks) campaign.cases.push_back(read_case(block, blocks.size() > 1));
         check_points(campaign, source_.file);
+        if (const auto fault = stop_quantity_fault(campaign))
+            throw InputError(
+                fmt::format("{}: {}", origins_.contains("stop.of") ? origins_.at("stop.of") : source_.file, *fault));
         return campaign;
     }
 

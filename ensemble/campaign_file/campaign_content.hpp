@@ -55,6 +55,8 @@ hdf5::Scale write_index_scale(hid_t parent, const char* name, const char* long_n
 void write_members(hid_t file, const CampaignContent& content, const CampaignScales& scales);
 /// Nothing where no case counts steps above a load level.
 void write_levels(hid_t file, const CampaignContent& content, const CampaignScales& scales);
+/// Nothing where no case averages the load.
+void write_averaged(hid_t file, const CampaignContent& content, const CampaignScales& scales);
 void write_cases(hid_t file, const CampaignContent& content, const CampaignScales& scales);
 void write_arrangements(hid_t file, const CampaignContent& content, const CampaignScales& scales);
 void write_history(hid_t file, const CampaignContent& content, const CampaignScales& scales,

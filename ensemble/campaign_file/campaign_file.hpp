@@ -18,7 +18,7 @@
 namespace floes {
 
 /// Version of the layout, {major, minor}: a new minor only adds names.
-inline constexpr std::array<int, 2> campaign_file_version{1, 3};
+inline constexpr std::array<int, 2> campaign_file_version{1, 4};
 inline constexpr const char* campaign_filetype = "floes campaign";
 
 /// Gives the load history of a record whose own was left in the journal.
@@ -75,8 +75,12 @@ void set_levels(MemberRow& row, std::span<const double> all, std::span<const dou
 struct CampaignTable {
     std::string title;
     std::vector<CaseRow> cases;
-    std::vector<MemberRow> members;  ///< in member order
-    std::vector<double> levels;      ///< N, rising: every level that some case counts steps above
+    std::vector<MemberRow> members;            ///< in member order
+    std::vector<double> levels;                ///< N, rising: every level that some case counts steps above
+    std::vector<double> averaging_times = {};  ///< s, rising: every time that some case averages the load over
+
+    /// The list of quantities, with those of the averaged load.
+    std::vector<Quantity> quantities() const { return quantities_with(averaging_times); }
 };
 
 /// Throws InputError when there is no such file, it is no campaign file, or its major version is not this program's.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <functional>
 #include <limits>
 
 #include "campaign_file/arrangement_rows.hpp"
@@ -9,16 +10,17 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Those of all cases, rising, each once.
-std::vector<double> levels_of(const Campaign& campaign) {
-    std::vector<double> levels;
+/// What a function gives of the scenarios of all cases, rising, each value once.
+template <class Function>
+std::vector<double> of_all_cases(const Campaign& campaign, Function function) {
+    std::vector<double> values;
     for (const Case& one : campaign.cases) {
-        const std::vector<double>& own = one.scenario.analysis.exceedance_levels;
-        levels.insert(levels.end(), own.begin(), own.end());
+        const std::vector<double> own = std::invoke(function, one.scenario);
+        values.insert(values.end(), own.begin(), own.end());
     }
-    std::ranges::sort(levels);
-    levels.erase(std::ranges::unique(levels).begin(), levels.end());
-    return levels;
+    std::ranges::sort(values);
+    values.erase(std::ranges::unique(values).begin(), values.end());
+    return values;
 }
 
 void set_missing(MemberRow& row, int segments, std::size_t levels) {
@@ -58,7 +60,8 @@ CampaignTable campaign_table(const Campaign& campaign, std::span<const MemberRec
     CampaignTable table;
     table.title = campaign.name;
     for (const Case& one : campaign.cases) table.cases.push_back(case_row(one));
-    table.levels = levels_of(campaign);
+    table.levels = of_all_cases(campaign, [](const Scenario& s) { return s.analysis.exceedance_levels; });
+    table.averaging_times = of_all_cases(campaign, &Scenario::averaging_times);
     const ArrangementRows arrangements(campaign);
     int number = 0;
     for (const MemberRecord* record : match_records(campaign, records)) {

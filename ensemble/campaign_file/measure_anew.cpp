@@ -16,6 +16,9 @@ namespace {
 void measure(MemberRow& row, std::span<const double> window, double step, int segments,
              std::span<const double> levels) {
     row.load = load_statistics(window, step, segments);
+    std::vector<double> times;
+    for (const AveragedLoad& one : row.averaged) times.push_back(one.time);
+    row.averaged = averaged_load(window, step, segments, times);
     const std::vector<LevelCount> counts = count_levels(window, levels);
     for (std::size_t k = 0; k < levels.size(); ++k) {
         if (std::isnan(row.steps_above[k])) continue;

@@ -35,6 +35,7 @@ void write_file(const std::filesystem::path& path, CampaignContent& content, std
         const CampaignScales scales(file.id(), content);
         write_members(file.id(), content, scales);
         write_levels(file.id(), content, scales);
+        write_averaged(file.id(), content, scales);
         write_cases(file.id(), content, scales);
         write_arrangements(file.id(), content, scales);
         write_history(file.id(), content, scales, history_of);

@@ -125,6 +125,32 @@ void read_levels(hid_t file, CampaignTable& table) {
     counts("exceedance/upcrossings", &MemberRow::upcrossings);
 }
 
+void read_averaged(hid_t file, CampaignTable& table) {
+    if (!hdf5::exists(file, "averaged")) return;  // before layout 1.4
+    table.averaging_times = hdf5::read_values<double>(file, "averaging_time");
+    const std::size_t times = table.averaging_times.size();
+    const auto maxima = hdf5::read_values<double>(file, "averaged/segment_maximum");
+    const std::size_t width = table.members.empty() ? 0 : maxima.size() / (table.members.size() * times);
+    for (std::size_t k = 0; k < table.members.size(); ++k) {
+        MemberRow& row = table.members[k];
+        const auto segments = table.cases.at(static_cast<std::size_t>(row.case_index)).analysis.segments;
+        for (std::size_t i = 0; i < times; ++i) {
+            const auto first = maxima.begin() + static_cast<std::ptrdiff_t>((k * times + i) * width);
+            row.averaged.push_back({.time = table.averaging_times[i], .segment_maximum = {first, first + segments}});
+        }
+    }
+    for (const Quantity& one : quantities) {
+        if (one.averaged == nullptr) continue;
+        const auto values = hdf5::read_values<double>(file, fmt::format("averaged/{}", one.key));
+        for (std::size_t k = 0; k < table.members.size(); ++k)
+            for (std::size_t i = 0; i < times; ++i)
+                table.members[k].averaged[i].*one.averaged = values.at(k * times + i);
+    }
+    // A time that a member did not take is not in its row.
+    for (MemberRow& row : table.members)
+        std::erase_if(row.averaged, [](const AveragedLoad& one) { return std::isnan(one.mean_maximum); });
+}
+
 CampaignTable read_campaign_file(const std::filesystem::path& path) {
     const hdf5::QuietErrors quiet;
     const Handle file = hdf5::open_for_reading(path);
@@ -134,6 +160,7 @@ CampaignTable read_campaign_file(const std::filesystem::path& path) {
     table.cases = read_cases(file.id());
     table.members = read_members(file.id(), table.cases);
     read_levels(file.id(), table);
+    read_averaged(file.id(), table);
     return table;
 }
 

@@ -28,7 +28,7 @@ void write_members(hid_t file, const CampaignContent& content, const CampaignSca
         hdf5::Flags{{-1, 0, 1}, "missing done failed"});
     // Counts are doubles too, so that every reader sees NaN where there is none.
     for (const Quantity& one : quantities)
-        hdf5::write_values(id, {std::string{one.key}, std::string{one.unit}, std::string{one.long_name}}, member,
+        hdf5::write_values(id, {std::string{one.key.view()}, std::string{one.unit}, std::string{one.long_name}}, member,
                            of_members<double>(content, [&one](const MemberRow& row) { return row.value(one); }));
     hdf5::write_values(
         id, {"steady", "1", "whether the trend of the surge load does not differ from zero"}, member,

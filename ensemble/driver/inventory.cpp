@@ -68,7 +68,7 @@ void tell(std::optional<PrecisionStop>& rule, const Campaign& campaign, const Me
     if (!rule) return;
     const bool done = result.status == MemberStatus::done;
     rule->put(member.arrangement, member.case_index,
-              done ? find_quantity(campaign.stop.of)->of(result) : std::numeric_limits<double>::quiet_NaN());
+              done ? any_quantity(campaign.stop.of)->of(result) : std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace floes

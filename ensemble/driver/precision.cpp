@@ -15,7 +15,7 @@ std::optional<PrecisionStop> stop_rule_of(const Campaign& campaign, const Campai
         const MemberRow& row = table.members[k];
         const MemberKey key = member_key(campaign, static_cast<int>(k));
         if (row.status != RowStatus::missing)
-            rule->put(key.arrangement, key.case_index, row.value(*find_quantity(campaign.stop.of)));
+            rule->put(key.arrangement, key.case_index, row.value(*any_quantity(campaign.stop.of)));
     }
     return rule;
 }

@@ -51,12 +51,12 @@ Section hybrid_section(const HybridCurve& curve) {
                          newtons(p.limit_stress.crushing), newtons(p.limit_stress.bending),
                          newtons(p.limit_stress.submergence), newtons(p.limit_momentum), newtons(p.load)});
     }
-    return {.table = std::move(table),
-            .after = "\n" + crossing_text(curve) +
-                     fmt::format("KPR coefficients k1 = {:.4g}, k2 = {:g}, k3 = {:g}: chosen, no source gives them\n",
-                                 curve.coefficients.static_part, curve.coefficients.dissipative,
-                                 curve.coefficients.impact),
-            .records = records_of(curve)};
+    return {
+        .table = std::move(table),
+        .after = "\n" + crossing_text(curve) +
+                 fmt::format("KPR coefficients k1 = {:.4g}, k2 = {:g}, k3 = {:g}: chosen, no source gives them\n",
+                             curve.coefficients.static_part, curve.coefficients.dissipative, curve.coefficients.impact),
+        .records = records_of(curve)};
 }
 
 }  // namespace floes

@@ -31,7 +31,8 @@ Section members_section(const CampaignTable& table) {
     const auto add = [&](const Quantity& quantity, std::string_view name) {
         columns.push_back({std::string{name}, [&quantity](Row row) { return row.value(quantity); }});
     };
-    for (const Quantity& one : shown_in(Shown::in_summary)) add(one, one.name);
+    const std::vector<Quantity> known = table.quantities();
+    for (const Quantity& one : shown_in(known, Shown::in_summary)) add(one, one.name);
     std::size_t segments = 0;  // largest number in any case
     for (const MemberRow& row : table.members) segments = std::max(segments, row.load.segment_maximum.size());
     for (std::size_t k = 0; k < segments; ++k)

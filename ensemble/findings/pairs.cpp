@@ -48,14 +48,14 @@ PairRow compare(const SharedMembers& pair, const Quantity& quantity, const PairO
     std::vector<double> first;
     std::vector<double> second;
     for (const auto& [one, other] : pair.members) {
-        const double one_value = quantity.of(*one);
-        const double other_value = quantity.of(*other);
-        if (!std::isfinite(one_value) || !std::isfinite(other_value)) continue;  // a file from before the quantity
-        first.push_back(one_value);
-        second.push_back(other_value);
+        const double of_first = quantity.of(*one);
+        const double of_second = quantity.of(*other);
+        if (std::isnan(of_first) || std::isnan(of_second)) continue;  // an older version did not measure it
+        first.push_back(of_first);
+        second.push_back(of_second);
     }
     PairRow row;
-    row.quantity = &quantity;
+    row.quantity = quantity;
     row.first = pair.first;
     row.second = pair.second;
     row.found = compare_paired(first, second);
@@ -73,7 +73,8 @@ PairRow compare(const SharedMembers& pair, const Quantity& quantity, const PairO
 std::vector<PairRow> compare_pairs(const CampaignTable& table, const PairOptions& options) {
     const std::vector<SharedMembers> pairs = find_pairs(table, options.reference);
     std::vector<PairRow> all;
-    for (const Quantity& quantity : shown_in(Shown::in_table3)) {
+    const std::vector<Quantity> known = table.quantities();
+    for (const Quantity& quantity : shown_in(known, Shown::in_pairs)) {
         std::vector<PairRow> rows;
         std::vector<double> t_p;
         std::vector<double> wilcoxon_p;

@@ -13,7 +13,7 @@ namespace floes {
 
 /// One quantity of one pair of cases, over the arrangements that both have done.
 struct PairRow {
-    const Quantity* quantity = nullptr;
+    Quantity quantity{};
     std::size_t first = 0;  ///< index of the case that the other is compared with
     std::size_t second = 0;
     PairedComparison found;  ///< second - first
@@ -30,8 +30,8 @@ struct PairOptions {
     double power = 0.8;                    ///< probability of finding it at the 5 % level
 };
 
-/// Every pair of cases that share at least two done arrangements, for each quantity of Table 3 in order; pairs in file
-/// order.
+/// Every pair of cases that share at least two done arrangements, for each quantity of Table 3 and of the averaged load
+/// in order; pairs in file order.
 std::vector<PairRow> compare_pairs(const CampaignTable& table, const PairOptions& options = {});
 
 }  // namespace floes

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/units.hpp"
@@ -21,8 +22,8 @@ std::string percent(double part) {
 }
 
 std::vector<Cell> line(const Summary& summary, const PairRow& row) {
-    const double factor = row.quantity->factor();
-    const int decimals = row.quantity->percent ? 1 : decimals_for(std::abs(row.first_mean));
+    const double factor = row.quantity.factor();
+    const int decimals = row.quantity.percent ? 1 : decimals_for(std::abs(row.first_mean));
     const PairedComparison& found = row.found;
     return {fmt::format("  {} - {}", summary.name_of(row.second), summary.name_of(row.first)),
             fmt::format("{}", found.arrangements),
@@ -40,21 +41,22 @@ std::size_t all_pairs(const Summary& summary) {
     return summary.cases.size() * (summary.cases.size() - 1) / 2;
 }
 
-/// Each pair has a row for each of these.
-std::size_t compared_quantities() {
-    return static_cast<std::size_t>(std::ranges::distance(shown_in(Shown::in_table3)));
+/// Each pair has a row for each quantity.
+std::size_t pairs_in(const std::vector<PairRow>& rows) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(rows, [&](const PairRow& row) { return row.quantity.key == rows.front().quantity.key; }));
 }
 
 /// The three most informative quantities; a table of all would be too long.
 Table headlines(const Summary& summary, const std::vector<PairRow>& rows, const PairOptions& options) {
     Table table{{"pair", "n", "difference", "95 %", "of first", "p t", "p Wilcoxon", "reduction", "n needed",
                  fmt::format("n for {:g} %", options.resolve / unit::percent)}};
-    const Quantity* last = nullptr;
+    ShortText last;
     for (const PairRow& row : rows) {
-        if (row.quantity->shown < Shown::in_headlines) continue;
-        if (row.quantity != last) {
-            table.emplace_back(table.front().size(), "").front() = std::string{row.quantity->label};
-            last = row.quantity;
+        if (row.quantity.shown < Shown::in_headlines) continue;
+        if (!(row.quantity.key == last)) {
+            table.emplace_back(table.front().size(), "").front() = std::string{row.quantity.label.view()};
+            last = row.quantity.key;
         }
         table.push_back(line(summary, row));
     }
@@ -62,7 +64,7 @@ Table headlines(const Summary& summary, const std::vector<PairRow>& rows, const 
 }
 
 std::string notes(const std::vector<PairRow>& rows, const PairOptions& options) {
-    const std::size_t pairs = rows.size() / compared_quantities();
+    const std::size_t pairs = pairs_in(rows);
     return fmt::format(
         "\np: two-sided, paired t test and Wilcoxon signed-rank test, Holm-adjusted over the {} of a quantity.\n"
         "Reduction: share of the variance of the difference that pairing removes. n needed: arrangements needed to\n"
@@ -76,7 +78,7 @@ std::vector<RecordField<PairRow>> columns_of(const Summary& summary, const PairO
     using Row = const PairRow&;
     const auto needed = [](int count) { return count == 0 ? Datum(Undefined{}) : Datum(count); };
     return {
-        {"quantity", [](Row row) { return row.quantity->name; }},
+        {"quantity", [](Row row) { return row.quantity.name.view(); }},
         {"first", [&](Row row) { return summary.name_of(row.first); }},
         {"second", [&](Row row) { return summary.name_of(row.second); }},
         {"arrangements", [](Row row) { return row.found.arrangements; }},
@@ -109,7 +111,7 @@ std::vector<RecordField<PairRow>> columns_of(const Summary& summary, const PairO
 
 std::string left_out_text(const Summary& summary, const std::vector<PairRow>& rows) {
     const std::size_t all = all_pairs(summary);
-    const std::size_t left_out = all - rows.size() / compared_quantities();
+    const std::size_t left_out = all - pairs_in(rows);
     if (left_out == 0) return "";
     return fmt::format(
         "{} not compared: a pair needs two arrangements that are done in both cases and begin with the same floes, "
@@ -141,8 +143,8 @@ Table pairs_page_table(const Summary& summary, const std::vector<PairRow>& rows)
     Table table{{"quantity", "pair", "n", "difference", "95 % interval", "p (t, Holm)", "p (Wilcoxon, Holm)",
                  "variance reduction, %", "n needed"}};
     for (const PairRow& row : rows) {
-        const double factor = row.quantity->factor();
-        table.push_back({std::string{row.quantity->label},
+        const double factor = row.quantity.factor();
+        table.push_back({std::string{row.quantity.label.view()},
                          fmt::format("{} − {}", summary.name_of(row.second), summary.name_of(row.first)),
                          fmt::format("{}", row.found.arrangements), fixed(factor * row.found.difference, 2),
                          bracket(factor * row.found.t_interval.low, factor * row.found.t_interval.high, 2),

@@ -58,9 +58,9 @@ Section points_section(const DesignPoints& points, const Summary& summary) {
                                return std::visit([](const auto& value) { return Datum(value); }, row.values[k]);
                            }});
     columns.push_back({Names{"done", ""}, [=](Row row) { return summary_of(row).done; }});
-    for (const Quantity& one : shown_in(Shown::in_summary))
+    for (const Quantity& one : shown_in(summary.quantities, Shown::in_summary))
         columns.push_back(
-            {Names{std::string{one.name}, ""}, [=, &one](Row row) { return summary_of(row).of(one).estimate; }});
+            {Names{std::string{one.name.view()}, ""}, [=, &one](Row row) { return summary_of(row).of(one).estimate; }});
     Section section{.records = {make_list("design/axes", points.keys),
                                 make_records<PointRow>("design/points", points.rows, columns)}};
     if (points.keys.empty()) {

@@ -155,15 +155,16 @@ Sensitivity find_sensitivity(const Campaign& campaign, const CampaignTable& tabl
         return found;
     }
     found.axes = axes_of(campaign);
+    const std::vector<Quantity> known = table.quantities();
     for (const Points& points : by_base(campaign)) {
         const PointCoordinates places = coordinates(campaign, points, found.axes);
         bool fitted = false;
-        for (const Quantity& quantity : quantities) {
+        for (const Quantity& quantity : known) {
             if (!quantity.in_designs) continue;
             const auto values = values_of(points, quantity, table);
             const std::vector<double> means = means_of(values, points.cases.size());
             SensitivityRow& row = found.rows.emplace_back();
-            row.quantity = &quantity;
+            row.quantity = quantity;
             row.base = points.base;
             row.points =
                 static_cast<int>(std::ranges::count_if(means, [](double mean) { return std::isfinite(mean); }));

@@ -14,7 +14,7 @@ namespace floes {
 
 /// Sensitivity of one quantity of one [[case]] that was run at the points of the design.
 struct SensitivityRow {
-    const Quantity* quantity = nullptr;
+    Quantity quantity{};
     std::string base;                     ///< name of the [[case]]; empty if there is none
     int points = 0;                       ///< with a done member
     int base_points = 0;                  ///< complete base points, used for the indices

@@ -26,8 +26,8 @@ std::string axis_text(const SensitivityAxis& axis) {
 }
 
 std::vector<Cell> line(const Sensitivity& found, const SensitivityRow& row, std::size_t axis) {
-    const double factor = row.quantity->factor();
-    const int decimals = row.fit && !row.quantity->percent ? decimals_for(std::abs(row.fit->centre)) : 1;
+    const double factor = row.quantity.factor();
+    const int decimals = row.fit && !row.quantity.percent ? decimals_for(std::abs(row.fit->centre)) : 1;
     std::vector<Cell> cells{"  " + axis_text(found.axes[axis])};
     if (row.fit) {
         const Slope& slope = row.fit->slopes[axis];
@@ -46,7 +46,7 @@ std::vector<Cell> line(const Sensitivity& found, const SensitivityRow& row, std:
 
 std::string heading_of(const SensitivityRow& row) {
     std::string text = row.base.empty() ? "" : row.base + ": ";
-    text += row.quantity->label;
+    text += row.quantity.label.view();
     if (row.fit) text += fmt::format(" (R² {})", fixed(row.fit->r_squared, index_decimals));
     return text;
 }
@@ -94,7 +94,7 @@ Records row_records(const Sensitivity& found) {
     };
     std::vector<RecordField<SensitivityRow>> columns{
         {"base", &SensitivityRow::base},
-        {"quantity", [](Row row) { return row.quantity->name; }},
+        {"quantity", [](Row row) { return row.quantity.name.view(); }},
         {"points", &SensitivityRow::points},
         {"base_points", [](Row row) { return row.indices ? Datum(row.base_points) : Datum(Absent{}); }},
         {"centre", of_fit([](const LinearFit& fit) { return fit.centre; })},
@@ -117,13 +117,14 @@ Records axis_records(const Sensitivity& found) {
     std::vector<Line> lines;
     for (const SensitivityRow& row : found.rows)
         for (const SensitivityAxis& axis : found.axes) lines.push_back({&row, &axis});
-    std::vector<RecordField<Line>> columns{{"base", [](const Line& line) { return line.row->base; }},
-                                           {"quantity", [](const Line& line) { return line.row->quantity->name; }},
-                                           {"axis", [](const Line& line) { return line.axis->key; }},
-                                           {"from", [](const Line& line) { return line.axis->from; }},
-                                           {"to", [](const Line& line) { return line.axis->to; }},
-                                           {"scale", [](const Line& line) { return scale_word(*line.axis); }},
-                                           {"points", [](const Line& line) { return line.row->points; }}};
+    std::vector<RecordField<Line>> columns{
+        {"base", [](const Line& line) { return line.row->base; }},
+        {"quantity", [](const Line& line) { return line.row->quantity.name.view(); }},
+        {"axis", [](const Line& line) { return line.axis->key; }},
+        {"from", [](const Line& line) { return line.axis->from; }},
+        {"to", [](const Line& line) { return line.axis->to; }},
+        {"scale", [](const Line& line) { return scale_word(*line.axis); }},
+        {"points", [](const Line& line) { return line.row->points; }}};
     add_axis<Line>(
         "", [](const Line& line) -> const SensitivityRow& { return *line.row; },
         [&](const Line& line) { return static_cast<std::size_t>(line.axis - found.axes.data()); }, columns);

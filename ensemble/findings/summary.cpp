@@ -28,10 +28,10 @@ void count(const MemberRow& member, CaseSummary& row) {
     ++row.done;
     row.not_steady += member.load.steady ? 0 : 1;
     for (const Quantity& one : quantities)
-        if (one.count) row.totals[one.key] += static_cast<std::int64_t>(one.of(member));
+        if (one.count) row.totals[std::string{one.key.view()}] += static_cast<std::int64_t>(one.of(member));
 }
 
-CaseSummary summarise_case(const CampaignTable& table, int number) {
+CaseSummary summarise_case(const CampaignTable& table, const std::vector<Quantity>& quantities, int number) {
     CaseSummary row;
     row.about = table.cases[static_cast<std::size_t>(number)];
     std::vector<const MemberRow*> done;
@@ -40,16 +40,16 @@ CaseSummary summarise_case(const CampaignTable& table, int number) {
         count(member, row);
         if (member.done()) done.push_back(&member);
     }
-    for (const Quantity& quantity : shown_in(Shown::in_summary)) {
+    for (const Quantity& quantity : shown_in(quantities, Shown::in_summary)) {
         std::vector<double> values;
-        for (const MemberRow* member : done) {
-            const double value = quantity.of(*member);
-            if (std::isfinite(value)) values.push_back(value);  // a file from before the quantity does not have it
-        }
+        for (const MemberRow* member : done) values.push_back(quantity.of(*member));
+        std::erase_if(values,
+                      [](double value) { return !std::isfinite(value); });  // an older version did not measure it
         // Student's limits can leave the range of the values; those of the bootstrap cannot.
-        row.estimates[quantity.key] = {clipped(quantity.positive ? positive_interval(values) : mean_interval(values),
-                                               quantity.least, quantity.most),
-                                       bca_mean_interval(values)};
+        row.estimates[std::string{quantity.key.view()}] = {
+            clipped(quantity.positive ? positive_interval(values) : mean_interval(values), quantity.least,
+                    quantity.most),
+            bca_mean_interval(values)};
     }
     return row;
 }
@@ -63,8 +63,9 @@ bool Summary::complete() const {
 Summary summarise(const CampaignTable& table) {
     Summary summary;
     summary.title = table.title;
+    summary.quantities = table.quantities();
     for (int number = 0; number < static_cast<int>(table.cases.size()); ++number) {
-        summary.cases.push_back(summarise_case(table, number));
+        summary.cases.push_back(summarise_case(table, summary.quantities, number));
     }
     for (int number = 0; number < static_cast<int>(table.members.size()); ++number) {
         const MemberRow& member = table.members[static_cast<std::size_t>(number)];

@@ -34,10 +34,10 @@ struct CaseSummary {
     int not_steady = 0;       ///< done, with a load that still had a trend in the window
 
     /// The estimate of a quantity that is shown in summaries, in its unit.
-    const Estimate& of(const Quantity& quantity) const { return estimates.at(quantity.key); }
+    const Estimate& of(const Quantity& quantity) const { return estimates.at(std::string{quantity.key.view()}); }
 
-    std::map<std::string_view, Estimate> estimates;   ///< by key
-    std::map<std::string_view, std::int64_t> totals;  ///< sums of counts over the done members; absent if none is done
+    std::map<std::string, Estimate> estimates;   ///< by key
+    std::map<std::string, std::int64_t> totals;  ///< sums of counts over the done members; absent if none is done
 };
 
 /// A member that was set aside.
@@ -50,6 +50,7 @@ struct Summary {
     std::string title;  ///< of the campaign
     std::vector<CaseSummary> cases;
     std::vector<SetAside> failed;
+    std::vector<Quantity> quantities;  ///< all that are known of the members, in the order in which they are shown
 
     bool complete() const;  ///< every planned member is done or set aside
     const std::string& name_of(std::size_t of_case) const { return cases.at(of_case).about.name; }

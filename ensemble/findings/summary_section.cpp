@@ -56,7 +56,7 @@ void add_estimate(const Summary& summary, const Quantity& quantity, Table& table
         return bracket(factor * low, factor * high, decimals);
     };
     add_line(
-        summary, std::string{quantity.label},
+        summary, std::string{quantity.label.view()},
         [&](const CaseSummary& row) {
             const Estimate& found = row.of(quantity);
             return Cell{fixed(quantity.factor() * found.estimate, decimals), range(found.low, found.high)};
@@ -118,6 +118,9 @@ std::string notes(const Summary& summary, const Totals& totals) {
         "\nOne arrangement is one value. Brackets, all 95 %: confidence interval of the mean over all arrangements by\n"
         "Student's t; below it by BCa bootstrap, which assumes no distribution; then the prediction interval of one\n"
         "further run. Failure ratio: broken floes / floes. Joints failed: mean per run.\n";
+    text +=
+        "Maxima without an averaging time are maxima of single steps: a rigid contact gives its impulse within one\n"
+        "step, so they depend on the time step. Quote averaged maxima, with their averaging time.\n";
     if (totals.missing > 0 && totals.done > 0) {
         text += "Short runs finish first: until the campaign is complete, the figures are biased towards them.\n";
     }
@@ -141,7 +144,7 @@ std::string notes(const Summary& summary, const Totals& totals) {
 using CaseColumn = RecordField<CaseSummary>;
 
 void add_estimate(const Quantity& quantity, std::vector<CaseColumn>& columns) {
-    const std::string name{quantity.name};
+    const std::string name{quantity.name.view()};
     const auto add = [&](const char* part, const std::string& csv, auto value) {
         columns.push_back({Names{csv, fmt::format("{}/{}", name, part)},
                            [&quantity, value](const CaseSummary& row) { return Datum(value(row.of(quantity))); }});
@@ -164,7 +167,7 @@ CaseColumn difference_column(const Summary& summary, std::size_t reference, cons
 
 /// "failures_bending" goes to "failures/bending".
 CaseColumn total_column(const Quantity& quantity) {
-    const std::string key{quantity.key};
+    const std::string key{quantity.key.view()};
     std::string place = key;
     place.at(place.find('_')) = '/';
     return {Names{key, place}, [key](const CaseSummary& row) {
@@ -182,19 +185,19 @@ std::vector<CaseColumn> case_columns(const Summary& summary, Reference reference
         {"failed_members", &CaseSummary::failed_members},
         {"missing_members", &CaseSummary::missing_members},
         {"not_steady", &CaseSummary::not_steady}};
-    for (const Quantity& quantity : shown_in(Shown::in_summary)) {
+    for (const Quantity& quantity : shown_in(summary.quantities, Shown::in_summary)) {
         add_estimate(quantity, columns);
         if (reference)
             columns.push_back(difference_column(summary, *reference, quantity,
                                                 {fmt::format("{}_difference_percent", quantity.name), ""}));
     }
-    for (const Quantity& quantity : quantities)
+    for (const Quantity& quantity : summary.quantities)
         if (quantity.count) columns.push_back(total_column(quantity));
     for (const ConditionColumn& condition : condition_columns(summary))
         columns.push_back(
             {condition.names, [condition](const CaseSummary& row) { return condition.value(row.about); }});
     if (reference) {
-        for (const Quantity& quantity : shown_in(Shown::in_summary))
+        for (const Quantity& quantity : shown_in(summary.quantities, Shown::in_summary))
             columns.push_back(difference_column(summary, *reference, quantity,
                                                 {"", fmt::format("difference_percent/{}", quantity.name)}));
     }
@@ -218,9 +221,9 @@ Section summary_section(const Summary& summary, Reference reference) {
     const Totals totals{summary};
     Table table;
     add_counts(summary, table);
-    for (const Quantity& quantity : shown_in(Shown::in_summary)) {
+    for (const Quantity& quantity : shown_in(summary.quantities, Shown::in_summary)) {
         add_estimate(summary, quantity, table);
-        if (reference && quantity.shown >= Shown::in_table3) add_difference(summary, quantity, *reference, table);
+        if (reference && quantity.shown >= Shown::in_pairs) add_difference(summary, quantity, *reference, table);
     }
     return {.before = heading(summary, totals) + "\n",
             .table = std::move(table),

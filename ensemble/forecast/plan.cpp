@@ -27,6 +27,8 @@ double record_bytes(const Scenario& scenario) {
     const Analysis& analysis = scenario.analysis;
     record.result.load.segment_maximum.resize(static_cast<std::size_t>(analysis.segments));
     record.result.levels.resize(analysis.exceedance_levels.size());
+    record.result.averaged.resize(scenario.averaging_times().size());
+    for (AveragedLoad& one : record.result.averaged) one.segment_maximum = record.result.load.segment_maximum;
     record.result.arrangement.resize(static_cast<std::size_t>(scenario.field.floes));
     return static_cast<double>(encode(record).size());
 }

@@ -74,7 +74,7 @@ std::string strips_figure(const ReportData& data, const Quantity& quantity) {
         values.insert(values.end(), {factor * estimate.prediction_low, factor * estimate.prediction_high});
     }
     Plot plot(fmt::format("{} of every arrangement, with the mean of each case", quantity.label),
-              axis_around(std::string(quantity.label), values, true),
+              axis_around(std::string(quantity.label.view()), values, true),
               {"", 0, static_cast<double>(cases.size()), false, from_the_bottom(case_names(data))},
               {720, height_for(cases.size())});
     for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -101,7 +101,7 @@ std::string pairs_figure(const ReportData& data, const Quantity& quantity) {
     std::vector<std::string> labels;
     std::vector<double> values{0};
     for (const PairRow& row : *data.pairs) {
-        if (row.quantity != &quantity) continue;
+        if (!(row.quantity.key == quantity.key)) continue;
         rows.push_back(&row);
         labels.push_back(names[row.second] + " − " + names[row.first]);
         values.insert(values.end(), {factor * row.found.t_interval.low, factor * row.found.t_interval.high,

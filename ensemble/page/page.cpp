@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/units.hpp"
+#include "findings/averaged_table.hpp"
 #include "findings/conditions.hpp"
 #include "findings/pairs_section.hpp"
 #include "findings/paper_table3.hpp"
@@ -65,7 +66,15 @@ bool has_paper_rows(const Campaign& campaign) {
 }
 
 std::string loads(const ReportData& data) {
-    std::string body = html_table(table3(data.campaign, data.summary));
+    std::string body;
+    if (const Table averaged = averaged_table(data.summary); averaged.size() > 1) {
+        body += html_table(averaged);
+        body += note(
+            "Surge load averaged over the time given: mean over arrangements of the segment maxima, with its 95 % "
+            "confidence and prediction intervals. The maxima below, without an averaging time, are of single steps: a "
+            "rigid contact gives its impulse within one step, so they depend on the time step.");
+    }
+    body += html_table(table3(data.campaign, data.summary));
     body += note(
         "Mean over arrangements with its 95 % confidence interval; below it the 95 % prediction interval of one "
         "further arrangement." +

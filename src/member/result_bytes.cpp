@@ -9,6 +9,7 @@ namespace {
 constexpr std::size_t break_bytes = 8 + 4 + 4 + 1;
 constexpr std::size_t pose_bytes = 3 * 8;
 constexpr std::size_t level_bytes = 2 * 4;
+constexpr std::size_t averaged_bytes = 4 * 8 + 8;  // at least
 
 std::uint8_t read_below(ByteReader& in, std::uint8_t limit) {
     const std::uint8_t value = in.u8();
@@ -20,7 +21,7 @@ std::uint8_t read_below(ByteReader& in, std::uint8_t limit) {
 void write_quantities(ByteWriter& out, const MemberOutputs& outputs) {
     out.u32(static_cast<std::uint32_t>(quantities.size()));
     for (const Quantity& one : quantities) {
-        out.text(one.key);
+        out.text(one.key.view());
         out.f64(one.of(outputs));
     }
 }
@@ -113,6 +114,23 @@ MemberResult read_member_result(ByteReader& in) {
     result.cpu_time = in.f64();
     read_levels(in, result);
     return result;
+}
+
+void write_averaged(ByteWriter& out, const MemberResult& result) {
+    out.u64(result.averaged.size());
+    for (const AveragedLoad& one : result.averaged) {
+        for (const double value : {one.time, one.sd, one.mean_maximum, one.sd_maximum}) out.f64(value);
+        out.doubles(one.segment_maximum);
+    }
+}
+
+void read_averaged(ByteReader& in, MemberResult& result) {
+    if (in.left() == 0) return;
+    result.averaged.resize(in.count(averaged_bytes));
+    for (AveragedLoad& one : result.averaged) {
+        for (double* value : {&one.time, &one.sd, &one.mean_maximum, &one.sd_maximum}) *value = in.f64();
+        one.segment_maximum = in.doubles();
+    }
 }
 
 MemberResult read_older_member_result(ByteReader& in) {

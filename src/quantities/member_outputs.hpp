@@ -1,18 +1,22 @@
 #pragma once
 // The numbers that a member measures. quantity.hpp lists those with a name and where they appear.
 
+#include <vector>
+
 #include "ice/peak_reactions.hpp"
+#include "statistics/averaged_load.hpp"
 #include "statistics/load_statistics.hpp"
 
 namespace floes {
 
 /// For a failed member only the failures and the peaks are valid: they were recorded before it failed.
 struct MemberOutputs {
-    LoadStatistics load;       ///< of the surge load in the window
-    double mean_sway = 0;      ///< N, over the window
-    double mean_heave = 0;     ///< N, over the window
-    double failure_ratio = 0;  ///< broken floes / floes at the end of the run, 0-1
-    int failures_bending = 0;  ///< failed joints by mode
+    LoadStatistics load;                 ///< of the surge load in the window
+    std::vector<AveragedLoad> averaged;  ///< the same load over each averaging time, rising
+    double mean_sway = 0;                ///< N, over the window
+    double mean_heave = 0;               ///< N, over the window
+    double failure_ratio = 0;            ///< broken floes / floes at the end of the run, 0-1
+    int failures_bending = 0;            ///< failed joints by mode
     int failures_shear = 0;
     int failures_compression = 0;
     PeakReactions peaks;  ///< over all joints and the whole run

@@ -1,16 +1,21 @@
 #pragma once
 // The list of scalar quantities of a member. It drives the journal, the columns of the campaign file and their page,
 // the stop rule, summaries, pairs and designs. A new quantity is its field in MemberOutputs, one line here, and the
-// computation in member/run_member.cpp.
+// computation in member/run_member.cpp. Quantities of the averaged load are made from the same lines at run time, one
+// for each averaging time: quantities_with().
 
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <ranges>
+#include <span>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 #include "quantities/member_outputs.hpp"
+#include "quantities/short_text.hpp"
 
 namespace floes {
 
@@ -40,19 +45,20 @@ inline constexpr double no_most = std::numeric_limits<double>::infinity();
 enum class Shown {
     in_file,      ///< only a column of /members
     in_summary,   ///< also a line of each case's summary
-    in_table3,    ///< also with every interval and in comparisons of cases: the rows of Table 3
+    in_pairs,     ///< also in comparisons of cases
+    in_table3,    ///< also with every interval: the rows of Table 3
     in_headlines  ///< also where there is room for only a few
 };
 
 struct Quantity {
-    std::string_view key;        ///< column of /members, word of stop.of
+    ShortText key;               ///< column of /members, word of stop.of
     std::string_view unit;       ///< in the file
     std::string_view long_name;  ///< in the file and on its page
     Place place;
     Shown shown = Shown::in_file;
-    std::string_view name = {};   ///< in JSON and CSV of summaries; ends in the unit
-    std::string_view label = {};  ///< in tables, with the unit
-    double least = 0;             ///< values and intervals lie in [least, most]
+    ShortText name = {};   ///< in JSON and CSV of summaries; ends in the unit
+    ShortText label = {};  ///< in tables, with the unit
+    double least = 0;      ///< values and intervals lie in [least, most]
     double most = no_most;
     bool positive = false;    ///< above 0 in any run: ranges of single runs are taken on a logarithmic scale
     bool percent = false;     ///< shown in percent
@@ -60,8 +66,11 @@ struct Quantity {
     bool stops = false;       ///< a stop rule may use it
     bool in_designs = false;  ///< used in the sensitivity to a design's axes
     int since = 0;            ///< minor version of the file's layout 1 that introduced it
+    double AveragedLoad::*averaged = nullptr;  ///< the same for the averaged load; none: not taken
+    double averaging = 0;                      ///< s, that the load is averaged over; 0: every step
 
-    double of(const MemberOutputs& outputs) const { return place.get(outputs); }
+    /// NaN where the outputs do not have that averaging time.
+    double of(const MemberOutputs& outputs) const;
     constexpr double factor() const { return percent ? 100 : 1; }  ///< displayed value / stored value
 };
 
@@ -85,7 +94,8 @@ inline constexpr std::array quantities{
              .name = "sd_N",
              .label = "SD, N",
              .stops = true,
-             .in_designs = true},
+             .in_designs = true,
+             .averaged = &AveragedLoad::sd},
     Quantity{.key = "maximum_load",
              .unit = "N",
              .long_name = "largest surge load in the window",
@@ -118,14 +128,16 @@ inline constexpr std::array quantities{
              .least = no_least,
              .positive = true,
              .stops = true,
-             .in_designs = true},
+             .in_designs = true,
+             .averaged = &AveragedLoad::mean_maximum},
     Quantity{.key = "sd_maximum",
              .unit = "N",
              .long_name = "population standard deviation of the segment maxima of the surge load",
              .place = at<&MemberOutputs::load, &LoadStatistics::sd_maximum>(),
              .shown = Shown::in_table3,
              .name = "sd_maximum_N",
-             .label = "SD maximum, N"},
+             .label = "SD maximum, N",
+             .averaged = &AveragedLoad::sd_maximum},
     Quantity{.key = "failure_ratio",
              .unit = "1",
              .long_name = "broken floes over all floes at the end of the run",
@@ -207,20 +219,29 @@ inline constexpr std::array quantities{
              .count = true},
 };
 
-/// The quantity of that key; nullptr if there is none.
+/// The quantity of that key in the list; nullptr if there is none.
 constexpr const Quantity* find_quantity(std::string_view key) {
-    const auto* const found = std::ranges::find(quantities, key, &Quantity::key);
+    const auto* const found = std::ranges::find(quantities, key, [](const Quantity& one) { return one.key.view(); });
     return found == quantities.end() ? nullptr : found;
 }
+
+/// `one` of the load averaged over `time`, s: "mean_maximum_0.5s". Shown in pairs at most.
+Quantity averaged_over(const Quantity& one, double time);
+
+/// The list with, after each quantity that is taken of the averaged load too, the same for each of `averaging_times`.
+std::vector<Quantity> quantities_with(std::span<const double> averaging_times);
+
+/// The quantity of that key, be it in the list or averaged; none where there is none.
+std::optional<Quantity> any_quantity(std::string_view key);
 
 /// quantity("mean_load"): a key that is not in the list does not compile.
 consteval const Quantity& quantity(std::string_view key) {
     return *find_quantity(key);
 }
 
-/// The quantities shown at this level or above, in order.
-constexpr auto shown_in(Shown least) {
-    return std::views::filter(quantities, [least](const Quantity& one) { return one.shown >= least; });
+/// Those of `all` that are shown at this level or above, in order.
+constexpr auto shown_in(const std::ranges::forward_range auto& all, Shown least) {
+    return std::views::filter(all, [least](const Quantity& one) { return one.shown >= least; });
 }
 
 /// Outputs without data: every quantity is NaN, every count 0, each of `segments` maxima NaN.

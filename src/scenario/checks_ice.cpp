@@ -132,4 +132,32 @@ void check_levels(const Scenario& scenario, Contradictions& found) {
     }
 }
 
+void check_averaging(const Scenario& scenario, Contradictions& found) {
+    constexpr std::size_t most_times = 100;
+    const std::vector<double>& times = scenario.analysis.averaging;
+    const std::string key = "analysis.averaging_s";
+    if (std::ranges::adjacent_find(times, std::greater_equal()) != times.end())
+        found.push_back({{key}, fmt::format("{} does not rise from each to the next", given(scenario, key))});
+    if (times.size() > most_times)
+        found.push_back(
+            {{key},
+             fmt::format("{} has {} times, more than the {} that a member takes", key, times.size(), most_times)});
+    const double step = scenario.general.time_step;
+    const double segment = scenario.analysis.window / scenario.analysis.segments;
+    for (const double time : scenario.averaging_times()) {
+        if (scenario.is_averaging_time(time)) continue;
+        if (time > segment) {
+            found.push_back({{key, "analysis.window_s", "analysis.segments"},
+                             fmt::format("{}: {:g} s is longer than a segment of {:.6g} s; take a shorter time",
+                                         given(scenario, key), time, segment)});
+        } else {
+            found.push_back({{key, "general.time_step_s"},
+                             fmt::format("{}: {:g} s is not a whole number of steps of {}; the nearest that is: {:.6g}",
+                                         given(scenario, key), time, given(scenario, "general.time_step_s"),
+                                         std::max(1.0, std::round(time / step)) * step)});
+        }
+        return;  // further times would only repeat it
+    }
+}
+
 }  // namespace floes

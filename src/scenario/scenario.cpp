@@ -1,5 +1,6 @@
 #include "scenario/scenario.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace floes {
@@ -30,6 +31,19 @@ double Scenario::moving_mass() const {
 
 double Scenario::floating_height() const {
     return ice.thickness * (0.5 - ice.density / water.density);
+}
+
+bool Scenario::is_averaging_time(double time) const {
+    constexpr double rounding = 1e-9;  // relative: 0.1 / 0.02 need not be 5 in binary
+    const double steps = time / general.time_step;
+    return std::lround(steps) >= 1 && std::abs(steps - std::round(steps)) <= rounding * steps &&
+           time <= analysis.window / analysis.segments * (1 + rounding);
+}
+
+std::vector<double> Scenario::averaging_times() const {
+    std::vector<double> times = analysis.averaging;
+    if (times == Analysis{}.averaging) std::erase_if(times, [&](double time) { return !is_averaging_time(time); });
+    return times;
 }
 
 int Scenario::step_count() const {

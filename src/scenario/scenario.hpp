@@ -106,6 +106,7 @@ struct Analysis {
     bool keep_history = true;                 ///< a member keeps its load over time, not only the statistics of it
     int history_stride = 1;                   ///< successive steps whose mean is one value of the kept load
     std::vector<double> exceedance_levels{};  ///< N, rising; a member counts its steps above each
+    std::vector<double> averaging{0.1, 0.5, 1, 2};  ///< s, rising: times that the load is averaged over
 };
 
 struct Scenario {
@@ -125,8 +126,12 @@ struct Scenario {
     double element_mass() const;     ///< of ice, kg
     double moving_mass() const;      ///< of an element with the water that it carries along, kg
     double floating_height() const;  ///< of the middle of floating ice above the water, m; negative above half draught
-    int step_count() const;          ///< steps of a run: (steady_start + window) / time_step, rounded
-    int first_window_step() const;   ///< index of the first step inside the window
+    /// Averaging times that are measured, s: those given; of the default, only whole steps that fit into a segment.
+    std::vector<double> averaging_times() const;
+    /// Whether the time is whole steps, at least one, and fits into a segment.
+    bool is_averaging_time(double time) const;
+    int step_count() const;         ///< steps of a run: (steady_start + window) / time_step, rounded
+    int first_window_step() const;  ///< index of the first step inside the window
 };
 
 }  // namespace floes

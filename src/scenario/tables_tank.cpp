@@ -141,6 +141,12 @@ void add_analysis(Keys& keys, Analysis& analysis) {
         "analysis.exceedance_levels_N", analysis.exceedance_levels, unit::one, at_least(0).at_most(1e6), "none",
         "Load levels, ascending: each member counts the steps of the window with a surge load "
         "above each level, and how often the load rises through it. Needs no history.")));
+    keys.push_back(late_key(numbers_key(
+        "analysis.averaging_s", analysis.averaging, unit::one, above(0).at_most(farthest),
+        "judgement; from a jammed contact to a slow structure",
+        "Averaging times, ascending, in whole time steps and at most a segment: each member takes the running mean of "
+        "the surge load over each, and its standard deviation and segment maxima. Needs no history. Of the default, "
+        "times that do not suit time step or segment are left out.")));
 }
 
 }  // namespace floes

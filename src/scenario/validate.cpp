@@ -11,6 +11,7 @@ std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
     check_friction(scenario, found);
     check_time(scenario, found);
     check_levels(scenario, found);
+    check_averaging(scenario, found);
     check_shape(scenario, found);
     if (!found.empty()) return found;  // what follows would only repeat it in other words
     check_tow(scenario, found);

@@ -20,17 +20,9 @@ constexpr std::size_t most_batches = 15;
 constexpr double significance = 0.05;
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
-double population_sd(std::span<const double> values, double mean) {
-    double sum = 0;
-    for (const double value : values) sum += (value - mean) * (value - mean);
-    return std::sqrt(sum / static_cast<double>(values.size()));
-}
-
-/// Part `index` of `parts` equal parts (they differ by one sample where `parts` does not divide the window).
 std::span<const double> part_of(std::span<const double> window, std::size_t index, std::size_t parts) {
-    const std::size_t begin = index * window.size() / parts;
-    const std::size_t end = (index + 1) * window.size() / parts;
-    return window.subspan(begin, end - begin);
+    const std::size_t begin = part_begin(window.size(), index, parts);
+    return window.subspan(begin, part_begin(window.size(), index + 1, parts) - begin);
 }
 
 struct Line {

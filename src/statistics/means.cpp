@@ -1,11 +1,22 @@
 #include "statistics/means.hpp"
 
+#include <cmath>
 #include <numeric>
 
 namespace floes {
 
 double mean_of(std::span<const double> values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double population_sd(std::span<const double> values, double mean) {
+    double sum = 0;
+    for (const double value : values) sum += (value - mean) * (value - mean);
+    return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+std::size_t part_begin(std::size_t count, std::size_t index, std::size_t parts) {
+    return index * count / parts;
 }
 
 std::vector<double> batch_means(std::span<const double> values, std::size_t batch) {

@@ -1,5 +1,5 @@
 #pragma once
-// Means of values: of all of them, and of successive batches.
+// Means of values, of all of them and of successive batches, and their spread.
 
 #include <cstddef>
 #include <span>
@@ -9,6 +9,13 @@ namespace floes {
 
 /// Sum over count, added in order; NaN of none.
 double mean_of(std::span<const double> values);
+
+/// Root of the mean square difference from `mean`; NaN if there is none.
+double population_sd(std::span<const double> values, double mean);
+
+/// Index at which part `index` of `parts` equal parts of `count` values begins; they differ by one value where `parts`
+/// does not divide `count`.
+std::size_t part_begin(std::size_t count, std::size_t index, std::size_t parts);
 
 /// Value k is the mean of values[k * batch] … values[(k + 1) * batch - 1]; an incomplete batch at the end is dropped.
 /// `batch` at least 1.

@@ -37,6 +37,17 @@ TEST(StopKeys, ChangeNoMember) {
     EXPECT_TRUE(differences(without, with).empty());
 }
 
+TEST(StopKeys, MayNameAnAveragedLoadThatEveryCaseTakes) {
+    const std::string rule = "[stop]\nof = \"mean_maximum_0.5s\"\n[analysis]\n";
+    EXPECT_EQ(read(rule).stop.of, "mean_maximum_0.5s");
+    EXPECT_EQ(refusal([&] { read(rule + "averaging_s = [0.2, 1]\n[[case]]\nname = \"A\"\n"); }),
+              "a.toml:2: stop.of = \"mean_maximum_0.5s\" is of a time that case A does not average over; its times are "
+              "0.2, 1 s (analysis.averaging_s)");
+    for (const char* word : {"trend", "trend_0.5s", "load", "mean_maximum_0.50s"})
+        EXPECT_THAT(refusal([&] { read("[stop]\nof = \"" + std::string{word} + "\"\n"); }),
+                    testing::HasSubstr("is not allowed; use \"mean_load\" or \"sd_load\" or"));
+}
+
 TEST(StopKeys, AreForAllCases) {
     EXPECT_THAT(refusal([] { read("[[case]]\nname = \"A\"\nstop.minimum = 3\n"); }),
                 testing::HasSubstr("stop.minimum = 3 is for all cases; write it in [stop]"));

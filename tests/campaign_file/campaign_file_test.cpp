@@ -44,7 +44,15 @@ void expect_same_member(MemberRow a, MemberRow b) {
     EXPECT_EQ(a.status, b.status);
     EXPECT_EQ(a.reason, b.reason);
     EXPECT_EQ(a.load.steady, b.load.steady);
-    for (const Quantity& one : quantities) EXPECT_TRUE(same(a.value(one), b.value(one))) << one.key;
+    for (const Quantity& one : quantities) EXPECT_TRUE(same(a.value(one), b.value(one))) << one.key.view();
+    ASSERT_EQ(a.averaged.size(), b.averaged.size());
+    for (std::size_t k = 0; k < a.averaged.size(); ++k) {
+        EXPECT_EQ(a.averaged[k].time, b.averaged[k].time);
+        EXPECT_EQ(a.averaged[k].sd, b.averaged[k].sd);
+        EXPECT_EQ(a.averaged[k].segment_maximum, b.averaged[k].segment_maximum);
+        EXPECT_EQ(a.averaged[k].mean_maximum, b.averaged[k].mean_maximum);
+        EXPECT_EQ(a.averaged[k].sd_maximum, b.averaged[k].sd_maximum);
+    }
     EXPECT_TRUE(std::ranges::equal(a.load.segment_maximum, b.load.segment_maximum, same));
     EXPECT_TRUE(std::ranges::equal(a.steps_above, b.steps_above, same));
     EXPECT_TRUE(std::ranges::equal(a.upcrossings, b.upcrossings, same));
@@ -68,7 +76,7 @@ TEST(CampaignTable, HasEveryMemberWithItsNumbers) {
     const MemberResult& result = synthetic::record(campaign, 8).result;
     EXPECT_EQ(row.status, RowStatus::done);
     EXPECT_EQ(row.case_index, 2);
-    for (const Quantity& one : quantities) EXPECT_EQ(row.value(one), one.of(result)) << one.key;
+    for (const Quantity& one : quantities) EXPECT_EQ(row.value(one), one.of(result)) << one.key.view();
     EXPECT_EQ(row.load.segment_maximum, result.load.segment_maximum);
     EXPECT_TRUE(row.load.steady);
 }
@@ -80,7 +88,8 @@ TEST(CampaignTable, FailedAndMissingMembersHaveNoNumbers) {
     EXPECT_THAT(table.members[4].reason, HasSubstr("ran away"));
     EXPECT_EQ(table.members[7].status, RowStatus::missing);
     for (const std::size_t member : {4u, 7u}) {
-        for (const Quantity& one : quantities) EXPECT_TRUE(std::isnan(table.members[member].value(one))) << one.key;
+        for (const Quantity& one : quantities)
+            EXPECT_TRUE(std::isnan(table.members[member].value(one))) << one.key.view();
         EXPECT_EQ(table.members[member].failures_bending, 0);
         EXPECT_FALSE(table.members[member].load.steady);
     }

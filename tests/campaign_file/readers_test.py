@@ -14,7 +14,7 @@ import numpy
 import pandas
 import xarray
 
-GROUPS = ["members", "cases", "arrangements", "exceedance", "history", "breaks", "provenance"]  # of every file
+GROUPS = ["members", "cases", "arrangements", "exceedance", "averaged", "history", "breaks", "provenance"]  # of every file
 CALIBRATION = {"calibration": {"calibration_point": 6}}  # of one with calibrated cases
 ENGINES = ["netcdf4", "h5netcdf"]
 DONE, MISSING, FAILED = 0, -1, 1
@@ -50,6 +50,7 @@ class Readers(unittest.TestCase):
             "history": {"member": 12, "time": 110},
             "breaks": {"break": 15},
             "exceedance": {"member": 12, "level": 3},
+            "averaged": {"member": 12, "averaging_time": 3, "segment": 3},
             "provenance": {"member": 12, "session": 2},
             **CALIBRATION,
         }
@@ -131,6 +132,19 @@ class Readers(unittest.TestCase):
         with xarray.open_dataset(self.path) as root:
             self.assertEqual(list(root["level"].values), [100, 300, 500])
             self.assertEqual(root["level"].attrs["units"], "N")
+
+    def test_averaged(self):
+        with h5py.File(self.path) as file:
+            self.assertEqual(list(file["averaging_time"][:]), [0.1, 0.2, 0.4])
+            found = {name: column[:] for name, column in file["averaged"].items()}
+        self.assertEqual(list(found["sd_load"][3, [0, 2]]), [400.1, 400.4])  # of its case's own times alone
+        self.assertEqual(list(found["mean_maximum"][8, 1:]), [902, 904])
+        self.assertEqual(found["sd_maximum"][8, 1], 920)
+        self.assertTrue(numpy.isnan(found["sd_load"][3, 1]) and numpy.isnan(found["mean_maximum"][8, 0]))
+        numpy.testing.assert_allclose(found["segment_maximum"][3, 2], [400.4, 400.41, 400.42], rtol=1e-14)
+        self.assertTrue(numpy.isnan(found["segment_maximum"][8, 2, 2]))  # its case has two segments
+        for column in found.values():
+            self.assertTrue(numpy.isnan(column[[4, 7]]).all())
 
     def test_calibration(self):
         with h5py.File(self.path) as file:

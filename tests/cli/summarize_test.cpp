@@ -86,7 +86,9 @@ TEST_F(Summarize, SaysWhatDecidesTheLoad) {
         records.push_back(synthetic::record(campaign, member));
     publish(file_, campaign, records, sessions);
     const json found = json::parse(summarize("--format json")).at("sensitivity");
-    EXPECT_EQ(found.at("rows").size(), 4u);
+    ASSERT_EQ(found.at("rows").size(), 4u + 2 * 2);  // SD and mean maximum over two averaging times as well
+    EXPECT_EQ(found.at("rows").at(3).at("quantity"), "sd_0.4s_N");
+    EXPECT_NEAR(found.at("rows").at(3).at("axes").at(0).at("slope").at("estimate").get<double>(), 200, 1e-9);
     // Member m has a mean load of 100 (m + 1) and a tenth, and its case is m modulo 6: 2 to a thickness, 1 to a Σ.
     EXPECT_NEAR(found.at("rows").at(0).at("axes").at(0).at("slope").at("estimate").get<double>(), 200, 1e-9);
     EXPECT_NEAR(found.at("rows").at(0).at("axes").at(1).at("slope").at("high").get<double>(), 50, 1e-9);

@@ -26,6 +26,16 @@ Campaign campaign(double half_width) {
 /// Of the first case 3 √(n (n + 1) / 12) / (1.5 (n - 1) + 1) · t / √n is at most 0.25 from 25 on; and for two more.
 constexpr int enough_for_a_quarter = 27;
 
+// Its averaged maxima rise likewise.
+TEST(Precision, MayBeOfAnAveragedLoad) {
+    TemporaryFolder folder;
+    Campaign made = campaign(0.25);
+    made.stop.of = "mean_maximum_0.4s";
+    fake::Run run(folder / "a.h5", made);
+    EXPECT_EQ(run(fake::compute_out_of_order, Existing::refuse, 2), 0) << run.said;
+    EXPECT_THAT(run.said, HasSubstr("precise enough after"));
+}
+
 TEST(Precision, EndsTheCampaignAfterTheSameArrangementOnAnyThreads) {
     for (const int threads : {1, 2, 5}) {
         TemporaryFolder folder;

@@ -49,7 +49,7 @@ std::vector<Section> sections(const Evidence& of, const std::vector<std::string_
 }
 
 /// Rows of a pair: one for each quantity of Table 3.
-const std::size_t compared = static_cast<std::size_t>(std::ranges::distance(shown_in(Shown::in_table3)));
+const std::size_t compared = static_cast<std::size_t>(std::ranges::distance(shown_in(quantities, Shown::in_pairs)));
 
 std::string text_of(const Section& section) {
     return text(std::vector{section}, 100);

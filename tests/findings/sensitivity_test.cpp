@@ -76,7 +76,7 @@ TEST(Sensitivity, FindsWhatTheLoadFollows) {
     const Sensitivity found = find_sensitivity(campaign, table_of(campaign));
     ASSERT_EQ(found.rows.size(), 4u);
     const SensitivityRow& mean = found.rows[0];
-    EXPECT_EQ(mean.quantity->name, "mean_N");
+    EXPECT_EQ(mean.quantity.name.view(), "mean_N");
     EXPECT_EQ(mean.points, 32);
     EXPECT_EQ(mean.base_points, 8);
     ASSERT_TRUE(mean.fit);

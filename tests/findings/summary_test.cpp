@@ -77,7 +77,8 @@ TEST(Summary, OfACaseWithoutResultsIsUndefined) {
     for (const CaseSummary& row : summary.cases) {
         EXPECT_EQ(row.done, 0);
         EXPECT_TRUE(row.totals.empty());
-        for (const Quantity& one : shown_in(Shown::in_summary)) EXPECT_TRUE(std::isnan(row.of(one).estimate));
+        for (const Quantity& one : shown_in(summary.quantities, Shown::in_summary))
+            EXPECT_TRUE(std::isnan(row.of(one).estimate));
     }
 }
 

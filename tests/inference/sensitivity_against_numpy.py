@@ -69,6 +69,11 @@ class Sensitivity(unittest.TestCase):
         cls.found = json.loads(subprocess.run(run, check=True, stdout=subprocess.PIPE).stdout)["sensitivity"]
         with h5py.File(cls.path) as file:
             cls.members = {name: file["members"][name][:] for name in ["case", "status", *COLUMNS.values()]}
+            times = file["averaging_time"][:] if "averaging_time" in file else []
+            for place, time in enumerate(times):
+                for key, column in (("sd", "sd_load"), ("mean_maximum", "mean_maximum")):
+                    cls.members[f"{key}_{time:g}s_N"] = file["averaged"][column][:, place]
+            cls.figures = 4 + 2 * len(times)
             cls.config = tomllib.loads(file["provenance/configuration"][()].decode())
         cls.cases = len(cls.config["case"])
         cls.axes = cls.config["design"]["axis"]
@@ -94,12 +99,12 @@ class Sensitivity(unittest.TestCase):
         return np.array(columns).T
 
     def values(self, row):
-        every = self.members[COLUMNS[row["quantity"]]].reshape(-1, self.cases)
+        every = self.members[COLUMNS.get(row["quantity"], row["quantity"])].reshape(-1, self.cases)
         done = self.members["status"].reshape(-1, self.cases) == 0
         return np.where(done, every, np.nan)[:, self.chosen(row["base"])]
 
     def rows(self):
-        self.assertEqual(len(self.found["rows"]), 4 * len({case["design"]["base"] for case in self.config["case"]}))
+        self.assertEqual(len(self.found["rows"]), self.figures * len({case["design"]["base"] for case in self.config["case"]}))
         return self.found["rows"]
 
     def test_points_are_a_sobol_sequence_in_saltellis_order(self):

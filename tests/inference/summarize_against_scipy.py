@@ -6,6 +6,7 @@
 
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -66,7 +67,8 @@ class Summarize(unittest.TestCase):
         else:
             cls.path = os.path.join(cls.folder.name, "campaign.h5")
             levels = "analysis.exceedance_levels_N=[10,30,60,90,1000]"
-            subprocess.run([FLOES, "run", sys.argv[2], "-o", cls.path, "--set", levels], check=True,
+            times = "analysis.averaging_s=[0.02,0.1,0.5,1]"
+            subprocess.run([FLOES, "run", sys.argv[2], "-o", cls.path, "--set", levels, "--set", times], check=True,
                            stdout=subprocess.DEVNULL)
         cls.summary = cls.summarize("--parts", "cases,pairs,extremes,exceedance,steady")
         with h5py.File(cls.path) as file:
@@ -76,6 +78,9 @@ class Summarize(unittest.TestCase):
             cls.window = file["cases/window"][:]
             cls.surge = file["history/surge_load"][:]
             cls.levels = file["level"][:] if "level" in file else []
+            cls.times = file["averaging_time"][:] if "averaging_time" in file else []
+            cls.averaged = {name: file["averaged"][name][:] for name in file.get("averaged", {})}
+            cls.segments = file["cases/segments"][:]
             cls.counts = {name: file["exceedance"][name][:] for name in file.get("exceedance", {})}
         cls.done = cls.members["status"] == 0
 
@@ -87,6 +92,15 @@ class Summarize(unittest.TestCase):
     def summarize(cls, *arguments):
         run = [FLOES, "summarize", cls.path, "--format", "json", *arguments]
         return json.loads(subprocess.run(run, check=True, stdout=subprocess.PIPE).stdout)
+
+    def column_of(self, name):
+        """Of /members, or of /averaged as /members would have it: "sd_0.5s_N" is sd_load over 0.5 s."""
+        averaged = re.fullmatch(r"(.*)_([0-9.]+)s(_N)", name)
+        if averaged is None:
+            return QUANTITIES[name]
+        base = QUANTITIES[averaged[1] + averaged[3]]
+        self.members[name] = self.averaged[base][:, list(self.times).index(float(averaged[2]))]
+        return name
 
     def values(self, case, column):
         chosen = self.done & (self.members["case"] == case)
@@ -131,6 +145,36 @@ class Summarize(unittest.TestCase):
             self.assertTrue(close(self.members["skewness"][member], stats.skew(load)))
             self.assertTrue(close(self.members["excess_kurtosis"][member], stats.kurtosis(load)))
 
+    def test_averaged_loads_are_what_histories_show(self):
+        self.assertTrue(len(self.times) > 0 or "--file" in sys.argv)
+        for member in np.flatnonzero(self.done):
+            load, case = self.in_window(member), self.members["case"][member]
+            ends = np.arange(len(load)) // (len(load) // self.segments[case])
+            for place, time in enumerate(self.times):
+                found = {name: values[member, place] for name, values in self.averaged.items()}
+                if np.isnan(found["mean_maximum"]):  # of another case, or of an older version
+                    continue
+                steps = round(time / self.time_step[case])
+                means = np.array([load[end - steps:end].mean() for end in range(steps, len(load) + 1)])
+                maxima = np.array([means[ends[steps - 1:] == k].max() for k in range(self.segments[case])])
+                expected = {"sd_load": means.std(), "mean_maximum": maxima.mean(), "sd_maximum": maxima.std()}
+                for name, value in expected.items():
+                    with self.subTest(member=member, time=time, name=name):
+                        self.assertLessEqual(abs(found[name] - value), 1e-12 * maxima.max())
+                kept = found["segment_maximum"][:self.segments[case]]
+                self.assertTrue(np.allclose(kept, maxima, rtol=1e-12, atol=0))
+
+    def test_averaged_lines_are_intervals_like_others(self):
+        for case, row in enumerate(self.summary["cases"]):
+            chosen = self.done & (self.members["case"] == case)
+            for place, time in enumerate(self.times):
+                x = self.averaged["mean_maximum"][chosen, place]
+                x = x[np.isfinite(x)]
+                found = row[f"mean_maximum_{time:g}s_N"]
+                half = stats.t.ppf(0.975, len(x) - 1) * x.std(ddof=1) / np.sqrt(len(x))
+                self.assertTrue(close(found["estimate"], x.mean()))
+                self.assertTrue(close(found["low"], x.mean() - half))
+
     def test_levels(self):
         rows = self.summary["load_levels"]
         self.assertEqual(len(rows), len(self.names) * len(self.levels))
@@ -164,8 +208,8 @@ class Summarize(unittest.TestCase):
         self.assertGreater(len(self.summary["pairs"]), 0)
         t_p = {}
         for row in self.summary["pairs"]:
-            a, x = self.values(self.names.index(row["first"]), QUANTITIES[row["quantity"]])
-            b, y = self.values(self.names.index(row["second"]), QUANTITIES[row["quantity"]])
+            a, x = self.values(self.names.index(row["first"]), self.column_of(row["quantity"]))
+            b, y = self.values(self.names.index(row["second"]), self.column_of(row["quantity"]))
             shared, i, j = np.intersect1d(a, b, return_indices=True)
             x, y = x[i], y[j]
             with self.subTest(**{key: row[key] for key in ("quantity", "first", "second")}):

@@ -135,6 +135,37 @@ TEST(RunMember, CountsWhatItsHistoryShows) {
     EXPECT_GT(rises, 3) << "levels that the load rises through";
 }
 
+// Likewise of running means, whose sums are taken anew here.
+TEST(RunMember, AveragesAsItsHistoryShows) {
+    Scenario scenario = jam();
+    scenario.analysis.averaging = {0.02, 0.1, 0.5, 1};
+    const MemberResult with = run_member(scenario, 7, 1);
+    scenario.analysis.keep_history = false;
+    const MemberResult without = run_member(scenario, 7, 1);
+    ASSERT_EQ(with.averaged.size(), 4u);
+    const std::vector<double> window(with.history.surge.begin() + 50, with.history.surge.end());
+    for (std::size_t k = 0; k < 4; ++k) {
+        const AveragedLoad& found = with.averaged[k];
+        EXPECT_EQ(found.time, scenario.analysis.averaging[k]);
+        EXPECT_EQ(found.segment_maximum, without.averaged[k].segment_maximum);
+        EXPECT_EQ(found.sd, without.averaged[k].sd);
+        const auto steps = static_cast<std::size_t>(std::lround(found.time / 0.02));
+        for (std::size_t segment = 0; segment < 5; ++segment) {
+            double largest = -1e300;
+            for (std::size_t end = 50 * segment + 1; end <= 50 * (segment + 1); ++end) {
+                if (end < steps) continue;
+                double sum = 0;
+                for (std::size_t step = end - steps; step < end; ++step) sum += window[step];
+                largest = std::max(largest, sum / static_cast<double>(steps));
+            }
+            EXPECT_NEAR(found.segment_maximum.at(segment), largest, 1e-12 * std::abs(largest));
+        }
+    }
+    EXPECT_EQ(with.averaged[0].segment_maximum, with.load.segment_maximum);
+    EXPECT_LT(with.averaged[3].mean_maximum, with.averaged[1].mean_maximum);
+    EXPECT_EQ(run_member(jam(), 7, 1).averaged.size(), 3u) << "of the default, 2 s is longer than a segment";
+}
+
 TEST(RunMember, ThinsItsHistoryToMeans) {
     Scenario scenario = jam();
     const MemberResult whole = run_member(scenario, 7, 1);

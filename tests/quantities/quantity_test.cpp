@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <string_view>
@@ -14,16 +15,16 @@ namespace {
 TEST(Quantities, HaveKeysOfTheirOwnAndSayWhatTheyAre) {
     std::set<std::string_view> keys;
     for (const Quantity& one : quantities) {
-        EXPECT_TRUE(keys.insert(one.key).second) << one.key;
-        EXPECT_FALSE(one.unit.empty()) << one.key;
-        EXPECT_FALSE(one.long_name.empty()) << one.key;
+        EXPECT_TRUE(keys.insert(one.key.view()).second) << one.key.view();
+        EXPECT_FALSE(one.unit.empty()) << one.key.view();
+        EXPECT_FALSE(one.long_name.empty()) << one.key.view();
         if (one.shown >= Shown::in_summary) {
-            EXPECT_FALSE(one.name.empty() || one.label.empty()) << one.key;
+            EXPECT_FALSE(one.name.empty() || one.label.empty()) << one.key.view();
         }
         if (one.in_designs || one.stops) {
-            EXPECT_GE(one.shown, Shown::in_summary) << one.key;
+            EXPECT_GE(one.shown, Shown::in_summary) << one.key.view();
         }
-        EXPECT_LT(one.least, one.most) << one.key;
+        EXPECT_LT(one.least, one.most) << one.key.view();
     }
 }
 
@@ -33,7 +34,7 @@ TEST(Quantities, HavePlacesOfTheirOwn) {
     double value = 1;
     for (const Quantity& one : quantities) one.place.set(outputs, value++);
     value = 1;
-    for (const Quantity& one : quantities) EXPECT_EQ(one.of(outputs), value++) << one.key;
+    for (const Quantity& one : quantities) EXPECT_EQ(one.of(outputs), value++) << one.key.view();
 }
 
 TEST(Quantities, AreFoundByKey) {
@@ -44,13 +45,46 @@ TEST(Quantities, AreFoundByKey) {
     EXPECT_EQ(quantity("mean_load").of(outputs), 3);
 }
 
+TEST(AveragedQuantities, FollowThoseThatTheyAreMadeFrom) {
+    const std::vector<Quantity> all = quantities_with(std::vector{0.1, 2.0});
+    EXPECT_EQ(all.size(), quantities.size() + 6);
+    const auto place = std::ranges::find(all, "mean_maximum", [](const Quantity& one) { return one.key.view(); });
+    const Quantity& short_time = place[1];
+    EXPECT_EQ(short_time.key.view(), "mean_maximum_0.1s");
+    EXPECT_EQ(short_time.name.view(), "mean_maximum_0.1s_N");
+    EXPECT_EQ(short_time.label.view(), "mean maximum over 0.1 s, N");
+    EXPECT_EQ(short_time.shown, Shown::in_pairs);
+    EXPECT_TRUE(short_time.positive && short_time.in_designs && short_time.stops);
+    EXPECT_EQ(place[2].key.view(), "mean_maximum_2s");
+    std::set<std::string_view> keys;
+    for (const Quantity& one : all) EXPECT_TRUE(keys.insert(one.key.view()).second) << one.key.view();
+}
+
+TEST(AveragedQuantities, AreOfTheirTimeAndNaNWhereItWasNotTaken) {
+    MemberOutputs outputs;
+    outputs.load.mean_maximum = 9;
+    outputs.averaged = {{0.1, 1, {}, 2, 3}, {0.5, 4, {}, 5, 6}};
+    EXPECT_EQ(averaged_over(quantity("sd_load"), 0.1).of(outputs), 1);
+    EXPECT_EQ(averaged_over(quantity("mean_maximum"), 0.5).of(outputs), 5);
+    EXPECT_EQ(averaged_over(quantity("sd_maximum"), 0.5).of(outputs), 6);
+    EXPECT_TRUE(std::isnan(averaged_over(quantity("mean_maximum"), 1).of(outputs)));
+}
+
+TEST(AveragedQuantities, AreFoundByKey) {
+    EXPECT_EQ(any_quantity("mean_load")->key.view(), "mean_load");
+    EXPECT_EQ(any_quantity("mean_maximum_0.5s")->averaging, 0.5);
+    for (const char* key :
+         {"mean_load_0.5s", "mean_maximum_0.50s", "mean_maximum_0.5", "mean_maximum_s", "maximum_", "x"})
+        EXPECT_FALSE(any_quantity(key)) << key;
+}
+
 TEST(Unmeasured, IsNaNAndCountsNothing) {
     const MemberOutputs outputs = unmeasured(2);
     for (const Quantity& one : quantities) {
         if (one.count)
-            EXPECT_EQ(one.of(outputs), 0) << one.key;
+            EXPECT_EQ(one.of(outputs), 0) << one.key.view();
         else
-            EXPECT_TRUE(std::isnan(one.of(outputs))) << one.key;
+            EXPECT_TRUE(std::isnan(one.of(outputs))) << one.key.view();
     }
     EXPECT_EQ(outputs.load.segment_maximum.size(), 2u);
     EXPECT_TRUE(std::isnan(outputs.load.segment_maximum[1]));

@@ -134,7 +134,8 @@ Bytes older_bytes(const MemberRecord& record, Written version) {
 }
 
 TEST(OlderMemberRecord, IsReadBitForBit) {
-    const MemberRecord before = awkward_record();
+    MemberRecord before = awkward_record();
+    before.result.averaged.clear();  // which no older version knew
     for (const Written version : {Written::schema_2, Written::schema_1}) {
         const MemberRecord after = decode_older_member_record(older_bytes(before, version));
         EXPECT_EQ(encode(after), encode(before));
@@ -185,6 +186,25 @@ TEST(MemberRecord, ComesBackBitForBit) {
     EXPECT_EQ(after.result.load.excess_kurtosis, before.result.load.excess_kurtosis);
     EXPECT_EQ(after.result.levels, before.result.levels);
     EXPECT_EQ(after.result.levels.size(), 2u);
+    ASSERT_EQ(after.result.averaged.size(), 2u);
+    EXPECT_EQ(after.result.averaged[1].time, 0.4);
+    EXPECT_EQ(after.result.averaged[1].sd, before.result.averaged[1].sd);
+    EXPECT_EQ(after.result.averaged[1].mean_maximum, before.result.averaged[1].mean_maximum);
+    EXPECT_EQ(after.result.averaged[1].sd_maximum, before.result.averaged[1].sd_maximum);
+    EXPECT_EQ(after.result.averaged[1].segment_maximum, before.result.averaged[1].segment_maximum);
+}
+
+/// Of schema 3, but from before loads were averaged: the record ends with its histories.
+TEST(MemberRecord, HasNoAveragedLoadsWhereItsWriterDidNotTakeThem) {
+    MemberRecord before = awkward_record();
+    before.result.averaged.clear();
+    Bytes bytes = encode(before);
+    bytes.resize(bytes.size() - 8);  // how many times there are
+    const MemberRecord after = decode_member_record(bytes);
+    EXPECT_TRUE(after.result.averaged.empty());
+    EXPECT_EQ(after.history, before.history);
+    EXPECT_TRUE(std::isnan(averaged_over(quantity("mean_maximum"), 0.1).of(after.result)));
+    EXPECT_EQ(encode(after), encode(before));
 }
 
 /// As a version would write whose first quantity has another name.
@@ -213,8 +233,12 @@ TEST(MemberRecord, RefusesEveryShortenedOne) {
     MemberRecord record = awkward_record();
     record.history = {};
     const Bytes bytes = encode(record);
-    for (std::size_t size = 0; size < bytes.size(); ++size)
+    record.result.averaged.clear();
+    const std::size_t before_averages = encode(record).size() - 8;  // where older ones end
+    for (std::size_t size = 0; size < bytes.size(); ++size) {
+        if (size == before_averages) continue;
         EXPECT_THROW(decode_member_record(std::span(bytes).first(size)), RunError) << size << " of " << bytes.size();
+    }
 }
 
 TEST(MemberRecord, RefusesBytesBehindItsEnd) {

@@ -59,6 +59,7 @@ TEST(ScenarioKeys, LaterKeysAreSilentAtTheirDefault) {
     EXPECT_EQ(canonical_text(scenario).find("contact.friction"), std::string::npos);
     scenario.contact.friction = Friction::cone;
     EXPECT_NE(canonical_text(scenario).find("contact.friction = \"cone\"\n"), std::string::npos);
+    EXPECT_EQ(canonical_text(scenario).find("analysis.averaging_s"), std::string::npos);
     scenario.analysis.history_stride = 10;
     scenario.analysis.exceedance_levels = {20, 50};
     EXPECT_NE(canonical_text(scenario).find("analysis.history_stride = 10\n"), std::string::npos);

@@ -182,11 +182,44 @@ TEST(Validate, EveryContradictionIsOneSentence) {
          },
          "analysis.exceedance_levels_N = [20.0, 50.0, 50.0] does not rise from each to the next"},
         {[](Scenario& s) {
+             s.analysis.averaging = {0.5, 0.1};
+         },
+         "analysis.averaging_s = [0.5, 0.1] does not rise from each to the next"},
+        {[](Scenario& s) {
+             s.analysis.averaging = {0.1, 0.25};
+         },
+         "analysis.averaging_s = [0.1, 0.25]: 0.25 s is not a whole number of steps of general.time_step_s = 0.02; the "
+         "nearest that is: 0.26"},
+        {[](Scenario& s) { s.analysis.averaging = {0.001}; },
+         "analysis.averaging_s = [0.001]: 0.001 s is not a whole number of steps of general.time_step_s = 0.02; the "
+         "nearest that is: 0.02"},
+        {[](Scenario& s) { s.analysis.averaging = {51}; },
+         "analysis.averaging_s = [51.0]: 51 s is longer than a segment of 50 s; take a shorter time"},
+        {[](Scenario& s) {
+             for (int k = 1; k <= 101; ++k) s.analysis.averaging.push_back(2 + k);
+         },
+         "analysis.averaging_s has 105 times, more than the 100 that a member takes"},
+        {[](Scenario& s) {
              for (int k = 0; k <= 1000; ++k) s.analysis.exceedance_levels.push_back(k);
          },
          "analysis.exceedance_levels_N has 1001 levels, more than the 1000 that a member counts"},
     };
     for (const auto& [change, expected] : cases) EXPECT_EQ(sentence(change), expected);
+}
+
+// Whoever leaves the key alone gets what suits the rest.
+TEST(AveragingTimes, OfTheDefaultAreThoseThatSuit) {
+    Scenario scenario;
+    EXPECT_EQ(scenario.averaging_times(), (std::vector{0.1, 0.5, 1.0, 2.0}));
+    scenario.general.time_step = 0.025;
+    EXPECT_EQ(scenario.averaging_times(), (std::vector{0.1, 0.5, 1.0, 2.0}));
+    scenario.general.time_step = 0.04;
+    EXPECT_EQ(scenario.averaging_times(), (std::vector{1.0, 2.0}));
+    EXPECT_EQ(sentence([](Scenario& s) { s.general.time_step = 0.04; }), "consistent");
+    scenario.analysis.segments = 150;
+    EXPECT_EQ(scenario.averaging_times(), (std::vector{1.0}));
+    scenario.analysis.averaging = {0.2};
+    EXPECT_EQ(scenario.averaging_times(), (std::vector{0.2}));
 }
 
 TEST(Validate, BordersAreConsistent) {
@@ -202,6 +235,8 @@ TEST(Validate, BordersAreConsistent) {
               }),
               "consistent");
     EXPECT_EQ(sentence([](Scenario& s) { s.analysis.exceedance_levels = {0, 50}; }), "consistent");
+    EXPECT_EQ(sentence([](Scenario& s) { s.analysis.averaging = {0.02, 50}; }), "consistent");
+    EXPECT_EQ(sentence([](Scenario& s) { s.analysis.averaging = {}; }), "consistent");
     EXPECT_EQ(sentence([](Scenario& s) {
                   s.structure.shape = Shape({{-1, 0.2}, {0, 0.3}, {0, 0.5}, {1, 0.6}});
               }),

@@ -22,7 +22,8 @@ inline Campaign campaign(int arrangements = 4) {
     scenario.field.floes = 6;
     scenario.field.concentration = 0.3;
     scenario.structure.speed = 1.75;
-    scenario.analysis = {.steady_start = 1.0, .window = 1.2, .segments = 3, .exceedance_levels = {100, 300}};
+    scenario.analysis = {
+        .steady_start = 1.0, .window = 1.2, .segments = 3, .exceedance_levels = {100, 300}, .averaging = {0.1, 0.4}};
     Campaign made;
     made.name = "synthetic";
     made.seed = 7;
@@ -35,7 +36,8 @@ inline Campaign campaign(int arrangements = 4) {
     scenario.field.far_end = FarEnd::open;
     scenario.structure.shape = Shape({{-0.443, 0.3}, {0.0, 0.6}, {0.122, 0.736}});
     scenario.contact.erp = 0.8;
-    scenario.analysis = {.steady_start = 1.2, .window = 0.8, .segments = 2, .exceedance_levels = {300, 500}};
+    scenario.analysis = {
+        .steady_start = 1.2, .window = 0.8, .segments = 2, .exceedance_levels = {300, 500}, .averaging = {0.2, 0.4}};
     made.cases.push_back({"open", scenario});
     return made;
 }
@@ -70,6 +72,11 @@ inline MemberRecord record(const Campaign& campaign, int number) {
                    -base - 0.6, 0.25,       number % 2 == 0, base + 0.7, base + 0.8};
     for (int k = 0; k < scenario.analysis.segments; ++k) result.load.segment_maximum.push_back(base + 0.01 * k);
     result.levels = {{20 + number, 5 + number}, {10 + number, number}};
+    for (const double time : scenario.averaging_times()) {
+        AveragedLoad& one =
+            result.averaged.emplace_back(AveragedLoad{time, base + time, {}, base + 10 * time, base + 100 * time});
+        for (int k = 0; k < scenario.analysis.segments; ++k) one.segment_maximum.push_back(base + time + 0.01 * k);
+    }
     result.mean_sway = base + 0.7;
     result.mean_heave = -base - 0.8;
     result.failure_ratio = 1.0 / (number + 3);

@@ -1,0 +1,50 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "campaign_file/campaign_content.hpp"
+
+namespace floes {
+namespace {
+
+/// Of each member, averaging time and segment; NaN where there is none.
+std::vector<double> segment_maxima(const CampaignTable& table, std::size_t segments) {
+    const std::size_t times = table.averaging_times.size();
+    std::vector<double> values(table.members.size() * times * segments, std::numeric_limits<double>::quiet_NaN());
+    auto place = values.begin();
+    for (const MemberRow& row : table.members) {
+        for (const double time : table.averaging_times) {
+            const auto found = std::ranges::find(row.averaged, time, &AveragedLoad::time);
+            if (row.done() && found != row.averaged.end()) std::ranges::copy(found->segment_maximum, place);
+            place += static_cast<std::ptrdiff_t>(segments);
+        }
+    }
+    return values;
+}
+
+}  // namespace
+
+void write_averaged(hid_t file, const CampaignContent& content, const CampaignScales& scales) {
+    const CampaignTable& table = content.table;
+    if (table.averaging_times.empty()) return;
+    const hdf5::Scale times = hdf5::write_scale(
+        file, {"averaging_time", "s", "time that the surge load is averaged over"}, table.averaging_times);
+    const hdf5::Handle group = hdf5::create_group(file, "averaged");
+    for (const Quantity& one : quantities) {
+        if (one.averaged == nullptr) continue;
+        std::vector<Quantity> over_times;
+        for (const double time : table.averaging_times) over_times.push_back(averaged_over(one, time));
+        std::vector<double> values;
+        for (const MemberRow& row : table.members)
+            for (const Quantity& averaged : over_times) values.push_back(row.value(averaged));
+        hdf5::write_values(group.id(),
+                           {std::string{one.key.view()}, std::string{one.unit},
+                            fmt::format("{}, of its running means", one.long_name)},
+                           {scales.member, times}, values);
+    }
+    hdf5::write_values(group.id(), {"segment_maximum", "N", "largest running mean that ends in each segment"},
+                       {scales.member, times, scales.segment}, segment_maxima(table, scales.segment.size()));
+}
+
+}  // namespace floes

@@ -1,0 +1,70 @@
+#include "statistics/averaged_load.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "statistics/means.hpp"
+
+namespace floes {
+namespace {
+
+/// A sum that terms enter and leave. What rounding takes from it is kept beside it (Neumaier 1974): a peak that has
+/// left leaves nothing behind.
+class CompensatedSum {
+  public:
+    void add(double term) {
+        const double next = sum_ + term;
+        lost_ += std::abs(sum_) >= std::abs(term) ? (sum_ - next) + term : (term - next) + sum_;
+        sum_ = next;
+    }
+    double value() const { return sum_ + lost_; }
+
+  private:
+    double sum_ = 0;
+    double lost_ = 0;
+};
+
+AveragedLoad averaged_over(std::span<const double> window, double time, std::size_t steps, std::size_t segments) {
+    const std::vector<double> means = running_means(window, steps);
+    AveragedLoad result{.time = time, .sd = population_sd(means, mean_of(means)), .segment_maximum = {}};
+    for (std::size_t k = 0; k < segments; ++k) {
+        const std::size_t begin = std::max(part_begin(window.size(), k, segments), steps - 1);
+        const std::size_t end = part_begin(window.size(), k + 1, segments);
+        if (begin >= end)
+            throw std::invalid_argument(fmt::format("An averaging time of {} steps is longer than a segment of {}.",
+                                                    steps, window.size() / segments));
+        const auto ending_here = std::span(means).subspan(begin - (steps - 1), end - begin);
+        result.segment_maximum.push_back(std::ranges::max(ending_here));
+    }
+    result.mean_maximum = mean_of(result.segment_maximum);
+    result.sd_maximum = population_sd(result.segment_maximum, result.mean_maximum);
+    return result;
+}
+
+}  // namespace
+
+std::vector<double> running_means(std::span<const double> values, std::size_t count) {
+    std::vector<double> means;
+    CompensatedSum sum;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        sum.add(values[k]);
+        if (k >= count) sum.add(-values[k - count]);
+        if (k + 1 >= count) means.push_back(sum.value() / static_cast<double>(count));
+    }
+    return means;
+}
+
+std::vector<AveragedLoad> averaged_load(std::span<const double> window, double time_step, int segments,
+                                        std::span<const double> times) {
+    std::vector<AveragedLoad> all;
+    for (const double time : times) {
+        const auto steps = static_cast<std::size_t>(std::max(1LL, std::llround(time / time_step)));
+        all.push_back(averaged_over(window, time, steps, static_cast<std::size_t>(segments)));
+    }
+    return all;
+}
+
+}  // namespace floes

@@ -1,0 +1,32 @@
+#pragma once
+// The load as something slower than a time step feels it: statistics of its running means.
+//
+// A rigid contact passes its impulse on within one step, so a maximum over single steps grows as the step shrinks. A
+// maximum of running means over a stated time does not.
+
+#include <span>
+#include <vector>
+
+namespace floes {
+
+/// Statistics of the running mean over `time`.
+struct AveragedLoad {
+    double time = 0;                      ///< averaging time, s
+    double sd = 0;                        ///< population standard deviation of the running means in the window, N
+    std::vector<double> segment_maximum;  ///< largest running mean that ends in each segment, N
+    double mean_maximum = 0;              ///< mean of the segment maxima, N
+    double sd_maximum = 0;                ///< population SD of the segment maxima, N
+};
+
+/// Mean of each `count` successive values, by one pass with a compensated sum: result k is that of values[k] …
+/// values[k + count - 1]. `count` at least 1; none where there are fewer values than that.
+std::vector<double> running_means(std::span<const double> values, std::size_t count);
+
+/// One for each of `times`, s, which are rounded to whole steps, at least one. The running means of a window are those
+/// of which every step lies in the window; each belongs to the segment in which it ends, so the first segment has fewer
+/// by the averaging time less one step. `window`: as load_statistics() takes it; throws std::invalid_argument for a
+/// time longer than a segment.
+std::vector<AveragedLoad> averaged_load(std::span<const double> window, double time_step, int segments,
+                                        std::span<const double> times);
+
+}  // namespace floes
