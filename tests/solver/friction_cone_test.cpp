@@ -72,6 +72,25 @@ TEST(FrictionCone, StartsFromTheSameVectorWhateverTheNormal) {
     }
 }
 
+// A ball falls on a point beside its middle: one sweep. The normal row, inverse mass 0.5 + 2 * 0.3², makes the point
+// slide by 2 * 0.3 * 0.4 an impulse; friction sees that, and the stiffest direction in the plane has inverse mass 1.
+TEST(FrictionCone, SeesInTheSameSweepWhatTheNormalRowDid) {
+    for (const bool along_x : {true, false}) {
+        LaneSystem system(std::vector<SolverBody>{{0.5, {2, 2, 2}}, {}}, {}, 1);
+        system.set_state(0, {.velocity = {0, 0, -1}});
+        system.prepare(0.02);
+        const Vector point{along_x ? 0.3 : 0, along_x ? 0 : 0.3, -0.4};
+        std::vector<SolverContact> contact{
+            {.a = 0, .b = 1, .on_a = point, .on_b = point, .normal = {0, 0, 1}, .friction = 5}};
+        system.solve(contact, {.friction = Friction::cone}, 1);
+        const double normal = 1 / 0.68;
+        EXPECT_NEAR(contact[0].impulse, normal, 1e-14);
+        const Vector friction = scaled(contact[0].slide, contact[0].friction_impulse);
+        EXPECT_NEAR(friction[0], along_x ? -0.24 * normal : 0, 1e-14);
+        EXPECT_NEAR(friction[1], along_x ? 0 : -0.24 * normal, 1e-14);
+    }
+}
+
 /// Contacts of a packed scene, solved in lanes by the law at every tenth step.
 std::vector<SolverContact> packed(Friction friction, int width) {
     BulletScene scene({});
