@@ -16,7 +16,7 @@
 #include <string>
 #include <thread>
 
-#include "campaign_file/campaign_file.hpp"
+#include "campaign_file/publish.hpp"
 #include "driver/run_campaign.hpp"
 #include "driver/worker.hpp"
 #include "forecast/plan.hpp"

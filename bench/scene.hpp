@@ -6,7 +6,7 @@
 
 #include "arrangement/arrangement.hpp"
 #include "scenario/scenario.hpp"
-#include "simulation/simulation_state.hpp"
+#include "simulation/simulation.hpp"
 
 namespace floes::bench {
 

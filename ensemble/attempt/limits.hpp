@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "campaign/run_rules.hpp"
+#include "campaign/rules.hpp"
 
 namespace floes {
 

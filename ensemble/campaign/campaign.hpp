@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "campaign/design.hpp"
-#include "campaign/run_rules.hpp"
-#include "campaign/stop_rule.hpp"
+#include "campaign/rules.hpp"
 #include "scenario/scenario.hpp"
 
 namespace floes {

@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "campaign_file/arrangement_rows.hpp"
-#include "campaign_file/campaign_file.hpp"
+#include "campaign_file/campaign_table.hpp"
 #include "hdf5/write.hpp"
+#include "records/calibration_record.hpp"
+#include "records/session.hpp"
 
 namespace floes {
 

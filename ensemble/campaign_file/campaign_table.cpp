@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "campaign_file/arrangement_rows.hpp"
-#include "campaign_file/campaign_file.hpp"
+#include "campaign_file/campaign_table.hpp"
 
 namespace floes {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "campaign_file/campaign_file.hpp"
+#include "campaign_file/campaign_table.hpp"
 #include "campaign_file/read_history.hpp"
 
 namespace floes {

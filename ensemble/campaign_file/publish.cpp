@@ -6,7 +6,8 @@
 
 #include "campaign/identity.hpp"
 #include "campaign_file/campaign_content.hpp"
-#include "campaign_file/campaign_file.hpp"
+#include "campaign_file/publish.hpp"
+#include "campaign_file/read_campaign_file.hpp"
 #include "core/error.hpp"
 #include "records/build_info.hpp"
 #include "records/file_calls.hpp"

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "campaign_file/campaign_file.hpp"
+#include "campaign_file/read_campaign_file.hpp"
 #include "core/error.hpp"
 #include "hdf5/read.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "campaign_file/campaign_file.hpp"
+#include "campaign_file/campaign_table.hpp"
 #include "hdf5/read.hpp"
 
 namespace floes {

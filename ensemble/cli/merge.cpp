@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign_file/read_campaign_file.hpp"
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "core/wording.hpp"

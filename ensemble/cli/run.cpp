@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "campaign/advice.hpp"
+#include "campaign_file/read_campaign_file.hpp"
 #include "cli/commands.hpp"
 #include "cli/config_file.hpp"
 #include "cli/terminal.hpp"

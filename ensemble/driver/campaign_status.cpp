@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "campaign/read.hpp"
-#include "campaign_file/campaign_file.hpp"
+#include "campaign_file/read_campaign_file.hpp"
 #include "campaign_file/read_details.hpp"
 #include "core/error.hpp"
 #include "driver/precision.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "campaign/stop_rule.hpp"
+#include "campaign/rules.hpp"
 #include "driver/heartbeat.hpp"
 #include "records/session.hpp"
 

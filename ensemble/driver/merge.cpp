@@ -10,7 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "campaign/identity.hpp"
-#include "campaign_file/campaign_file.hpp"
+#include "campaign_file/publish.hpp"
 #include "core/error.hpp"
 #include "journal/journal.hpp"
 #include "journal/journal_format.hpp"

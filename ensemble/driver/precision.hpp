@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "campaign_file/campaign_file.hpp"
+#include "campaign_file/campaign_table.hpp"
 #include "inference/precision_stop.hpp"
 
 namespace floes {

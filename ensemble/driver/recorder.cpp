@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "campaign/identity.hpp"
-#include "campaign_file/campaign_file.hpp"
+#include "campaign_file/publish.hpp"
 #include "core/error.hpp"
 
 namespace floes {

@@ -1,7 +1,7 @@
 #pragma once
 // One line for each member, for further analysis of the values themselves.
 
-#include "campaign_file/campaign_file.hpp"
+#include "campaign_file/campaign_table.hpp"
 #include "tables/section.hpp"
 
 namespace floes {

@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "campaign_file/read_campaign_file.hpp"
 #include "campaign_file/read_details.hpp"
 #include "findings/extremes.hpp"
 #include "findings/levels.hpp"

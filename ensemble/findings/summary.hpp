@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "campaign_file/campaign_file.hpp"
+#include "campaign_file/campaign_table.hpp"
 #include "inference/bootstrap.hpp"
 #include "inference/interval.hpp"
 #include "quantities/quantity.hpp"

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "campaign_file/campaign_file.hpp"
+#include "campaign_file/read_campaign_file.hpp"
 #include "campaign_file/read_details.hpp"
 #include "core/error.hpp"
 #include "journal/journal.hpp"

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "campaign/stop_rule.hpp"
+#include "campaign/rules.hpp"
 
 namespace floes {
 

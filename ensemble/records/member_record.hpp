@@ -2,6 +2,7 @@
 // A finished member as stored: its identity, its provenance, and the result to the last bit.
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,6 +27,13 @@ struct MemberRecord {
     MemberResult result;            ///< with an empty history; the packed one is in
     PackedHistory history;          ///< of the load
 };
+
+/// Gives the load history of a record whose own was left in the journal.
+using HistoryOf = std::function<PackedHistory(const MemberRecord&)>;
+
+inline PackedHistory own_history(const MemberRecord& record) {
+    return record.history;
+}
 
 MemberIdentity identity(const MemberRecord& record);
 

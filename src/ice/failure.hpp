@@ -17,7 +17,6 @@
 #include <optional>
 
 #include "ice/failure_mode.hpp"
-#include "ice/peak_reactions.hpp"
 #include "scenario/scenario.hpp"
 #include "world/state.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-// The failure modes of a joint. The numbers are those of /breaks/mode in a campaign file: only append.
+// How joints fail, and the largest reactions that they carried.
 
 #include <array>
 #include <cstdint>
@@ -25,6 +25,17 @@ struct BreakEvent {
     std::int32_t joint = 0;                   ///< index of the joint within its floe, in creation order
     FailureMode mode = FailureMode::bending;  ///< the largest λ/ε
     friend bool operator==(const BreakEvent&, const BreakEvent&) = default;
+};
+
+/// Largest value over the run of each part of the joint reactions, over all joints (N, N m); magnitudes.
+struct PeakReactions {
+    double compression = 0;
+    double tension = 0;
+    double shear = 0;
+    double bending = 0;
+    double torsion = 0;
+    double in_plane_bending = 0;
+    friend bool operator==(const PeakReactions&, const PeakReactions&) = default;
 };
 
 }  // namespace floes

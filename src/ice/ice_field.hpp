@@ -12,7 +12,6 @@
 #include "ice/failure.hpp"
 #include "ice/failure_mode.hpp"
 #include "ice/floe_grid.hpp"
-#include "ice/peak_reactions.hpp"
 #include "scenario/scenario.hpp"
 #include "world/world.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "ice/peak_reactions.hpp"
+#include "ice/failure_mode.hpp"
 #include "statistics/averaged_load.hpp"
 #include "statistics/load_statistics.hpp"
 

@@ -11,18 +11,25 @@
 #include <vector>
 
 #include "arrangement/arrangement.hpp"
+#include "ice/failure_mode.hpp"
 #include "ice/ice_field.hpp"
 #include "scenario/scenario.hpp"
 #include "simulation/channel.hpp"
 #include "simulation/load_history.hpp"
-#include "simulation/simulation_state.hpp"
 #include "simulation/sleeping_floes.hpp"
 #include "simulation/wellbeing.hpp"
 #include "structure/tow.hpp"
 #include "water/water_lanes.hpp"
+#include "world/state.hpp"
 #include "world/world.hpp"
 
 namespace floes {
+
+struct SimulationState {
+    int steps = 0;                    ///< completed
+    std::vector<BodyState> elements;  ///< at their end, in the order of IceField::elements()
+    std::vector<BreakEvent> breaks;   ///< so far, by time
+};
 
 class Simulation {
   public:

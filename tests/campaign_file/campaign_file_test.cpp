@@ -1,4 +1,5 @@
-#include "campaign_file/campaign_file.hpp"
+#include "campaign_file/publish.hpp"
+#include "campaign_file/read_campaign_file.hpp"
 
 #include <gmock/gmock.h>
 #include <sys/wait.h>

@@ -5,7 +5,8 @@
 #include <cmath>
 
 #include "campaign/identity.hpp"
-#include "campaign_file/campaign_file.hpp"
+#include "campaign_file/publish.hpp"
+#include "campaign_file/read_campaign_file.hpp"
 #include "campaign_file/read_history.hpp"
 #include "hdf5/read.hpp"
 #include "hdf5/write.hpp"

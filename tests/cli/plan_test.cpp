@@ -7,7 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "campaign_file/campaign_file.hpp"
+#include "campaign_file/publish.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
 #include "journal/journal.hpp"

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <string>
 
-#include "campaign_file/campaign_file.hpp"
+#include "campaign_file/publish.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
 #include "support/synthetic.hpp"

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "campaign_file/campaign_file.hpp"
+#include "campaign_file/publish.hpp"
 #include "cli/status_text.hpp"
 #include "core/error.hpp"
 #include "journal/journal.hpp"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "campaign_file/campaign_file.hpp"
+#include "campaign_file/publish.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
 #include "support/synthetic.hpp"

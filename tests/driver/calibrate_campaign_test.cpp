@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include "campaign/identity.hpp"
-#include "campaign_file/campaign_file.hpp"
 #include "core/error.hpp"
 #include "driver/fakes.hpp"
 

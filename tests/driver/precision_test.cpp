@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "campaign_file/campaign_file.hpp"
+#include "campaign_file/read_campaign_file.hpp"
 #include "core/error.hpp"
 #include "driver/campaign_status.hpp"
 #include "driver/fakes.hpp"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "campaign_file/campaign_file.hpp"
+#include "campaign_file/read_campaign_file.hpp"
 #include "driver/fakes.hpp"
 
 namespace floes {

@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "campaign_file/campaign_file.hpp"
+#include "campaign_file/read_campaign_file.hpp"
 #include "core/error.hpp"
 #include "driver/fakes.hpp"
 

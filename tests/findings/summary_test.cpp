@@ -90,7 +90,8 @@ TEST(Summary, LeavesOutWhatADoneMemberDoesNotHave) {
     EXPECT_DOUBLE_EQ(summary.cases[0].of(quantity("sd_load")).estimate, (28 + 24 + 30) / 6.0);
     EXPECT_EQ(summary.cases[0].done, 4);
     const std::vector<PairRow> pairs = compare_pairs(table);
-    const auto of_sd = std::ranges::find(pairs, &quantity("sd_load"), &PairRow::quantity);
+    const auto of_sd =
+        std::ranges::find_if(pairs, [](const PairRow& row) { return row.quantity.key.view() == "sd_load"; });
     EXPECT_EQ(of_sd->found.arrangements, pairs.front().found.arrangements - 1);
     for (MemberRow& row : table.members) row.load.sd = std::nan("");
     EXPECT_TRUE(std::isnan(summarise(table).cases[0].of(quantity("sd_load")).estimate));

@@ -12,7 +12,8 @@
 #include <random>
 #include <thread>
 
-#include "campaign_file/campaign_file.hpp"
+#include "campaign_file/publish.hpp"
+#include "campaign_file/read_campaign_file.hpp"
 #include "journal/journal.hpp"
 #include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"

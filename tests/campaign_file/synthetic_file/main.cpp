@@ -5,7 +5,7 @@
 #include <exception>
 #include <string_view>
 
-#include "campaign_file/campaign_file.hpp"
+#include "campaign_file/publish.hpp"
 #include "support/synthetic.hpp"
 
 int main(int argc, char** argv) {

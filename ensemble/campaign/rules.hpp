@@ -1,5 +1,5 @@
 #pragma once
-// When a campaign has enough arrangements: the [stop] table.
+// How a campaign is run, and when it has enough arrangements: the tables [run] and [stop].
 
 #include <string>
 
@@ -16,6 +16,16 @@ struct StopRule {
 
     bool active() const { return half_width > 0; }
     friend bool operator==(const StopRule&, const StopRule&) = default;
+};
+
+/// Where a member is computed: in the process that was given it, or in a process of its own.
+enum class Isolation { none, process };
+
+struct RunRules {
+    Isolation isolation = Isolation::none;
+    double member_deadline = 6 * 3600;            ///< s of wall clock for one attempt; 0: none
+    double member_memory = 2048.0 * 1024 * 1024;  ///< bytes, for a member in a process of its own; 0: no limit
+    int attempts = 2;                             ///< failed ones after which a member is set aside, >= 1
 };
 
 }  // namespace floes

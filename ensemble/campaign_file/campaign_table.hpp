@@ -1,41 +1,17 @@
 #pragma once
-// The campaign file: one HDF5 file for a whole campaign. Every dataset, unit and attribute: docs/campaign_file.md.
+// What a campaign file says of its cases and members, as values. Every dataset, unit and attribute:
+// docs/campaign_file.md.
 
-#include <array>
 #include <cstdint>
-#include <filesystem>
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "campaign/campaign.hpp"
 #include "quantities/quantity.hpp"
-#include "records/calibration_record.hpp"
 #include "records/member_record.hpp"
-#include "records/session.hpp"
 
 namespace floes {
-
-/// Version of the layout, {major, minor}: a new minor only adds names.
-inline constexpr std::array<int, 2> campaign_file_version{1, 4};
-inline constexpr const char* campaign_filetype = "floes campaign";
-
-/// Gives the load history of a record whose own was left in the journal.
-using HistoryOf = std::function<PackedHistory(const MemberRecord&)>;
-
-inline PackedHistory own_history(const MemberRecord& record) {
-    return record.history;
-}
-
-/// Writes the file aside, brings it to the disk, and renames it into place: at every moment `path` is the old file or
-/// the new one, whole. Members without a record stand as missing. Outside /provenance the values depend on the campaign
-/// and the results alone, not on the order or origin of `records`. `sessions`: the last one is the publishing one.
-/// `calibrations`: those that gave cases of the campaign their Σ stand in /calibration. `history_of` is asked for one
-/// done member after another. Throws RunError naming the call that failed.
-void publish(const std::filesystem::path& path, const Campaign& campaign, std::span<const MemberRecord> records,
-             std::span<const Session> sessions, std::span<const CalibrationRecord> calibrations = {},
-             const HistoryOf& history_of = own_history);
 
 enum class RowStatus : std::int8_t { missing = -1, done = 0, failed = 1 };
 
@@ -82,9 +58,6 @@ struct CampaignTable {
     /// The list of quantities, with those of the averaged load.
     std::vector<Quantity> quantities() const { return quantities_with(averaging_times); }
 };
-
-/// Throws InputError when there is no such file, it is no campaign file, or its major version is not this program's.
-CampaignTable read_campaign_file(const std::filesystem::path& path);
 
 /// The table that read_campaign_file() gives after publish() of the same members.
 CampaignTable campaign_table(const Campaign& campaign, std::span<const MemberRecord> records);
