@@ -35,7 +35,7 @@ bool is_wanted(const Part& part, const SummarizeOptions& options, const Campaign
     return options.format == "csv" ? part.name == parts().front().name : part.unasked(campaign);
 }
 
-std::vector<Section> find(const SummarizeOptions& options, const Evidence& evidence) {
+std::vector<Section> find(const SummarizeOptions& options, Evidence& evidence) {
     std::vector<Section> sections;
     for (const Part& part : parts()) {
         const bool wanted = is_wanted(part, options, evidence.campaign);

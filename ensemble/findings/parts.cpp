@@ -28,41 +28,47 @@ bool of_a_design(const Campaign& campaign) {
     return campaign.design.active();
 }
 
-Section cases(const Evidence& evidence) {
+Section cases(Evidence& evidence) {
     return summary_section(evidence.summary, evidence.reference);
 }
 
-Section points(const Evidence& evidence) {
+Section points(Evidence& evidence) {
     return points_section(find_points(evidence.campaign), evidence.summary);
 }
 
-Section sensitivity(const Evidence& evidence) {
+Section sensitivity(Evidence& evidence) {
     return sensitivity_section(find_sensitivity(evidence.campaign, evidence.table));
 }
 
-Section pairs(const Evidence& evidence) {
+Section pairs(Evidence& evidence) {
     const PairOptions options{evidence.reference, evidence.resolve};
     return pairs_section(evidence.summary, compare_pairs(evidence.table, options), options);
 }
 
-Section extremes(const Evidence& evidence) {
-    return extremes_section(evidence.summary, find_extremes(evidence.table));
+/// Found once, whichever part asks first.
+const std::vector<CaseExtremes>& extremes_of(Evidence& evidence) {
+    if (!evidence.extremes) evidence.extremes = find_extremes(evidence.table);
+    return *evidence.extremes;
+}
+
+Section extremes(Evidence& evidence) {
+    return extremes_section(evidence.summary, extremes_of(evidence));
 }
 
 /// The exceedance curve of the maxima and the time above the levels that members counted.
-Section exceedance(const Evidence& evidence) {
-    Section curve = exceedance_section(evidence.summary, find_extremes(evidence.table));
+Section exceedance(Evidence& evidence) {
+    Section curve = exceedance_section(evidence.summary, extremes_of(evidence));
     Section levels = levels_section(evidence.summary, find_levels(evidence.table));
     levels.records.insert(levels.records.begin(), curve.records.begin(), curve.records.end());
     return levels;
 }
 
-Section steady(const Evidence& evidence) {
-    return steady_section(evidence.summary, evidence.table,
-                          evidence.steady ? *evidence.steady : find_steady(evidence.file, evidence.table));
+Section steady(Evidence& evidence) {
+    if (!evidence.steady) evidence.steady = find_steady(evidence.file, evidence.table);
+    return steady_section(evidence.summary, evidence.table, *evidence.steady);
 }
 
-Section members(const Evidence& evidence) {
+Section members(Evidence& evidence) {
     return members_section(evidence.table);
 }
 

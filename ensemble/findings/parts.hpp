@@ -6,7 +6,9 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
+#include "findings/extremes.hpp"
 #include "findings/steady.hpp"
 #include "findings/summary.hpp"
 
@@ -17,9 +19,10 @@ struct Evidence {
     std::filesystem::path file;
     Campaign campaign;  ///< from the configuration in the file
     CampaignTable table;
-    Summary summary;                          ///< of the table
-    std::optional<SteadyReport> steady = {};  ///< set if already computed; for the window as given
-    Reference reference;                      ///< case that the others are compared with
+    Summary summary;                                         ///< of the table
+    std::optional<SteadyReport> steady = {};                 ///< set if already computed; for the window as given
+    std::optional<std::vector<CaseExtremes>> extremes = {};  ///< set if already computed: the fits take long
+    Reference reference;                                     ///< case that the others are compared with
     double resolve = 0.1;  ///< difference that pairs are to resolve, as a fraction of the first case's mean
 };
 
@@ -30,7 +33,7 @@ Evidence read_evidence(const std::filesystem::path& file, bool automatic_window 
 
 struct Part {
     std::string_view name;
-    Section (*section)(const Evidence&);
+    Section (*section)(Evidence&);     ///< may keep in the evidence what other parts need too
     bool (*unasked)(const Campaign&);  ///< whether it is shown for this campaign when no parts are named
     std::string_view page_title = {};  ///< of its section on the page; empty: the page places it elsewhere
     bool for_csv_alone = false;

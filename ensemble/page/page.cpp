@@ -180,16 +180,13 @@ std::string theory(const ReportData& data) {
     return body.empty() ? "" : section("Elastic modulus and closed formulas", body);
 }
 
-/// The parts with a page title and no section of their own: table and notes as in text.
+/// Table and notes as in text.
 std::string further_parts(const ReportData& data) {
     std::string sections;
-    for (const Part& part : parts()) {
-        if (part.page_title.empty() || !part.unasked(data.campaign)) continue;
-        const Section told = part.section(data);
-        sections += section(
-            std::string{part.page_title},
-            (told.table.empty() ? paragraph(told.before + told.missing) : html_table(told.table)) + note(told.after));
-    }
+    for (const auto& [title, told] : data.further)
+        sections +=
+            section(title, (told.table.empty() ? paragraph(told.before + told.missing) : html_table(told.table)) +
+                               note(told.after));
     return sections;
 }
 

@@ -78,6 +78,9 @@ ReportData read_report_data(const std::filesystem::path& path) {
         data.extremes = find_extremes(data.table);
     }
     data.levels = find_levels(data.table);
+    for (const Part& part : parts())
+        if (!part.page_title.empty() && part.unasked(data.campaign))
+            data.further.emplace_back(part.page_title, part.section(data));
     const int arrangement = common_arrangement(data.table);
     for_each_history(path, [&](const SurgeHistory& history) {
         const MemberRow& member = data.table.members[static_cast<std::size_t>(history.member)];

@@ -27,11 +27,11 @@ struct DrawnHistory {
 /// All that the page tells.
 struct ReportData : Evidence {
     CampaignOrigin origin;
-    std::optional<std::vector<PairRow>> pairs;          ///< where in_detail()
-    std::optional<std::vector<CaseExtremes>> extremes;  ///< likewise
-    std::optional<Sensitivity> sensitivity;             ///< of a design
-    std::optional<DesignPoints> points;                 ///< of a design
+    std::optional<std::vector<PairRow>> pairs;  ///< where in_detail()
+    std::optional<Sensitivity> sensitivity;     ///< of a design
+    std::optional<DesignPoints> points;         ///< of a design
     std::vector<LevelRow> levels;
+    std::vector<std::pair<std::string, Section>> further;  ///< parts with a title for the page, with that title
     std::vector<DrawnHistory> histories;  ///< of the first arrangement that every case has done; empty: none is kept
     std::vector<BreakRow> breaks;
     int largest_member = -1;  ///< the done member with the largest load; -1: none is done

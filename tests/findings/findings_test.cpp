@@ -41,7 +41,7 @@ Evidence evidence() {
 }
 
 /// The parts of these names.
-std::vector<Section> sections(const Evidence& of, const std::vector<std::string_view>& names) {
+std::vector<Section> sections(Evidence of, const std::vector<std::string_view>& names) {
     std::vector<Section> made;
     for (const Part& part : parts())
         if (std::ranges::find(names, part.name) != names.end()) made.push_back(part.section(of));
