@@ -22,7 +22,7 @@ World scenario_world(const Scenario& scenario) {
     return World({.time_step = general.time_step,
                   .iterations = general.iterations,
                   .gravity = general.gravity / (1 + scenario.water.added_mass),  // the added mass has no weight
-                  .contact = scenario.contact,
+                  .contact = scenario.contact_law(),
                   .solver = world_solver(general.solver)});
 }
 

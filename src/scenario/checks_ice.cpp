@@ -76,12 +76,20 @@ void check_floating(const Scenario& scenario, Contradictions& found) {
     }
 }
 
-void check_friction(const Scenario& scenario, Contradictions& found) {
-    if (scenario.contact.friction != Friction::cone || scenario.general.solver != SolverKind::stock) return;
-    found.push_back({{"contact.friction", "general.solver"},
-                     fmt::format("{} is not possible with {}, because Bullet's own solver bounds friction by a square; "
-                                 "take general.solver = \"lanes\", or contact.friction = \"one_direction\"",
-                                 given(scenario, "contact.friction"), given(scenario, "general.solver"))});
+void check_contact(const Scenario& scenario, Contradictions& found) {
+    if (scenario.general.solver != SolverKind::stock) return;
+    const auto refuse = [&](const char* key, const char* reason, const char* instead) {
+        found.push_back({{key, "general.solver"},
+                         fmt::format("{} is not possible with {}, because Bullet's own solver {}; take general.solver "
+                                     "= \"lanes\", or {}",
+                                     given(scenario, key), given(scenario, "general.solver"), reason, instead)});
+    };
+    if (scenario.contact.friction == Friction::cone) {
+        refuse("contact.friction", "bounds friction by a square", "contact.friction = \"one_direction\"");
+    }
+    if (scenario.contact.normal == NormalLaw::crushing) {
+        refuse("contact.law", "has no contacts that crush", "contact.law = \"rigid\"");
+    }
 }
 
 void check_time(const Scenario& scenario, Contradictions& found) {

@@ -29,6 +29,12 @@ double Scenario::moving_mass() const {
     return element_mass() * (1 + water.added_mass);
 }
 
+ContactLaw Scenario::contact_law() const {
+    ContactLaw law = contact;
+    if (law.crushing_pressure == 0) law.crushing_pressure = ice.compressive_strength;
+    return law;
+}
+
 double Scenario::floating_height() const {
     return ice.thickness * (0.5 - ice.density / water.density);
 }

@@ -124,6 +124,7 @@ struct Scenario {
     double field_length() const;     ///< m: floes * length * breadth / (concentration * 2 half_width)
     double field_end() const;        ///< x of the field's far edge, m
     double element_mass() const;     ///< of ice, kg
+    ContactLaw contact_law() const;  ///< contact, with the crushing pressure that is in force
     double moving_mass() const;      ///< of an element with the water that it carries along, kg
     double floating_height() const;  ///< of the middle of floating ice above the water, m; negative above half draught
     /// Averaging times that are measured, s: those given; of the default, only whole steps that fit into a segment.

@@ -96,6 +96,17 @@ void add_contact(Keys& keys, ContactLaw& contact) {
         "Law of friction. one_direction: one row per contact along the sliding velocity, as in Bullet; a contact that "
         "sticks is not held across that row. cone: Coulomb's law in the whole contact plane, with solver lanes only; "
         "higher loads and more broken floes (docs/contact.md).")));
+    keys.push_back(late_key(word_key(
+        "contact.law", contact.normal, {"rigid", "crushing"}, "Bullet's default",
+        "What bounds the force along the normal. rigid: nothing, so that a collision ends within one step and the "
+        "largest load depends on the time step. crushing: ice yields at crushing_pressure_kPa over the area that the "
+        "overlap opens and does not push back, with solver lanes only; contact.erp and split impulse then have no "
+        "effect (docs/contact.md).")));
+    keys.push_back(late_key(number_key(
+        "contact.crushing_pressure_kPa", contact.crushing_pressure, unit::kilopascal, at_least(0).at_most(1e6),
+        "the paper has none",
+        "Pressure at which edges crush, with contact.law = \"crushing\"; 0: ice.compressive_strength_kPa. With a "
+        "higher value contacts are stiffer and need shorter steps.")));
 }
 
 }  // namespace floes

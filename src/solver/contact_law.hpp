@@ -10,6 +10,12 @@ enum class Friction {
     cone            ///< in the whole contact plane, |impulse| <= f * impulse of the normal; not in the stock solver
 };
 
+/// What bounds the normal impulse, docs/contact.md.
+enum class NormalLaw {
+    rigid,    ///< nothing: it ends the approach within the step, and opens a penetration by erp
+    crushing  ///< edges that crush at a pressure: overlap stays and does not push back; not in the stock solver
+};
+
 /// Restitution is 0 (Table 1). World refuses what is out of the ranges given here.
 struct ContactLaw {
     double erp = 0.2;               ///< Γ, share of a penetration pushed out each step, 0-1 (design decision 5)
@@ -18,6 +24,8 @@ struct ContactLaw {
     bool split_impulse = true;            ///< correct penetrations deeper than split_impulse_depth outside the impulse
     double split_impulse_depth = 0.04;    ///< m, >= 0
     Friction friction = Friction::one_direction;
+    NormalLaw normal = NormalLaw::rigid;  ///< crushing leaves erp and split impulse without effect
+    double crushing_pressure = 0;         ///< p, Pa, above 0 with crushing
 };
 
 }  // namespace floes

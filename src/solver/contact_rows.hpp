@@ -1,6 +1,7 @@
 #pragma once
-// Contacts as rows: one normal row a contact, as Bullet 3.24 sets it up (restitution 0, no contact softness), and for
-// friction one along the sliding velocity, as Bullet's, or two in the contact plane, bounded together by the cone.
+// Contacts as rows: one normal row a contact, as Bullet 3.24 sets it up (restitution 0, no contact softness) or
+// bounded by crushing, and for friction one along the sliding velocity, as Bullet's, or two in the contact plane,
+// bounded together by the cone.
 
 #include <array>
 #include <cstdint>
@@ -47,6 +48,7 @@ class ContactRows {
     void fill_points(std::span<const SolverContact> contacts);
     void fill_friction_start(std::span<const SolverContact> contacts);
     FrictionArrays friction_arrays() { return {frictions_.arrays(), seconds_.arrays(), friction_start_.data()}; }
+    YieldArrays yield_arrays() { return crushing_ ? YieldArrays{yield_.data(), give_.data()} : YieldArrays{}; }
     std::array<double, 3> row_axis(const Rows& rows, std::uint32_t slot) const;
 
     int width_ = 1;
@@ -58,6 +60,8 @@ class ContactRows {
     Rows seconds_;  ///< with the cone: the friction rows at right angles to frictions_
     AlignedArray<double> friction_start_;
     bool any_split_ = false;
+    bool crushing_ = false;
+    AlignedArray<double> yield_, give_;                  ///< with crushing, of the normal rows
     AlignedArray<double> split_target_, split_impulse_;  ///< of the normal rows, for deep penetrations
     AlignedArray<double> push_;
 };

@@ -175,25 +175,32 @@ inline void prepare_contact(const double* point, int i, const Touching& a, const
     store(frictions.first.scale, i, t);
 }
 
+/// `prepare(pack, turn, slots of the bodies a, then b)` for every `lanes` pairs. An empty lane is computed like the
+/// first one: nothing in it is infinite or slow.
+template <class Prepare>
+inline void for_each_pair(const ContactPacks& packs, const Prepare& prepare) {
+    const std::uint32_t* slots = packs.slots;
+    for (std::size_t k = 0; k < packs.count; ++k) {
+        for (std::uint32_t turn = 0; turn < packs.packs[k].turns; ++turn, slots += 2 * lanes) {
+            std::uint32_t real[2 * lanes];
+            for (int i = 0; i < 2 * lanes; ++i) real[i] = slots[i] == packs.spare ? slots[i / lanes * lanes] : slots[i];
+            prepare(packs.packs[k], turn, real);
+        }
+    }
+}
+
 template <Friction law>
 void prepare_all(const LaneArrays& arrays, const ContactPacks& packs, const double* points,
                  const ContactRowArrays& normals, const FrictionArrays& frictions, double* split_target,
                  const ContactStep& step) {
-    const std::uint32_t* slots = packs.slots;
-    for (std::size_t k = 0; k < packs.count; ++k) {
-        const ContactPack& pack = packs.packs[k];
-        for (std::uint32_t turn = 0; turn < pack.turns; ++turn, slots += 2 * lanes) {
-            // An empty lane is computed like the first one: nothing in it is infinite or slow.
-            std::uint32_t real[2 * lanes];
-            for (int i = 0; i < 2 * lanes; ++i) real[i] = slots[i] == packs.spare ? slots[i / lanes * lanes] : slots[i];
-            const Touching a = touching(arrays, real);
-            const Touching b = touching(arrays, real + lanes);
-            for (std::uint32_t row = pack.first_row + turn; row < pack.end_row; row += pack.turns) {
-                prepare_contact<law>(points + static_cast<std::size_t>(row) * (point_field::count * lanes),
-                                     static_cast<int>(row), a, b, normals, frictions, split_target, step);
-            }
+    for_each_pair(packs, [&](const ContactPack& pack, std::uint32_t turn, const std::uint32_t* slots) {
+        const Touching a = touching(arrays, slots);
+        const Touching b = touching(arrays, slots + lanes);
+        for (std::uint32_t row = pack.first_row + turn; row < pack.end_row; row += pack.turns) {
+            prepare_contact<law>(points + static_cast<std::size_t>(row) * (point_field::count * lanes),
+                                 static_cast<int>(row), a, b, normals, frictions, split_target, step);
         }
-    }
+    });
 }
 
 void prepare_contacts(const LaneArrays& arrays, const ContactPacks& packs, const double* points,

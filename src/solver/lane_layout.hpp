@@ -21,7 +21,8 @@ inline constexpr int torque = 21;           ///< about the centre of mass
 inline constexpr int inverse_inertia = 24;  ///< principal, own axes; 0 for a body that never moves
 inline constexpr int start_velocity = 27;   ///< velocity + what force does in the step
 inline constexpr int start_spin = 30;       ///< spin + what torque and the gyroscopic term do in the step
-inline constexpr int count = 33;
+inline constexpr int half_extent = 33;      ///< of a box, own axes; 0: flat and unbounded
+inline constexpr int count = 36;
 }  // namespace body_field
 
 /// Fields of a body that every sweep reads.
@@ -145,6 +146,12 @@ struct FrictionArrays {
     const double* start;      ///< impulse to start from, world axes, by groups of 3 fields
 };
 
+/// Bounds on the impulses of crushing normal rows, by groups of `width`: null where contacts are rigid.
+struct YieldArrays {
+    double* yield;
+    double* give;
+};
+
 struct ContactStep {
     double inverse_step;  ///< 1/s
     double split_depth;   ///< penetrations this deep are corrected outside the impulse, m; infinite for none
@@ -172,12 +179,16 @@ struct LaneKernels {
     void (*prepare_contacts)(const LaneArrays&, const ContactPacks&, const double* points,
                              const ContactRowArrays& normals, const FrictionArrays& frictions, double* split_target,
                              const ContactStep&);
+    /// How much the prepared normal rows can carry before the ice crushes at this pressure, Pa.
+    void (*prepare_crushing)(const LaneArrays&, const ContactPacks&, const double* points, const double* normal_scale,
+                             const YieldArrays&, double pressure, double time_step);
     /// What the impulses do that rows begin with; one sweep over all normal rows; one over all friction rows in one
     /// direction; one over all rows of cones, contact by contact.
     void (*start_contacts)(double* delta, const ContactPacks&, const ContactRowArrays&);
-    void (*solve_normals)(double* delta, const ContactPacks&, const ContactRowArrays&);
+    void (*solve_normals)(double* delta, const ContactPacks&, const ContactRowArrays&, const YieldArrays&);
     void (*solve_frictions)(double* delta, const ContactPacks&, const ContactRowArrays&, const double* normal_impulse);
-    void (*solve_cones)(double* delta, const ContactPacks&, const ContactRowArrays& normals, const FrictionArrays&);
+    void (*solve_cones)(double* delta, const ContactPacks&, const ContactRowArrays& normals, const FrictionArrays&,
+                        const YieldArrays&);
 };
 
 }  // namespace floes

@@ -1,8 +1,8 @@
 #pragma once
 // The joints and contacts of many floes, solved side by side. The physics is that of Bullet 3.24's sequential-impulse
 // solver with fixed joints (btGeneric6DofSpring2Constraint locked in all six axes) and one friction direction, or
-// Coulomb's cone in place of that; each floe's rows are solved in the order in which its joints are given. A step
-// reads:
+// Coulomb's cone in place of that and edges that crush; each floe's rows are solved in the order in which its joints
+// are given. A step reads:
 //
 //   system.set_force(body, force, torque);         // every body; set_state for those that something else moves
 //   system.prepare(time_step);
@@ -24,10 +24,11 @@
 
 namespace floes {
 
-/// What does not change about a body. All zero: it never moves by itself.
+/// What does not change about a body. Without mass: it never moves by itself.
 struct SolverBody {
     double inverse_mass = 0;                  ///< 1/kg
     std::array<double, 3> inverse_inertia{};  ///< principal, about its own axes, 1/(kg m²)
+    std::array<double, 3> half_extent{};      ///< of a box, own axes, m; 0: flat and unbounded, where ice crushes on it
 };
 
 /// A joint's frame in a body: rotation joint -> body row by row, origin in m from the centre of mass.

@@ -130,9 +130,12 @@ void LaneSystem::lay_out(std::span<const SolverBody> bodies, std::span<const Sol
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         sweep_[place(slot_of_body_[i], sweep_field::count, sweep_field::inverse_mass, width())] =
             bodies[i].inverse_mass;
+        const auto put = [&](int field, double value) {
+            body_[place(slot_of_body_[i], body_field::count, field, width())] = value;
+        };
         for (int k = 0; k < 3; ++k) {
-            body_[place(slot_of_body_[i], body_field::count, body_field::inverse_inertia + k, width())] =
-                bodies[i].inverse_inertia[static_cast<std::size_t>(k)];
+            put(body_field::inverse_inertia + k, bodies[i].inverse_inertia[static_cast<std::size_t>(k)]);
+            put(body_field::half_extent + k, bodies[i].half_extent[static_cast<std::size_t>(k)]);
         }
     }
     for (std::size_t i = 0; i < joints.size(); ++i) {

@@ -26,6 +26,14 @@ void check_contact(const ContactLaw& law, ConstraintSolver solver) {
             "The world cannot be built: Bullet's own solver bounds friction by a square, not by Coulomb's cone; take "
             "general.solver = \"lanes\", or contact.friction = \"one_direction\".");
     }
+    if (law.normal == NormalLaw::crushing) {
+        if (solver == ConstraintSolver::stock) {
+            throw InputError(
+                "The world cannot be built: Bullet's own solver has no contacts that crush; take general.solver = "
+                "\"lanes\", or contact.law = \"rigid\".");
+        }
+        require(law.crushing_pressure > 0, "the crushing pressure", law.crushing_pressure, "above 0 Pa");
+    }
     require(law.erp >= 0 && law.erp <= 1, "the contact ERP", law.erp, "between 0 and 1");
     require(law.split_impulse_depth >= 0, "the split impulse depth", law.split_impulse_depth, "at least 0 m");
 }

@@ -1,5 +1,6 @@
 #include "world/lane_solver.hpp"
 
+#include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 #include <LinearMath/btTransformUtil.h>
@@ -41,6 +42,12 @@ SolverState state_of(const btRigidBody& body) {
     const btTransform& pose = body.getWorldTransform();
     return {array_of(pose.getOrigin()), rows_of(pose.getBasis()), array_of(body.getLinearVelocity()),
             array_of(body.getAngularVelocity())};
+}
+
+/// Of a box; zero for other shapes.
+std::array<double, 3> half_extent(const btRigidBody& body) {
+    if (body.getCollisionShape()->getShapeType() != BOX_SHAPE_PROXYTYPE) return {};
+    return array_of(static_cast<const btBoxShape*>(body.getCollisionShape())->getHalfExtentsWithMargin());
 }
 
 bool moves(const btRigidBody& body) {
@@ -100,8 +107,9 @@ void LaneSolver::lay_out(std::span<btCollisionObject* const> bodies) {
     std::vector<SolverBody> solver_bodies;
     for (const btCollisionObject* object : bodies) {
         const btRigidBody& body = rigid(object);
-        solver_bodies.push_back(moves(body) ? SolverBody{body.getInvMass(), array_of(body.getInvInertiaDiagLocal())}
-                                            : SolverBody{});
+        SolverBody& added = solver_bodies.emplace_back();
+        if (moves(body)) added = {body.getInvMass(), array_of(body.getInvInertiaDiagLocal()), {}};
+        added.half_extent = half_extent(body);
     }
     std::vector<SolverJoint> awake;
     joint_in_system_.assign(joints_.size(), not_in_system);

@@ -112,13 +112,15 @@ TEST(LanesEquivalence, BrokenFloesMoveAsInBullet) {
     EXPECT_EQ(vector_of(lanes.world.reaction(lanes.joints[5])).norm(), 0);
 }
 
-class EveryWidth : public testing::TestWithParam<Friction> {};
+class EveryWidth : public testing::TestWithParam<std::pair<Friction, NormalLaw>> {};
 
 TEST_P(EveryWidth, GivesTheSameBits) {
     std::vector<LanesScene> scenes;
     for (const int width : lane_widths()) {
         WorldDefinition definition = solved_by(ConstraintSolver::lanes, width);
-        definition.contact.friction = GetParam();
+        definition.contact.friction = GetParam().first;
+        definition.contact.normal = GetParam().second;
+        definition.contact.crushing_pressure = 145.6e3;
         LanesScene& scene = scenes.emplace_back(definition);
         for (int i = 0; i < 40; ++i) {
             if (i == 20) scene.break_joints(7);
@@ -132,7 +134,11 @@ TEST_P(EveryWidth, GivesTheSameBits) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(LanesEquivalence, EveryWidth, testing::Values(Friction::one_direction, Friction::cone));
+INSTANTIATE_TEST_SUITE_P(LanesEquivalence, EveryWidth,
+                         testing::Values(std::pair(Friction::one_direction, NormalLaw::rigid),
+                                         std::pair(Friction::cone, NormalLaw::rigid),
+                                         std::pair(Friction::one_direction, NormalLaw::crushing),
+                                         std::pair(Friction::cone, NormalLaw::crushing)));
 
 }  // namespace
 }  // namespace floes::test
