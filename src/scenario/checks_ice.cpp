@@ -90,6 +90,10 @@ void check_contact(const Scenario& scenario, Contradictions& found) {
     if (scenario.contact.normal == NormalLaw::crushing) {
         refuse("contact.law", "has no contacts that crush", "contact.law = \"rigid\"");
     }
+    if (!scenario.contact.internal_edges) {
+        refuse("contact.internal_edges", "does not know which faces lie inside a floe",
+               "contact.internal_edges = true");
+    }
 }
 
 void check_time(const Scenario& scenario, Contradictions& found) {

@@ -107,6 +107,11 @@ void add_contact(Keys& keys, ContactLaw& contact) {
         "the paper has none",
         "Pressure at which edges crush, with contact.law = \"crushing\"; 0: ice.compressive_strength_kPa. With a "
         "higher value contacts are stiffer and need shorter steps.")));
+    keys.push_back(
+        late_key(switch_key("contact.internal_edges", contact.internal_edges, "Bullet's default",
+                            "Whether faces between the elements of a floe, and the rims at which pieces of the "
+                            "structure meet, can be touched, "
+                            "although they lie inside the body. false: nothing acts there, with solver lanes only.")));
 }
 
 }  // namespace floes

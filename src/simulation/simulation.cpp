@@ -14,7 +14,9 @@ namespace floes {
 namespace {
 
 BodyId add_structure(World& world, const Scenario& scenario) {
-    const std::vector<ConvexPiece> pieces = scenario.structure.shape.pieces();
+    const Shape& shape = scenario.structure.shape;
+    const std::vector<ConvexPiece> pieces =
+        scenario.contact.internal_edges ? shape.pieces() : shape.overlapping_pieces();
     return world.add_structure(pieces, {scenario.structure.start, 0, 0});
 }
 

@@ -81,37 +81,36 @@ void start_contacts(double* delta, const ContactPacks& packs, const ContactRowAr
 
 // The impulse applied is the difference of the accumulated ones, clamped or not: no branch, and it rounds to the same.
 
-/// What the normal row i takes that has `old`: enough to stop the approach, but no more than crushing ice can carry.
-template <NormalLaw law>
-[[gnu::always_inline]] inline Pack normal_impulse(const ContactRowArrays& all, const YieldArrays& crushing, int i,
+/// What the normal row i takes that has `old`: enough to stop the approach, but no more than its limit.
+template <bool limited>
+[[gnu::always_inline]] inline Pack normal_impulse(const ContactRowArrays& all, const LimitArrays& limits, int i,
                                                   Pack old, Pack velocity) {
     const Pack none{};
     const Pack stops = old + (load(all.target, i) - velocity);
-    if constexpr (law == NormalLaw::rigid) {
+    if constexpr (!limited) {
         return stops > 0.0 ? stops : none;
     } else {
-        const Pack yields = load(crushing.yield, i) + load(crushing.give, i) * (old - velocity);
+        const Pack yields = load(limits.yield, i) + load(limits.give, i) * (old - velocity);
         const Pack total = stops < yields ? stops : yields;
         return total > 0.0 ? total : none;
     }
 }
 
-template <NormalLaw law>
+template <bool limited>
 void solve_all_normals(double* delta, const ContactPacks& packs, const ContactRowArrays& all,
-                       const YieldArrays& crushing) {
+                       const LimitArrays& limits) {
     const auto solve = [&](int i, const double* row, Motion& a, Motion& b) __attribute__((always_inline)) {
         const Pack old = load(all.impulse, i);
-        const Pack next = normal_impulse<law>(all, crushing, i, old, along(row, a, b));
+        const Pack next = normal_impulse<limited>(all, limits, i, old, along(row, a, b));
         store(all.impulse, i, next);
         push(row, a, b, next - old);
     };
     for_each_row(delta, packs, all.row, solve, never_idle);
 }
 
-void solve_normals(double* delta, const ContactPacks& packs, const ContactRowArrays& all, const YieldArrays& crushing) {
-    const auto solve =
-        crushing.yield == nullptr ? solve_all_normals<NormalLaw::rigid> : solve_all_normals<NormalLaw::crushing>;
-    solve(delta, packs, all, crushing);
+void solve_normals(double* delta, const ContactPacks& packs, const ContactRowArrays& all, const LimitArrays& limits) {
+    const auto solve = limits.yield == nullptr ? solve_all_normals<false> : solve_all_normals<true>;
+    solve(delta, packs, all, limits);
 }
 
 /// As in Bullet, friction keeps its impulse while the normal row has none.
@@ -141,9 +140,9 @@ void solve_frictions(double* delta, const ContactPacks& packs, const ContactRowA
 /// circle of the normal impulse. With one effective mass for both this is a projected gradient step: where it comes to
 /// rest, friction points against the sliding velocity or nothing slides, whatever the basis. A 2 x 2 solve scaled back
 /// would turn friction off that line. The three rows see what they do to each other through the coupling.
-template <NormalLaw law>
+template <bool limited>
 void solve_all_cones(double* delta, const ContactPacks& packs, const ContactRowArrays& normals,
-                     const FrictionArrays& all, const YieldArrays& crushing) {
+                     const FrictionArrays& all, const LimitArrays& limits) {
     const auto solve = [&](int i, const double* row, Motion& a, Motion& b) __attribute__((always_inline)) {
         const double* first = all.first.row + static_cast<std::size_t>(i) * (contact_field::count * lanes);
         const double* second = all.second.row + static_cast<std::size_t>(i) * (contact_field::count * lanes);
@@ -151,7 +150,7 @@ void solve_all_cones(double* delta, const ContactPacks& packs, const ContactRowA
                                                         cross(b.spin, load3(first, contact_field::lever_b)));
         const V3 axis = load3(row, contact_field::axis);
         const Pack old = load(normals.impulse, i);
-        const Pack normal = normal_impulse<law>(normals, crushing, i, old, dot(axis, sliding));
+        const Pack normal = normal_impulse<limited>(normals, limits, i, old, dot(axis, sliding));
         const Pack pressed = normal - old;
         store(normals.impulse, i, normal);
         const Pack old_first = load(all.first.impulse, i);
@@ -187,8 +186,7 @@ void solve_all_cones(double* delta, const ContactPacks& packs, const ContactRowA
 }
 
 void solve_cones(double* delta, const ContactPacks& packs, const ContactRowArrays& normals, const FrictionArrays& all,
-                 const YieldArrays& crushing) {
-    const auto solve =
-        crushing.yield == nullptr ? solve_all_cones<NormalLaw::rigid> : solve_all_cones<NormalLaw::crushing>;
-    solve(delta, packs, normals, all, crushing);
+                 const LimitArrays& limits) {
+    const auto solve = limits.yield == nullptr ? solve_all_cones<false> : solve_all_cones<true>;
+    solve(delta, packs, normals, all, limits);
 }

@@ -26,6 +26,7 @@ struct ContactLaw {
     Friction friction = Friction::one_direction;
     NormalLaw normal = NormalLaw::rigid;  ///< crushing leaves erp and split impulse without effect
     double crushing_pressure = 0;         ///< p, Pa, above 0 with crushing
+    bool internal_edges = true;           ///< faces and rims inside a body act like its outside, as in Bullet
 };
 
 }  // namespace floes

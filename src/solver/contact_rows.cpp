@@ -84,17 +84,18 @@ void ContactRows::prepare(std::span<const SolverContact> contacts, std::span<con
         seconds_.reserve(slots);
         fill_friction_start(contacts);
     }
-    crushing_ = law.normal == NormalLaw::crushing;
-    const double split_depth = law.split_impulse && !crushing_ ? law.split_impulse_depth : infinity;
+    const bool crushing = law.normal == NormalLaw::crushing;
+    const double split_depth = law.split_impulse && !crushing ? law.split_impulse_depth : infinity;
     ContactLaw applied = law;
-    if (crushing_) applied.erp = 0;  // crushed ice does not push back
+    if (crushing) applied.erp = 0;  // crushed ice does not push back
     kernels.prepare_contacts(arrays, order_.packs(), points_.data(), normals_.arrays(), friction_arrays(),
                              split_target_.data(), {1.0 / time_step, split_depth, applied});
-    if (crushing_) {
+    limited_ = crushing || !law.internal_edges;
+    if (limited_) {
         yield_.reserve(slots);
         give_.reserve(slots);
-        kernels.prepare_crushing(arrays, order_.packs(), points_.data(), normals_.scale.data(), yield_arrays(),
-                                 law.crushing_pressure, time_step);
+        kernels.prepare_limits(arrays, order_.packs(), points_.data(), normals_.scale.data(), limit_arrays(), law,
+                               time_step);
     }
     any_split_ = std::any_of(contacts.begin(), contacts.end(),
                              [&](const SolverContact& contact) { return contact.distance <= -split_depth; });
@@ -120,10 +121,10 @@ void ContactRows::start(const LaneKernels& kernels, double* delta) {
 
 void ContactRows::sweep(const LaneKernels& kernels, double* delta) {
     if (cone_) {
-        kernels.solve_cones(delta, order_.packs(), normals_.arrays(), friction_arrays(), yield_arrays());
+        kernels.solve_cones(delta, order_.packs(), normals_.arrays(), friction_arrays(), limit_arrays());
         return;
     }
-    kernels.solve_normals(delta, order_.packs(), normals_.arrays(), yield_arrays());
+    kernels.solve_normals(delta, order_.packs(), normals_.arrays(), limit_arrays());
     kernels.solve_frictions(delta, order_.packs(), frictions_.arrays(), normals_.impulse.data());
 }
 

@@ -48,7 +48,7 @@ class ContactRows {
     void fill_points(std::span<const SolverContact> contacts);
     void fill_friction_start(std::span<const SolverContact> contacts);
     FrictionArrays friction_arrays() { return {frictions_.arrays(), seconds_.arrays(), friction_start_.data()}; }
-    YieldArrays yield_arrays() { return crushing_ ? YieldArrays{yield_.data(), give_.data()} : YieldArrays{}; }
+    LimitArrays limit_arrays() { return limited_ ? LimitArrays{yield_.data(), give_.data()} : LimitArrays{}; }
     std::array<double, 3> row_axis(const Rows& rows, std::uint32_t slot) const;
 
     int width_ = 1;
@@ -60,8 +60,8 @@ class ContactRows {
     Rows seconds_;  ///< with the cone: the friction rows at right angles to frictions_
     AlignedArray<double> friction_start_;
     bool any_split_ = false;
-    bool crushing_ = false;
-    AlignedArray<double> yield_, give_;                  ///< with crushing, of the normal rows
+    bool limited_ = false;
+    AlignedArray<double> yield_, give_;                  ///< where limited, of the normal rows
     AlignedArray<double> split_target_, split_impulse_;  ///< of the normal rows, for deep penetrations
     AlignedArray<double> push_;
 };

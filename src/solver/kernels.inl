@@ -18,14 +18,14 @@ namespace {
 #include "solver/body_kernels.inl"
 #include "solver/motion.inl"
 #include "solver/contact_setup.inl"
-#include "solver/crushing.inl"
+#include "solver/contact_limits.inl"
 #include "solver/contact_kernels.inl"
 // clang-format on
 }  // namespace
 
 extern const LaneKernels FLOES_KERNELS;
-const LaneKernels FLOES_KERNELS{FLOES_LANES,      turns,          prepare_bodies, prepare_joints,  sweep,
-                                reactions,        advance_bodies, to_contacts,    from_contacts,   prepare_contacts,
-                                prepare_crushing, start_contacts, solve_normals,  solve_frictions, solve_cones};
+const LaneKernels FLOES_KERNELS{FLOES_LANES,    turns,          prepare_bodies, prepare_joints,  sweep,
+                                reactions,      advance_bodies, to_contacts,    from_contacts,   prepare_contacts,
+                                prepare_limits, start_contacts, solve_normals,  solve_frictions, solve_cones};
 
 }  // namespace floes

@@ -22,7 +22,8 @@ inline constexpr int inverse_inertia = 24;  ///< principal, own axes; 0 for a bo
 inline constexpr int start_velocity = 27;   ///< velocity + what force does in the step
 inline constexpr int start_spin = 30;       ///< spin + what torque and the gyroscopic term do in the step
 inline constexpr int half_extent = 33;      ///< of a box, own axes; 0: flat and unbounded
-inline constexpr int count = 36;
+inline constexpr int covered = 36;          ///< 1 for a face on which a joint holds another body: +x +y +z -x -y -z
+inline constexpr int count = 42;
 }  // namespace body_field
 
 /// Fields of a body that every sweep reads.
@@ -146,8 +147,8 @@ struct FrictionArrays {
     const double* start;      ///< impulse to start from, world axes, by groups of 3 fields
 };
 
-/// Bounds on the impulses of crushing normal rows, by groups of `width`: null where contacts are rigid.
-struct YieldArrays {
+/// Upper bounds on the impulses of normal rows, by groups of `width`; null where there are none.
+struct LimitArrays {
     double* yield;
     double* give;
 };
@@ -179,16 +180,16 @@ struct LaneKernels {
     void (*prepare_contacts)(const LaneArrays&, const ContactPacks&, const double* points,
                              const ContactRowArrays& normals, const FrictionArrays& frictions, double* split_target,
                              const ContactStep&);
-    /// How much the prepared normal rows can carry before the ice crushes at this pressure, Pa.
-    void (*prepare_crushing)(const LaneArrays&, const ContactPacks&, const double* points, const double* normal_scale,
-                             const YieldArrays&, double pressure, double time_step);
+    /// How much the prepared normal rows can carry at most, where ice crushes or internal edges do not act.
+    void (*prepare_limits)(const LaneArrays&, const ContactPacks&, const double* points, const double* normal_scale,
+                           const LimitArrays&, const ContactLaw&, double time_step);
     /// What the impulses do that rows begin with; one sweep over all normal rows; one over all friction rows in one
     /// direction; one over all rows of cones, contact by contact.
     void (*start_contacts)(double* delta, const ContactPacks&, const ContactRowArrays&);
-    void (*solve_normals)(double* delta, const ContactPacks&, const ContactRowArrays&, const YieldArrays&);
+    void (*solve_normals)(double* delta, const ContactPacks&, const ContactRowArrays&, const LimitArrays&);
     void (*solve_frictions)(double* delta, const ContactPacks&, const ContactRowArrays&, const double* normal_impulse);
     void (*solve_cones)(double* delta, const ContactPacks&, const ContactRowArrays& normals, const FrictionArrays&,
-                        const YieldArrays&);
+                        const LimitArrays&);
 };
 
 }  // namespace floes

@@ -1,6 +1,8 @@
 #include "solver/lane_system.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <tuple>
 
 #include "solver/lane_slot.hpp"
 
@@ -25,9 +27,28 @@ LaneArrays LaneSystem::arrays() {
 }
 
 void LaneSystem::remove_joint(std::size_t joint) {
+    cover(joint, 0);
     frame_[place(slot_of_joint_[joint], frame_field::count, frame_field::alive, width())] = 0;
     for (int field = 0; field < 6; ++field) {
         reaction_[place(slot_of_joint_[joint], reaction_field::count, field, width())] = 0;
+    }
+}
+
+void LaneSystem::cover(std::size_t joint, double covered) {
+    const auto [a, b] = bodies_of_joint_[joint];
+    const double* frame = frame_.data() + place(slot_of_joint_[joint], frame_field::count, 0, width());
+    // The joint's x axis in each body: out of a's face, and into b's.
+    for (const auto& [body, rotation, outward] :
+         {std::tuple(a, frame_field::rotation_a, 1.0), std::tuple(b, frame_field::rotation_b, -1.0)}) {
+        std::array<double, 9> to_body{};
+        get(frame, width(), rotation, to_body);
+        const std::array<double, 3> x{outward * to_body[0], outward * to_body[3], outward * to_body[6]};
+        int axis = 0;
+        for (int k = 1; k < 3; ++k) {
+            if (std::abs(x[static_cast<std::size_t>(k)]) > std::abs(x[static_cast<std::size_t>(axis)])) axis = k;
+        }
+        const int face = x[static_cast<std::size_t>(axis)] > 0 ? axis : axis + 3;
+        body_[place(slot_of_body_[body], body_field::count, body_field::covered + face, width())] = covered;
     }
 }
 

@@ -16,6 +16,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "solver/aligned_array.hpp"
@@ -99,6 +100,7 @@ class LaneSystem {
     void lay_out(std::span<const SolverBody>, std::span<const SolverJoint>,
                  const std::vector<std::vector<Floe>>& kinds);
     void fill(std::size_t slot, const SolverJoint& joint);
+    void cover(std::size_t joint, double covered);
     LaneArrays arrays();
     void find_touched(std::span<const SolverContact> contacts);
 
@@ -107,6 +109,7 @@ class LaneSystem {
     std::vector<LaneBlock> blocks_;
     std::vector<std::uint32_t> slot_of_body_;  ///< group * width + lane
     std::vector<std::uint32_t> slot_of_joint_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> bodies_of_joint_;
     std::vector<std::uint32_t> block_of_body_;
     std::vector<std::uint8_t> block_touched_, group_touched_;  ///< in this step
     std::vector<std::uint32_t> touched_groups_;                ///< of bodies with contacts

@@ -141,6 +141,8 @@ void LaneSystem::lay_out(std::span<const SolverBody> bodies, std::span<const Sol
     for (std::size_t i = 0; i < joints.size(); ++i) {
         fill(slot_of_joint_[i], joints[i]);
         frame_[place(slot_of_joint_[i], frame_field::count, frame_field::alive, width())] = 1;
+        bodies_of_joint_.emplace_back(joints[i].a, joints[i].b);
+        cover(i, 1);
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <utility>
 
 #include "core/error.hpp"
@@ -67,6 +68,32 @@ std::vector<ConvexPiece> Shape::pieces() const {
         if (!flat && !on_axis) pieces.push_back({low.height, low.radius, high.height, high.radius});
     }
     return pieces;
+}
+
+std::vector<ConvexPiece> Shape::overlapping_pieces() const {
+    std::vector<ConvexPiece> continued = pieces();
+    for (ConvexPiece& piece : continued) {
+        const double slope = (piece.top_radius - piece.bottom_radius) / (piece.top_height - piece.bottom_height);
+        const double low = piece.bottom_height;
+        const auto wall = [&, from = piece.bottom_radius](double height) { return from + slope * (height - low); };
+        const auto inside = [&](const ProfilePoint& point) {
+            const double radius = wall(point.height);
+            return radius >= 0 && radius <= point.radius;
+        };
+        for (const ProfilePoint& point : profile_) {
+            if (point.height <= piece.top_height) continue;
+            if (!inside(point)) break;
+            piece.top_height = point.height;
+            piece.top_radius = wall(point.height);
+        }
+        for (const ProfilePoint& point : profile_ | std::views::reverse) {
+            if (point.height >= piece.bottom_height) continue;
+            if (!inside(point)) break;
+            piece.bottom_radius = wall(point.height);
+            piece.bottom_height = point.height;
+        }
+    }
+    return continued;
 }
 
 double Shape::waterline_radius() const {

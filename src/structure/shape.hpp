@@ -54,6 +54,10 @@ class Shape {
     /// The convex pieces that it is made of. Throws InputError with the fault of a shape that has one.
     std::vector<ConvexPiece> pieces() const;
 
+    /// The same body of pieces that are continued, straight on along their walls, for as long as that stays inside the
+    /// shape: at a waist the rims at which pieces meet then lie inside, where nothing can touch them.
+    std::vector<ConvexPiece> overlapping_pieces() const;
+
     /// Of the circle that it cuts out of the water, m; at a flat ring the larger. 0 if it does not span the waterline.
     double waterline_radius() const;
     double largest_radius() const;                ///< m
