@@ -9,7 +9,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,7 +24,6 @@ struct Field {
     std::vector<double> psi4;
     std::vector<double> local;
     std::vector<double> ahead;
-    int refused = 0;
     double longest = 0;  // s
     double seconds = 0;  // of all
 
@@ -36,8 +34,7 @@ struct Field {
             psi4.push_back(made.psi4);
             local.push_back(made.local_order);
             ahead.push_back(made.coverage_ahead);
-        } catch (const InputError&) {
-            ++refused;
+        } catch (const InputError&) {  // did not come to rest
         }
         const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         seconds += took;

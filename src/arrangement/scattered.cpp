@@ -10,7 +10,6 @@
 
 #include "arrangement/crowd.hpp"
 #include "core/error.hpp"
-#include "core/turn.hpp"
 
 namespace floes {
 
@@ -21,16 +20,13 @@ constexpr int rounds = 20;  // more would order the field by the floes they thro
 constexpr int sweeps_per_round = 1000;
 constexpr std::size_t floes_per_redraw = 250;
 
-/// Uniform over the poses that the walls allow, unless these are so few that none is found.
-PlanarPose throw_anywhere(const Walls& walls, const Rectangle& shape, RandomStream& random) {
-    constexpr int trials = 100;
+/// Its middle anywhere in the field, at any angle. Where it crosses a wall it will be pushed in: to throw again instead
+/// would leave less ice at the walls and more in the middle than elsewhere.
+PlanarPose throw_anywhere(const Walls& walls, RandomStream& random) {
     PlanarPose pose;
-    for (int trial = 0; trial < trials; ++trial) {
-        pose.x = random.uniform(walls.low_x, walls.low_x + walls.length);
-        pose.z = random.uniform(walls.low_z, walls.low_z + walls.breadth);
-        pose.yaw = random.uniform(-std::numbers::pi, std::numbers::pi);
-        if (walls.admits(shape, pose.x, pose.z, turn_of(pose.yaw))) break;
-    }
+    pose.x = random.uniform(walls.low_x, walls.low_x + walls.length);
+    pose.z = random.uniform(walls.low_z, walls.low_z + walls.breadth);
+    pose.yaw = random.uniform(-std::numbers::pi, std::numbers::pi);
     return pose;
 }
 
@@ -47,14 +43,14 @@ std::vector<std::size_t> most_pressed(const Crowd& crowd) {
 std::optional<std::vector<PlanarPose>> attempt(const Walls& room, const Rectangle& shape, double margin, int count,
                                                RandomStream& random) {
     std::vector<PlanarPose> poses;
-    for (int i = 0; i < count; ++i) poses.push_back(throw_anywhere(room, shape, random));
+    for (int i = 0; i < count; ++i) poses.push_back(throw_anywhere(room, random));
     Crowd crowd(room, shape.grown(margin), poses);
     for (int round = 0; round < rounds; ++round) {
         for (int sweep = 0; sweep < sweeps_per_round; ++sweep)
             if (crowd.sweep() < margin && crowd.deepest() < margin) return crowd.poses();
         // Some floes are wedged: most often a straight row from wall to wall that is a little too long. Pushing does
         // not bend it, and one floe less loosens it.
-        for (const std::size_t floe : most_pressed(crowd)) crowd.put(floe, throw_anywhere(room, shape, random));
+        for (const std::size_t floe : most_pressed(crowd)) crowd.put(floe, throw_anywhere(room, random));
     }
     return {};
 }

@@ -112,11 +112,11 @@ TEST(Scattered, DoesNotCrystallise) {
     EXPECT_LT(mean(figures[1]), 0.55);  // 0.85
 }
 
-// Nothing drives the floes along or across the channel, and parts of its length are covered alike.
+// Nothing drives the floes to one side, and each part of the field's length is covered alike, the ends included.
 TEST(Scattered, CoversTheFieldEvenly) {
     const Scenario scenario = scattered_scenario(0.6);
     constexpr int parts = 6;
-    const Figures figures = figures_of(scenario, 100, [&](const Arrangement& made) {
+    const Figures figures = figures_of(scenario, 300, [&](const Arrangement& made) {
         std::vector<double> values{0, 0};
         for (const PlanarPose& pose : made.poses) {
             values[0] += pose.x - scenario.field.begin - 0.5 * scenario.field_length();
@@ -130,13 +130,8 @@ TEST(Scattered, CoversTheFieldEvenly) {
     });
     EXPECT_LT(std::abs(mean(figures[0])), 4 * error_of_mean(figures[0]));
     EXPECT_LT(std::abs(mean(figures[1])), 4 * error_of_mean(figures[1]));
-    for (int i = 0; i < parts; ++i) {
-        const std::vector<double>& covered = figures[static_cast<std::size_t>(2 + i)];
-        // At an end floes leave a little more free than elsewhere.
-        const bool end = i == 0 || i == parts - 1;
-        EXPECT_NEAR(mean(covered), 0.6, 4 * error_of_mean(covered) + (end ? 0.02 : 0.008)) << i;
-        EXPECT_LT(error_of_mean(covered), 0.006);
-    }
+    for (std::size_t i = 2; i < figures.size(); ++i)
+        EXPECT_NEAR(mean(figures[i]), 0.6, 4 * error_of_mean(figures[i])) << i;
 }
 
 TEST(Scattered, ImpossibleFieldsAreRefused) {
