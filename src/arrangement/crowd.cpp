@@ -20,22 +20,6 @@ constexpr double turning = 0.3;
 
 const std::array<Vec2, 4> wall_normals{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};  // into the field
 
-Vec2 along(Turn turn) {
-    return {turn.cos, -turn.sin};
-}
-
-Vec2 across(Turn turn) {
-    return {turn.sin, turn.cos};
-}
-
-/// From the middle to the corner that lies farthest along direction.
-Vec2 corner(const Rectangle& shape, Turn turn, const Vec2& direction) {
-    const Vec2 a = along(turn);
-    const Vec2 b = across(turn);
-    return std::copysign(shape.half_length, direction.dot(a)) * a +
-           std::copysign(shape.half_breadth, direction.dot(b)) * b;
-}
-
 /// How fast a point at arm from the middle moves along direction as the rectangle turns, m/rad.
 double lever(const Vec2& arm, const Vec2& direction) {
     return direction.x() * arm.y() - direction.y() * arm.x();

@@ -25,10 +25,10 @@ using Polygon = std::vector<Vec2>;
 
 Polygon corners(const Rectangle& shape, const PlanarPose& pose) {
     const Turn turn = turn_of(pose.yaw);
-    const Vec2 along = shape.half_length * Vec2(turn.cos, -turn.sin);
-    const Vec2 across = shape.half_breadth * Vec2(turn.sin, turn.cos);
+    const Vec2 a = shape.half_length * along(turn);
+    const Vec2 b = shape.half_breadth * across(turn);
     const Vec2 middle(pose.x, pose.z);
-    return {middle + along + across, middle - along + across, middle - along - across, middle + along - across};
+    return {middle + a + b, middle - a + b, middle - a - b, middle + a - b};
 }
 
 /// The part of a convex polygon at which normal . point <= bound (Sutherland and Hodgman).
