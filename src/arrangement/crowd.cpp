@@ -145,7 +145,7 @@ Vec2 Crowd::pressed_point(Turn of_side, Turn other, const Vec2& apart, const Vec
     const bool presses_along = std::abs(on_along) < std::abs(on_across);  // the pressing side runs along its own x
     const Vec2 tangent = presses_along ? Vec2(std::copysign(1.0, -on_along) * along(other))
                                        : Vec2(std::copysign(1.0, -on_across) * across(other));
-    const Vec2 deepest = apart + corner(shape_, other, -normal);
+    Vec2 deepest = apart + corner(shape_, other, -normal);
     // Its points are deepest - s tangent, 0 <= s <= length; the depth falls by rise s.
     const double rise = -tangent.dot(normal);
     double low = 0;

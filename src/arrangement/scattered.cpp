@@ -43,6 +43,7 @@ std::vector<std::size_t> most_pressed(const Crowd& crowd) {
 std::optional<std::vector<PlanarPose>> attempt(const Walls& room, const Rectangle& shape, double margin, int count,
                                                RandomStream& random) {
     std::vector<PlanarPose> poses;
+    poses.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) poses.push_back(throw_anywhere(room, random));
     Crowd crowd(room, shape.grown(margin), poses);
     for (int round = 0; round < rounds; ++round) {
