@@ -16,6 +16,7 @@
 
 #include "arrangement/arrangement.hpp"
 #include "arrangement/check.hpp"
+#include "arrangement/order.hpp"
 #include "arrangement/sampler.hpp"
 #include "arrangement/starts.hpp"
 #include "core/hash.hpp"

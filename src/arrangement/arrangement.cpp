@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "arrangement/check.hpp"
 #include "arrangement/jittered_lattice.hpp"
+#include "arrangement/order.hpp"
 #include "arrangement/sampler.hpp"
+#include "arrangement/scattered.hpp"
 #include "arrangement/starts.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
@@ -40,6 +43,28 @@ std::vector<PlanarPose> lattice(const Scenario& scenario, RandomStream random) {
                             {rule.jitter, rule.jitter_angle}, random);
 }
 
+std::vector<PlanarPose> scattered_and_ordered(const Scenario& scenario, std::uint64_t seed, std::uint32_t number) {
+    const ArrangementRule& rule = scenario.arrangement;
+    const Walls walls = field_walls(scenario);
+    const Rectangle shape = floe_shape(scenario);
+    // Not of ordering_sweeps: the same number with more of them is the same chain, later.
+    Scenario unordered = scenario;
+    unordered.arrangement.ordering_sweeps = 0;
+    const std::uint64_t geometry = geometry_key(unordered);
+    RandomStream scattering(seed, number, StreamId::scattering, geometry);
+    std::vector<PlanarPose> poses = scattered(walls, shape, rule.clearance, scenario.field.floes, scattering);
+    if (rule.ordering_sweeps == 0) return poses;
+    RandomStream ordering(seed, number, StreamId::ordering, geometry);
+    const Walls room = walls.shrunk(rule.clearance);
+    // The step of method monte_carlo, which is tuned on the lattice.
+    HardRectangles lattice(room, shape, rule.clearance,
+                           lattice_start(walls, shape, rule.clearance, scenario.field.floes));
+    const Step step = tune(lattice, ordering);
+    HardRectangles floes(room, shape, rule.clearance, poses);
+    for (int i = 0; i < rule.ordering_sweeps; ++i) floes.sweep(step, ordering);
+    return floes.poses();
+}
+
 std::vector<PlanarPose> find_poses(const Scenario& scenario, std::uint64_t seed, std::uint32_t number) {
     const std::uint64_t geometry = geometry_key(scenario);
     switch (scenario.arrangement.method) {
@@ -47,6 +72,8 @@ std::vector<PlanarPose> find_poses(const Scenario& scenario, std::uint64_t seed,
             return scenario.arrangement.poses;
         case ArrangementMethod::lattice:
             return lattice(scenario, RandomStream(seed, number, StreamId::lattice_jitter, geometry));
+        case ArrangementMethod::scattered:
+            return scattered_and_ordered(scenario, seed, number);
         case ArrangementMethod::monte_carlo:
             break;
     }
@@ -63,21 +90,18 @@ std::uint64_t geometry_key(const Scenario& scenario) {
                                    scenario.floe.breadth, field.floes, field.concentration, field.begin,
                                    field.half_width, static_cast<int>(rule.method), static_cast<int>(rule.start),
                                    rule.clearance, rule.sweeps, rule.jitter, rule.jitter_angle);
+    // Later than the others, and only for its own method: arrangements of before keep their key.
+    if (rule.method == ArrangementMethod::scattered) text += fmt::format("ordering {}\n", rule.ordering_sweeps);
     for (const PlanarPose& pose : rule.poses) text += fmt::format("pose {} {} {}\n", pose.x, pose.z, pose.yaw);
     return digest64(text);
 }
 
-double fourfold_order(std::span<const PlanarPose> poses) {
-    double cos_sum = 0;
-    double sin_sum = 0;
-    for (const PlanarPose& pose : poses) {
-        const auto [c, s] = turn_of(pose.yaw);
-        const double c2 = c * c - s * s;
-        const double s2 = 2 * s * c;
-        cos_sum += c2 * c2 - s2 * s2;
-        sin_sum += 2 * s2 * c2;
-    }
-    return std::sqrt(cos_sum * cos_sum + sin_sum * sin_sum) / static_cast<double>(poses.size());
+double coverage_ahead(const Scenario& scenario, std::span<const PlanarPose> poses) {
+    Walls path = field_walls(scenario);
+    const double half_width = std::min(scenario.field.half_width, scenario.structure.shape.waterline_radius());
+    path.low_z = -half_width;
+    path.breadth = 2 * half_width;
+    return coverage(path, floe_shape(scenario), poses);
 }
 
 Arrangement make_arrangement(const Scenario& scenario, std::uint64_t seed, std::uint32_t number) {
@@ -89,8 +113,9 @@ Arrangement make_arrangement(const Scenario& scenario, std::uint64_t seed, std::
         throw RunError(fmt::format("arrangement {} came out wrong, which is an error of the program: {}", number,
                                    fault->sentence));
     }
-    const double psi4 = fourfold_order(poses);
-    return {std::move(poses), psi4};
+    Arrangement made{{}, fourfold_order(poses), local_order(poses), coverage_ahead(scenario, poses)};
+    made.poses = std::move(poses);
+    return made;
 }
 
 }  // namespace floes

@@ -1,10 +1,11 @@
 #pragma once
 // The entry point of the room: the poses of all floes at t = 0.
 //
-//   scenario, campaign seed, arrangement number -> make_arrangement -> poses, psi4
+//   scenario, campaign seed, arrangement number -> make_arrangement -> poses and their order
 //
 // Methods (scenario.arrangement.method): monte_carlo, hard-rectangle Monte Carlo from a start that it forgets;
-// lattice, rows and columns with a random jitter; file, poses given. See docs/arrangement.md.
+// lattice, rows and columns with a random jitter; file, poses given; scattered, thrown at random and pushed apart. See
+// docs/arrangement.md.
 
 #include <cstdint>
 #include <span>
@@ -17,19 +18,22 @@ namespace floes {
 
 struct Arrangement {
     std::vector<PlanarPose> poses;  ///< floe centres, m, and yaws, rad
-    double psi4 = 0;                ///< orientational order of the poses
+    double psi4 = 0;                ///< fourfold_order() of the poses
+    double local_order = 0;         ///< local_order() of the poses
+    double coverage_ahead = 0;      ///< coverage_ahead() of the poses
 };
 
 /// Arrangement `number` of the campaign with this seed: a pure function of its arguments, the same bits anywhere.
-/// Checked before it is returned. Throws InputError if floes do not fit, a jitter finds no room, or given poses
-/// overlap.
+/// Checked before it is returned. Throws InputError if floes do not fit, a jitter finds no room, scattered floes
+/// do not come to rest, or given poses overlap.
 Arrangement make_arrangement(const Scenario& scenario, std::uint64_t seed, std::uint32_t number);
 
 /// Digest of everything that determines the poses: floe sides, field, arrangement rule. Scenarios with the same key get
 /// the same floes for the same seed and number, whatever else differs (common random numbers).
 std::uint64_t geometry_key(const Scenario& scenario);
 
-/// |<exp(4 i yaw)>|: 1 if all floes are parallel or at right angles, about 0.89 / sqrt(n) for n random yaws.
-double fourfold_order(std::span<const PlanarPose> poses);
+/// Share of the structure's path that ice covers: |z| at most its radius at the waterline and within the field, along
+/// the whole field. NaN if the structure does not reach the water.
+double coverage_ahead(const Scenario& scenario, std::span<const PlanarPose> poses);
 
 }  // namespace floes

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/turn.hpp"
+#include "core/vector.hpp"
 
 namespace floes {
 
@@ -28,6 +29,22 @@ inline Extent extent(const Rectangle& shape, Turn turn) {
     const double c = std::abs(turn.cos);
     const double s = std::abs(turn.sin);
     return {shape.half_length * c + shape.half_breadth * s, shape.half_length * s + shape.half_breadth * c};
+}
+
+/// The own x and z axes of a turned rectangle in the world's (x, z), of length 1.
+inline Vec2 along(Turn turn) {
+    return {turn.cos, -turn.sin};
+}
+inline Vec2 across(Turn turn) {
+    return {turn.sin, turn.cos};
+}
+
+/// From the middle of a turned rectangle to its corner that lies farthest along direction, m.
+inline Vec2 corner(const Rectangle& shape, Turn turn, const Vec2& direction) {
+    const Vec2 a = along(turn);
+    const Vec2 b = across(turn);
+    return std::copysign(shape.half_length, direction.dot(a)) * a +
+           std::copysign(shape.half_breadth, direction.dot(b)) * b;
 }
 
 /// Half the widths of two equal rectangles together, along the own x and z of either: they are apart exactly if their

@@ -21,6 +21,8 @@ enum class StreamId : std::uint32_t {
     goodness_of_fit = 4,  ///< samples from a fitted distribution
     latin_hypercube = 5,  ///< points of a design
     sobol_shift = 6,      ///< the random digital shift of a design's Sobol sequence
+    scattering = 7,       ///< first poses of scattered floes, and those of floes that are thrown again
+    ordering = 8,         ///< trial moves of the Monte Carlo that orders scattered floes
 };
 
 using PhiloxCounter = std::array<std::uint32_t, 4>;

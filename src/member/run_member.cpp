@@ -33,7 +33,9 @@ int count_failures(std::span<const BreakEvent> breaks, FailureMode mode) {
 }
 
 /// Takes over what was recorded, whether or not the run reached its end.
-void take_record(MemberResult& result, const Simulation& simulation) {
+void take_record(MemberResult& result, const Arrangement& floes, const Simulation& simulation) {
+    result.local_order = floes.local_order;
+    result.coverage_ahead = floes.coverage_ahead;
     result.history = simulation.loads();
     result.breaks = simulation.ice().breaks();
     result.failures_bending = count_failures(result.breaks, FailureMode::bending);
@@ -85,11 +87,11 @@ MemberResult run_member(const Scenario& scenario, std::uint64_t seed, std::uint3
             throw Interrupted(
                 fmt::format("Arrangement {} was stopped on request at t = {:.2f} s.", arrangement, simulation.time()));
         }
-        take_record(result, simulation);
+        take_record(result, floes, simulation);
         take_statistics(result, scenario, simulation);
     } catch (const MemberFailure& failure) {
         set_aside(result, scenario, failure.what());
-        take_record(result, simulation);
+        take_record(result, floes, simulation);
     }
     result.history = kept(std::move(result.history), scenario.analysis);
     result.wall_time = seconds_since(start);

@@ -9,7 +9,8 @@
 
 namespace floes {
 
-/// For a failed member only the failures and the peaks are valid: they were recorded before it failed.
+/// For a failed member only the order of its floes, the failures and the peaks are valid: they were recorded before it
+/// failed.
 struct MemberOutputs {
     LoadStatistics load;                 ///< of the surge load in the window
     std::vector<AveragedLoad> averaged;  ///< the same load over each averaging time, rising
@@ -19,7 +20,9 @@ struct MemberOutputs {
     int failures_bending = 0;            ///< failed joints by mode
     int failures_shear = 0;
     int failures_compression = 0;
-    PeakReactions peaks;  ///< over all joints and the whole run
+    double local_order = 0;     ///< of the arrangement, arrangement/order.hpp; its psi4 is stored with the poses
+    double coverage_ahead = 0;  ///< share of the structure's path covered by ice at t = 0, 0-1
+    PeakReactions peaks;        ///< over all joints and the whole run
 };
 
 }  // namespace floes

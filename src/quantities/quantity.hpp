@@ -217,6 +217,27 @@ inline constexpr std::array quantities{
              .name = "failures_compression_per_run",
              .label = "  in compression",
              .count = true},
+    Quantity{.key = "local_order",
+             .unit = "1",
+             .long_name = "mean cosine of four times the difference in yaw between a floe and its four nearest, at the "
+                          "start",
+             .place = at<&MemberOutputs::local_order>(),
+             .shown = Shown::in_summary,
+             .name = "local_order",
+             .label = "local order at the start",
+             .least = -1,
+             .most = 1,
+             .since = 5},
+    Quantity{.key = "coverage_ahead",
+             .unit = "1",
+             .long_name = "share of the structure's path through the field covered by ice at the start",
+             .place = at<&MemberOutputs::coverage_ahead>(),
+             .shown = Shown::in_summary,
+             .name = "coverage_ahead",
+             .label = "coverage ahead at the start, %",
+             .most = 1,
+             .percent = true,
+             .since = 5},
 };
 
 /// The quantity of that key in the list; nullptr if there is none.

@@ -13,7 +13,7 @@ namespace floes {
 
 enum class SolverKind { stock, lanes };          ///< of the world: Bullet's own, or ours with many floes side by side
 enum class ThresholdForm { force, as_printed };  ///< of Eqs. (1)-(2): L_e T_e σ, or L_e T_e² σ as the paper prints them
-enum class ArrangementMethod { monte_carlo, lattice, file };
+enum class ArrangementMethod { monte_carlo, lattice, file, scattered };
 enum class ArrangementStart { lattice, stripes };  ///< where the Monte Carlo chain begins; forgotten by its end
 enum class FarEnd { ice_sheet, open };             ///< what stands behind the ice field
 enum class WaterFlow { potential, still };         ///< water velocity that drag is relative to
@@ -74,6 +74,7 @@ struct ArrangementRule {
     ArrangementStart start = ArrangementStart::lattice;
     double clearance = 0.002;       ///< least gap kept between floes, and to walls, m
     int sweeps = 20000;             ///< Monte Carlo sweeps with the frozen step size
+    int ordering_sweeps = 0;        ///< scattered: Monte Carlo sweeps after scattering
     double jitter = 0;              ///< lattice: largest random shift, m
     double jitter_angle = 0;        ///< lattice: largest random turn, rad
     std::string file;               ///< method file: CSV that the poses come from; empty once they are in `poses`

@@ -62,17 +62,24 @@ void add_field(Keys& keys, Field& field) {
 }
 
 void add_arrangement(Keys& keys, ArrangementRule& arrangement) {
-    keys.push_back(word_key("arrangement.method", arrangement.method, {"monte_carlo", "lattice", "file"},
+    keys.push_back(word_key("arrangement.method", arrangement.method, {"monte_carlo", "lattice", "file", "scattered"},
                             "design decision",
                             "monte_carlo: equilibrium of hard squares, independent of the start; lattice: rows, with "
-                            "jitter; file: given poses, the same for each arrangement."));
+                            "jitter; file: given poses, the same for each arrangement; scattered: a disordered field, "
+                            "floes thrown at random and pushed apart until none overlap."));
     keys.push_back(word_key(
         "arrangement.start", arrangement.start, {"lattice", "stripes"}, "design decision",
         "Start of the Monte Carlo chain. The result does not depend on it; the key exists to demonstrate that."));
     keys.push_back(number_key("arrangement.clearance_m", arrangement.clearance, unit::one, at_least(0).at_most(10),
                               "judgement", "Minimum initial gap between floes, and between floes and walls."));
     keys.push_back(integer_key("arrangement.sweeps", arrangement.sweeps, 0, 10000000, "judgement; see arrangement.md",
-                               "Monte Carlo sweeps (one trial move per floe) after the step size is frozen."));
+                               "Monte Carlo sweeps (one trial move per floe) after the step size is frozen; only for "
+                               "method monte_carlo."));
+    keys.push_back(late_key(integer_key(
+        "arrangement.ordering_sweeps", arrangement.ordering_sweeps, 0, 10000000, "none: the field stays disordered",
+        "Method scattered: Monte Carlo sweeps after the floes are pushed apart. More of them bring the field from "
+        "disorder towards the equilibrium of monte_carlo; the same arrangement with more sweeps is the same chain "
+        "later on.")));
     keys.push_back(number_key("arrangement.jitter_m", arrangement.jitter, unit::one, at_least(0).at_most(100), "none",
                               "Method lattice: largest random shift of a floe."));
     keys.push_back(number_key("arrangement.jitter_deg", arrangement.jitter_angle, unit::degree,

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "arrangement/check.hpp"
+#include "arrangement/order.hpp"
 #include "arrangement/starts.hpp"
 #include "core/error.hpp"
 #include "support/refusal.hpp"

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <vector>
 
-#include "arrangement/arrangement.hpp"
+#include "arrangement/order.hpp"
 #include "arrangement/sampler.hpp"
 
 namespace floes {

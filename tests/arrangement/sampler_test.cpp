@@ -121,6 +121,11 @@ TEST(Arrangement, HasTheStoredDigest) {
     scenario.arrangement.jitter = 0.03;
     scenario.arrangement.jitter_angle = 0.05;
     EXPECT_EQ(digest(make_arrangement(scenario, 20240, 7).poses), "d33f432ee6a9914b7aa357ddc7e7876f");
+    scenario.arrangement = {};
+    scenario.arrangement.method = ArrangementMethod::scattered;
+    EXPECT_EQ(digest(make_arrangement(scenario, 20240, 7).poses), "3e215cd846c867a0b2f8607843aac4a8");
+    scenario.arrangement.ordering_sweeps = 100;
+    EXPECT_EQ(digest(make_arrangement(scenario, 20240, 7).poses), "cdeb0868c0f3b55b048f4a7667d8d1ee");
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <thread>
 
+#include "arrangement/arrangement.hpp"
+#include "arrangement/order.hpp"
 #include "core/error.hpp"
 
 namespace floes {
@@ -48,6 +50,8 @@ TEST(RunMember, FillsARowFromItsHistories) {
     EXPECT_EQ(result.reason, "");
     ASSERT_EQ(result.history.surge.size(), 300u);
     EXPECT_EQ(result.arrangement.size(), 12u);
+    EXPECT_EQ(result.local_order, local_order(result.arrangement));
+    EXPECT_EQ(result.coverage_ahead, coverage_ahead(scenario, result.arrangement));
     EXPECT_EQ(result.load.segment_maximum.size(), 5u);
     double sum = 0;
     for (int k = 50; k < 300; ++k) sum += result.history.surge[static_cast<std::size_t>(k)];
@@ -214,6 +218,7 @@ TEST(RunMember, ThatLeavesAllSenseIsSetAsideWithItsReason) {
     ASSERT_EQ(result.load.segment_maximum.size(), 5u);
     for (const double maximum : result.load.segment_maximum) EXPECT_TRUE(std::isnan(maximum));
     EXPECT_EQ(result.arrangement.size(), 12u);
+    EXPECT_EQ(result.local_order, local_order(result.arrangement));
     EXPECT_LT(result.history.surge.size(), 300u);
 }
 

@@ -83,6 +83,8 @@ inline MemberRecord record(const Campaign& campaign, int number) {
     result.failures_bending = 3 * number;
     result.failures_shear = 3 * number + 1;
     result.failures_compression = 3 * number + 2;
+    result.local_order = 0.5 + 0.001 * number;
+    result.coverage_ahead = 0.7 + 0.001 * number;
     result.peaks = {base + 1, base + 2, base + 3, base + 4, base + 5, base + 6};
     LoadHistory history;
     for (int k = 0; k < scenario.step_count(); ++k) {

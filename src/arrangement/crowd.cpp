@@ -1,0 +1,197 @@
+#include "arrangement/crowd.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+namespace floes {
+
+namespace {
+
+// A push removes this many times the overlap. Above 1, chains of floes come apart several times sooner.
+constexpr double over_relaxation = 1.5;
+
+// Against the turn at which a floe's corner moves as far as by a shift. With 1, floes are turned until their sides are
+// parallel where a shift would do, and the field is more ordered.
+constexpr double turning = 0.3;
+
+const std::array<Vec2, 4> wall_normals{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};  // into the field
+
+/// How fast a point at arm from the middle moves along direction as the rectangle turns, m/rad.
+double lever(const Vec2& arm, const Vec2& direction) {
+    return direction.x() * arm.y() - direction.y() * arm.x();
+}
+
+}  // namespace
+
+Crowd::Crowd(const Walls& walls, const Rectangle& shape, std::span<const PlanarPose> poses)
+    : walls_(walls),
+      shape_(shape),
+      diagonal_(2 * shape.half_diagonal()),
+      spin_(turning / (shape.half_diagonal() * shape.half_diagonal())),
+      skin_(0.25 * shape.half_diagonal()) {
+    for (const PlanarPose& pose : poses) bodies_.push_back({pose.yaw, turn_of(pose.yaw), {pose.x, pose.z}});
+    find_neighbours();
+}
+
+double Crowd::sweep() {
+    if (neighbours_are_old()) find_neighbours();
+    double deepest = 0;
+    for (const auto& [first, second] : pairs_) {
+        const auto met = contact(bodies_[first], bodies_[second]);
+        if (!met) continue;
+        deepest = std::max(deepest, met->depth);
+        const double by_first = lever(met->arm_first, met->normal);
+        const double by_second = lever(met->arm_second, met->normal);
+        const double push = over_relaxation * met->depth / (2 + spin_ * (by_first * by_first + by_second * by_second));
+        shift(bodies_[first], met->arm_first, met->normal, -push);
+        shift(bodies_[second], met->arm_second, met->normal, push);
+    }
+    for (Body& body : bodies_) {
+        for (const Vec2& normal : wall_normals) {
+            const auto met = contact(body, normal);
+            if (!met) continue;
+            deepest = std::max(deepest, met->depth);
+            const double by = lever(met->arm_first, normal);
+            shift(body, met->arm_first, normal, met->depth / (1 + spin_ * by * by));
+        }
+    }
+    return deepest;
+}
+
+std::vector<double> Crowd::overlaps() const {
+    std::vector<double> sums(bodies_.size(), 0);
+    for (const auto& [first, second] : pairs_) {
+        const auto met = contact(bodies_[first], bodies_[second]);
+        if (!met) continue;
+        sums[first] += met->depth;
+        sums[second] += met->depth;
+    }
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        for (const Vec2& normal : wall_normals)
+            if (const auto met = contact(bodies_[i], normal)) sums[i] += met->depth;
+    }
+    return sums;
+}
+
+double Crowd::deepest() const {
+    double deepest = 0;
+    for (const auto& [first, second] : pairs_)
+        if (const auto met = contact(bodies_[first], bodies_[second])) deepest = std::max(deepest, met->depth);
+    for (const Body& body : bodies_) {
+        for (const Vec2& normal : wall_normals)
+            if (const auto met = contact(body, normal)) deepest = std::max(deepest, met->depth);
+    }
+    return deepest;
+}
+
+void Crowd::put(std::size_t rectangle, const PlanarPose& pose) {
+    bodies_[rectangle] = {pose.yaw, turn_of(pose.yaw), {pose.x, pose.z}};
+}
+
+std::vector<PlanarPose> Crowd::poses() const {
+    std::vector<PlanarPose> result;
+    for (const Body& body : bodies_)
+        result.push_back({body.place.x(), body.place.y(), std::remainder(body.yaw, 2 * std::numbers::pi)});
+    return result;
+}
+
+std::optional<Crowd::Contact> Crowd::contact(const Body& first, const Body& second) const {
+    const Vec2 apart = second.place - first.place;
+    if (apart.squaredNorm() >= diagonal_ * diagonal_) return {};
+    const Extent reach = joint_extent(shape_, first.turn, second.turn);
+    Contact found{std::numeric_limits<double>::infinity(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
+    bool side_of_first = true;
+    for (const bool is_first : {true, false}) {
+        const Turn turn = is_first ? first.turn : second.turn;
+        for (const auto& [axis, width] : {std::pair{along(turn), reach.x}, std::pair{across(turn), reach.z}}) {
+            const double distance = axis.dot(apart);
+            const double depth = width - std::abs(distance);
+            if (depth <= 0) return {};
+            if (depth >= found.depth) continue;
+            found.depth = depth;
+            found.normal = distance < 0 ? Vec2(-axis) : axis;
+            side_of_first = is_first;
+        }
+    }
+    if (side_of_first) {
+        found.arm_first = pressed_point(first.turn, second.turn, apart, found.normal, found.depth);
+        found.arm_second = found.arm_first - apart;
+    } else {
+        found.arm_second = pressed_point(second.turn, first.turn, -apart, -found.normal, found.depth);
+        found.arm_first = found.arm_second + apart;
+    }
+    return found;
+}
+
+std::optional<Crowd::Contact> Crowd::contact(const Body& body, const Vec2& wall_normal) const {
+    const Vec2 arm = corner(shape_, body.turn, -wall_normal);
+    const Vec2 edge(wall_normal.x() > 0 ? walls_.low_x : walls_.low_x + walls_.length,
+                    wall_normal.y() > 0 ? walls_.low_z : walls_.low_z + walls_.breadth);
+    const double depth = wall_normal.dot(edge - body.place - arm);
+    if (depth <= 0) return {};
+    return Contact{depth, wall_normal, arm, Vec2::Zero()};
+}
+
+// From the middle of the one whose side with that normal is pressed. The other lies at apart and presses with the end
+// or the whole of the side that faces it: the mean of the two ends of what lies below the pressed side and between its
+// corners, with their depths as weights.
+Vec2 Crowd::pressed_point(Turn of_side, Turn other, const Vec2& apart, const Vec2& normal, double depth) const {
+    const double on_along = normal.dot(along(other));
+    const double on_across = normal.dot(across(other));
+    const bool presses_along = std::abs(on_along) < std::abs(on_across);  // the pressing side runs along its own x
+    const Vec2 tangent = presses_along ? Vec2(std::copysign(1.0, -on_along) * along(other))
+                                       : Vec2(std::copysign(1.0, -on_across) * across(other));
+    Vec2 deepest = apart + corner(shape_, other, -normal);
+    // Its points are deepest - s tangent, 0 <= s <= length; the depth falls by rise s.
+    const double rise = -tangent.dot(normal);
+    double low = 0;
+    double high = 2 * (presses_along ? shape_.half_length : shape_.half_breadth);
+    const Vec2 side(-normal.y(), normal.x());
+    const bool side_is_breadth = std::abs(normal.dot(along(of_side))) > std::abs(normal.dot(across(of_side)));
+    const double reach = side_is_breadth ? shape_.half_breadth : shape_.half_length;
+    const double at = side.dot(deepest);
+    const double rate = side.dot(tangent);  // at least 0.7 in size: the pressing side faces the pressed one
+    low = std::max(low, std::min((at - reach) / rate, (at + reach) / rate));
+    high = std::min(high, std::max((at - reach) / rate, (at + reach) / rate));
+    const double low_depth = std::max(depth - rise * low, 0.0);
+    const double high_depth = std::max(depth - rise * high, 0.0);
+    if (high < low || low_depth + high_depth <= 0) return deepest;
+    return deepest - (low_depth * low + high_depth * high) / (low_depth + high_depth) * tangent;
+}
+
+void Crowd::shift(Body& body, const Vec2& arm, const Vec2& normal, double push) const {
+    body.place += push * normal;
+    body.yaw += push * spin_ * lever(arm, normal);
+    body.turn = turn_of(body.yaw);
+}
+
+bool Crowd::neighbours_are_old() const {
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+        if ((bodies_[i].place - places_[i]).squaredNorm() > 0.25 * skin_ * skin_) return true;
+    return false;
+}
+
+void Crowd::find_neighbours() {
+    places_.clear();
+    for (const Body& body : bodies_) places_.push_back(body.place);
+    std::vector<std::size_t> order(bodies_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::sort(order, {}, [&](std::size_t body) { return std::pair(places_[body].x(), body); });
+    const double reach = diagonal_ + skin_;
+    pairs_.clear();
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const Vec2& place = places_[order[i]];
+        for (std::size_t j = i + 1; j < order.size() && places_[order[j]].x() - place.x() < reach; ++j) {
+            if ((places_[order[j]] - place).squaredNorm() < reach * reach)
+                pairs_.push_back(std::minmax(order[i], order[j]));
+        }
+    }
+    // By number, so that sweeps run to no side.
+    std::ranges::sort(pairs_);
+}
+
+}  // namespace floes

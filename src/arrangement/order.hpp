@@ -1,0 +1,23 @@
+#pragma once
+// How ordered floes lie, and how much ice lies ahead of the structure.
+
+#include <span>
+
+#include "arrangement/boundary.hpp"
+#include "arrangement/rectangle.hpp"
+#include "core/vector.hpp"
+
+namespace floes {
+
+/// |<exp(4 i yaw)>|: 1 if all floes are parallel or at right angles, about 0.89 / sqrt(n) for n random yaws.
+double fourfold_order(std::span<const PlanarPose> poses);
+
+/// Mean over the floes of cos 4(difference in yaw), averaged over the four nearest other floes by their centres; of
+/// equally near ones, those given first. All others if there are fewer than four; 1 for a floe alone. 1 if all floes
+/// are parallel or at right angles, about 0 for random yaws.
+double local_order(std::span<const PlanarPose> poses);
+
+/// The share of the area between the walls that rectangles of one shape cover; none of them overlap.
+double coverage(const Walls& area, const Rectangle& shape, std::span<const PlanarPose> poses);
+
+}  // namespace floes

@@ -1,0 +1,76 @@
+#include "arrangement/scattered.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numbers>
+#include <numeric>
+#include <optional>
+
+#include "arrangement/crowd.hpp"
+#include "core/error.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr int attempts = 10;
+constexpr int rounds = 20;  // more would order the field by the floes they throw again
+constexpr int sweeps_per_round = 1000;
+constexpr std::size_t floes_per_redraw = 250;
+
+/// Its middle anywhere in the field, at any angle. Where it crosses a wall it will be pushed in: to throw again instead
+/// would leave less ice at the walls and more in the middle than elsewhere.
+PlanarPose throw_anywhere(const Walls& walls, RandomStream& random) {
+    PlanarPose pose;
+    pose.x = random.uniform(walls.low_x, walls.low_x + walls.length);
+    pose.z = random.uniform(walls.low_z, walls.low_z + walls.breadth);
+    pose.yaw = random.uniform(-std::numbers::pi, std::numbers::pi);
+    return pose;
+}
+
+/// Numbers of the floes that overlap most, one for each floes_per_redraw.
+std::vector<std::size_t> most_pressed(const Crowd& crowd) {
+    const std::vector<double> overlaps = crowd.overlaps();
+    std::vector<std::size_t> floes(overlaps.size());
+    std::iota(floes.begin(), floes.end(), std::size_t{0});
+    std::ranges::stable_sort(floes, std::ranges::greater(), [&](std::size_t floe) { return overlaps[floe]; });
+    floes.resize(1 + (floes.size() - 1) / floes_per_redraw);
+    return floes;
+}
+
+std::optional<std::vector<PlanarPose>> attempt(const Walls& room, const Rectangle& shape, double margin, int count,
+                                               RandomStream& random) {
+    std::vector<PlanarPose> poses;
+    poses.reserve(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) poses.push_back(throw_anywhere(room, random));
+    Crowd crowd(room, shape.grown(margin), poses);
+    for (int round = 0; round < rounds; ++round) {
+        for (int sweep = 0; sweep < sweeps_per_round; ++sweep)
+            if (crowd.sweep() < margin && crowd.deepest() < margin) return crowd.poses();
+        // Some floes are wedged: most often a straight row from wall to wall that is a little too long. Pushing does
+        // not bend it, and one floe less loosens it.
+        for (const std::size_t floe : most_pressed(crowd)) crowd.put(floe, throw_anywhere(room, random));
+    }
+    return {};
+}
+
+}  // namespace
+
+std::vector<PlanarPose> scattered(const Walls& walls, const Rectangle& shape, double clearance, int count,
+                                  RandomStream& random) {
+    // At rest overlaps are below the margin by which the floes are larger here, so without it there are none.
+    const double margin = 1e-4 * std::min(shape.half_length, shape.half_breadth);
+    const Walls room = walls.shrunk(0.5 * clearance);
+    const Rectangle grown = shape.grown(0.5 * clearance);
+    for (int i = 0; i < attempts; ++i)
+        if (const auto poses = attempt(room, grown, margin, count, random)) return *poses;
+    throw InputError(fmt::format(
+        "{} floes of {} m x {} m, scattered in a field of {:.3f} m x {:.3f} m, still overlap after {} attempts at "
+        "pushing them apart to a clearance of {} m; lower field.concentration_percent or the clearance, or use "
+        "arrangement.method = \"monte_carlo\", whose floes lie in rows where they are dense",
+        count, 2 * shape.half_length, 2 * shape.half_breadth, walls.length, walls.breadth, attempts, clearance));
+}
+
+}  // namespace floes
