@@ -20,20 +20,22 @@ void check_box(const Vec3& half_extents) {
             "above 0 m");
 }
 
+void require_lanes(bool allowed, const char* reason, const char* instead) {
+    if (allowed) return;
+    throw InputError(fmt::format(
+        "The world cannot be built: Bullet's own solver {}; take general.solver = \"lanes\", or {}.", reason, instead));
+}
+
 void check_contact(const ContactLaw& law, ConstraintSolver solver) {
-    if (law.friction == Friction::cone && solver == ConstraintSolver::stock) {
-        throw InputError(
-            "The world cannot be built: Bullet's own solver bounds friction by a square, not by Coulomb's cone; take "
-            "general.solver = \"lanes\", or contact.friction = \"one_direction\".");
+    if (solver == ConstraintSolver::stock) {
+        require_lanes(law.friction != Friction::cone, "bounds friction by a square, not by Coulomb's cone",
+                      "contact.friction = \"one_direction\"");
+        require_lanes(law.normal == NormalLaw::rigid, "has no contacts that crush", "contact.law = \"rigid\"");
+        require_lanes(law.internal_edges, "does not know which faces lie inside a floe",
+                      "contact.internal_edges = true");
     }
-    if (law.normal == NormalLaw::crushing) {
-        if (solver == ConstraintSolver::stock) {
-            throw InputError(
-                "The world cannot be built: Bullet's own solver has no contacts that crush; take general.solver = "
-                "\"lanes\", or contact.law = \"rigid\".");
-        }
-        require(law.crushing_pressure > 0, "the crushing pressure", law.crushing_pressure, "above 0 Pa");
-    }
+    require(law.normal == NormalLaw::rigid || law.crushing_pressure > 0, "the crushing pressure", law.crushing_pressure,
+            "above 0 Pa");
     require(law.erp >= 0 && law.erp <= 1, "the contact ERP", law.erp, "between 0 and 1");
     require(law.split_impulse_depth >= 0, "the split impulse depth", law.split_impulse_depth, "at least 0 m");
 }

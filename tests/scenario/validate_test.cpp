@@ -61,6 +61,20 @@ TEST(Validate, EveryContradictionIsOneSentence) {
          },
          "contact.friction = \"cone\" is not possible with general.solver = \"stock\", because Bullet's own solver "
          "bounds friction by a square; take general.solver = \"lanes\", or contact.friction = \"one_direction\""},
+        {[](Scenario& s) {
+             s.contact.normal = NormalLaw::crushing;
+             s.general.solver = SolverKind::stock;
+         },
+         "contact.law = \"crushing\" is not possible with general.solver = \"stock\", because Bullet's own solver has "
+         "no "
+         "contacts that crush; take general.solver = \"lanes\", or contact.law = \"rigid\""},
+        {[](Scenario& s) {
+             s.contact.internal_edges = false;
+             s.general.solver = SolverKind::stock;
+         },
+         "contact.internal_edges = false is not possible with general.solver = \"stock\", because Bullet's own solver "
+         "does not know which faces lie inside a floe; take general.solver = \"lanes\", or contact.internal_edges = "
+         "true"},
         {[](Scenario& s) { s.general.time_step = 1e-6; },
          "general.time_step_s = 1e-06 with analysis.steady_start_s = 80.0 and analysis.window_s = 150.0 makes 2.3e+08 "
          "steps, "

@@ -52,6 +52,27 @@ TEST(Shape, ANarrowWaistIsNotFilledIn) {
     EXPECT_EQ(waist.largest_radius(), 1);
 }
 
+TEST(Shape, OverlappingPiecesOfAWaistReachThroughIt) {
+    const std::vector<ConvexPiece> found = Shape({{-1, 1}, {-0.2, 0.3}, {0.5, 1.3}}).overlapping_pieces();
+    ASSERT_EQ(found.size(), 2);
+    EXPECT_EQ(found[0], (ConvexPiece{-1, 1, -0.2, 0.3})) << "it would narrow to below 0";
+    EXPECT_EQ(found[1], (ConvexPiece{-0.2, 0.3, 0.5, 1.3})) << "likewise";
+    const std::vector<ConvexPiece> flare = Shape({{-0.4, 0.5}, {0, 0.6}, {0.1, 0.7}}).overlapping_pieces();
+    ASSERT_EQ(flare.size(), 2);
+    EXPECT_DOUBLE_EQ(flare[0].top_height, 0.1);
+    EXPECT_DOUBLE_EQ(flare[0].top_radius, 0.625);
+    EXPECT_DOUBLE_EQ(flare[1].bottom_height, -0.4);
+    EXPECT_DOUBLE_EQ(flare[1].bottom_radius, 0.2);
+}
+
+TEST(Shape, OverlappingPiecesStayInside) {
+    const Shape barrel({{-1, 0.5}, {0, 1}, {1, 0.5}});  // an edge that sticks out is no waist
+    EXPECT_EQ(barrel.overlapping_pieces(), barrel.pieces());
+    const std::vector<ConvexPiece> stepped = Shape({{-1, 0.5}, {-0.3, 0.5}, {-0.3, 1}, {0.2, 1}}).overlapping_pieces();
+    const std::vector<ConvexPiece> expected{{-1, 0.5, 0.2, 0.5}, {-0.3, 1, 0.2, 1}};
+    EXPECT_EQ(stepped, expected);
+}
+
 TEST(Shape, AFlatRingIsNoPiece) {
     const std::vector<ConvexPiece> expected{{-1, 0.5, -0.3, 0.5}, {-0.3, 1, 0.2, 1}};
     EXPECT_EQ(Shape({{-1, 0.5}, {-0.3, 0.5}, {-0.3, 1}, {0.2, 1}}).pieces(), expected);
