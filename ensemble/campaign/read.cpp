@@ -69,7 +69,7 @@ class Reader {
         for (Key& key : describe(stop_)) keys.push_back(std::move(key));
         for (Key& key : describe(rules_)) keys.push_back(std::move(key));
         for (Key& key : describe(base_)) keys.push_back(std::move(key));
-        for (const Entry& entry : document_.entries) {
+        for (const Entry& entry : presets_first(keys, document_.entries)) {
             if (is_case_path(entry.path)) {
                 throw InputError(
                     fmt::format("{}: {} = {} is not in a case; begin each case with [[case]], in double brackets",
@@ -82,7 +82,7 @@ class Reader {
             }
             set(keys, entry, origins_);
         }
-        for (const Entry& entry : overrides_) {
+        for (const Entry& entry : presets_first(keys, overrides_)) {
             if (!is_case_path(entry.path)) set(keys, entry, origins_);
         }
     }
@@ -156,7 +156,7 @@ class Reader {
         Case one{block.name, base_};
         const Keys keys = describe(one);
         Origins own;
-        for (const Entry& entry : block.block.entries) {
+        for (const Entry& entry : presets_first(keys, block.block.entries)) {
             refuse_campaign_key(entry);
             if (own.contains(full_path(entry.path))) {
                 throw InputError(fmt::format("{}: {} is given twice in this [[case]]; keep one", entry.where,

@@ -151,6 +151,19 @@ Key choice_key(std::string path, std::string& field, std::vector<std::string> wo
     return {std::move(path), std::move(binding), std::move(source), std::move(doc)};
 }
 
+Key preset_key(Key key) {
+    key.preset = true;
+    return key;
+}
+
+std::vector<Entry> presets_first(std::span<const Key> keys, std::vector<Entry> entries) {
+    std::ranges::stable_partition(entries, [&](const Entry& entry) {
+        const Key* key = find_key(keys, entry.path);
+        return key != nullptr && key->preset;
+    });
+    return entries;
+}
+
 Key late_key(Key key) {
     key.late = true;
     return key;

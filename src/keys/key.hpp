@@ -76,9 +76,10 @@ struct RowsField {
 struct Key {
     std::string path;  ///< "ice.thickness_m": table, dot, name with unit
     std::variant<NumberField, NumbersField, IntegerField, SwitchField, WordField, TextField, RowsField> field;
-    std::string source;  ///< where the default comes from
-    std::string doc;     ///< meaning, and what changing it does
-    bool late = false;   ///< came after the first campaigns, and changes nothing at its default
+    std::string source;   ///< where the default comes from
+    std::string doc;      ///< meaning, and what changing it does
+    bool late = false;    ///< came after the first campaigns, and changes nothing at its default
+    bool preset = false;  ///< says what several others say
 
     std::string table() const { return path.substr(0, path.find('.')); }
     std::string name() const { return path.substr(path.find('.') + 1); }
@@ -96,6 +97,10 @@ Key text_key(std::string path, std::string& field, std::string source, std::stri
 
 /// The key, come after the first campaigns: scenarios that do not use it keep the digest of before.
 Key late_key(Key key);
+
+/// The key, one that sets several fields at once, which have keys of their own: it is read before those, wherever it
+/// stands, and says nothing that they do not.
+Key preset_key(Key key);
 
 /// The enumeration must count from 0 in the order of `words`.
 template <class Enum>
@@ -117,6 +122,9 @@ std::string literal(const Key& key);
 
 /// The field's value in SI, each number in the shortest form that reads back to it: equal exactly when the fields are.
 std::string exact_text(const Key& key);
+
+/// The entries with those of preset keys first, otherwise in their order.
+std::vector<Entry> presets_first(std::span<const Key> keys, std::vector<Entry> entries);
 
 /// The key of that path, or none.
 const Key* find_key(std::span<const Key> keys, const std::string& path);

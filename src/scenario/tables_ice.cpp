@@ -75,8 +75,44 @@ void add_joint(Keys& keys, Joint& joint) {
         "as printed in the paper, which has the unit of a moment and is the value of force times T_e."));
 }
 
+namespace {
+
+enum class Preset { paper, physical, own };
+
+void set_preset(ContactLaw& contact, Preset preset) {
+    if (preset == Preset::own) return;
+    const bool physical = preset == Preset::physical;
+    contact.friction = physical ? Friction::cone : Friction::one_direction;
+    contact.normal = physical ? NormalLaw::crushing : NormalLaw::rigid;
+    contact.internal_edges = !physical;
+}
+
+Preset preset_of(const ContactLaw& contact) {
+    for (const Preset preset : {Preset::paper, Preset::physical}) {
+        ContactLaw same = contact;
+        set_preset(same, preset);
+        if (same == contact) return preset;
+    }
+    return Preset::own;
+}
+
+Key contact_preset(ContactLaw& contact) {
+    const WordField words{{"paper", "physical", "own"},
+                          [&contact] { return static_cast<std::size_t>(preset_of(contact)); },
+                          [&contact](std::size_t word) { set_preset(contact, static_cast<Preset>(word)); }};
+    return preset_key(
+        {"contact.preset", words, "for comparison with the paper",
+         "Sets contact.friction, law and internal_edges together; those of them that are given, too, come "
+         "after it. paper: one_direction, rigid, true, which is what Bullet does by default and so probably "
+         "the paper. physical: cone, crushing, false, with which the largest loads do not depend on the time "
+         "step (docs/convergence.md). own: as the three say."});
+}
+
+}  // namespace
+
 void add_contact(Keys& keys, ContactLaw& contact) {
     const Range friction = at_least(0).at_most(10);
+    keys.push_back(contact_preset(contact));
     keys.push_back(number_key("contact.erp", contact.erp, unit::one, at_least(0).at_most(1), "Bullet's default",
                               "Error reduction parameter Γ of contacts: the share of a penetration corrected in each "
                               "step. The load depends on it."));

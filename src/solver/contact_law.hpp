@@ -27,6 +27,8 @@ struct ContactLaw {
     NormalLaw normal = NormalLaw::rigid;  ///< crushing leaves erp and split impulse without effect
     double crushing_pressure = 0;         ///< p, Pa, above 0 with crushing
     bool internal_edges = true;           ///< faces and rims inside a body act like its outside, as in Bullet
+
+    friend bool operator==(const ContactLaw&, const ContactLaw&) = default;
 };
 
 }  // namespace floes
