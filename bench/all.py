@@ -21,11 +21,12 @@ import pair
 import side_by_side
 
 # Times are compared with that of the first of each group.
-LATE = ["TowStep/stock/late", "TowStep/lanes/late", "TowStep/lanes/late_cone", "Peer/bullet/late", "Peer/ode/late"]
-STEEP = ["TowStep/stock/late_steep", "TowStep/lanes/late_steep", "TowStep/lanes/late_steep_cone"]
+LAWS = ["", "_cone", "_crushing", "_cone_crushing"]  # of contact, in the lane solver
+LATE = ["TowStep/stock/late"] + [f"TowStep/lanes/late{law}" for law in LAWS] + ["Peer/bullet/late", "Peer/ode/late"]
+STEEP = ["TowStep/stock/late_steep"] + [f"TowStep/lanes/late_steep{law}" for law in LAWS]
 EARLY = ["TowStep/stock/early", "TowStep/lanes/early"]
 MEMBERS = ["Member/stock", "Member/lanes"] + [f"Member/lanes/wake:{radius}" for radius in (6, 4, 3, 2)]
-COUNTED = LATE[:3] + STEEP + EARLY  # the instructions of a step
+COUNTED = LATE[:-2] + STEEP + EARLY  # the instructions of a step
 WARM_UP = 5  # steps that callgrind counts too
 MARKS = ("<!-- paired: ./floes bench -->", "<!-- end -->")
 

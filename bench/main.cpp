@@ -8,7 +8,9 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "arrangement/arrangement.hpp"
 #include "drift.hpp"
@@ -23,10 +25,18 @@ namespace {
 
 constexpr int warm_up = 5;  // steps: the contacts that a stored state lacks, memory that grows once
 
-void tow_step(benchmark::State& state, SolverKind solver, Scene (*make_scene)(), Friction friction) {
+/// Laws of contact. What crushes has no internal edges, as in the physical preset.
+struct Laws {
+    Friction friction = Friction::one_direction;
+    NormalLaw normal = NormalLaw::rigid;
+};
+
+void tow_step(benchmark::State& state, SolverKind solver, Scene (*make_scene)(), Laws laws) {
     const Scene scene = make_scene();
     Scenario scenario = tow_scenario(solver, scene.wall);
-    scenario.contact.friction = friction;
+    scenario.contact.friction = laws.friction;
+    scenario.contact.normal = laws.normal;
+    scenario.contact.internal_edges = laws.normal == NormalLaw::rigid;
     Simulation simulation(scenario, scene.arrangement, scene.state);
     for (int i = 0; i < warm_up; ++i) simulation.step();
     for (auto _ : state) simulation.step();
@@ -73,17 +83,23 @@ void add_size(const Drift& drift, std::string_view what, int value, int steps) {
 }
 
 void add_all(int steps) {
-    const auto add = [steps](const char* name, auto function, auto... arguments) {
-        benchmark::RegisterBenchmark(name, function, arguments...)->Iterations(steps)->Unit(benchmark::kMillisecond);
+    const auto add = [steps](const std::string& name, auto function, auto... arguments) {
+        benchmark::RegisterBenchmark(name.c_str(), function, arguments...)
+            ->Iterations(steps)
+            ->Unit(benchmark::kMillisecond);
     };
-    add("TowStep/stock/late", tow_step, SolverKind::stock, late_scene, Friction::one_direction);
-    add("TowStep/lanes/late", tow_step, SolverKind::lanes, late_scene, Friction::one_direction);
-    add("TowStep/lanes/late_cone", tow_step, SolverKind::lanes, late_scene, Friction::cone);
-    add("TowStep/stock/late_steep", tow_step, SolverKind::stock, late_steep_scene, Friction::one_direction);
-    add("TowStep/lanes/late_steep", tow_step, SolverKind::lanes, late_steep_scene, Friction::one_direction);
-    add("TowStep/lanes/late_steep_cone", tow_step, SolverKind::lanes, late_steep_scene, Friction::cone);
-    add("TowStep/stock/early", tow_step, SolverKind::stock, early_scene, Friction::one_direction);
-    add("TowStep/lanes/early", tow_step, SolverKind::lanes, early_scene, Friction::one_direction);
+    add("TowStep/stock/late", tow_step, SolverKind::stock, late_scene, Laws{});
+    add("TowStep/stock/late_steep", tow_step, SolverKind::stock, late_steep_scene, Laws{});
+    add("TowStep/stock/early", tow_step, SolverKind::stock, early_scene, Laws{});
+    add("TowStep/lanes/early", tow_step, SolverKind::lanes, early_scene, Laws{});
+    const std::pair<const char*, Laws> all_laws[] = {{"", {}},
+                                                     {"_cone", {Friction::cone}},
+                                                     {"_crushing", {Friction::one_direction, NormalLaw::crushing}},
+                                                     {"_cone_crushing", {Friction::cone, NormalLaw::crushing}}};
+    for (const auto& [name, laws] : all_laws) {
+        add(fmt::format("TowStep/lanes/late{}", name), tow_step, SolverKind::lanes, late_scene, laws);
+        add(fmt::format("TowStep/lanes/late_steep{}", name), tow_step, SolverKind::lanes, late_steep_scene, laws);
+    }
     add("Peer/bullet/late", peer_step, make_bullet, late_scene);
     add("Peer/ode/late", peer_step, make_ode, late_scene);
     const auto add_member = [](const std::string& name, SolverKind solver, double wake_radius) {

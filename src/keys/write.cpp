@@ -98,7 +98,7 @@ std::string canonical_text(std::span<const Key> keys) {
 std::vector<std::string> key_differences(std::span<const Key> there, std::span<const Key> here) {
     std::vector<std::string> lines;
     for (std::size_t i = 0; i < there.size(); ++i) {
-        if (exact_text(there[i]) == exact_text(here[i])) continue;
+        if (there[i].preset || exact_text(there[i]) == exact_text(here[i])) continue;  // a preset's keys differ, too
         lines.push_back(fmt::format("{}: {} there, {} here", there[i].path, literal(there[i]), literal(here[i])));
     }
     return lines;
