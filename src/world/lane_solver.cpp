@@ -58,6 +58,11 @@ bool solvable(const btPersistentManifold& manifold) {
     return moves(rigid(manifold.getBody0())) || moves(rigid(manifold.getBody1()));
 }
 
+/// Edges crush by overlap: a point that has none yet exerts nothing. Rigid contacts act before they touch.
+bool acts(const btManifoldPoint& point, const ContactLaw& law) {
+    return law.normal == NormalLaw::rigid || point.getDistance() < 0;
+}
+
 /// With the cone a point remembers here which contact it was in the last solve, counted from 1; 0: none. Bullet keeps
 /// this number while the point lasts, and a new point has 0. The direction of friction it does not keep.
 double& number_in_last_solve(btManifoldPoint& point) {
@@ -146,6 +151,7 @@ void LaneSolver::read_contacts(std::span<btPersistentManifold* const> manifolds,
         if (!solvable(*manifold)) continue;
         for (int i = 0; i < manifold->getNumContacts(); ++i) {
             btManifoldPoint& point = manifold->getContactPoint(i);
+            if (!acts(point, law_)) continue;
             contacts_.push_back({.a = static_cast<std::uint32_t>(body_id_of(*manifold->getBody0())),
                                  .b = static_cast<std::uint32_t>(body_id_of(*manifold->getBody1())),
                                  .on_a = array_of(point.getPositionWorldOnA()),
@@ -173,12 +179,19 @@ void LaneSolver::write_contacts(std::span<btPersistentManifold* const> manifolds
             number_in_last_solve(manifold->getContactPoint(i)) = 0;
         }
         if (!solved) continue;
-        for (int i = 0; i < manifold->getNumContacts(); ++i, ++at) {
+        for (int i = 0; i < manifold->getNumContacts(); ++i) {
             btManifoldPoint& point = manifold->getContactPoint(i);
+            if (!acts(point, law_)) {
+                point.m_appliedImpulse = 0;
+                point.m_appliedImpulseLateral1 = 0;
+                number_in_last_solve(point) = 0;
+                continue;
+            }
             if (cone) number_in_last_solve(point) = static_cast<double>(at + 1);
             point.m_appliedImpulse = contacts_[at].impulse;
             point.m_appliedImpulseLateral1 = contacts_[at].friction_impulse;
             point.m_lateralFrictionDir1 = vector_of(contacts_[at].slide);
+            ++at;
         }
     }
 }
