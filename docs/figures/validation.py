@@ -16,6 +16,7 @@ import numpy as np
 import pandas as pd
 
 import validation_tables as tables
+from page_blocks import fill_or_check
 from validation_data import CAMPAIGNS, SUMMARIES
 
 PAGE = SUMMARIES.parent / "validation.md"
@@ -60,25 +61,13 @@ def collect(folder, program):
     (SUMMARIES / "hybrid.json").write_text(curve)
 
 
-def filled(page):
-    """The page with each block between <!-- NAME --> and <!-- end --> regenerated."""
-    for name, make in tables.BLOCKS.items():
-        begin = f"<!-- {name} -->\n"
-        if begin not in page:
-            sys.exit(f"docs/validation.md has no place for the table {name}: write {begin.strip()} and <!-- end -->")
-        head, rest = page.split(begin, 1)
-        page = head + begin + "\n" + make() + "\n<!-- end -->" + rest.split("<!-- end -->", 1)[1]
-    return page
-
-
 def main(arguments):
     if arguments[:1] == ["--collect"]:
         collect(pathlib.Path(arguments[1]), arguments[2] if len(arguments) > 2 else "./floes")
-    page = PAGE.read_text()
-    made = filled(page)
-    if arguments == ["--check"]:
-        sys.exit(0 if made == page else "docs/validation.md differs from the summaries; run docs/figures/validation.py")
-    PAGE.write_text(made)
+    check = arguments == ["--check"]
+    fill_or_check({PAGE: tables.BLOCKS}, check, "validation.py")
+    if check:
+        return
     import validation_figures  # needs matplotlib, which --check does not
 
     validation_figures.draw_all(SUMMARIES)

@@ -36,15 +36,19 @@ Thresholds make_thresholds(const Scenario& scenario) {
             .compression = side * thick * printed * ice.compressive_strength,
             .tension = optional(side * thick, ice.tensile_strength),
             .torsion = optional(side * thick * thick / 3, ice.torsion_strength),
-            .in_plane_bending = optional(thick * side * side / 6, ice.in_plane_bending_strength)};
+            .in_plane_bending = optional(thick * side * side / 6, ice.in_plane_bending_strength),
+            .bending_arm = scenario.joint.moment_about == MomentAbout::element_centre ? side / 2 : 0};
 }
 
 std::optional<FailureMode> failure(const JointReaction& r, const Thresholds& thresholds) {
     const std::array<double, 6> ratios{
         // in the order of FailureMode
-        std::abs(r.bending) / thresholds.bending, shear(r) / thresholds.shear,
-        compression(r) / thresholds.compression,  tension(r) / thresholds.tension,
-        std::abs(r.torsion) / thresholds.torsion, std::abs(r.in_plane_bending) / thresholds.in_plane_bending};
+        std::abs(r.bending + thresholds.bending_arm * r.shear_vertical) / thresholds.bending,
+        shear(r) / thresholds.shear,
+        compression(r) / thresholds.compression,
+        tension(r) / thresholds.tension,
+        std::abs(r.torsion) / thresholds.torsion,
+        std::abs(r.in_plane_bending) / thresholds.in_plane_bending};
     const auto largest = std::max_element(ratios.begin(), ratios.end());
     if (!(*largest > 1)) return std::nullopt;
     return static_cast<FailureMode>(largest - ratios.begin());

@@ -3,10 +3,11 @@
 //
 //   compression  λ_c = max(0, -axial)                            ε_c = L_e T_e σ_c        (1)
 //   shear        λ_s = |(shear_vertical, shear_in_plane)|        ε_s = L_e T_e σ_s        (2)
-//   bending      λ_b = |bending|                                 ε_b = L_e T_e² σ_b / 6   (3)
+//   bending      λ_b = |bending + a shear_vertical|              ε_b = L_e T_e² σ_b / 6   (3)
 //
 // The paper prints (1) and (2) with T_e², which makes a moment of a force (design decision 3);
-// ThresholdForm::as_printed compares these numbers as they stand. The paper has no criterion for the other parts. If a
+// ThresholdForm::as_printed compares these numbers as they stand. The arm a is 0, or L_e / 2 for the moment about the
+// centre of element a, joint.moment_about. The paper has no criterion for the other parts. If a
 // strength is given, they are
 //
 //   tension           λ = max(0, axial)       ε = L_e T_e σ_t
@@ -30,6 +31,7 @@ struct Thresholds {
     double tension;
     double torsion;
     double in_plane_bending;
+    double bending_arm = 0;  ///< a, m
 };
 
 /// The thresholds of a scenario: its strengths, element size, thickness and form of Eqs. (1)-(2).

@@ -11,7 +11,10 @@
 
 namespace floes {
 
-enum class SolverKind { stock, lanes };          ///< of the world: Bullet's own, or ours with many floes side by side
+enum class SolverKind { stock, lanes };  ///< of the world: Bullet's own, or ours with many floes side by side
+/// The point about which the bending moment of Eq. (3) is taken: where the joint is, or the centre of its first
+/// element, about which Bullet reports a joint's torque.
+enum class MomentAbout { pivot, element_centre };
 enum class ThresholdForm { force, as_printed };  ///< of Eqs. (1)-(2): L_e T_e σ, or L_e T_e² σ as the paper prints them
 enum class ArrangementMethod { monte_carlo, lattice, file, scattered };
 enum class ArrangementStart { lattice, stripes };  ///< where the Monte Carlo chain begins; forgotten by its end
@@ -55,6 +58,7 @@ struct Joint {
     double cfm = 0.016;  ///< Σ, Bullet's relative number (design decision 2); below 1
     double erp = 0.8;    ///< Γ (Table 1)
     ThresholdForm threshold_form = ThresholdForm::force;
+    MomentAbout moment_about = MomentAbout::pivot;
 };
 
 /// The channel and the ice field in it.

@@ -73,6 +73,12 @@ void add_joint(Keys& keys, Joint& joint) {
         "joint.threshold_form", joint.threshold_form, {"force", "as_printed"}, "design decision",
         "Failure thresholds of compression and shear. force: L_e T_e σ, a force. as_printed: L_e T_e² σ, Eqs. (1)-(2) "
         "as printed in the paper, which has the unit of a moment and is the value of force times T_e."));
+    keys.push_back(late_key(word_key(
+        "joint.moment_about", joint.moment_about, {"pivot", "element_centre"}, "Eq. (3)",
+        "Point about which the bending moment of Eq. (3) is taken. pivot: the section that breaks. element_centre: the "
+        "centre of the joint's first element, about which Bullet reports a joint's torque: shear times half an "
+        "element's "
+        "side is added to the moment, and more floes break.")));
 }
 
 namespace {

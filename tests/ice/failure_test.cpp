@@ -42,6 +42,20 @@ TEST(ThresholdsTest, HaveTheirOwnSectionsWhereThePaperIsSilent) {
     EXPECT_NEAR(t.in_plane_bending, 0.033 * 0.2 * 0.2 / 6 * 3e4, 1e-12);
 }
 
+// A cantilever that bears P at a distance x from the joint: the moment about the centre of the element that holds it is
+// P (x + L_e / 2).
+TEST(ThresholdsTest, TakeTheMomentAboutTheCentreOfTheElementOnRequest) {
+    Scenario scenario;
+    scenario.joint.moment_about = MomentAbout::element_centre;
+    const Thresholds centre = make_thresholds(scenario);
+    const Thresholds pivot = make_thresholds(Scenario{});
+    const double load = centre.bending / (0.15 + 0.1);
+    const auto held = [](double force) { return JointReaction{.shear_vertical = -force, .bending = -force * 0.15}; };
+    EXPECT_FALSE(failure(held(0.999 * load), centre));
+    EXPECT_EQ(failure(held(1.001 * load), centre), FailureMode::bending);
+    EXPECT_FALSE(failure(held(1.001 * load), pivot));
+}
+
 const Thresholds thresholds{
     .bending = 1, .shear = 50, .compression = 100, .tension = 20, .torsion = 2, .in_plane_bending = 4};
 
