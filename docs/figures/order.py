@@ -1,0 +1,54 @@
+#!/usr/bin/python3
+"""The tables of docs/order.md and its picture, from the summaries in docs/order.
+
+Usage:
+    order.py                            writes tables and picture
+    order.py --check                    writes nothing; fails if the page differs from the summaries, or if the measure of
+                                        bursts does not find those of made-up series
+    order.py --collect CAMPAIGN.h5 [--program FLOES]
+                                        first takes the summaries of the finished campaign with the program FLOES
+                                        (default ./floes)
+"""
+import argparse
+import pathlib
+import sys
+
+import order_bursts
+import order_tables
+from order_data import SUMMARIES, collect
+
+PAGE = SUMMARIES.parent / "order.md"
+
+
+def filled(page):
+    """The page with each block between <!-- NAME --> and <!-- end --> made anew."""
+    for name, make in order_tables.BLOCKS.items():
+        begin = f"<!-- {name} -->\n"
+        if begin not in page:
+            sys.exit(f"docs/order.md has no place for {name}: write {begin.strip()} and <!-- end -->")
+        head, rest = page.split(begin, 1)
+        page = head + begin + "\n" + make() + "\n<!-- end -->" + rest.split("<!-- end -->", 1)[1]
+    return page
+
+
+def main():
+    parser = argparse.ArgumentParser(description="The tables of docs/order.md and its picture.")
+    parser.add_argument("--check", action="store_true", help="write nothing; fail if the page differs")
+    parser.add_argument("--collect", type=pathlib.Path, metavar="CAMPAIGN.h5", help="take the summaries first")
+    parser.add_argument("--program", default="./floes", metavar="FLOES")
+    options = parser.parse_args()
+    order_bursts.self_test()
+    if options.collect is not None:
+        collect(options.collect, options.program)
+    page = PAGE.read_text()
+    made = filled(page)
+    if options.check:
+        sys.exit(0 if made == page else "docs/order.md differs from the summaries; run docs/figures/order.py")
+    PAGE.write_text(made)
+    import order_figure  # needs matplotlib, which --check does not
+
+    order_figure.draw(SUMMARIES / "order.svg")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,103 @@
+"""The data of docs/order.md: its summaries, and how they are taken from the campaign."""
+import io
+import json
+import pathlib
+import subprocess
+
+import numpy as np
+import pandas as pd
+
+import order_bursts as bursts
+
+SUMMARIES = pathlib.Path(__file__).resolve().parent.parent / "order"
+ORDER = {"psi4": "ψ4", "local_order": "local order", "coverage": "coverage ahead, %"}
+LOADS = {"mean_N": "mean load, N", "sd_N": "SD, N", "mean_maximum_N": "mean maximum, N",
+         "mean_maximum_0.1s_N": "mean maximum over 0.1 s, N", "mean_maximum_1s_N": "mean maximum over 1 s, N",
+         "failure_ratio": "broken floes, %", "burst": "burst strength"}
+COLUMNS = ["sweeps", "arrangement", *ORDER, *LOADS, "burst_s", "before", "after", "trend_p"]
+LONGEST_LAG = 3  # of the mean autocorrelation, in times of one floe length
+PLOTTED_S = 0.1  # load histories and autocorrelations of the picture are means over this time
+
+
+def members():
+    """One row for each finished member, sorted by level and arrangement; coverage and broken floes are in percent."""
+    return pd.read_csv(SUMMARIES / "members.csv")
+
+
+def settings():
+    return json.loads((SUMMARIES / "settings.json").read_text())
+
+
+def curves(name):
+    """`histories` (of one arrangement) or `autocorrelation` (means over arrangements): time, then a column a level."""
+    return pd.read_csv(SUMMARIES / f"{name}.csv").set_index("time_s")
+
+
+def floe_time(configuration):
+    """The time in which the structure is towed by one floe length, s."""
+    return configuration["floe"]["length_m"] / configuration["structure"]["speed_m_s"]
+
+
+def thinned(values, steps):
+    whole = len(values) // steps * steps
+    return np.asarray(values[:whole]).reshape(-1, steps).mean(axis=1)
+
+
+def collect(campaign, program):
+    """Writes the summaries of the campaign file, with `program` for the figures of the members."""
+    import tomllib
+
+    import h5py  # which --check does not need
+
+    command = [program, "summarize", str(campaign), "--parts", "members", "--format", "csv"]
+    text = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
+    table = pd.read_csv(io.StringIO(text))
+    planned = len(table)
+    table = table[table.status == "done"]
+    with h5py.File(campaign) as file:
+        configuration = tomllib.loads(file["provenance/configuration"].asstr()[()])
+        sweeps = {case["name"]: case["arrangement"]["ordering_sweeps"] for case in configuration["case"]}
+        row = table.arrangement.to_numpy()  # `arrangement` of the members is a row of /arrangements
+        table = table.assign(sweeps=table.case.map(sweeps), arrangement=file["arrangements/number"][:][row],
+                             psi4=file["arrangements/psi4"][:][row], coverage=100 * table.coverage_ahead,
+                             failure_ratio=100 * table.failure_ratio)
+        step = file["cases/time_step"][0] * file["cases/history_stride"][0]
+        first = round(file["cases/steady_start"][0] / step)
+        cpu = np.nansum(file["provenance/cpu_time"][:])
+        table, histories, correlations = with_bursts(table, file["history/surge_load"], step, first,
+                                                     floe_time(configuration))
+    table = table.sort_values(["sweeps", "arrangement"])[COLUMNS]
+    SUMMARIES.mkdir(exist_ok=True)
+    table.to_csv(SUMMARIES / "members.csv", index=False, float_format="%.8g")
+    histories.to_csv(SUMMARIES / "histories.csv", float_format="%.4g")
+    correlations.to_csv(SUMMARIES / "autocorrelation.csv", float_format="%.4g")
+    kept = {name: configuration[name] for name in
+            ["campaign", "general", "floe", "joint", "field", "structure", "contact", "water", "analysis"]}
+    kept |= {"elastic_modulus_MPa": configuration["ice"]["elastic_modulus_MPa"], "members": planned,
+             "done": len(table), "processor_minutes": round(cpu / 60, 1)}
+    (SUMMARIES / "settings.json").write_text(json.dumps(kept, indent=1) + "\n")
+
+
+def with_bursts(table, loads, step, first, period):
+    """The table with the bursts of each member; the histories of the first arrangement that has the lowest and the highest
+    level, at these two; the autocorrelation of each level, mean over its arrangements."""
+    thin = max(1, round(PLOTTED_S / step))
+    ends = table.sweeps.min(), table.sweeps.max()
+    shown = table[table.sweeps.isin(ends)].groupby("arrangement").size()
+    shown = shown[shown == 2].index.min()
+    found, histories, correlations = [], {}, {}
+    for row in table.itertuples():
+        load = loads[row.member]
+        load = load[np.isfinite(load)]
+        correlation = bursts.autocorrelation(load[first:])
+        found.append(bursts.highest(correlation, step, period))
+        part = thinned(correlation[: round(LONGEST_LAG * period / step)], thin)
+        correlations.setdefault(row.sweeps, []).append(part)
+        if row.arrangement == shown and row.sweeps in ends:
+            histories[row.sweeps] = thinned(load, thin)
+    times = {"histories": pd.DataFrame(histories),
+             "correlations": pd.DataFrame({level: np.mean(all_, axis=0) for level, all_ in sorted(correlations.items())})}
+    for frame in times.values():
+        frame.index = pd.Index(np.round((np.arange(len(frame)) + 0.5) * thin * step, 6), name="time_s")
+    found = pd.DataFrame(found, index=table.index)
+    return table.assign(**found), times["histories"], times["correlations"]
