@@ -7,6 +7,7 @@ namespace floes::bench {
 
 Simulation make_drift(const Drift& drift) {
     Scenario scenario;
+    scenario.contact = {};  // the paper's laws, which Bullet's own solver has, too
     scenario.general.solver = SolverKind::lanes;
     scenario.floe.length = scenario.floe.breadth = drift.elements_along * scenario.floe.element;
     scenario.field.floes = drift.floes;

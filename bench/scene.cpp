@@ -61,6 +61,7 @@ Wall wall_named(std::string_view name) {
 
 Scenario tow_scenario(SolverKind solver, Wall wall) {
     Scenario scenario;
+    scenario.contact = {};  // the paper's laws, which Bullet's own solver has, too
     scenario.general.solver = solver;
     if (wall == Wall::straight) scenario.structure.shape = Shape({{-0.443, 0.171}, {0.122, 0.736}});
     scenario.structure.start = scenario.field.begin - scenario.structure.shape.waterline_radius() - 0.2;

@@ -114,6 +114,23 @@ def ratios():
     return table(["contact", "sweeps", "Δt, s", "mean"] + [f"maxima, {words}" for words in MAXIMA.values()], rows)
 
 
+def summary():
+    """In words: how far the maxima of each law are from those of the shortest step."""
+    data = members("convergence")
+    shortest = data.time_step_s.min()
+    lines = [f"{len(data.arrangement.unique())} arrangements. Maxima over those at {shortest:g} s, 50 sweeps:", ""]
+    for friction, law in LAWS:
+        own = data[(data.friction == friction) & (data.law == law) & (data.iterations == 50)]
+        there = own[own.time_step_s == shortest]
+        parts = []
+        for step, column in [(0.02, "maximum_N"), (0.01, "maximum_N"), (0.02, "maximum_0.1s_N"),
+                             (0.01, "maximum_0.1s_N"), (0.02, "maximum_1s_N")]:
+            r, half = ratio(own[own.time_step_s == step], there, column)
+            parts.append(f"{r:.2f} ± {half:.2f} ({MAXIMA[column]}, Δt {step:g} s)")
+        lines.append(f"* {law_words(friction, law)}: " + ", ".join(parts) + ".")
+    return "\n".join(lines)
+
+
 def choices():
     """Each choice in the short channel, as a change from the physical preset and by itself."""
     data = members("choices")
@@ -187,7 +204,7 @@ def main(arguments):
             if file.exists():
                 collected(file).to_csv(DATA / f"{name}.csv", index=False)
     check = arguments == ["--check"]
-    fill_or_check({DOCS / "convergence.md": {"loads": loads, "ratios": ratios}, DOCS / "contact.md": {"choices": choices, "laws": laws}},
+    fill_or_check({DOCS / "convergence.md": {"summary": summary, "loads": loads, "ratios": ratios}, DOCS / "contact.md": {"choices": choices, "laws": laws}},
                   check, "contact.py")
     if not check:
         draw(DATA / "convergence.svg")

@@ -33,6 +33,7 @@ class Reader {
   public:
     Reader(const CampaignSource& source, LoadFile load_file)
         : source_(source), load_file_(load_file), document_(parse_document(source.text, source.file)) {
+        if (!source.from_user) base_ = before_late_keys();  // a stored text lacks keys that came after it
         for (const std::string& text : source.overrides) overrides_.push_back(parse_override(text, "--set"));
     }
 

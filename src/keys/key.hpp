@@ -78,7 +78,7 @@ struct Key {
     std::variant<NumberField, NumbersField, IntegerField, SwitchField, WordField, TextField, RowsField> field;
     std::string source;   ///< where the default comes from
     std::string doc;      ///< meaning, and what changing it does
-    bool late = false;    ///< came after the first campaigns, and changes nothing at its default
+    bool late = false;    ///< came after the first campaigns, and can say what was so before
     bool preset = false;  ///< says what several others say
 
     std::string table() const { return path.substr(0, path.find('.')); }
@@ -95,7 +95,7 @@ Key integer_key(std::string path, int& field, int low, int high, std::string sou
 Key switch_key(std::string path, bool& field, std::string source, std::string doc);
 Key text_key(std::string path, std::string& field, std::string source, std::string doc);
 
-/// The key, come after the first campaigns: scenarios that do not use it keep the digest of before.
+/// The key, come after the first campaigns: scenarios in which it says what was so before keep their digest.
 Key late_key(Key key);
 
 /// The key, one that sets several fields at once, which have keys of their own: it is read before those, wherever it

@@ -85,7 +85,7 @@ void check_contact(const Scenario& scenario, Contradictions& found) {
                                      given(scenario, key), given(scenario, "general.solver"), reason, instead)});
     };
     if (scenario.contact.friction == Friction::cone) {
-        refuse("contact.friction", "bounds friction by a square", "contact.friction = \"one_direction\"");
+        refuse("contact.friction", "bounds friction by a square", "contact.preset = \"paper\"");
     }
     if (scenario.contact.normal == NormalLaw::crushing) {
         refuse("contact.law", "has no contacts that crush", "contact.law = \"rigid\"");

@@ -17,6 +17,9 @@ Keys describe(Scenario& scenario);
 /// A sentence about each table.
 TableTitles scenario_titles();
 
+/// The scenario of a text from before the late keys: their fields say what was so then.
+Scenario before_late_keys();
+
 /// "path = value" in SI for all keys: equal exactly when the scenarios are.
 std::string canonical_text(const Scenario& scenario);
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/vector.hpp"
-#include "solver/contact_law.hpp"
+#include "scenario/contact_preset.hpp"
 #include "structure/shape.hpp"
 
 namespace floes {
@@ -122,7 +122,7 @@ struct Scenario {
     Field field;
     ArrangementRule arrangement;
     Structure structure;
-    ContactLaw contact;
+    ContactLaw contact = with_preset({}, ContactPreset::physical);
     Water water;
     Analysis analysis;
 

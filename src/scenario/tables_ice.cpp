@@ -1,5 +1,6 @@
 // Keys of the tables [general], [ice], [floe], [joint], [contact]: Table 1 and the solver.
 
+#include "scenario/contact_preset.hpp"
 #include "scenario/tables.hpp"
 
 namespace floes {
@@ -83,31 +84,13 @@ void add_joint(Keys& keys, Joint& joint) {
 
 namespace {
 
-enum class Preset { paper, physical, own };
-
-void set_preset(ContactLaw& contact, Preset preset) {
-    if (preset == Preset::own) return;
-    const bool physical = preset == Preset::physical;
-    contact.friction = physical ? Friction::cone : Friction::one_direction;
-    contact.normal = physical ? NormalLaw::crushing : NormalLaw::rigid;
-    contact.internal_edges = !physical;
-}
-
-Preset preset_of(const ContactLaw& contact) {
-    for (const Preset preset : {Preset::paper, Preset::physical}) {
-        ContactLaw same = contact;
-        set_preset(same, preset);
-        if (same == contact) return preset;
-    }
-    return Preset::own;
-}
-
 Key contact_preset(ContactLaw& contact) {
-    const WordField words{{"paper", "physical", "own"},
-                          [&contact] { return static_cast<std::size_t>(preset_of(contact)); },
-                          [&contact](std::size_t word) { set_preset(contact, static_cast<Preset>(word)); }};
+    const WordField words{
+        {"paper", "physical", "own"},
+        [&contact] { return static_cast<std::size_t>(preset_of(contact)); },
+        [&contact](std::size_t word) { contact = with_preset(contact, static_cast<ContactPreset>(word)); }};
     return preset_key(
-        {"contact.preset", words, "for comparison with the paper",
+        {"contact.preset", words, "docs/convergence.md",
          "Sets contact.friction, law and internal_edges together; those of them that are given, too, come "
          "after it. paper: one_direction, rigid, true, which is what Bullet does by default and so probably "
          "the paper. physical: cone, crushing, false, with which the largest loads do not depend on the time "
@@ -134,12 +117,12 @@ void add_contact(Keys& keys, ContactLaw& contact) {
         "Bullet's default",
         "Penetration depth from which split_impulse acts; with the default hardly any contact is that deep."));
     keys.push_back(late_key(word_key(
-        "contact.friction", contact.friction, {"one_direction", "cone"}, "Bullet's default",
+        "contact.friction", contact.friction, {"one_direction", "cone"}, "docs/convergence.md",
         "Law of friction. one_direction: one row per contact along the sliding velocity, as in Bullet; a contact that "
         "sticks is not held across that row. cone: Coulomb's law in the whole contact plane, with solver lanes only; "
         "higher loads and more broken floes (docs/contact.md).")));
     keys.push_back(late_key(word_key(
-        "contact.law", contact.normal, {"rigid", "crushing"}, "Bullet's default",
+        "contact.law", contact.normal, {"rigid", "crushing"}, "docs/convergence.md",
         "What bounds the force along the normal. rigid: nothing, so that a collision ends within one step and the "
         "largest load depends on the time step. crushing: ice yields at crushing_pressure_kPa over the area that the "
         "overlap opens and does not push back, with solver lanes only; contact.erp and split impulse then have no "
@@ -150,7 +133,7 @@ void add_contact(Keys& keys, ContactLaw& contact) {
         "Pressure at which edges crush, with contact.law = \"crushing\"; 0: ice.compressive_strength_kPa. With a "
         "higher value contacts are stiffer and need shorter steps.")));
     keys.push_back(
-        late_key(switch_key("contact.internal_edges", contact.internal_edges, "Bullet's default",
+        late_key(switch_key("contact.internal_edges", contact.internal_edges, "docs/convergence.md",
                             "Whether faces between the elements of a floe, and the rims at which pieces of the "
                             "structure meet, can be touched, "
                             "although they lie inside the body. false: nothing acts there, with solver lanes only.")));

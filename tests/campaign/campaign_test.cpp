@@ -206,8 +206,8 @@ TEST(Campaign, AStatedSigmaIsNotTheSameAsOneToBeFound) {
 }
 
 TEST(Configurations, DefaultsAreAConfigurationThatSaysTheDefaults) {
-    const Campaign campaign = read_campaign({default_configuration(), "defaults.toml", {}}, nullptr);
-    const Campaign empty = read_campaign({"", "defaults.toml", {}}, nullptr);
+    const Campaign campaign = read_campaign({default_configuration(), "defaults.toml", {}, true}, nullptr);
+    const Campaign empty = read_campaign({"", "defaults.toml", {}, true}, nullptr);
     EXPECT_EQ(fingerprint(campaign), fingerprint(empty));
     EXPECT_EQ(campaign.name, "defaults");
 }
@@ -221,6 +221,7 @@ TEST(Configurations, Table3IsThePapersCaseAndPairs) {
         Scenario expected;
         expected.ice.elastic_modulus = pairs[i].first;
         expected.joint.cfm = pairs[i].second;
+        expected.contact = with_preset({}, ContactPreset::paper);
         EXPECT_TRUE(differences(table3.cases[i].scenario, expected).empty()) << table3.cases[i].name;
     }
     const Campaign hundred =

@@ -290,5 +290,27 @@ TEST(ReadCampaign, WithoutLoaderAPoseFileIsRefused) {
     }
 }
 
+const Case& only_case(const Campaign& campaign) {
+    return campaign.cases.front();
+}
+
+TEST(Preset, SetsItsKeysBeforeThoseThatAreGiven) {
+    const Campaign paper = read("[contact]\nlaw = \"crushing\"\npreset = \"paper\"\n");
+    EXPECT_EQ(only_case(paper).scenario.contact.normal, NormalLaw::crushing) << "given beside it, before or after";
+    EXPECT_EQ(only_case(paper).scenario.contact.friction, Friction::one_direction);
+    const Campaign overridden = read("[contact]\nfriction = \"cone\"\n", {"contact.preset=paper"});
+    EXPECT_EQ(only_case(overridden).scenario.contact.friction, Friction::one_direction) << "--set comes after the file";
+    const Campaign cases = read(
+        "[contact]\npreset = \"paper\"\n[[case]]\nname = \"a\"\ncontact.friction = \"cone\"\n"
+        "contact.preset = \"physical\"\n[[case]]\nname = \"b\"\n");
+    EXPECT_EQ(preset_of(cases.cases[0].scenario.contact), ContactPreset::physical);
+    EXPECT_EQ(preset_of(cases.cases[1].scenario.contact), ContactPreset::paper);
+}
+
+TEST(Preset, OfAUserIsPhysicalAndOfAStoredTextThatHasNoneThePapers) {
+    EXPECT_EQ(preset_of(only_case(read("")).scenario.contact), ContactPreset::physical);
+    EXPECT_EQ(preset_of(only_case(read_campaign({"", "a.h5", {}}, nullptr)).scenario.contact), ContactPreset::paper);
+}
+
 }  // namespace
 }  // namespace floes

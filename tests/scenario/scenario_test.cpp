@@ -52,18 +52,35 @@ TEST(ScenarioKeys, GivenShowsTheValueInTheUnitOfTheKey) {
 }
 
 // What a journal from before these keys holds must still be found under its digest.
-TEST(ScenarioKeys, LaterKeysAreSilentAtTheirDefault) {
-    Scenario scenario;
+TEST(ScenarioKeys, LaterKeysAreSilentWhereTheySayWhatWasSoBefore) {
+    Scenario scenario = before_late_keys();
     EXPECT_EQ(canonical_text(scenario).find("analysis.history_stride"), std::string::npos);
     EXPECT_EQ(canonical_text(scenario).find("analysis.exceedance_levels_N"), std::string::npos);
     EXPECT_EQ(canonical_text(scenario).find("contact.friction"), std::string::npos);
     scenario.contact.friction = Friction::cone;
     EXPECT_NE(canonical_text(scenario).find("contact.friction = \"cone\"\n"), std::string::npos);
+    EXPECT_EQ(canonical_text(scenario).find("contact.law"), std::string::npos);
+    EXPECT_EQ(canonical_text(scenario).find("contact.preset"), std::string::npos) << "it says what others say";
+    EXPECT_NE(canonical_text(Scenario{}).find("contact.law = \"crushing\"\n"), std::string::npos);
     EXPECT_EQ(canonical_text(scenario).find("analysis.averaging_s"), std::string::npos);
     scenario.analysis.history_stride = 10;
     scenario.analysis.exceedance_levels = {20, 50};
     EXPECT_NE(canonical_text(scenario).find("analysis.history_stride = 10\n"), std::string::npos);
     EXPECT_NE(canonical_text(scenario).find("analysis.exceedance_levels_N = [20.0, 50.0]\n"), std::string::npos);
+}
+
+TEST(ContactPreset, IsFoundAgainInTheLaw) {
+    ContactLaw law{.erp = 0.7};
+    for (const ContactPreset preset : {ContactPreset::physical, ContactPreset::paper}) {
+        law = with_preset(law, preset);
+        EXPECT_EQ(preset_of(law), preset);
+        EXPECT_EQ(law.erp, 0.7);
+    }
+    EXPECT_EQ(preset_of(ContactLaw{}), ContactPreset::paper);
+    EXPECT_EQ(preset_of(Scenario{}.contact), ContactPreset::physical);
+    law.friction = Friction::cone;
+    EXPECT_EQ(preset_of(law), ContactPreset::own);
+    EXPECT_EQ(with_preset(law, ContactPreset::own), law);
 }
 
 }  // namespace

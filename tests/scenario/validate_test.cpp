@@ -56,20 +56,20 @@ TEST(Validate, EveryContradictionIsOneSentence) {
          "and "
          "diverges; take a step below 0.01947"},
         {[](Scenario& s) {
-             s.contact.friction = Friction::cone;
+             s.contact = {.friction = Friction::cone};
              s.general.solver = SolverKind::stock;
          },
          "contact.friction = \"cone\" is not possible with general.solver = \"stock\", because Bullet's own solver "
-         "bounds friction by a square; take general.solver = \"lanes\", or contact.friction = \"one_direction\""},
+         "bounds friction by a square; take general.solver = \"lanes\", or contact.preset = \"paper\""},
         {[](Scenario& s) {
-             s.contact.normal = NormalLaw::crushing;
+             s.contact = {.normal = NormalLaw::crushing};
              s.general.solver = SolverKind::stock;
          },
          "contact.law = \"crushing\" is not possible with general.solver = \"stock\", because Bullet's own solver has "
          "no "
          "contacts that crush; take general.solver = \"lanes\", or contact.law = \"rigid\""},
         {[](Scenario& s) {
-             s.contact.internal_edges = false;
+             s.contact = {.internal_edges = false};
              s.general.solver = SolverKind::stock;
          },
          "contact.internal_edges = false is not possible with general.solver = \"stock\", because Bullet's own solver "
@@ -180,6 +180,7 @@ TEST(Validate, EveryContradictionIsOneSentence) {
          "field.floes = 2 is not the number of poses given, 1; make them agree"},
         {[](Scenario& s) {
              s.field.wake_radius = 3;
+             s.contact = {};
              s.general.solver = SolverKind::stock;
          },
          "field.wake_radius_m = 3.0 is not for general.solver = \"stock\": only the lanes solver lets floes rest; take "

@@ -127,11 +127,11 @@ TEST_F(StepLoop, TakesNothingFromTheHeapWhileTheIceIsAtRest) {
 }
 
 // Floes that drift into each other come and go as pairs: their algorithms and manifolds come from Bullet's pools.
-class Collisions : public StepLoop, public ::testing::WithParamInterface<Friction> {};
+class Collisions : public StepLoop, public ::testing::WithParamInterface<ContactPreset> {};
 
 TEST_P(Collisions, TakeNothingFromTheHeap) {
     Rows rows(5, 0.03);
-    rows.scenario.contact.friction = GetParam();
+    rows.scenario.contact = with_preset({}, GetParam());
     rows.scenario.structure.start -= 2;
     SimulationState state = Simulation(rows.scenario, rows.arrangement).state();
     for (std::size_t i = 0; i < state.elements.size(); ++i) {
@@ -143,7 +143,7 @@ TEST_P(Collisions, TakeNothingFromTheHeap) {
     EXPECT_EQ(taken_in(simulation, 200), Taken{});
 }
 
-INSTANTIATE_TEST_SUITE_P(StepLoop, Collisions, ::testing::Values(Friction::one_direction, Friction::cone));
+INSTANTIATE_TEST_SUITE_P(StepLoop, Collisions, ::testing::Values(ContactPreset::paper, ContactPreset::physical));
 
 // The one exception: an element that newly comes near the structure. Bullet's algorithm for a compound shape then takes
 // three arrays of its own; the structure is one because its profile need not be convex.

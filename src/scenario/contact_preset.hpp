@@ -1,0 +1,33 @@
+#pragma once
+// Laws of contact that belong together, docs/contact.md.
+
+#include <initializer_list>
+
+#include "solver/contact_law.hpp"
+
+namespace floes {
+
+enum class ContactPreset {
+    paper,     ///< what Bullet does by default: friction in one direction, rigid contacts, internal edges act
+    physical,  ///< friction in the whole contact plane, edges that crush, internal edges do not act
+    own        ///< anything else
+};
+
+/// The law with what the preset says of it; as it is for `own`.
+constexpr ContactLaw with_preset(ContactLaw law, ContactPreset preset) {
+    if (preset == ContactPreset::own) return law;
+    const bool physical = preset == ContactPreset::physical;
+    law.friction = physical ? Friction::cone : Friction::one_direction;
+    law.normal = physical ? NormalLaw::crushing : NormalLaw::rigid;
+    law.internal_edges = !physical;
+    return law;
+}
+
+constexpr ContactPreset preset_of(const ContactLaw& law) {
+    for (const ContactPreset preset : {ContactPreset::paper, ContactPreset::physical}) {
+        if (with_preset(law, preset) == law) return preset;
+    }
+    return ContactPreset::own;
+}
+
+}  // namespace floes
