@@ -204,7 +204,8 @@ def main(arguments):
             if file.exists():
                 collected(file).to_csv(DATA / f"{name}.csv", index=False)
     check = arguments == ["--check"]
-    fill_or_check({DOCS / "convergence.md": {"summary": summary, "loads": loads, "ratios": ratios}, DOCS / "contact.md": {"choices": choices, "laws": laws}},
+    fill_or_check({DOCS / "convergence.md": {"summary": summary, "loads": loads, "ratios": ratios},
+                   DOCS / "contact.md": {"choices": choices, "laws": laws}},
                   check, "contact.py")
     if not check:
         draw(DATA / "convergence.svg")

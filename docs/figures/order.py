@@ -11,24 +11,13 @@ Usage:
 """
 import argparse
 import pathlib
-import sys
 
 import order_bursts
 import order_tables
 from order_data import SUMMARIES, collect
+from page_blocks import fill_or_check
 
 PAGE = SUMMARIES.parent / "order.md"
-
-
-def filled(page):
-    """The page with each block between <!-- NAME --> and <!-- end --> made anew."""
-    for name, make in order_tables.BLOCKS.items():
-        begin = f"<!-- {name} -->\n"
-        if begin not in page:
-            sys.exit(f"docs/order.md has no place for {name}: write {begin.strip()} and <!-- end -->")
-        head, rest = page.split(begin, 1)
-        page = head + begin + "\n" + make() + "\n<!-- end -->" + rest.split("<!-- end -->", 1)[1]
-    return page
 
 
 def main():
@@ -40,11 +29,9 @@ def main():
     order_bursts.self_test()
     if options.collect is not None:
         collect(options.collect, options.program)
-    page = PAGE.read_text()
-    made = filled(page)
+    fill_or_check({PAGE: order_tables.BLOCKS}, options.check, "order.py")
     if options.check:
-        sys.exit(0 if made == page else "docs/order.md differs from the summaries; run docs/figures/order.py")
-    PAGE.write_text(made)
+        return
     import order_figure  # needs matplotlib, which --check does not
 
     order_figure.draw(SUMMARIES / "order.svg")

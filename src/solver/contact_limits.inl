@@ -2,12 +2,12 @@
 // inside the ice. docs/contact.md has the law and its source.
 
 /// One body of each pair, as far as crushing needs it.
-struct Block {
+struct Box {
     V3 half_extent, covered_above, covered_below;
     M3 turn;
 };
 
-inline Block block(const LaneArrays& arrays, const std::uint32_t* slots) {
+inline Box box_of(const LaneArrays& arrays, const std::uint32_t* slots) {
     Pack r[9];
     pick(arrays.body, body_field::count, body_field::rotation, slots, r);
     return {pick3(arrays, body_field::half_extent, slots),
@@ -38,7 +38,7 @@ inline constexpr double flattest = 1e-5;
 
 /// Whether the face through which an outward direction leaves is covered by another element of the floe: such a face
 /// is inside the ice.
-inline auto leaves_through_covered_face(const Block& body, const V3& outward) {
+inline auto leaves_through_covered_face(const Box& body, const V3& outward) {
     const V3 along = transposed_times(body.turn, outward);
     const V3 size = {absolute(along.x), absolute(along.y), absolute(along.z)};
     const Pack x = along.x > 0.0 ? body.covered_above.x : body.covered_below.x;
@@ -48,10 +48,10 @@ inline auto leaves_through_covered_face(const Block& body, const V3& outward) {
     return (size.x > most(size.y, size.z) ? x : of_others) > 0.0;
 }
 
-/// The section is exact for every direction: with c the cosines of the unit normal in the box's axes and e the box's
+/// The section of a box, exact for every direction: with c the cosines of the unit normal in the box's axes and e the box's
 /// extents along the normal, A(d) = sum of +-(d - sums of e)²₊ / (2 c1 c2 c3) over the eight vertices. Past the middle
 /// it stays at its largest. A body without extents is flat and unbounded: its section is infinite.
-inline Section section(const Block& body, const V3& normal, Pack depth) {
+inline Section section(const Box& body, const V3& normal, Pack depth) {
     const Pack none{};
     const V3& half_extent = body.half_extent;
     const V3 along = transposed_times(body.turn, normal);
@@ -80,12 +80,12 @@ inline Section section(const Block& body, const V3& normal, Pack depth) {
 }
 
 /// Depth from which on an edge's area grows as it will: flattest of the body's least extent.
-inline Pack just_touching(const Block& body) {
+inline Pack just_touching(const Box& body) {
     return 2.0 * flattest * least(body.half_extent.x, least(body.half_extent.y, body.half_extent.z));
 }
 
 /// Whether a normal leaves through a face inside the ice.
-inline auto is_internal(const V3& normal, const Block& a, const Block& b) {
+inline auto is_internal(const V3& normal, const Box& a, const Box& b) {
     return leaves_through_covered_face(a, normal * (Pack{} - 1.0)) || leaves_through_covered_face(b, normal);
 }
 
@@ -99,7 +99,7 @@ struct Limit {
 /// with. So F is taken at the mean of the depths there, with the velocity change Δv depth - Δv Δt / 4: Newmark's
 /// average acceleration, second order in Δt and stable at any. The area is the smaller of the two bodies' sections, in
 /// equal shares for the points that touch. `share` is p Δt / points.
-inline Limit crushing_limit(const V3& normal, Pack reached, const Block& a, const Block& b, Pack share, Pack scale,
+inline Limit crushing_limit(const V3& normal, Pack reached, const Box& a, const Box& b, Pack share, Pack scale,
                             double time_step) {
     // An edge that only just touches has no area yet, but knows how its area will grow.
     const Pack depth = most(reached, most(just_touching(a), just_touching(b)));
@@ -123,8 +123,8 @@ void prepare_all_limits(const LaneArrays& arrays, const ContactPacks& packs, con
         return points + static_cast<std::size_t>(row) * (point_field::count * lanes);
     };
     for_each_pair(packs, [&](const ContactPack& pack, std::uint32_t turn, const std::uint32_t* slots) {
-        const Block a = block(arrays, slots);
-        const Block b = block(arrays, slots + lanes);
+        const Box a = box_of(arrays, slots);
+        const Box b = box_of(arrays, slots + lanes);
         const auto acts = [&](const double* point) {  // 1 or 0
             const auto internal = is_internal(load3(point, point_field::normal), a, b);
             return contact.internal_edges ? one : internal ? none : one;
