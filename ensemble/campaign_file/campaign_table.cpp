@@ -35,7 +35,7 @@ CaseRow case_row(const Case& one) {
             scenario.joint.cfm,
             scenario.ice.elastic_modulus,
             scenario.field.far_end,
-            scenario.contact.erp,
+            scenario.contact_law(),
             scenario.structure.shape,
             scenario.analysis,
             scenario.general.time_step};

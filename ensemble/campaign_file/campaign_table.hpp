@@ -21,10 +21,10 @@ struct CaseRow {
     double cfm = 0;              ///< Σ
     double elastic_modulus = 0;  ///< Pa
     FarEnd far_end = FarEnd::ice_sheet;
-    double contact_erp = 0;  ///< Γ of contacts
-    Shape shape;             ///< of the structure
-    Analysis analysis;       ///< when the load was measured; its levels are those of CampaignTable
-    double time_step = 0;    ///< Δt, s
+    ContactLaw contact;    ///< only its laws, Γ and crushing pressure; the pressure is the one in force
+    Shape shape;           ///< of the structure
+    Analysis analysis;     ///< when the load was measured; its levels are those of CampaignTable
+    double time_step = 0;  ///< Δt, s
 
     double window_steps() const { return analysis.window / time_step; }
 };

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/read.hpp"
 #include "campaign_file/read_campaign_file.hpp"
 #include "core/error.hpp"
 #include "hdf5/read.hpp"
@@ -43,12 +44,39 @@ std::vector<Shape> read_shapes(hid_t file, std::size_t cases) {
     return shapes;
 }
 
+/// Files before layout 1.5 say the laws in their configuration only.
+std::vector<ContactLaw> configured_contacts(hid_t file) {
+    const std::string text = hdf5::read_texts(file, "provenance/configuration").at(0);
+    std::vector<ContactLaw> laws;
+    for (const Case& one : read_campaign({text, "its configuration", {}}, nullptr).cases) {
+        laws.push_back(one.scenario.contact_law());
+    }
+    return laws;
+}
+
+std::vector<ContactLaw> read_contacts(hid_t file) {
+    if (!hdf5::exists(file, "cases/contact_law")) return configured_contacts(file);
+    std::vector<ContactLaw> laws;
+    for (const double erp : hdf5::read_values<double>(file, "cases/contact_erp")) laws.push_back({.erp = erp});
+    const auto friction = hdf5::read_values<std::int8_t>(file, "cases/friction");
+    const auto normal = hdf5::read_values<std::int8_t>(file, "cases/contact_law");
+    const auto pressure = hdf5::read_values<double>(file, "cases/crushing_pressure");
+    const auto internal_edges = hdf5::read_values<std::int8_t>(file, "cases/internal_edges");
+    for (std::size_t k = 0; k < laws.size(); ++k) {
+        laws[k].friction = static_cast<Friction>(friction.at(k));
+        laws[k].normal = static_cast<NormalLaw>(normal.at(k));
+        laws[k].crushing_pressure = pressure.at(k);
+        laws[k].internal_edges = internal_edges.at(k) != 0;
+    }
+    return laws;
+}
+
 std::vector<CaseRow> read_cases(hid_t file) {
     const auto names = hdf5::read_texts(file, "cases/name");
     const auto cfm = hdf5::read_values<double>(file, "cases/cfm");
     const auto modulus = hdf5::read_values<double>(file, "cases/elastic_modulus");
     const auto far_end = hdf5::read_values<std::int8_t>(file, "cases/far_end");
-    const auto contact_erp = hdf5::read_values<double>(file, "cases/contact_erp");
+    const std::vector<ContactLaw> contacts = read_contacts(file);
     const std::vector<Shape> shapes = read_shapes(file, names.size());
     const auto steady_start = hdf5::read_values<double>(file, "cases/steady_start");
     const auto window = hdf5::read_values<double>(file, "cases/window");
@@ -64,7 +92,7 @@ std::vector<CaseRow> read_cases(hid_t file) {
         row.cfm = cfm.at(k);
         row.elastic_modulus = modulus.at(k);
         row.far_end = static_cast<FarEnd>(far_end.at(k));
-        row.contact_erp = contact_erp.at(k);
+        row.contact = contacts.at(k);
         row.analysis = {.steady_start = steady_start.at(k),
                         .window = window.at(k),
                         .segments = segments.at(k),

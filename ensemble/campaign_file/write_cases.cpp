@@ -50,6 +50,19 @@ void write_cases(hid_t file, const CampaignContent& content, const CampaignScale
          [](const Scenario& s) { return s.ice.elastic_modulus; });
     real("contact_erp", "1", "error reduction parameter of contacts (Gamma)",
          [](const Scenario& s) { return s.contact.erp; });
+    real("crushing_pressure", "Pa", "pressure at which edges crush, where they do",
+         [](const Scenario& s) { return s.contact_law().crushing_pressure; });
+    const auto choice = [&](const char* name, const char* long_name, const char* words, auto function) {
+        const auto number = [&](const Scenario& s) { return static_cast<std::int8_t>(function(s)); };
+        hdf5::write_values(id, {name, "1", long_name}, one, of_cases<std::int8_t>(content, number),
+                           hdf5::Flags{{std::int8_t{0}, std::int8_t{1}}, words});
+    };
+    choice("friction", "where friction points", "one_direction cone",
+           [](const Scenario& s) { return s.contact.friction; });
+    choice("contact_law", "what bounds the force along the normal", "rigid crushing",
+           [](const Scenario& s) { return s.contact.normal; });
+    choice("internal_edges", "whether edges inside a body act", "do_not_act act",
+           [](const Scenario& s) { return s.contact.internal_edges; });
     real("time_step", "s", "time step", [](const Scenario& s) { return s.general.time_step; });
     real("steady_start", "s", "begin of the analysis window",
          [](const Scenario& s) { return s.analysis.steady_start; });

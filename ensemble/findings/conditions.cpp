@@ -7,6 +7,9 @@
 #include <functional>
 #include <utility>
 
+#include "core/units.hpp"
+#include "scenario/contact_preset.hpp"
+
 namespace floes {
 
 namespace {
@@ -28,10 +31,35 @@ void add_condition(const Summary& summary, std::string_view name,
     }
 }
 
+std::string friction_key(Friction friction) {
+    return friction == Friction::cone ? "cone" : "one_direction";
+}
+
+std::string normal_key(NormalLaw law) {
+    return law == NormalLaw::crushing ? "crushing" : "rigid";
+}
+
 }  // namespace
 
 std::string far_end_words(FarEnd far_end) {
     return far_end == FarEnd::ice_sheet ? "an ice sheet" : "open";
+}
+
+std::string contact_words(const ContactLaw& law) {
+    std::string words;
+    const ContactPreset preset = preset_of(law);
+    if (preset != ContactPreset::own) words = preset == ContactPreset::paper ? "preset paper, " : "preset physical, ";
+    words += law.friction == Friction::cone ? "friction in the contact plane, " : "friction in one direction, ";
+    words += law.normal == NormalLaw::rigid
+                 ? fmt::format("rigid with Γ {}", law.erp)
+                 : fmt::format("crushing at {:.4g} kPa", law.crushing_pressure / unit::kilopascal);
+    if (preset == ContactPreset::own) words += law.internal_edges ? ", internal edges act" : ", no internal edges";
+    return words;
+}
+
+bool has_rigid_contacts(const Summary& summary) {
+    return std::ranges::any_of(summary.cases,
+                               [](const CaseSummary& row) { return row.about.contact.normal == NormalLaw::rigid; });
 }
 
 std::string window_words(const Analysis& analysis) {
@@ -50,7 +78,7 @@ std::vector<std::string> condition_lines(const Summary& summary) {
     add_condition(
         summary, "Far end", [](const CaseRow& row) { return far_end_words(row.far_end); }, lines);
     add_condition(
-        summary, "Contact Γ", [](const CaseRow& row) { return fmt::format("{}", row.contact_erp); }, lines);
+        summary, "Contacts", [](const CaseRow& row) { return contact_words(row.contact); }, lines);
     add_condition(
         summary, "Load measured", [](const CaseRow& row) { return window_words(row.analysis); }, lines);
     return lines;
@@ -74,7 +102,14 @@ std::vector<ConditionColumn> condition_columns(const Summary& summary) {
     };
     columns.push_back({Names{"structure_wall", ""}, [](const CaseRow& about) { return about.shape.words(); }});
     add("far_end", [](const CaseRow& about) { return far_end_key(about.far_end); });
-    add("contact_erp", [](const CaseRow& about) { return about.contact_erp; });
+    add("contact_erp", [](const CaseRow& about) { return about.contact.erp; });
+    add("friction", [](const CaseRow& about) { return friction_key(about.contact.friction); });
+    add("contact_law", [](const CaseRow& about) { return normal_key(about.contact.normal); });
+    add("internal_edges", [](const CaseRow& about) { return about.contact.internal_edges; });
+    add("crushing_pressure_kPa", [](const CaseRow& about) {
+        return about.contact.normal == NormalLaw::crushing ? Datum(about.contact.crushing_pressure / unit::kilopascal)
+                                                           : Datum(Absent{});
+    });
     add("steady_start_s", [](const CaseRow& about) { return about.analysis.steady_start; });
     add("window_s", [](const CaseRow& about) { return about.analysis.window; });
     add("segments", [](const CaseRow& about) { return about.analysis.segments; });

@@ -119,8 +119,12 @@ std::string notes(const Summary& summary, const Totals& totals) {
         "Student's t; below it by BCa bootstrap, which assumes no distribution; then the prediction interval of one\n"
         "further run. Failure ratio: broken floes / floes. Joints failed: mean per run.\n";
     text +=
-        "Maxima without an averaging time are maxima of single steps: a rigid contact gives its impulse within one\n"
-        "step, so they depend on the time step. Quote averaged maxima, with their averaging time.\n";
+        has_rigid_contacts(summary)
+            ? "Maxima without an averaging time are maxima of single steps: a rigid contact gives its impulse within\n"
+              "one step, so they depend on the time step. Quote averaged maxima, with their averaging time.\n"
+            : "Maxima without an averaging time are maxima of single steps. Quote averaged maxima, with their "
+              "averaging\n"
+              "time.\n";
     if (totals.missing > 0 && totals.done > 0) {
         text += "Short runs finish first: until the campaign is complete, the figures are biased towards them.\n";
     }

@@ -71,8 +71,10 @@ std::string loads(const ReportData& data) {
         body += html_table(averaged);
         body += note(
             "Surge load averaged over the time given: mean over arrangements of the segment maxima, with its 95 % "
-            "confidence and prediction intervals. The maxima below, without an averaging time, are of single steps: a "
-            "rigid contact gives its impulse within one step, so they depend on the time step.");
+            "confidence and prediction intervals. The maxima below, without an averaging time, are of single steps" +
+            std::string{has_rigid_contacts(data.summary)
+                            ? ": a rigid contact gives its impulse within one step, so they depend on the time step."
+                            : "."});
     }
     body += html_table(table3(data.campaign, data.summary));
     body += note(

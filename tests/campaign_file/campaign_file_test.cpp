@@ -30,7 +30,7 @@ void expect_same_case(const CaseRow& a, const CaseRow& b) {
     EXPECT_EQ(a.cfm, b.cfm);
     EXPECT_EQ(a.elastic_modulus, b.elastic_modulus);
     EXPECT_EQ(a.far_end, b.far_end);
-    EXPECT_EQ(a.contact_erp, b.contact_erp);
+    EXPECT_EQ(a.contact, b.contact);
     EXPECT_EQ(a.shape, b.shape);
     EXPECT_EQ(a.analysis.steady_start, b.analysis.steady_start);
     EXPECT_EQ(a.analysis.window, b.analysis.window);

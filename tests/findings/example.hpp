@@ -50,7 +50,7 @@ inline CampaignTable campaign() {
         row.name = name;
         row.cfm = cfm;
         row.elastic_modulus = modulus;
-        row.contact_erp = 0.2;
+        row.contact = {.erp = 0.2};
         row.shape = cone;
         table.cases.push_back(row);
     }

@@ -11,6 +11,7 @@
 
 #include "findings/conditions.hpp"
 #include "findings/example.hpp"
+#include "scenario/contact_preset.hpp"
 
 namespace floes {
 namespace {
@@ -64,7 +65,22 @@ TEST(SummaryJson, HasEveryNameOfTheFormat) {
 TEST(SummaryJson, CarriesTheConditions) {
     const json row = json::parse(summary_json(summarise(example::campaign()))).at("cases").at(2);
     EXPECT_EQ(row.at("conditions"), json::parse(R"({"structure_profile_m": [[-0.443, 0.171], [0.122, 0.736]],
-        "far_end": "ice_sheet", "contact_erp": 0.2, "steady_start_s": 80, "window_s": 150, "segments": 3})"));
+        "far_end": "ice_sheet", "contact_erp": 0.2, "friction": "one_direction",
+        "contact_law": "rigid", "internal_edges": true, "steady_start_s": 80, "window_s": 150, "segments": 3})"));
+}
+
+TEST(SummaryJson, SaysThePressureWhereEdgesCrush) {
+    CampaignTable table = example::campaign();
+    table.cases[0].contact = with_preset({.crushing_pressure = 145.6e3}, ContactPreset::physical);
+    const Summary summary = summarise(table);
+    const json conditions = json::parse(summary_json(summary)).at("cases").at(0).at("conditions");
+    EXPECT_DOUBLE_EQ(conditions.at("crushing_pressure_kPa"), 145.6);
+    EXPECT_EQ(conditions.at("contact_law"), "crushing");
+    EXPECT_EQ(contact_words(table.cases[0].contact),
+              "preset physical, friction in the contact plane, crushing at 145.6 kPa");
+    table.cases[0].contact.internal_edges = true;
+    EXPECT_EQ(contact_words(table.cases[0].contact),
+              "friction in the contact plane, crushing at 145.6 kPa, internal edges act");
 }
 
 TEST(SummaryJson, HasNullWhereUndefined) {
@@ -107,7 +123,7 @@ TEST(SummaryCsv, HasOneLineACaseAndAValueForEveryColumn) {
     EXPECT_TRUE(lines[1].starts_with("E30,0.03,30,4,0,0,1,27,")) << lines[1];
     EXPECT_TRUE(lines[2].starts_with("\"E60, \"\"stiff\"\"\",0.016,60,4,1,1,0,32,")) << lines[2];
     EXPECT_THAT(lines[3], HasSubstr(",34,4,0,"));  // failures by mode
-    EXPECT_TRUE(lines[3].ends_with(",ice_sheet,0.2,80,150,3")) << lines[3];
+    EXPECT_TRUE(lines[3].ends_with(",ice_sheet,0.2,one_direction,rigid,1,,80,150,3")) << lines[3];
     const auto commas = [](const std::string& line) { return std::ranges::count(line, ','); };
     // The wall's words hold no comma of their own but the one after "straight", inside quotes.
     EXPECT_EQ(commas(lines[1]), commas(lines[0]) + 1);
@@ -132,10 +148,11 @@ TEST(SummaryCsv, ComparesWithAReference) {
 
 TEST(SummaryTable, SaysWallFarEndAndContact) {
     const std::string text = summary_table(summarise(example::campaign()), 120);
-    EXPECT_THAT(
-        text, HasSubstr("Structure wall: straight, 45.0° from the horizontal (radius 0.171 m at -0.443 m to 0.736 m "
-                        "at +0.122 m).\nFar end: an ice sheet.\nContact Γ: 0.2.\nLoad measured: 80 to 230 s after the "
-                        "tow began, in 3 segments.\n"));
+    EXPECT_THAT(text,
+                HasSubstr("Structure wall: straight, 45.0° from the horizontal (radius 0.171 m at -0.443 m to 0.736 m "
+                          "at +0.122 m).\nFar end: an ice sheet.\nContacts: preset paper, friction in one direction, "
+                          "rigid with Γ 0.2.\nLoad measured: 80 to 230 s after the "
+                          "tow began, in 3 segments.\n"));
 }
 
 TEST(SummaryTable, SaysWhatIsMissing) {
@@ -193,7 +210,7 @@ TEST(Conditions, SayWhichCasesDiffer) {
     const auto lines = condition_lines(summarise(table));
     EXPECT_THAT(lines, testing::Contains("Far end: an ice sheet (E30, E200)."));
     EXPECT_THAT(lines, testing::Contains("Far end: open (E60)."));
-    EXPECT_THAT(lines, testing::Contains("Contact Γ: 0.2."));
+    EXPECT_THAT(lines, testing::Contains("Contacts: preset paper, friction in one direction, rigid with Γ 0.2."));
 }
 
 }  // namespace
