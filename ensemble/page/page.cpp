@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/units.hpp"
+#include "core/wording.hpp"
 #include "findings/averaged_table.hpp"
 #include "findings/conditions.hpp"
 #include "findings/pairs_section.hpp"
@@ -46,10 +47,10 @@ std::string what_was_run(const ReportData& data) {
         missing += row.missing_members;
     }
     std::string body = paragraph(fmt::format(
-        "{} cases, each over up to {} random arrangements of {} floes: {} simulations done, {} set aside as failed, {} "
-        "not computed.",
-        summary.cases.size(), data.campaign.arrangements, data.campaign.cases.front().scenario.field.floes, done,
-        failed, missing));
+        "{}, each over up to {} of {}: {} done, {} set aside as failed, {} not computed.",
+        counted(std::ssize(summary.cases), "case"), counted(data.campaign.arrangements, "random arrangement"),
+        counted(data.campaign.cases.front().scenario.field.floes, "floe"), counted(done, "simulation"), failed,
+        missing));
     for (const std::string& line : condition_lines(summary)) body += paragraph(line);
     const Scenario& scenario = data.campaign.cases.front().scenario;
     body +=
