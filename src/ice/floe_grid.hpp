@@ -10,7 +10,7 @@
 namespace floes {
 
 /// Edge faces of an element, along its own axes; bits of ElementState::exposed_edges.
-enum Edge : std::uint8_t { edge_plus_x = 1, edge_minus_x = 2, edge_plus_z = 4, edge_minus_z = 8 };
+enum Edge : std::uint8_t { edge_plus_x = 1, edge_minus_x = 2, edge_plus_z = 4, edge_minus_z = 8, every_edge = 15 };
 
 /// The axis of the floe along which a joint connects two elements.
 enum class JointAxis : std::uint8_t { x, z };

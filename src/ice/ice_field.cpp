@@ -35,7 +35,9 @@ void IceField::add_floe(World& world, const Scenario& scenario, const PlanarPose
                                                .mass = scenario.moving_mass(),
                                                .pose = {middle + yaw * grid_.centre(index), yaw},
                                                .piece = first});
-        elements_.push_back({body, floe, index, first, grid_.outline_edges(index)});
+        const bool outline = scenario.water.form_drag_on == FormDragOn::outline;
+        const std::uint8_t edges = outline ? grid_.outline_edges(index) : std::uint8_t{every_edge};
+        elements_.push_back({body, floe, index, first, edges});
     }
     for (int number = 0; number < static_cast<int>(order.size()); ++number) {
         const GridJoint& joint = order[static_cast<std::size_t>(number)];

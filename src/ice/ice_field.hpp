@@ -22,7 +22,7 @@ struct IceElement {
     int floe = 0;                    ///< index of its floe in the arrangement
     int index = 0;                   ///< within its floe, see FloeGrid
     int piece = 0;                   ///< index in IceField::elements() of the first element of its connected piece
-    std::uint8_t exposed_edges = 0;  ///< bits of Edge: edge faces free of live joints
+    std::uint8_t exposed_edges = 0;  ///< bits of Edge: edge faces with form drag, water.form_drag_on
 };
 
 class IceField {

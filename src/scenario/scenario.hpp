@@ -20,6 +20,7 @@ enum class ArrangementMethod { monte_carlo, lattice, file, scattered };
 enum class ArrangementStart { lattice, stripes };  ///< where the Monte Carlo chain begins; forgotten by its end
 enum class FarEnd { ice_sheet, open };             ///< what stands behind the ice field
 enum class WaterFlow { potential, still };         ///< water velocity that drag is relative to
+enum class FormDragOn { outline, every_element };  ///< edge faces that form drag acts on
 
 /// Time stepping and the constraint solver.
 struct General {
@@ -96,7 +97,8 @@ struct Structure {
 struct Water {
     double density = 1000.0;  ///< ρ_w, kg/m³ (Table 1)
     WaterFlow flow = WaterFlow::potential;
-    double form_drag = 1.0;       ///< C_d on the wetted edge faces that meet the flow
+    double form_drag = 1.0;  ///< C_d on the wetted edge faces that meet the flow
+    FormDragOn form_drag_on = FormDragOn::outline;
     double skin_drag = 0.009;     ///< C_s on the bottom face
     double heave_drag = 1.0;      ///< C_h, quadratic, on vertical motion
     double heave_damping = 0.15;  ///< linear, as a fraction of critical damping of an element's heave

@@ -114,6 +114,11 @@ void add_water(Keys& keys, Water& water) {
     keys.push_back(number_key(
         "water.form_drag", water.form_drag, unit::one, coefficient, "Su, Aarsæther and Kristiansen 2019; others 0.5",
         "Form drag coefficient on the wetted edge faces of a floe. It carries floes round the structure."));
+    keys.push_back(late_key(word_key("water.form_drag_on", water.form_drag_on, {"outline", "every_element"},
+                                     "what meets the water",
+                                     "Edge faces that form drag acts on. outline: those of the floe, and of cracks. "
+                                     "every_element: of each element, as "
+                                     "if it were alone; a floe of 3 x 3 elements then has three times the drag.")));
     keys.push_back(number_key("water.skin_drag", water.skin_drag, unit::one, coefficient,
                               "laminar plate, 1.328 / sqrt(Re) at Re 2.3e4; others 0.002 to 0.01",
                               "Skin drag coefficient on the bottom face."));

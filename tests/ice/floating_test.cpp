@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <vector>
 
@@ -96,6 +97,18 @@ TEST(IceFloating, CarriesItsAddedMassAlong) {
     EXPECT_NEAR(speed_after_a_step(0), 0, 1e-15);
     const double mass = 930 * 0.2 * 0.2 * 0.033;
     EXPECT_NEAR(speed_after_a_step(depth), 1000 * gravity * 0.04 * depth / (mass * 5.4) * step, 1e-15);
+}
+
+TEST(IceFloating, ShowsTheWaterTheOutlineOfAFloeOrEveryElement) {
+    for (const auto& [on, faces] : {std::pair{FormDragOn::outline, 12}, std::pair{FormDragOn::every_element, 36}}) {
+        Scenario scenario;
+        scenario.water.form_drag_on = on;
+        World world{WorldDefinition{}};
+        const IceField ice(world, scenario, std::vector<PlanarPose>{{0, 0, 0}});
+        int found = 0;
+        for (const IceElement& element : ice.elements()) found += std::popcount(element.exposed_edges);
+        EXPECT_EQ(found, faces);
+    }
 }
 
 // Bent, sheared and squeezed at once, neighbours and diagonal neighbours overlap; they are one piece and do not touch.
