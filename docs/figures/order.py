@@ -35,6 +35,7 @@ def main():
     import order_figure  # needs matplotlib, which --check does not
 
     order_figure.draw(SUMMARIES / "order.svg")
+    order_figure.draw_fields(SUMMARIES / "fields.svg")
 
 
 if __name__ == "__main__":

@@ -49,6 +49,7 @@ def collect(campaign, program):
 
     import h5py  # which --check does not need
 
+    SUMMARIES.mkdir(exist_ok=True)
     command = [program, "summarize", str(campaign), "--parts", "members", "--format", "csv"]
     text = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
     table = pd.read_csv(io.StringIO(text))
@@ -59,15 +60,15 @@ def collect(campaign, program):
         sweeps = {case["name"]: case["arrangement"]["ordering_sweeps"] for case in configuration["case"]}
         row = table.arrangement.to_numpy()  # `arrangement` of the members is a row of /arrangements
         table = table.assign(sweeps=table.case.map(sweeps), arrangement=file["arrangements/number"][:][row],
-                             psi4=file["arrangements/psi4"][:][row], coverage=100 * table.coverage_ahead,
+                             field=row, psi4=file["arrangements/psi4"][:][row], coverage=100 * table.coverage_ahead,
                              failure_ratio=100 * table.failure_ratio)
         step = file["cases/time_step"][0] * file["cases/history_stride"][0]
         first = round(file["cases/steady_start"][0] / step)
         cpu = np.nansum(file["provenance/cpu_time"][:])
+        fields(table, file["arrangements/pose"]).to_csv(SUMMARIES / "fields.csv", index=False, float_format="%.5g")
         table, histories, correlations = with_bursts(table, file["history/surge_load"], step, first,
                                                      floe_time(configuration))
     table = table.sort_values(["sweeps", "arrangement"])[COLUMNS]
-    SUMMARIES.mkdir(exist_ok=True)
     table.to_csv(SUMMARIES / "members.csv", index=False, float_format="%.8g")
     histories.to_csv(SUMMARIES / "histories.csv", float_format="%.4g")
     correlations.to_csv(SUMMARIES / "autocorrelation.csv", float_format="%.4g")
@@ -78,13 +79,27 @@ def collect(campaign, program):
     (SUMMARIES / "settings.json").write_text(json.dumps(kept, indent=1) + "\n")
 
 
+def shown_arrangement(table):
+    """The first arrangement that has both the lowest and the highest level."""
+    of_ends = table[table.sweeps.isin([table.sweeps.min(), table.sweeps.max()])].groupby("arrangement").size()
+    return of_ends[of_ends == 2].index.min()
+
+
+def fields(table, poses):
+    """Where the floes of the shown arrangement lie, at the lowest and the highest level."""
+    shown = table[table.arrangement == shown_arrangement(table)]
+    parts = []
+    for row in shown[shown.sweeps.isin([shown.sweeps.min(), shown.sweeps.max()])].itertuples():
+        parts.append(pd.DataFrame(poses[row.field], columns=["x_m", "z_m", "yaw_rad"]).assign(sweeps=row.sweeps))
+    return pd.concat(parts)
+
+
 def with_bursts(table, loads, step, first, period):
     """The table with the bursts of each member; the histories of the first arrangement that has the lowest and the highest
     level, at these two; the autocorrelation of each level, mean over its arrangements."""
     thin = max(1, round(PLOTTED_S / step))
     ends = table.sweeps.min(), table.sweeps.max()
-    shown = table[table.sweeps.isin(ends)].groupby("arrangement").size()
-    shown = shown[shown == 2].index.min()
+    shown = shown_arrangement(table)
     found, histories, correlations = [], {}, {}
     for row in table.itertuples():
         load = loads[row.member]

@@ -1,10 +1,12 @@
 """The picture of docs/order.md."""
 import numpy as np
+import pandas as pd
 
 from validation_figures import finish  # before pyplot: it chooses the writer of SVG
 import matplotlib.pyplot as plt
+from matplotlib.patches import Rectangle
 
-from order_data import LOADS, ORDER, curves, floe_time, members, settings
+from order_data import LOADS, ORDER, SUMMARIES, curves, floe_time, members, settings
 from order_tables import STUDIED
 from validation_data import half_width
 
@@ -50,6 +52,29 @@ def draw_correlation(axes, shades, period):
     axes.set_ylim(min(-0.3, correlations.to_numpy().min() - 0.02), 1)
     axes.set_xlabel("lag, s (dotted: floe lengths)")
     axes.set_ylabel("autocorrelation")
+
+
+def draw_fields(path):
+    """The floes of one arrangement from above, at the lowest and the highest level."""
+    floes, kept = pd.read_csv(SUMMARIES / "fields.csv"), settings()
+    length, breadth = kept["floe"]["length_m"], kept["floe"]["breadth_m"]
+    half_width = kept["field"]["half_width_m"]
+    shades = colours(sorted(members().sweeps.unique()))
+    levels = sorted(floes.sweeps.unique())
+    figure, panels = plt.subplots(len(levels), 1, figsize=(9.5, 5.4), sharex=True)
+    for axes, level in zip(panels, levels):
+        for floe in floes[floes.sweeps == level].itertuples():
+            centre = (floe.x_m, floe.z_m)  # a positive yaw turns x away from z
+            axes.add_patch(Rectangle((floe.x_m - length / 2, floe.z_m - breadth / 2), length, breadth,
+                                     angle=-np.degrees(floe.yaw_rad), rotation_point=centre, facecolor=shades[level],
+                                     edgecolor="white", linewidth=0.5))
+        axes.set_ylim(-half_width, half_width)
+        axes.set_xlim(floes.x_m.min() - length, floes.x_m.max() + length)
+        axes.set_aspect("equal")
+        axes.set_ylabel("z, m")
+        axes.set_title(f"{level} sweeps", fontsize=10, loc="left")
+    panels[-1].set_xlabel("x, m; the structure comes from the left")
+    finish(figure, path)
 
 
 def draw(path):
