@@ -7,7 +7,8 @@ import pandas as pd
 from scipy import stats
 
 SUMMARIES = pathlib.Path(__file__).resolve().parent.parent / "validation"
-CAMPAIGNS = ["wall_far_end_erp", "fit_wall", "table3", "one_at_a_time", "convergence"]
+CAMPAIGNS = ["wall_far_end_erp", "fit_wall", "table3", "one_at_a_time", "convergence", "readings"]
+CONFIGS = SUMMARIES.parent.parent / "configs" / "validation"
 MODULI = {"E30": 30, "E60": 60, "E200": 200}
 
 # Table 3 of the paper: one run for each E. The experiment: its text.

@@ -1,10 +1,11 @@
 """The tables of docs/validation.md, each a function that gives Markdown."""
 import itertools
+import tomllib
 
 import numpy as np
 from scipy import stats
 
-from validation_data import (FITTED_TO, LABELS, MODULI, PAPER, across, averages, change, hybrid, interval,
+from validation_data import (CONFIGS, FITTED_TO, LABELS, MODULI, PAPER, across, averages, change, hybrid, interval,
                              is_maximum, members, pairs, paper, steady_cases)
 
 SHOWN = ["mean_N", "sd_N", "mean_maximum_N", "failure_ratio"]
@@ -203,5 +204,23 @@ def hybrid_points():
                   "paper's simulation, N"], rows)
 
 
-BLOCKS = {"sensitivity": sensitivity, "fit": fit, "table3": table3, "steady": steady_window, "averaging": averaging, "modes": modes, "differences": differences,
+def readings():
+    """What the paper leaves open besides the wall, on scattered fields; the paper's run for comparison."""
+    axes = {axis["key"]: axis["values"]
+            for axis in tomllib.loads((CONFIGS / "readings.toml").read_text())["design"]["axis"]}
+    words = {"pivot": "joint", "element_centre": "element's centre", "outline": "outline",
+             "every_element": "every element"}
+    table_ = members("readings")
+    rows = []
+    for modulus in ["E60", "E200"]:
+        for point in range(len(axes["contact.erp"])):
+            own = table_[table_.case == f"{modulus}+p{point:03d}"]
+            rows.append([f"{MODULI[modulus]}", words[axes["joint.moment_about"][point]],
+                         words[axes["water.form_drag_on"][point]], f"{axes['contact.erp'][point]:g}", f"{len(own)}"]
+                        + [with_interval(own[quantity]) for quantity in SHOWN])
+        rows.append([f"{MODULI[modulus]}", "*paper*", "", "", "1"] + [number(paper(modulus, q)) for q in SHOWN])
+    return table(["E, MPa", "moment about", "form drag on", "contact Γ", "n"] + [LABELS[q] for q in SHOWN], rows)
+
+
+BLOCKS = {"readings": readings, "sensitivity": sensitivity, "fit": fit, "table3": table3, "steady": steady_window, "averaging": averaging, "modes": modes, "differences": differences,
           "trend": trend, "one at a time": lambda: changes("one_at_a_time"), "convergence": lambda: changes("convergence"), "hybrid": hybrid_points}
