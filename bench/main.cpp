@@ -25,18 +25,10 @@ namespace {
 
 constexpr int warm_up = 5;  // steps: the contacts that a stored state lacks, memory that grows once
 
-/// Laws of contact. What crushes has no internal edges, as in the physical preset.
-struct Laws {
-    Friction friction = Friction::one_direction;
-    NormalLaw normal = NormalLaw::rigid;
-};
-
-void tow_step(benchmark::State& state, SolverKind solver, Scene (*make_scene)(), Laws laws) {
+void tow_step(benchmark::State& state, SolverKind solver, Scene (*make_scene)(), ContactLaw law) {
     const Scene scene = make_scene();
     Scenario scenario = tow_scenario(solver, scene.wall);
-    scenario.contact.friction = laws.friction;
-    scenario.contact.normal = laws.normal;
-    scenario.contact.internal_edges = laws.normal == NormalLaw::rigid;
+    scenario.contact = law;
     Simulation simulation(scenario, scene.arrangement, scene.state);
     for (int i = 0; i < warm_up; ++i) simulation.step();
     for (auto _ : state) simulation.step();
@@ -88,17 +80,18 @@ void add_all(int steps) {
             ->Iterations(steps)
             ->Unit(benchmark::kMillisecond);
     };
-    add("TowStep/stock/late", tow_step, SolverKind::stock, late_scene, Laws{});
-    add("TowStep/stock/late_steep", tow_step, SolverKind::stock, late_steep_scene, Laws{});
-    add("TowStep/stock/early", tow_step, SolverKind::stock, early_scene, Laws{});
-    add("TowStep/lanes/early", tow_step, SolverKind::lanes, early_scene, Laws{});
-    const std::pair<const char*, Laws> all_laws[] = {{"", {}},
-                                                     {"_cone", {Friction::cone}},
-                                                     {"_crushing", {Friction::one_direction, NormalLaw::crushing}},
-                                                     {"_cone_crushing", {Friction::cone, NormalLaw::crushing}}};
-    for (const auto& [name, laws] : all_laws) {
-        add(fmt::format("TowStep/lanes/late{}", name), tow_step, SolverKind::lanes, late_scene, laws);
-        add(fmt::format("TowStep/lanes/late_steep{}", name), tow_step, SolverKind::lanes, late_steep_scene, laws);
+    add("TowStep/stock/late", tow_step, SolverKind::stock, late_scene, ContactLaw{});
+    add("TowStep/stock/late_steep", tow_step, SolverKind::stock, late_steep_scene, ContactLaw{});
+    add("TowStep/stock/early", tow_step, SolverKind::stock, early_scene, ContactLaw{});
+    add("TowStep/lanes/early", tow_step, SolverKind::lanes, early_scene, ContactLaw{});
+    const std::pair<const char*, ContactLaw> laws[] = {
+        {"", {}},
+        {"_cone", {.friction = Friction::cone}},
+        {"_crushing", {.normal = NormalLaw::crushing, .internal_edges = false}},
+        {"_cone_crushing", with_preset({}, ContactPreset::physical)}};
+    for (const auto& [name, law] : laws) {
+        add(fmt::format("TowStep/lanes/late{}", name), tow_step, SolverKind::lanes, late_scene, law);
+        add(fmt::format("TowStep/lanes/late_steep{}", name), tow_step, SolverKind::lanes, late_steep_scene, law);
     }
     add("Peer/bullet/late", peer_step, make_bullet, late_scene);
     add("Peer/ode/late", peer_step, make_ode, late_scene);

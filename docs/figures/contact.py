@@ -15,7 +15,7 @@ import numpy as np
 import pandas as pd
 
 from page_blocks import fill_or_check
-from validation_data import interval
+from validation_data import half_width, interval
 from validation_data import members as validation_members
 from validation_tables import number, table, with_interval
 
@@ -42,11 +42,9 @@ def collected(path):
             number_of_case = file["members/case"][i]
             own = config["case"][number_of_case]
 
-            def value(key):
+            def value(key):  # of the case, or of all
                 head, name = key.split(".")
-                short = {"joint.cfm": "cfm", "ice.elastic_modulus_MPa": "elastic_modulus_MPa"}.get(key, key)
-                found = own.get(short, own.get(key, config.get(head, {}).get(name)))
-                return found if found is not None else own[head][name]
+                return own.get(head, {}).get(name, own.get(name, config.get(head, {}).get(name)))
 
             row = {name: value(key) for name, key in KEYS.items()}
             row["arrangement"] = file["arrangements/number"][file["members/arrangement"][i]]
@@ -89,13 +87,11 @@ def loads():
 
 
 def ratio(own, shortest, column):
-    """Of the means, and the 95 % interval of it: t of the paired log ratios would weigh small loads; so the delta method
-    over the arrangements that both have."""
+    """Of the means over the arrangements that both have, and the half width of its 95 % interval (delta method)."""
     both = own.merge(shortest, on="arrangement", suffixes=("", "_there"))
     here, there = both[column], both[f"{column}_there"]
     r = here.mean() / there.mean()
-    half = interval(here - r * there + 1e3)[2] - np.mean(here - r * there + 1e3)
-    return r, half / there.mean()
+    return r, half_width(here - r * there) / there.mean()
 
 
 def ratios():

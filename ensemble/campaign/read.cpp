@@ -165,9 +165,11 @@ class Reader {
             }
             set(keys, entry, own);
         }
+        std::vector<Entry> overrides;
         for (const auto& [of_case, entry] : case_overrides_) {
-            if (of_case == block.given) set(keys, entry, own);
+            if (of_case == block.given) overrides.push_back(entry);
         }
+        for (const Entry& entry : presets_first(keys, std::move(overrides))) set(keys, entry, own);
         one.name = block.name;
         if (block.point >= 0) {
             one.base = block.base;

@@ -1,6 +1,7 @@
 #include "campaign_file/campaign_content.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <limits>
 
@@ -52,14 +53,14 @@ void write_cases(hid_t file, const CampaignContent& content, const CampaignScale
          [](const Scenario& s) { return s.contact.erp; });
     real("crushing_pressure", "Pa", "pressure at which edges crush, where they do",
          [](const Scenario& s) { return s.contact_law().crushing_pressure; });
-    const auto choice = [&](const char* name, const char* long_name, const char* words, auto function) {
+    const auto choice = [&](const char* name, const char* long_name, const std::string& words, auto function) {
         const auto number = [&](const Scenario& s) { return static_cast<std::int8_t>(function(s)); };
         hdf5::write_values(id, {name, "1", long_name}, one, of_cases<std::int8_t>(content, number),
                            hdf5::Flags{{std::int8_t{0}, std::int8_t{1}}, words});
     };
-    choice("friction", "where friction points", "one_direction cone",
+    choice("friction", "where friction points", fmt::format("{}", fmt::join(friction_words, " ")),
            [](const Scenario& s) { return s.contact.friction; });
-    choice("contact_law", "what bounds the force along the normal", "rigid crushing",
+    choice("contact_law", "what bounds the force along the normal", fmt::format("{}", fmt::join(normal_law_words, " ")),
            [](const Scenario& s) { return s.contact.normal; });
     choice("internal_edges", "whether edges inside a body act", "do_not_act act",
            [](const Scenario& s) { return s.contact.internal_edges; });
@@ -71,11 +72,8 @@ void write_cases(hid_t file, const CampaignContent& content, const CampaignScale
                        of_cases<std::int32_t>(content, [](const Scenario& s) { return s.analysis.segments; }));
     hdf5::write_values(id, {"history_stride", "1", "successive steps whose mean is one value of /history"}, one,
                        of_cases<std::int32_t>(content, [](const Scenario& s) { return s.analysis.history_stride; }));
-    hdf5::write_values(
-        id, {"far_end", "1", "what stands behind the ice field"}, one,
-        of_cases<std::int8_t>(content, [](const Scenario& s) { return static_cast<std::int8_t>(s.field.far_end); }),
-        hdf5::Flags{{static_cast<std::int8_t>(FarEnd::ice_sheet), static_cast<std::int8_t>(FarEnd::open)},
-                    "ice_sheet open"});
+    choice("far_end", "what stands behind the ice field", "ice_sheet open",
+           [](const Scenario& s) { return s.field.far_end; });
     write_shapes(id, content, scales);
 }
 

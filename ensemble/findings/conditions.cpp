@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <utility>
 
@@ -31,12 +32,10 @@ void add_condition(const Summary& summary, std::string_view name,
     }
 }
 
-std::string friction_key(Friction friction) {
-    return friction == Friction::cone ? "cone" : "one_direction";
-}
-
-std::string normal_key(NormalLaw law) {
-    return law == NormalLaw::crushing ? "crushing" : "rigid";
+/// The word of an enumerator.
+template <class Enum, std::size_t count>
+std::string_view word(const std::array<std::string_view, count>& words, Enum value) {
+    return words.at(static_cast<std::size_t>(value));
 }
 
 }  // namespace
@@ -48,7 +47,7 @@ std::string far_end_words(FarEnd far_end) {
 std::string contact_words(const ContactLaw& law) {
     std::string words;
     const ContactPreset preset = preset_of(law);
-    if (preset != ContactPreset::own) words = preset == ContactPreset::paper ? "preset paper, " : "preset physical, ";
+    if (preset != ContactPreset::own) words = fmt::format("preset {}, ", word(preset_words, preset));
     words += law.friction == Friction::cone ? "friction in the contact plane, " : "friction in one direction, ";
     words += law.normal == NormalLaw::rigid
                  ? fmt::format("rigid with Γ {}", law.erp)
@@ -103,8 +102,8 @@ std::vector<ConditionColumn> condition_columns(const Summary& summary) {
     columns.push_back({Names{"structure_wall", ""}, [](const CaseRow& about) { return about.shape.words(); }});
     add("far_end", [](const CaseRow& about) { return far_end_key(about.far_end); });
     add("contact_erp", [](const CaseRow& about) { return about.contact.erp; });
-    add("friction", [](const CaseRow& about) { return friction_key(about.contact.friction); });
-    add("contact_law", [](const CaseRow& about) { return normal_key(about.contact.normal); });
+    add("friction", [](const CaseRow& about) { return word(friction_words, about.contact.friction); });
+    add("contact_law", [](const CaseRow& about) { return word(normal_law_words, about.contact.normal); });
     add("internal_edges", [](const CaseRow& about) { return about.contact.internal_edges; });
     add("crushing_pressure_kPa", [](const CaseRow& about) {
         return about.contact.normal == NormalLaw::crushing ? Datum(about.contact.crushing_pressure / unit::kilopascal)

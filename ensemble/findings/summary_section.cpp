@@ -123,8 +123,7 @@ std::string notes(const Summary& summary, const Totals& totals) {
             ? "Maxima without an averaging time are maxima of single steps: a rigid contact gives its impulse within\n"
               "one step, so they depend on the time step. Quote averaged maxima, with their averaging time.\n"
             : "Maxima without an averaging time are maxima of single steps. Quote averaged maxima, with their "
-              "averaging\n"
-              "time.\n";
+              "averaging\ntime.\n";
     if (totals.missing > 0 && totals.done > 0) {
         text += "Short runs finish first: until the campaign is complete, the figures are biased towards them.\n";
     }

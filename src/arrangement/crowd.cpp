@@ -62,29 +62,30 @@ double Crowd::sweep() {
     return deepest;
 }
 
-std::vector<double> Crowd::overlaps() const {
-    std::vector<double> sums(bodies_.size(), 0);
+// `see(rectangle, depth)` of both rectangles of a pair, and of each that overlaps a wall.
+template <class See>
+void Crowd::for_each_overlap(const See& see) const {
     for (const auto& [first, second] : pairs_) {
         const auto met = contact(bodies_[first], bodies_[second]);
         if (!met) continue;
-        sums[first] += met->depth;
-        sums[second] += met->depth;
+        see(first, met->depth);
+        see(second, met->depth);
     }
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         for (const Vec2& normal : wall_normals)
-            if (const auto met = contact(bodies_[i], normal)) sums[i] += met->depth;
+            if (const auto met = contact(bodies_[i], normal)) see(i, met->depth);
     }
+}
+
+std::vector<double> Crowd::overlaps() const {
+    std::vector<double> sums(bodies_.size(), 0);
+    for_each_overlap([&](std::size_t rectangle, double depth) { sums[rectangle] += depth; });
     return sums;
 }
 
 double Crowd::deepest() const {
     double deepest = 0;
-    for (const auto& [first, second] : pairs_)
-        if (const auto met = contact(bodies_[first], bodies_[second])) deepest = std::max(deepest, met->depth);
-    for (const Body& body : bodies_) {
-        for (const Vec2& normal : wall_normals)
-            if (const auto met = contact(body, normal)) deepest = std::max(deepest, met->depth);
-    }
+    for_each_overlap([&](std::size_t, double depth) { deepest = std::max(deepest, depth); });
     return deepest;
 }
 

@@ -57,6 +57,8 @@ class Crowd {
     std::optional<Contact> contact(const Body& body, const Vec2& wall_normal) const;
     Vec2 pressed_point(Turn of_side, Turn other, const Vec2& apart, const Vec2& normal, double depth) const;
     void shift(Body& body, const Vec2& arm, const Vec2& normal, double push) const;
+    template <class See>
+    void for_each_overlap(const See& see) const;
     bool neighbours_are_old() const;
     void find_neighbours();
 

@@ -7,8 +7,8 @@
 //
 // The paper prints (1) and (2) with T_e², which makes a moment of a force (design decision 3);
 // ThresholdForm::as_printed compares these numbers as they stand. The arm a is 0, or L_e / 2 for the moment about the
-// centre of element a, joint.moment_about. The paper has no criterion for the other parts. If a
-// strength is given, they are
+// centre of element a, joint.moment_about. The paper has no criterion for the other parts. If a strength is given, they
+// are
 //
 //   tension           λ = max(0, axial)       ε = L_e T_e σ_t
 //   torsion           λ = |torsion|           ε = L_e T_e² τ / 3   thin rectangle, L_e >> T_e (Timoshenko and Goodier,

@@ -1,7 +1,9 @@
 #pragma once
 // Laws of contact that belong together, docs/contact.md.
 
+#include <array>
 #include <initializer_list>
+#include <string_view>
 
 #include "solver/contact_law.hpp"
 
@@ -12,6 +14,11 @@ enum class ContactPreset {
     physical,  ///< friction in the whole contact plane, edges that crush, internal edges do not act
     own        ///< anything else
 };
+
+/// Words of the enumerations in their order, as keys, files and reports have them.
+inline constexpr std::array<std::string_view, 3> preset_words{"paper", "physical", "own"};
+inline constexpr std::array<std::string_view, 2> friction_words{"one_direction", "cone"};
+inline constexpr std::array<std::string_view, 2> normal_law_words{"rigid", "crushing"};
 
 /// The law with what the preset says of it; as it is for `own`.
 constexpr ContactLaw with_preset(ContactLaw law, ContactPreset preset) {

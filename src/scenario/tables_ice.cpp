@@ -117,12 +117,12 @@ void add_contact(Keys& keys, ContactLaw& contact) {
         "Bullet's default",
         "Penetration depth from which split_impulse acts; with the default hardly any contact is that deep."));
     keys.push_back(late_key(word_key(
-        "contact.friction", contact.friction, {"one_direction", "cone"}, "docs/convergence.md",
+        "contact.friction", contact.friction, {friction_words.begin(), friction_words.end()}, "docs/convergence.md",
         "Law of friction. one_direction: one row per contact along the sliding velocity, as in Bullet; a contact that "
         "sticks is not held across that row. cone: Coulomb's law in the whole contact plane, with solver lanes only; "
         "higher loads and more broken floes (docs/contact.md).")));
     keys.push_back(late_key(word_key(
-        "contact.law", contact.normal, {"rigid", "crushing"}, "docs/convergence.md",
+        "contact.law", contact.normal, {normal_law_words.begin(), normal_law_words.end()}, "docs/convergence.md",
         "What bounds the force along the normal. rigid: nothing, so that a collision ends within one step and the "
         "largest load depends on the time step. crushing: ice yields at crushing_pressure_kPa over the area that the "
         "overlap opens and does not push back, with solver lanes only; contact.erp and split impulse then have no "

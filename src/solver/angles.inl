@@ -23,8 +23,8 @@ inline Pack arc_tangent(Pack y, Pack x) {
     constexpr double half = 1.57079632679489661923;
     constexpr double full = 3.14159265358979323846;
     const Pack zero = y * 0.0;
-    const Pack up = y < 0.0 ? -y : y;
-    const Pack across = x < 0.0 ? -x : x;
+    const Pack up = absolute(y);
+    const Pack across = absolute(x);
     const auto steep = up > across;
     const Pack small = steep ? across : up;
     const Pack large = steep ? up : across;

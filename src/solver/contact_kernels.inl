@@ -155,7 +155,7 @@ void solve_all_cones(double* delta, const ContactPacks& packs, const ContactRowA
         store(normals.impulse, i, normal);
         const Pack old_first = load(all.first.impulse, i);
         const Pack old_second = load(all.second.impulse, i);
-        const Pack held = (old_first < 0.0 ? -old_first : old_first) + (old_second < 0.0 ? -old_second : old_second);
+        const Pack held = absolute(old_first) + absolute(old_second);
         if (!any_positive(normal + held)) {  // nothing to hold with, nothing to let go of
             push(row, a, b, pressed);
             return;

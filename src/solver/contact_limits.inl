@@ -21,18 +21,6 @@ struct Section {
     Pack area, growth;
 };
 
-inline Pack absolute(Pack x) {
-    return x < 0.0 ? -x : x;
-}
-
-inline Pack least(Pack x, Pack y) {
-    return x < y ? x : y;
-}
-
-inline Pack most(Pack x, Pack y) {
-    return x > y ? x : y;
-}
-
 /// No face lies flatter on another than 0.01 mm in 1 m: a flush face has its whole area after 2 µm.
 inline constexpr double flattest = 1e-5;
 
@@ -48,9 +36,9 @@ inline auto leaves_through_covered_face(const Box& body, const V3& outward) {
     return (size.x > most(size.y, size.z) ? x : of_others) > 0.0;
 }
 
-/// The section of a box, exact for every direction: with c the cosines of the unit normal in the box's axes and e the box's
-/// extents along the normal, A(d) = sum of +-(d - sums of e)²₊ / (2 c1 c2 c3) over the eight vertices. Past the middle
-/// it stays at its largest. A body without extents is flat and unbounded: its section is infinite.
+/// The section of a box, exact for every direction: with c the cosines of the unit normal in the box's axes and e the
+/// box's extents along the normal, A(d) = sum of +-(d - sums of e)²₊ / (2 c1 c2 c3) over the eight vertices. Past the
+/// middle it stays at its largest. A body without extents is flat and unbounded: its section is infinite.
 inline Section section(const Box& body, const V3& normal, Pack depth) {
     const Pack none{};
     const V3& half_extent = body.half_extent;
@@ -125,13 +113,12 @@ void prepare_all_limits(const LaneArrays& arrays, const ContactPacks& packs, con
     for_each_pair(packs, [&](const ContactPack& pack, std::uint32_t turn, const std::uint32_t* slots) {
         const Box a = box_of(arrays, slots);
         const Box b = box_of(arrays, slots + lanes);
-        const auto acts = [&](const double* point) {  // 1 or 0
-            const auto internal = is_internal(load3(point, point_field::normal), a, b);
-            return contact.internal_edges ? one : internal ? none : one;
-        };
         Pack touching = none;
         for (std::uint32_t row = pack.first_row + turn; row < pack.end_row; row += pack.turns) {
-            touching = touching + (load(point_of(row), point_field::distance) < 0.0 ? acts(point_of(row)) : none);
+            const auto internal = is_internal(load3(point_of(row), point_field::normal), a, b);
+            const Pack acts = contact.internal_edges ? one : internal ? none : one;
+            store(to.give, static_cast<int>(row), acts);  // until the row has its limit
+            touching = touching + (load(point_of(row), point_field::distance) < 0.0 ? acts : none);
         }
         const Pack share = contact.crushing_pressure * time_step / most(touching, one);
         for (std::uint32_t row = pack.first_row + turn; row < pack.end_row; row += pack.turns) {
@@ -142,7 +129,7 @@ void prepare_all_limits(const LaneArrays& arrays, const ContactPacks& packs, con
                 limit = crushing_limit(load3(point, point_field::normal), -load(point, point_field::distance), a, b,
                                        share, load(normal_scale, i), time_step);
             }
-            const auto on = acts(point) > 0.0;
+            const auto on = load(to.give, i) > 0.0;
             store(to.yield, i, on ? limit.yield : none);
             store(to.give, i, on ? limit.give : none);
         }

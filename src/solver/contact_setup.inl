@@ -77,7 +77,7 @@ inline Pack in_circle(Pack x, Pack y, Pack radius) {
 inline V3 any_tangent(const V3& n) {
     constexpr double edge = 0.7071067811865475244008443621048490;
     const Pack none{};
-    const auto upright = (n.z < 0.0 ? -n.z : n.z) > edge;
+    const auto upright = absolute(n.z) > edge;
     const Pack k = 1.0 / square_root(upright ? n.y * n.y + n.z * n.z : n.x * n.x + n.y * n.y);
     return {upright ? none : -n.y * k, upright ? -n.z * k : n.x * k, upright ? n.y * k : none};
 }
@@ -109,9 +109,9 @@ inline void prepare_cone(const FrictionArrays& frictions, int i, const V3& n, co
     const Pack two_two = coupling(second, second);
     const Pack one_two = coupling(first, second);
     const Pack half = 0.5 * (one_one - two_two);
-    const Pack most = a.inverse_mass + b.inverse_mass + 0.5 * (one_one + two_two) +
-                      square_root(half * half + one_two * one_two);  // the larger eigenvalue of the 2 x 2 block
-    const Pack s = 1.0 / square_root(most);
+    const Pack stiffest = a.inverse_mass + b.inverse_mass + 0.5 * (one_one + two_two) +
+                          square_root(half * half + one_two * one_two);  // the larger eigenvalue of the 2 x 2 block
+    const Pack s = 1.0 / square_root(stiffest);
 
     const std::size_t row = static_cast<std::size_t>(i) * (contact_field::count * lanes);
     store_row(frictions.first.row + row, first, s);

@@ -58,6 +58,18 @@ inline void store(double* group, int field, Pack value) {
     *reinterpret_cast<Pack*>(group + field * lanes) = value;
 }
 
+inline Pack absolute(Pack x) {
+    return x < 0.0 ? -x : x;
+}
+
+inline Pack least(Pack x, Pack y) {
+    return x < y ? x : y;
+}
+
+inline Pack most(Pack x, Pack y) {
+    return x > y ? x : y;
+}
+
 struct V3 {
     Pack x, y, z;
 };

@@ -13,7 +13,7 @@ struct ElementState {
     Mat3 rotation = Mat3::Identity();  ///< body -> world; the columns are the element's x, normal (y) and z
     Vec3 velocity = Vec3::Zero();      ///< of the centre of mass
     Vec3 spin = Vec3::Zero();          ///< angular velocity
-    std::uint8_t exposed_edges = 0;    ///< edge faces free of live joints: bit 0 +x, 1 -x, 2 +z, 3 -z
+    std::uint8_t exposed_edges = 0;    ///< edge faces with form drag: bit 0 +x, 1 -x, 2 +z, 3 -z
 
     Vec3 normal() const { return rotation.col(1); }
     /// Velocity of the element's material at `arm` (m from the centre of mass, world axes).

@@ -117,7 +117,7 @@ inline void add_gauss_point(LaneWrench& buoyancy, LaneWrench& drag, const Elemen
     const Pack through = dot(relative, e.normal);
     const V3 along = relative - e.normal * through;
     const V3 skin = along * (factors.skin * square_root(dot(along, along)));
-    const Pack heave = (factors.heave * (through < 0.0 ? -through : through) + factors.linear) * through;
+    const Pack heave = (factors.heave * absolute(through) + factors.linear) * through;
     drag.add(wet, skin + e.normal * heave, arm);
 }
 

@@ -20,19 +20,13 @@ void check_box(const Vec3& half_extents) {
             "above 0 m");
 }
 
-void require_lanes(bool allowed, const char* reason, const char* instead) {
-    if (allowed) return;
-    throw InputError(fmt::format(
-        "The world cannot be built: Bullet's own solver {}; take general.solver = \"lanes\", or {}.", reason, instead));
-}
-
 void check_contact(const ContactLaw& law, ConstraintSolver solver) {
-    if (solver == ConstraintSolver::stock) {
-        require_lanes(law.friction != Friction::cone, "bounds friction by a square, not by Coulomb's cone",
-                      "contact.friction = \"one_direction\"");
-        require_lanes(law.normal == NormalLaw::rigid, "has no contacts that crush", "contact.law = \"rigid\"");
-        require_lanes(law.internal_edges, "does not know which faces lie inside a floe",
-                      "contact.internal_edges = true");
+    const bool of_bullet =
+        law.friction == Friction::one_direction && law.normal == NormalLaw::rigid && law.internal_edges;
+    if (solver == ConstraintSolver::stock && !of_bullet) {
+        throw InputError(
+            "The world cannot be built: Bullet's own solver has friction in one direction, rigid contacts and internal "
+            "edges that act, and nothing else; take general.solver = \"lanes\", or contact.preset = \"paper\".");
     }
     require(law.normal == NormalLaw::rigid || law.crushing_pressure > 0, "the crushing pressure", law.crushing_pressure,
             "above 0 Pa");

@@ -307,6 +307,13 @@ TEST(Preset, SetsItsKeysBeforeThoseThatAreGiven) {
     EXPECT_EQ(preset_of(cases.cases[1].scenario.contact), ContactPreset::paper);
 }
 
+TEST(Preset, OfACaseByOverrideComesBeforeItsKeysToo) {
+    const Campaign campaign =
+        read("[[case]]\nname = \"a\"\n", {"case.a.contact.law=rigid", "case.a.contact.preset=physical"});
+    EXPECT_EQ(only_case(campaign).scenario.contact.normal, NormalLaw::rigid);
+    EXPECT_EQ(only_case(campaign).scenario.contact.friction, Friction::cone);
+}
+
 TEST(Preset, OfAUserIsPhysicalAndOfAStoredTextThatHasNoneThePapers) {
     EXPECT_EQ(preset_of(only_case(read("")).scenario.contact), ContactPreset::physical);
     EXPECT_EQ(preset_of(only_case(read_campaign({"", "a.h5", {}}, nullptr)).scenario.contact), ContactPreset::paper);
