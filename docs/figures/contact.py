@@ -144,7 +144,7 @@ def choices():
 def laws():
     """Table 3's case under each law, over the same arrangements."""
     data = members("laws")
-    paper = validation_members("table3")
+    paper = validation_members("crystalline")
     paper = paper[paper.arrangement < len(data.arrangement.unique())]
     rows = []
     shown = ["mean_N", "sd_N", "maximum_N", "maximum_0.1s_N", "maximum_1s_N", "broken_percent"]

@@ -18,8 +18,8 @@ CORES = [2, 8, 64, 512, 1000, 2000, 4000, 8000, 16000, 32000, 64000, 100000]
 IN_THE_TABLE = [2, 64, 1000, 8000, 32000, 100000]
 # title, configuration, bytes of a record (None: as it is), colour, line
 CURVES = [
-    ("31 s members with histories, 188 kB (table3.toml)", "table3.toml", None, "#0072B2", "-"),
-    ("31 s members without histories, 5 kB", "table3.toml", 5000, "#0072B2", "--"),
+    ("31 s members with histories, 188 kB (Table 3)", "validation/crystalline.toml", None, "#0072B2", "-"),
+    ("31 s members without histories, 5 kB", "validation/crystalline.toml", 5000, "#0072B2", "--"),
     ("0.4 s members with histories, 22 kB (smoke.toml)", "smoke.toml", None, "#D55E00", "-"),
     ("0.4 s members without histories, 2 kB", "smoke.toml", 2000, "#D55E00", "--"),
 ]

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""The tables of docs/validation.md and its pictures, from the summaries in docs/validation.
+"""The tables of docs/validation.md and docs/crystalline_fields.md and their pictures, from docs/validation.
 
 Usage:
     validation.py                       writes tables and pictures
-    validation.py --check               writes nothing; fails if a table of the page differs from the summaries
+    validation.py --check               writes nothing; fails if a table of a page differs from the summaries
     validation.py --collect FOLDER [FLOES]
                                         first takes the summaries of the finished campaigns in FOLDER (NAME.h5) with
                                         the program FLOES (default ./floes)
@@ -15,29 +15,64 @@ import sys
 import numpy as np
 import pandas as pd
 
-import validation_tables as tables
+import crystalline_tables
+import validation_tables
 from page_blocks import fill_or_check
-from validation_data import CAMPAIGNS, SUMMARIES
+from validation_data import CAMPAIGNS, SUMMARIES, WAYS, WINDOW_START
 
-PAGE = SUMMARIES.parent / "validation.md"
+PAGES = {SUMMARIES.parent / "validation.md": validation_tables.BLOCKS,
+         SUMMARIES.parent / "crystalline_fields.md": crystalline_tables.BLOCKS}
+WINDOW_S, SEGMENTS = 150, 3
+STARTS = range(80, 131, 10)  # s
+
+
+def histories(path):
+    """Name of the case, arrangement, time step and load at every step, for each finished member."""
+    import h5py  # which --check does not need
+
+    with h5py.File(path) as file:
+        names = file["cases/name"].asstr()[:]
+        members = file["members"]
+        for member in np.flatnonzero(members["status"][:] == 0):
+            case = members["case"][member]
+            load = file["history/surge_load"][member]
+            yield names[case], members["arrangement"][member], file["cases/time_step"][case], load[np.isfinite(load)]
+
+
+def windows(path):
+    """Mean, SD, mean of the segment maxima, and trend of the load, in windows that begin later and later."""
+    rows = []
+    for name, arrangement, step, load in histories(path):
+        for start in STARTS:
+            inside = load[round(start / step):round((start + WINDOW_S) / step)]
+            time = np.arange(len(inside)) * step
+            maxima = [part.max() for part in np.array_split(inside, SEGMENTS)]
+            rows.append([name, arrangement, start, inside.mean(), inside.std(), np.mean(maxima),
+                         100 * np.polyfit(time, inside, 1)[0]])
+    return pd.DataFrame(rows, columns=["case", "arrangement", "start_s", "mean_N", "sd_N", "mean_maximum_N",
+                                       "trend_N_per_100s"])
+
+
+def largest(path, start):
+    """The largest load in the window of each member, averaged over increasing times."""
+    rows = []
+    for name, arrangement, step, load in histories(path):
+        inside = load[round(start / step):]
+        for steps in [1, 5, 50]:
+            mean = np.convolve(inside, np.ones(steps) / steps, mode="valid")
+            rows.append([name, arrangement, round(steps * step, 6), mean.max()])
+    return pd.DataFrame(rows, columns=["case", "arrangement", "averaged_over_s", "maximum_N"])
 
 
 def averaged(path):
-    """Median, SD and mean of the segment maxima of the load averaged over increasing windows; means over arrangements."""
-    import h5py  # which --check does not need
-
+    """SD and mean of the segment maxima of the load averaged over increasing times; means over arrangements."""
     rows = []
-    with h5py.File(path) as file:
-        names = file["cases/name"].asstr()[:]
-        members_ = file["members"]
-        for member in np.flatnonzero(members_["status"][:] == 0):
-            case = members_["case"][member]
-            step, start = (file[f"cases/{key}"][case] for key in ["time_step", "steady_start"])
-            load = file["history/surge_load"][member][round(start / step):]
-            for steps in [1, 5, 10, 25, 50, 100, 250]:
-                mean = np.convolve(load, np.ones(steps) / steps, mode="valid")
-                maxima = [part.max() for part in np.array_split(mean, file["cases/segments"][case])]
-                rows.append([names[case], round(steps * step, 6), np.median(mean), mean.std(), np.mean(maxima)])
+    for name, _, step, load in histories(path):
+        load = load[round(80 / step):]
+        for steps in [1, 5, 10, 25, 50, 100, 250]:
+            mean = np.convolve(load, np.ones(steps) / steps, mode="valid")
+            maxima = [part.max() for part in np.array_split(mean, SEGMENTS)]
+            rows.append([name, round(steps * step, 6), np.median(mean), mean.std(), np.mean(maxima)])
     table = pd.DataFrame(rows, columns=["case", "averaged_over_s", "median_N", "sd_N", "mean_maximum_N"])
     return table.groupby(["case", "averaged_over_s"], sort=False).mean().reset_index()
 
@@ -48,14 +83,22 @@ def collect(folder, program):
         text = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
         (SUMMARIES / f"{name}.{as_name or part}.csv").write_text(text)
 
-    for name in CAMPAIGNS:
-        if (folder / f"{name}.h5").exists():
-            summary(name, "cases")
-            summary(name, "members")
-    if (folder / "table3.h5").exists():
-        summary("table3", "pairs")
-        summary("table3", "cases", "--window", "auto", as_name="steady")
-        averaged(folder / "table3.h5").to_csv(SUMMARIES / "table3.averaged.csv", index=False)
+    def is_here(name):
+        return (folder / f"{name}.h5").exists()
+
+    for name in filter(is_here, CAMPAIGNS):
+        summary(name, "cases")
+        summary(name, "members")
+    for name in filter(is_here, WAYS):
+        summary(name, "pairs")
+    for name in filter(is_here, ["fit_paper", "fit_physical"]):
+        windows(folder / f"{name}.h5").to_csv(SUMMARIES / f"{name}.windows.csv", index=False, float_format="%.6g")
+    for name in filter(is_here, ["table3", "table3_physical"]):
+        largest(folder / f"{name}.h5", WINDOW_START).to_csv(SUMMARIES / f"{name}.largest.csv", index=False,
+                                                            float_format="%.6g")
+    if is_here("crystalline"):
+        summary("crystalline", "cases", "--window", "auto", as_name="steady")
+        averaged(folder / "crystalline.h5").to_csv(SUMMARIES / "crystalline.averaged.csv", index=False)
     command = [program, "hybrid", "--modulus-MPa", "2,3,5,7,10,15,20,30,45,60,100,150,200,300,500", "--format", "json"]
     curve = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
     (SUMMARIES / "hybrid.json").write_text(curve)
@@ -65,7 +108,7 @@ def main(arguments):
     if arguments[:1] == ["--collect"]:
         collect(pathlib.Path(arguments[1]), arguments[2] if len(arguments) > 2 else "./floes")
     check = arguments == ["--check"]
-    fill_or_check({PAGE: tables.BLOCKS}, check, "validation.py")
+    fill_or_check(PAGES, check, "validation.py")
     if check:
         return
     import validation_figures  # needs matplotlib, which --check does not

@@ -7,7 +7,7 @@ matplotlib.rcParams["font.size"] = 10
 import matplotlib.pyplot as plt
 import numpy as np
 
-from validation_data import EXPERIMENT, LABELS, MODULI, change, hybrid, interval, is_maximum, members, paper
+from validation_data import EXPERIMENT, LABELS, MODULI, WAYS, change, hybrid, interval, is_maximum, members, paper
 
 COLOURS = {"E30": "#0072B2", "E60": "#D55E00", "E200": "#009E73"}  # Okabe and Ito
 PANELS = ["mean_N", "mean_maximum_N", "failure_ratio"]
@@ -35,26 +35,32 @@ def draw_estimate(axes, place, values, positive, colour, labels):
 
 
 def answer(path):
-    """Every member as a dot, the mean with its interval, what single runs give, and the paper's single runs."""
-    table = members("table3")
-    figure, panels = plt.subplots(1, 3, figsize=(10, 4.6))
+    """Table 3 computed in three ways: every member as a dot, the mean with its interval, what single runs give, and the
+    paper's single runs."""
+    figure, panels = plt.subplots(1, 3, figsize=(11, 4.6))
     for axes, quantity in zip(panels, PANELS):
-        for place, (case, modulus) in enumerate(MODULI.items()):
-            values = table[table.case == case][quantity].to_numpy()
-            order = np.argsort(np.argsort(values))  # dots side by side, in no other order than their size
-            axes.plot(place - 0.22 + 0.09 * (order % 3 - 1), values, ".", color=COLOURS[case], alpha=0.55, markersize=5,
-                      label="one run each" if place == 0 else None)
-            draw_estimate(axes, place + 0.06, values, is_maximum(quantity), COLOURS[case],
-                          ("95 % of single runs", "mean, 95 %") if place == 0 else (None, None))
-            axes.plot(place + 0.32, paper(case, quantity), "D", color="black", markersize=7,
-                      label="the paper's run" if place == 0 else None)
-        if quantity in EXPERIMENT:
-            level = EXPERIMENT[quantity] * (100 if quantity == "failure_ratio" else 1)
-            axes.axhline(level, color="black", linestyle=":", linewidth=1, label="experiment (60 MPa)")
-        axes.set_xticks(range(3), [f"{modulus}" for modulus in MODULI.values()])
-        axes.set_xlim(-0.55, 2.55)
+        for group, campaign in enumerate(WAYS):
+            table = members(campaign)
+            for place, (case, modulus) in enumerate(MODULI.items()):
+                at = 3.6 * group + place
+                values = table[table.case == case][quantity].to_numpy()
+                order = np.argsort(np.argsort(values))  # dots side by side, in no other order than their size
+                first = group == 0
+                axes.plot(at - 0.24 + 0.08 * (order % 3 - 1), values, ".", color=COLOURS[case], alpha=0.45, markersize=3,
+                          markeredgewidth=0, label=None)
+                draw_estimate(axes, at + 0.06, values, is_maximum(quantity), COLOURS[case],
+                              ("95 % of single runs" if first and place == 0 else None,
+                               f"mean, {modulus} MPa" if first else None))
+                axes.plot(at + 0.34, paper(case, quantity), "D", color="black", markersize=5,
+                          label="the paper's run" if first and place == 0 else None)
+        name = "maximum_N" if quantity == "mean_maximum_N" else quantity
+        level = EXPERIMENT[name] * (100 if quantity == "failure_ratio" else 1)
+        axes.axhline(level, color="black", linestyle=":", linewidth=1,
+                     label="experiment (60 MPa; its largest load)" if axes is panels[0] else None)
+        axes.set_xticks([3.6 * group + 1 for group in range(3)], [name.replace(", ", ",\n") for name in WAYS.values()],
+                        fontsize=8)
+        axes.tick_params(axis="x", length=0)
         axes.set_ylim(bottom=0)
-        axes.set_xlabel("elastic modulus E, MPa")
         axes.set_ylabel(LABELS[quantity])
     finish(figure, path, legend_of=panels[0])
 
@@ -96,19 +102,20 @@ def changes(campaign, path):
 
 
 def hybrid_points(path):
-    table = members("table3")
     curve = hybrid()
     figure, axes = plt.subplots(figsize=(7.5, 4.6))
     axes.plot(curve.elastic_modulus_MPa, curve.limit_stress_N, color="#0072B2", label="limit stress (Lindqvist), Eq. (6)")
     axes.plot(curve.elastic_modulus_MPa, curve.limit_momentum_N, color="#D55E00",
               label="limit momentum (KPR, coefficient calibrated), Eq. (7)")
     axes.plot(curve.elastic_modulus_MPa, curve.hybrid_N, color="black", linewidth=3, alpha=0.35, label="hybrid: the lower")
+    for campaign, colour, shift in [("table3", "#009E73", 1), ("table3_physical", "#CC79A7", 1.08)]:
+        table = members(campaign)
+        for case, modulus in MODULI.items():
+            draw_estimate(axes, shift * modulus, table[table.case == case].mean_N, False, colour,
+                          (None, f"{WAYS[campaign]}: mean, 95 %" if case == "E30" else None))
     for case, modulus in MODULI.items():
-        first = case == "E30"
-        values = table[table.case == case].mean_N
-        draw_estimate(axes, modulus, values, False, "#009E73",
-                      ("95 % of single runs", "ensemble: mean, 95 %") if first else (None, None))
-        axes.plot(1.13 * modulus, paper(case, "mean_N"), "D", color="black", label="the paper's simulation" if first else None)
+        axes.plot(1.2 * modulus, paper(case, "mean_N"), "D", color="black",
+                  label="the paper's simulation" if case == "E30" else None)
     axes.plot(60 / 1.13, EXPERIMENT["mean_N"], "*", color="black", markersize=12, label="experiment")
     axes.set_xscale("log")
     axes.set_xlim(2, 500)

@@ -34,7 +34,7 @@ TableTitles scenario_titles() {
          "The channel and the ice field in it. The length of the field follows from the number and size of the floes "
          "and the concentration."},
         {"arrangement", "How the initial positions of the floes are generated."},
-        {"structure", "The towed body of revolution. Wall, far end and contact erp together decide the load."},
+        {"structure", "The towed body of revolution. Its wall, the far end of the channel and how the floes lie decide the load."},
         {"contact",
          "Contacts between floes, and between ice and the structure. The coefficient of restitution is 0 (Table 1) and "
          "not a key."},

@@ -75,7 +75,7 @@ struct Field {
 
 /// How the floes come to lie where they lie.
 struct ArrangementRule {
-    ArrangementMethod method = ArrangementMethod::monte_carlo;
+    ArrangementMethod method = ArrangementMethod::scattered;
     ArrangementStart start = ArrangementStart::lattice;
     double clearance = 0.002;       ///< least gap kept between floes, and to walls, m
     int sweeps = 20000;             ///< Monte Carlo sweeps with the frozen step size
@@ -107,7 +107,7 @@ struct Water {
 
 /// The window in which the load is measured. It ends the run.
 struct Analysis {
-    double steady_start = 80.0;               ///< s after the tow begins
+    double steady_start = 120.0;              ///< s after the tow begins
     double window = 150.0;                    ///< s
     int segments = 3;                         ///< equal parts of the window, one maximum each
     bool keep_history = true;                 ///< a member keeps its load over time, not only the statistics of it

@@ -63,10 +63,11 @@ void add_field(Keys& keys, Field& field) {
 
 void add_arrangement(Keys& keys, ArrangementRule& arrangement) {
     keys.push_back(word_key("arrangement.method", arrangement.method, {"monte_carlo", "lattice", "file", "scattered"},
-                            "design decision",
-                            "monte_carlo: equilibrium of hard squares, independent of the start; lattice: rows, with "
-                            "jitter; file: given poses, the same for each arrangement; scattered: a disordered field, "
-                            "floes thrown at random and pushed apart until none overlap."));
+                            "floes in a tank are laid at random; docs/order.md",
+                            "scattered: a disordered field, floes thrown at random and pushed apart until none "
+                            "overlap; monte_carlo: equilibrium of hard squares, rows and columns where they are dense, "
+                            "independent of the start; lattice: rows, with jitter; file: given poses, the same for "
+                            "each arrangement."));
     keys.push_back(word_key(
         "arrangement.start", arrangement.start, {"lattice", "stripes"}, "design decision",
         "Start of the Monte Carlo chain. The result does not depend on it; the key exists to demonstrate that."));
@@ -136,7 +137,7 @@ void add_water(Keys& keys, Water& water) {
 
 void add_analysis(Keys& keys, Analysis& analysis) {
     keys.push_back(number_key("analysis.steady_start_s", analysis.steady_start, unit::one,
-                              at_least(0).at_most(farthest), "judgement; the waterline meets the ice at 48 s",
+                              at_least(0).at_most(farthest), "loads are steady from 120 s on (docs/validation.md)",
                               "Start of the window: late enough for the load to be steady."));
     keys.push_back(number_key("analysis.window_s", analysis.window, unit::one, above(0).at_most(farthest),
                               "the paper, Results", "Length of the window. A longer window needs a longer field."));

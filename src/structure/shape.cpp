@@ -30,7 +30,7 @@ std::string part_words(const ProfilePoint& lower, const ProfilePoint& upper) {
 
 }  // namespace
 
-Shape::Shape() : Shape({{-0.443, 0.499}, {0, 0.614}, {0.122, 0.736}}) {}
+Shape::Shape() : Shape({{-0.443, 0.445}, {0, 0.614}, {0.122, 0.736}}) {}
 
 Shape::Shape(std::vector<ProfilePoint> profile) : profile_(std::move(profile)) {}
 

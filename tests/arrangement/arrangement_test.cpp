@@ -18,6 +18,7 @@ using testing::HasSubstr;
 
 Scenario quick() {
     Scenario scenario;
+    scenario.arrangement.method = ArrangementMethod::monte_carlo;
     scenario.arrangement.sweeps = 200;
     return scenario;
 }

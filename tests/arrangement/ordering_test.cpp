@@ -28,6 +28,7 @@ TEST(OrderingSweeps, ContinueTheSameField) {
 
 TEST(OrderingSweeps, OfAnotherMethodChangeNothing) {
     Scenario scenario;
+    scenario.arrangement.method = ArrangementMethod::monte_carlo;
     const std::uint64_t key = geometry_key(scenario);
     scenario.arrangement.ordering_sweeps = 1;
     EXPECT_EQ(geometry_key(scenario), key);
@@ -66,6 +67,7 @@ double largest_difference(int ordering_sweeps) {
     scenario.arrangement.ordering_sweeps = ordering_sweeps;
     const Figures scattered = figures_of(scenario, count, equilibrium_figures);
     scenario.arrangement = {};
+    scenario.arrangement.method = ArrangementMethod::monte_carlo;
     scenario.arrangement.sweeps = 3000;
     const Figures equilibrium = figures_of(scenario, count, equilibrium_figures);
     double largest = 0;

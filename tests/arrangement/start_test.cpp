@@ -40,6 +40,7 @@ struct Sample {
 
 Sample sample(ArrangementStart start, int sweeps, int count) {
     Scenario scenario;
+    scenario.arrangement.method = ArrangementMethod::monte_carlo;
     scenario.arrangement.start = start;
     scenario.arrangement.sweeps = sweeps;
     std::vector<double> sum, squares;

@@ -207,7 +207,7 @@ TEST(ReadCampaign, EveryMessageIsOneSentence) {
          "that does "
          "is 0.3"},
         {"[arrangement]\nfile = \"poses.csv\"\n",
-         "configs/a.toml:2: arrangement.file = \"poses.csv\" is not used by arrangement.method = \"monte_carlo\"; "
+         "configs/a.toml:2: arrangement.file = \"poses.csv\" is not used by arrangement.method = \"scattered\"; "
          "write "
          "arrangement.method = \"file\""},
         {with_file("poses.csv") + "[[case]]\nname = \"a\"\narrangement.poses = [[7, 0, 0]]\n",

@@ -66,7 +66,7 @@ TEST(SummaryJson, CarriesTheConditions) {
     const json row = json::parse(summary_json(summarise(example::campaign()))).at("cases").at(2);
     EXPECT_EQ(row.at("conditions"), json::parse(R"({"structure_profile_m": [[-0.443, 0.171], [0.122, 0.736]],
         "far_end": "ice_sheet", "contact_erp": 0.2, "friction": "one_direction",
-        "contact_law": "rigid", "internal_edges": true, "steady_start_s": 80, "window_s": 150, "segments": 3})"));
+        "contact_law": "rigid", "internal_edges": true, "steady_start_s": 120, "window_s": 150, "segments": 3})"));
 }
 
 TEST(SummaryJson, SaysThePressureWhereEdgesCrush) {
@@ -123,7 +123,7 @@ TEST(SummaryCsv, HasOneLineACaseAndAValueForEveryColumn) {
     EXPECT_TRUE(lines[1].starts_with("E30,0.03,30,4,0,0,1,27,")) << lines[1];
     EXPECT_TRUE(lines[2].starts_with("\"E60, \"\"stiff\"\"\",0.016,60,4,1,1,0,32,")) << lines[2];
     EXPECT_THAT(lines[3], HasSubstr(",34,4,0,"));  // failures by mode
-    EXPECT_TRUE(lines[3].ends_with(",ice_sheet,0.2,one_direction,rigid,1,,80,150,3")) << lines[3];
+    EXPECT_TRUE(lines[3].ends_with(",ice_sheet,0.2,one_direction,rigid,1,,120,150,3")) << lines[3];
     const auto commas = [](const std::string& line) { return std::ranges::count(line, ','); };
     // The wall's words hold no comma of their own but the one after "straight", inside quotes.
     EXPECT_EQ(commas(lines[1]), commas(lines[0]) + 1);
@@ -151,7 +151,7 @@ TEST(SummaryTable, SaysWallFarEndAndContact) {
     EXPECT_THAT(text,
                 HasSubstr("Structure wall: straight, 45.0° from the horizontal (radius 0.171 m at -0.443 m to 0.736 m "
                           "at +0.122 m).\nFar end: an ice sheet.\nContacts: preset paper, friction in one direction, "
-                          "rigid with Γ 0.2.\nLoad measured: 80 to 230 s after the "
+                          "rigid with Γ 0.2.\nLoad measured: 120 to 270 s after the "
                           "tow began, in 3 segments.\n"));
 }
 

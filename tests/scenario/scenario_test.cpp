@@ -17,8 +17,8 @@ TEST(Scenario, DefaultsAreThePapersField) {
     EXPECT_EQ(scenario.floe.elements_broad(), 3);
     EXPECT_NEAR(scenario.field_length(), 18.9, 1e-12);
     EXPECT_NEAR(scenario.field_end(), 24.9, 1e-12);
-    EXPECT_EQ(scenario.step_count(), 11500);
-    EXPECT_EQ(scenario.first_window_step(), 4000);
+    EXPECT_EQ(scenario.step_count(), 13500);
+    EXPECT_EQ(scenario.first_window_step(), 6000);
 }
 
 TEST(ScenarioKeys, PathsAreUniqueAndNamed) {

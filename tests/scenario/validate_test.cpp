@@ -76,7 +76,7 @@ TEST(Validate, EveryContradictionIsOneSentence) {
          "does not know which faces lie inside a floe; take general.solver = \"lanes\", or contact.internal_edges = "
          "true"},
         {[](Scenario& s) { s.general.time_step = 1e-6; },
-         "general.time_step_s = 1e-06 with analysis.steady_start_s = 80.0 and analysis.window_s = 150.0 makes 2.3e+08 "
+         "general.time_step_s = 1e-06 with analysis.steady_start_s = 120.0 and analysis.window_s = 150.0 makes 2.7e+08 "
          "steps, "
          "more than the 1e+08 a run may have; take a longer step or a shorter run"},
         {[](Scenario& s) { s.analysis.steady_start = 80.01; },
@@ -130,11 +130,11 @@ TEST(Validate, EveryContradictionIsOneSentence) {
         {[](Scenario& s) { s.structure.speed = 0.01; },
          "the tow never reaches the ice: with structure.start_m = 2.0 and structure.speed_m_s = 0.01 the structure's "
          "waterline "
-         "ends at x = 4.914 m after 230 s, before field.begin_m = 6.0; start nearer, tow faster or longer"},
+         "ends at x = 5.314 m after 270 s, before field.begin_m = 6.0; start nearer, tow faster or longer"},
         {[](Scenario& s) { s.analysis.window = 300; },
          "the tow runs into the ice sheet at the far end: with structure.start_m = 2.0 and structure.speed_m_s = 0.07 "
          "the "
-         "structure's waterline ends at x = 29.21 m after 380 s, past the field's end at 24.9 m; tow for a shorter "
+         "structure's waterline ends at x = 32.01 m after 420 s, past the field's end at 24.9 m; tow for a shorter "
          "time or take "
          "more floes"},
         {[](Scenario& s) {
@@ -143,7 +143,7 @@ TEST(Validate, EveryContradictionIsOneSentence) {
          },
          "the tow runs out of the ice: with structure.start_m = 2.0 and structure.speed_m_s = 0.07 the structure's "
          "waterline "
-         "ends at x = 29.21 m after 380 s, past the field's end at 24.9 m; tow for a shorter time or take more floes"},
+         "ends at x = 32.01 m after 420 s, past the field's end at 24.9 m; tow for a shorter time or take more floes"},
         {[](Scenario& s) {
              s.field.concentration = 0.95;
              s.analysis.window = 120;
@@ -168,7 +168,7 @@ TEST(Validate, EveryContradictionIsOneSentence) {
         {[](Scenario& s) {
              s.arrangement.poses = {{7, 0, 0}};
          },
-         "arrangement.method = \"monte_carlo\" does not use arrangement.poses; write arrangement.method = \"file\" or "
+         "arrangement.method = \"scattered\" does not use arrangement.poses; write arrangement.method = \"file\" or "
          "leave the "
          "poses out"},
         {[](Scenario& s) { s.arrangement.method = ArrangementMethod::file; },
@@ -188,8 +188,8 @@ TEST(Validate, EveryContradictionIsOneSentence) {
         {[](Scenario& s) { s.field.wake_radius = 1.1; },
          "field.wake_radius_m = 1.1 lets the structure strike a floe at rest, whose middle may be 1.16 m from its axis "
          "then; take more than that, or 0 for none at rest"},
-        {[](Scenario& s) { s.analysis.history_stride = 3; },
-         "analysis.history_stride = 3 does not divide both the 4000 steps before the window and the 7500 in it, so "
+        {[](Scenario& s) { s.analysis.history_stride = 7; },
+         "analysis.history_stride = 7 does not divide both the 6000 steps before the window and the 7500 in it, so "
          "that "
          "a value of the history would lie across its edge; take a divisor of both"},
         {[](Scenario& s) {

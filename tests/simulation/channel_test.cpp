@@ -31,7 +31,7 @@ TEST(Channel, WithAnOpenEndHasWallsAsFarAsTheTowCanPush) {
     scenario.field.far_end = FarEnd::open;
     const Channel channel = make_channel(scenario);
     EXPECT_EQ(channel.sheets.size(), 2u);
-    EXPECT_NEAR(channel.end, 24.9 + 1.0 + 0.07 * 230, 1e-12);
+    EXPECT_NEAR(channel.end, 24.9 + 1.0 + 0.07 * 270, 1e-12);
 }
 
 }  // namespace
