@@ -47,6 +47,11 @@ double MemberRow::value(const Quantity& quantity) const {
     return done() ? quantity.of(*this) : nan;
 }
 
+const AveragedLoad* MemberRow::averaged_over(double time) const {
+    const auto found = std::ranges::find(averaged, time, &AveragedLoad::time);
+    return done() && found != averaged.end() ? &*found : nullptr;
+}
+
 void set_levels(MemberRow& row, std::span<const double> all, std::span<const double> own,
                 std::span<const LevelCount> counts) {
     for (std::size_t k = 0; k < std::min(own.size(), counts.size()); ++k) {

@@ -41,6 +41,8 @@ struct MemberRow : MemberOutputs {
     bool done() const { return status == RowStatus::done; }
     /// The quantity; NaN unless the member is done, counts too.
     double value(const Quantity& quantity) const;
+    /// The load averaged over `time`, s; nullptr unless the member is done and took it.
+    const AveragedLoad* averaged_over(double time) const;
 };
 
 /// Puts `counts`, which belong to the levels `own`, to their places among `all` levels, which have them all.

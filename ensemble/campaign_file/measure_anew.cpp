@@ -13,12 +13,13 @@ namespace floes {
 
 namespace {
 
-void measure(MemberRow& row, std::span<const double> window, double step, int segments,
+void measure(MemberRow& row, std::span<const double> window, double step, const Analysis& analysis,
              std::span<const double> levels) {
-    row.load = load_statistics(window, step, segments);
+    row.load = load_statistics(window, step, analysis.segments);
     std::vector<double> times;
     for (const AveragedLoad& one : row.averaged) times.push_back(one.time);
-    row.averaged = averaged_load(window, step, segments, times);
+    row.averaged = averaged_load(
+        window, {.time_step = step, .segments = analysis.segments, .times = times, .peak_separation = analysis.peak_separation});
     const std::vector<LevelCount> counts = count_levels(window, levels);
     for (std::size_t k = 0; k < levels.size(); ++k) {
         if (std::isnan(row.steps_above[k])) continue;
@@ -45,7 +46,7 @@ CampaignTable measured_anew(const std::filesystem::path& path, CampaignTable tab
                 fmt::format("--window auto measures maxima and deviations anew, which needs the load of every step, "
                             "and the histories of case {} are means over {} steps (analysis.history_stride).",
                             about.name, about.analysis.history_stride));
-        measure(row, in_window(history, about.analysis), history.step, about.analysis.segments, table.levels);
+        measure(row, in_window(history, about.analysis), history.step, about.analysis, table.levels);
     });
     return table;
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -85,6 +86,9 @@ std::vector<CaseRow> read_cases(hid_t file) {
     std::vector<std::int32_t> stride(names.size(), 1);  // of files before layout 1.3
     if (hdf5::exists(file, "cases/history_stride"))
         stride = hdf5::read_values<std::int32_t>(file, "cases/history_stride");
+    std::vector<double> separation(names.size(), Analysis{}.peak_separation);  // of files before layout 1.6
+    if (hdf5::exists(file, "cases/peak_separation"))
+        separation = hdf5::read_values<double>(file, "cases/peak_separation");
     std::vector<CaseRow> cases;
     for (std::size_t k = 0; k < names.size(); ++k) {
         CaseRow& row = cases.emplace_back();
@@ -96,7 +100,8 @@ std::vector<CaseRow> read_cases(hid_t file) {
         row.analysis = {.steady_start = steady_start.at(k),
                         .window = window.at(k),
                         .segments = segments.at(k),
-                        .history_stride = stride.at(k)};
+                        .history_stride = stride.at(k),
+                        .peak_separation = separation.at(k)};
         row.time_step = time_step.at(k);
         row.shape = shapes[k];
     }
@@ -153,6 +158,22 @@ void read_levels(hid_t file, CampaignTable& table) {
     counts("exceedance/upcrossings", &MemberRow::upcrossings);
 }
 
+/// Before read_averaged() leaves times out.
+void read_peaks(hid_t file, CampaignTable& table) {
+    if (!hdf5::exists(file, "averaged/peaks")) return;  // before layout 1.6
+    const auto values = hdf5::read_values<double>(file, "averaged/peaks");
+    const std::size_t times = table.averaging_times.size();
+    const std::size_t width = values.size() / (table.members.size() * times);
+    for (std::size_t k = 0; k < table.members.size(); ++k) {
+        for (std::size_t i = 0; i < times; ++i) {
+            const auto first = values.begin() + static_cast<std::ptrdiff_t>((k * times + i) * width);
+            const auto last = std::find_if(first, first + static_cast<std::ptrdiff_t>(width),
+                                           [](double value) { return std::isnan(value); });
+            table.members[k].averaged[i].peaks.assign(first, last);
+        }
+    }
+}
+
 void read_averaged(hid_t file, CampaignTable& table) {
     if (!hdf5::exists(file, "averaged")) return;  // before layout 1.4
     table.averaging_times = hdf5::read_values<double>(file, "averaging_time");
@@ -164,7 +185,7 @@ void read_averaged(hid_t file, CampaignTable& table) {
         const auto segments = table.cases.at(static_cast<std::size_t>(row.case_index)).analysis.segments;
         for (std::size_t i = 0; i < times; ++i) {
             const auto first = maxima.begin() + static_cast<std::ptrdiff_t>((k * times + i) * width);
-            row.averaged.push_back({.time = table.averaging_times[i], .segment_maximum = {first, first + segments}});
+            row.averaged.push_back({.time = table.averaging_times[i], .segment_maximum = {first, first + segments}, .peaks = {}});
         }
     }
     for (const Quantity& one : quantities) {
@@ -174,6 +195,7 @@ void read_averaged(hid_t file, CampaignTable& table) {
             for (std::size_t i = 0; i < times; ++i)
                 table.members[k].averaged[i].*one.averaged = values.at(k * times + i);
     }
+    read_peaks(file, table);
     // A time that a member did not take is not in its row.
     for (MemberRow& row : table.members)
         std::erase_if(row.averaged, [](const AveragedLoad& one) { return std::isnan(one.mean_maximum); });

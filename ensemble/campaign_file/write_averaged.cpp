@@ -15,12 +15,37 @@ std::vector<double> segment_maxima(const CampaignTable& table, std::size_t segme
     auto place = values.begin();
     for (const MemberRow& row : table.members) {
         for (const double time : table.averaging_times) {
-            const auto found = std::ranges::find(row.averaged, time, &AveragedLoad::time);
-            if (row.done() && found != row.averaged.end()) std::ranges::copy(found->segment_maximum, place);
+            if (const AveragedLoad* one = row.averaged_over(time)) std::ranges::copy(one->segment_maximum, place);
             place += static_cast<std::ptrdiff_t>(segments);
         }
     }
     return values;
+}
+
+/// Of each member, averaging time and peak; NaN where there is none.
+std::vector<double> all_peaks(const CampaignTable& table, std::size_t most) {
+    std::vector<double> values(table.members.size() * table.averaging_times.size() * most,
+                               std::numeric_limits<double>::quiet_NaN());
+    auto place = values.begin();
+    for (const MemberRow& row : table.members) {
+        for (const double time : table.averaging_times) {
+            if (const AveragedLoad* one = row.averaged_over(time)) std::ranges::copy(one->peaks, place);
+            place += static_cast<std::ptrdiff_t>(most);
+        }
+    }
+    return values;
+}
+
+void write_peaks(hid_t group, hid_t file, const CampaignTable& table, const CampaignScales& scales,
+                 const hdf5::Scale& times) {
+    std::size_t most = 0;
+    for (const MemberRow& row : table.members)
+        for (const AveragedLoad& one : row.averaged) most = std::max(most, one.peaks.size());
+    if (most == 0) return;
+    const hdf5::Scale peak = write_index_scale(file, "peak", "declustered peak of a member, the highest first", most);
+    hdf5::write_values(group,
+                       {"peaks", "N", "declustered peaks of the running means above their mean, falling"},
+                       {scales.member, times, peak}, all_peaks(table, most));
 }
 
 }  // namespace
@@ -45,6 +70,7 @@ void write_averaged(hid_t file, const CampaignContent& content, const CampaignSc
     }
     hdf5::write_values(group.id(), {"segment_maximum", "N", "largest running mean that ends in each segment"},
                        {scales.member, times, scales.segment}, segment_maxima(table, scales.segment.size()));
+    write_peaks(group.id(), file, table, scales, times);
 }
 
 }  // namespace floes

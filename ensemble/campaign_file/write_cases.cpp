@@ -68,6 +68,8 @@ void write_cases(hid_t file, const CampaignContent& content, const CampaignScale
     real("steady_start", "s", "begin of the analysis window",
          [](const Scenario& s) { return s.analysis.steady_start; });
     real("window", "s", "length of the analysis window", [](const Scenario& s) { return s.analysis.window; });
+    real("peak_separation", "s", "time between peaks of the averaged load that count as two",
+         [](const Scenario& s) { return s.analysis.peak_separation; });
     hdf5::write_values(id, {"segments", "1", "equal parts of the analysis window"}, one,
                        of_cases<std::int32_t>(content, [](const Scenario& s) { return s.analysis.segments; }));
     hdf5::write_values(id, {"history_stride", "1", "successive steps whose mean is one value of /history"}, one,

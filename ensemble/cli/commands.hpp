@@ -13,6 +13,7 @@ void add_merge(CLI::App& program, int& exit_status);
 void add_status(CLI::App& program, int& exit_status);
 void add_plan(CLI::App& program, int& exit_status);
 void add_summarize(CLI::App& program, int& exit_status);
+void add_design(CLI::App& program, int& exit_status);
 void add_config(CLI::App& program, int& exit_status);
 void add_calibrate(CLI::App& program, int& exit_status);
 void add_cantilever(CLI::App& program, int& exit_status);

@@ -46,6 +46,7 @@ int main(int argc, char** argv) {
     floes::add_status(program, exit_status);
     floes::add_plan(program, exit_status);
     floes::add_summarize(program, exit_status);
+    floes::add_design(program, exit_status);
     floes::add_config(program, exit_status);
     floes::add_calibrate(program, exit_status);
     floes::add_cantilever(program, exit_status);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include "core/error.hpp"
 #include "core/random.hpp"
@@ -52,24 +53,41 @@ double acceleration(std::size_t rows, const RowStatistic& statistic) {
     return acceleration_of(without, [mean = mean_of(without)](double value) { return mean - value; });
 }
 
+/// Which quantile of the sorted resampled values is that of the estimate, Efron's Eq. (6.8).
+class Correction {
+  public:
+    /// None if the values do not vary, are not finite, or all lie on one side of the estimate.
+    static std::optional<Correction> of(std::span<const double> sorted, double estimate, double acceleration) {
+        if (sorted.empty() || !std::isfinite(estimate) || !std::isfinite(sorted.front()) ||
+            !std::isfinite(sorted.back()) || sorted.front() == sorted.back()) {
+            return {};
+        }
+        const auto [first, last] = std::ranges::equal_range(sorted, estimate);
+        const double below = static_cast<double>((first - sorted.begin()) + (last - sorted.begin())) /
+                             (2 * static_cast<double>(sorted.size()));
+        if (below <= 0 || below >= 1) return {};
+        return Correction(normal_quantile(below), acceleration);
+    }
+
+    double level(double p) const {
+        const double shifted = bias_ + normal_quantile(p);
+        return normal_cdf(bias_ + shifted / (1 - acceleration_ * shifted));
+    }
+
+  private:
+    Correction(double bias, double acceleration) : bias_(bias), acceleration_(acceleration) {}
+    double bias_;
+    double acceleration_;
+};
+
 /// The limits given the bootstrap distribution, the estimate and the acceleration.
 Limits corrected_limits(std::vector<double> resampled, double estimate, double accelerated, double confidence) {
     std::ranges::sort(resampled);
-    if (!std::isfinite(estimate) || !std::isfinite(resampled.front()) || !std::isfinite(resampled.back()) ||
-        resampled.front() == resampled.back()) {
-        return no_limits;
-    }
-    const auto [first, last] = std::ranges::equal_range(resampled, estimate);
-    const double below = static_cast<double>((first - resampled.begin()) + (last - resampled.begin())) /
-                         (2 * static_cast<double>(resampled.size()));
-    if (below <= 0 || below >= 1) return no_limits;
-    const double bias = normal_quantile(below);
-    const auto level = [&](double p) {
-        const double shifted = bias + normal_quantile(p);
-        return normal_cdf(bias + shifted / (1 - accelerated * shifted));
-    };
+    const auto correction = Correction::of(resampled, estimate, accelerated);
+    if (!correction) return no_limits;
     const double tail = (1 - confidence) / 2;
-    return {quantile_of_sorted(resampled, level(tail)), quantile_of_sorted(resampled, level(1 - tail))};
+    return {quantile_of_sorted(resampled, correction->level(tail)),
+            quantile_of_sorted(resampled, correction->level(1 - tail))};
 }
 
 void check_confidence(double confidence) {
@@ -106,6 +124,20 @@ Limits bca_interval(std::size_t rows, const RowStatistic& statistic, const Boots
     if (rows < 3) return no_limits;
     return corrected_limits(bootstrap(rows, statistic, options), statistic(all_rows(rows)),
                             acceleration(rows, statistic), options.confidence);
+}
+
+std::vector<double> bca_draws(std::vector<double> resampled, double estimate, std::span<const double> without) {
+    std::erase_if(resampled, [](double value) { return !std::isfinite(value); });
+    std::ranges::sort(resampled);
+    const double accelerated =
+        acceleration_of(without, [mean = mean_of(without)](double value) { return mean - value; });
+    const auto correction = Correction::of(resampled, estimate, accelerated);
+    if (!correction) return resampled;
+    std::vector<double> moved(resampled.size());
+    for (std::size_t k = 0; k < moved.size(); ++k)
+        moved[k] = quantile_of_sorted(
+            resampled, correction->level((static_cast<double>(k) + 0.5) / static_cast<double>(moved.size())));
+    return moved;
 }
 
 Limits bca_mean_interval(std::span<const double> values, const BootstrapOptions& options) {

@@ -38,6 +38,11 @@ std::vector<double> bootstrap(std::size_t rows, const RowStatistic& statistic, c
 /// or if all resamples give the same value. Throws InputError unless the confidence is between 0 and 1.
 Limits bca_interval(std::size_t rows, const RowStatistic& statistic, const BootstrapOptions& options = {});
 
+/// Resampled values, sorted and moved to where their quantiles are the limits of bca_interval() at any confidence:
+/// `estimate` is the statistic of all rows, `without` that with rows, or equal groups of rows, left out in turn. Only
+/// sorted where there is no such correction.
+std::vector<double> bca_draws(std::vector<double> resampled, double estimate, std::span<const double> without);
+
 /// The same for the mean of `values`.
 Limits bca_mean_interval(std::span<const double> values, const BootstrapOptions& options = {});
 

@@ -133,6 +133,15 @@ void read_averaged(ByteReader& in, MemberResult& result) {
     }
 }
 
+void write_peaks(ByteWriter& out, const MemberResult& result) {
+    for (const AveragedLoad& one : result.averaged) out.doubles(one.peaks);
+}
+
+void read_peaks(ByteReader& in, MemberResult& result) {
+    if (in.left() == 0) return;
+    for (AveragedLoad& one : result.averaged) one.peaks = in.doubles();
+}
+
 MemberResult read_older_member_result(ByteReader& in) {
     MemberResult result;
     static_cast<MemberOutputs&>(result) = unmeasured(0);

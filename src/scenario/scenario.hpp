@@ -114,6 +114,7 @@ struct Analysis {
     int history_stride = 1;                   ///< successive steps whose mean is one value of the kept load
     std::vector<double> exceedance_levels{};  ///< N, rising; a member counts its steps above each
     std::vector<double> averaging{0.1, 0.5, 1, 2};  ///< s, rising: times that the load is averaged over
+    double peak_separation = 5;                     ///< s, between peaks of the averaged load that count as two
 };
 
 struct Scenario {

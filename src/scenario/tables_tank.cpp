@@ -160,6 +160,11 @@ void add_analysis(Keys& keys, Analysis& analysis) {
         "Averaging times, ascending, in whole time steps and at most a segment: each member takes the running mean of "
         "the surge load over each, and its standard deviation and segment maxima. Needs no history. Of the default, "
         "times that do not suit time step or segment are left out.")));
+    keys.push_back(late_key(number_key(
+        "analysis.peak_separation_s", analysis.peak_separation, unit::one, above(0).at_most(farthest),
+        "longer than the load remembers: docs/design_load.md",
+        "Peaks of the averaged load count as two where they are this far apart; of nearer ones the highest counts. "
+        "Design loads are extrapolated from these peaks.")));
 }
 
 }  // namespace floes

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "statistics/means.hpp"
+#include "statistics/peaks.hpp"
 
 namespace floes {
 namespace {
@@ -27,9 +28,20 @@ class CompensatedSum {
     double lost_ = 0;
 };
 
-AveragedLoad averaged_over(std::span<const double> window, double time, std::size_t steps, std::size_t segments) {
+/// A time in whole steps, at least one.
+std::size_t in_steps(double time, double time_step) {
+    return static_cast<std::size_t>(std::max(1LL, std::llround(time / time_step)));
+}
+
+AveragedLoad averaged_over(std::span<const double> window, double time, const Averaging& how) {
+    const std::size_t steps = in_steps(time, how.time_step);
+    const auto segments = static_cast<std::size_t>(how.segments);
     const std::vector<double> means = running_means(window, steps);
-    AveragedLoad result{.time = time, .sd = population_sd(means, mean_of(means)), .segment_maximum = {}};
+    const double mean = mean_of(means);
+    AveragedLoad result{.time = time,
+                        .sd = population_sd(means, mean),
+                        .segment_maximum = {},
+                        .peaks = declustered_peaks(means, in_steps(how.peak_separation, how.time_step), mean)};
     for (std::size_t k = 0; k < segments; ++k) {
         const std::size_t begin = std::max(part_begin(window.size(), k, segments), steps - 1);
         const std::size_t end = part_begin(window.size(), k + 1, segments);
@@ -57,13 +69,9 @@ std::vector<double> running_means(std::span<const double> values, std::size_t co
     return means;
 }
 
-std::vector<AveragedLoad> averaged_load(std::span<const double> window, double time_step, int segments,
-                                        std::span<const double> times) {
+std::vector<AveragedLoad> averaged_load(std::span<const double> window, const Averaging& how) {
     std::vector<AveragedLoad> all;
-    for (const double time : times) {
-        const auto steps = static_cast<std::size_t>(std::max(1LL, std::llround(time / time_step)));
-        all.push_back(averaged_over(window, time, steps, static_cast<std::size_t>(segments)));
-    }
+    for (const double time : how.times) all.push_back(averaged_over(window, time, how));
     return all;
 }
 

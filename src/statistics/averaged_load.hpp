@@ -16,17 +16,25 @@ struct AveragedLoad {
     std::vector<double> segment_maximum;  ///< largest running mean that ends in each segment, N
     double mean_maximum = 0;              ///< mean of the segment maxima, N
     double sd_maximum = 0;                ///< population SD of the segment maxima, N
+    std::vector<double> peaks;            ///< declustered peaks of the running means above their mean, falling, N
+};
+
+/// How a window is looked at.
+struct Averaging {
+    double time_step = 0;              ///< s
+    int segments = 0;                  ///< equal parts of the window
+    std::span<const double> times;     ///< s, that the load is averaged over
+    double peak_separation = 0;        ///< s, between peaks that count as two
 };
 
 /// Mean of each `count` successive values, by one pass with a compensated sum: result k is that of values[k] …
 /// values[k + count - 1]. `count` at least 1; none where there are fewer values than that.
 std::vector<double> running_means(std::span<const double> values, std::size_t count);
 
-/// One for each of `times`, s, which are rounded to whole steps, at least one. The running means of a window are those
+/// One for each of the times, which are rounded to whole steps, at least one. The running means of a window are those
 /// of which every step lies in the window; each belongs to the segment in which it ends, so the first segment has fewer
 /// by the averaging time less one step. `window`: as load_statistics() takes it; throws std::invalid_argument for a
 /// time longer than a segment.
-std::vector<AveragedLoad> averaged_load(std::span<const double> window, double time_step, int segments,
-                                        std::span<const double> times);
+std::vector<AveragedLoad> averaged_load(std::span<const double> window, const Averaging& how);
 
 }  // namespace floes

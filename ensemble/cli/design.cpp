@@ -1,0 +1,77 @@
+// floes design: the largest load in an exposure, with its uncertainty.
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "cli/commands.hpp"
+#include "cli/terminal.hpp"
+#include "findings/design_load.hpp"
+#include "findings/parts.hpp"
+
+namespace floes {
+namespace {
+
+struct DesignOptions {
+    std::string file;
+    double exposure_h = 3;
+    DesignRequest request;
+    std::string format = "table";
+    std::string window = "given";
+};
+
+std::string answer(const DesignOptions& options) {
+    DesignRequest request = options.request;
+    request.exposure = 3600 * options.exposure_h;
+    const Evidence evidence = read_evidence(options.file, options.window == "auto");
+    const CampaignTable table = with_peaks(options.file, evidence.table);
+    return written(design_sections(evidence.summary, find_design(table, request), request), options.format);
+}
+
+}  // namespace
+
+void add_design(CLI::App& program, int& exit_status) {
+    auto options = std::make_shared<DesignOptions>();
+    CLI::App* verb = program.add_subcommand("design", "Design load: the largest load in an exposure, with its uncertainty");
+    verb->add_option("campaign", options->file, "The campaign file (CAMPAIGN.h5)")->required();
+    verb->add_option("--exposure-h", options->exposure_h, "Exposure, h at full scale")
+        ->check(CLI::Range(1e-3, 1e6))
+        ->capture_default_str();
+    verb->add_option("--quantile", options->request.quantiles,
+                     "Probabilities that the load is not exceeded in the exposure, comma-separated")
+        ->delimiter(',')
+        ->check(CLI::Range(0.001, 0.99999))
+        ->capture_default_str();
+    verb->add_option("--averaging-s", options->request.averaging,
+                     "Time that the load is averaged over, s at full scale: one of the campaign's analysis.averaging_s")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    verb->add_option("--scale", options->request.scale,
+                     "Length at full scale over length in the campaign: loads grow with its cube, times with its square "
+                     "root (Froude)")
+        ->check(CLI::Range(1.0, 1000.0))
+        ->capture_default_str();
+    verb->add_option("--peaks", options->request.share, "Share of the peaks, the highest, that the tails are fitted to")
+        ->check(CLI::Range(0.01, 0.9))
+        ->capture_default_str();
+    verb->add_option("--window", options->window,
+                     "Analysis window: given (as configured), or auto (from the start of the steady state, found in "
+                     "the histories)")
+        ->check(CLI::IsMember({"given", "auto"}))
+        ->capture_default_str();
+    verb->add_option("--format", options->format, "table, json or csv")
+        ->check(CLI::IsMember({"table", "json", "csv"}))
+        ->capture_default_str();
+    verb->footer(
+        "The exposure passes through many arrangements, so the members of a case are pieces of it. Loads of single\n"
+        "steps depend on the time step and are no design loads; averaged ones do not (docs/convergence.md).\n\n"
+        "  floes design table3_physical.h5\n"
+        "  floes design table3_physical.h5 --exposure-h 10 --quantile 0.5,0.9,0.99 --averaging-s 2\n"
+        "  floes design table3_physical.h5 --scale 36 --averaging-s 6 --exposure-h 3      loads at full scale");
+    verb->callback([options, &exit_status] {
+        std::fputs(answer(*options).c_str(), stdout);
+        exit_status = 0;
+    });
+}
+
+}  // namespace floes

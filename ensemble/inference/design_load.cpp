@@ -1,0 +1,271 @@
+#include "inference/design_load.hpp"
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numeric>
+
+namespace floes {
+namespace {
+
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+constexpr double fit_budget = 5e5;  // peaks fitted in all resamples; at least 199 resamples, at most 999
+constexpr std::size_t most_left_out = 100;  // rows, or groups of rows, that the jackknife leaves out in turn
+
+using Rows = std::span<const std::uint32_t>;
+
+/// Expected largest load, then its quantiles.
+using Figures = std::vector<double>;
+
+Figures figures_of(const Tail& tail, const Exposure& exposure) {
+    Figures figures{expected_largest(tail, exposure.time)};
+    for (const double p : exposure.probabilities) figures.push_back(quantile_of_largest(tail, exposure.time, p));
+    return figures;
+}
+
+/// The mean of the largest of `count` maxima: Gumbel's moves by scale log count, GEV's by the power of count.
+double expected_of_maxima(const ExtremeFit& fit, double count) {
+    if (std::abs(fit.shape) < 1e-9)
+        return fit.location + fit.scale * (std::log(count) + boost::math::constants::euler<double>());
+    if (fit.shape >= 1) return undefined;
+    return fit.location + fit.scale / fit.shape * (std::pow(count, fit.shape) * std::tgamma(1 - fit.shape) - 1);
+}
+
+Figures figures_of(const ExtremeFit& fit, const Exposure& exposure, double segment) {
+    const double count = exposure.time / segment;
+    Figures figures(exposure.probabilities.size() + 1, undefined);
+    if (!fit.valid()) return figures;
+    figures[0] = expected_of_maxima(fit, count);
+    for (std::size_t k = 0; k < exposure.probabilities.size(); ++k)
+        figures[k + 1] = extreme_quantile(fit, std::exp(std::log(exposure.probabilities[k]) / count));
+    return figures;
+}
+
+std::vector<std::uint32_t> all_of(std::size_t count) {
+    std::vector<std::uint32_t> rows(count);
+    std::iota(rows.begin(), rows.end(), 0u);
+    return rows;
+}
+
+/// The peak that the given share of all peaks exceeds.
+double threshold_of(const std::vector<PeakRow>& rows, double share) {
+    std::vector<double> all;
+    for (const PeakRow& row : rows) all.insert(all.end(), row.peaks.begin(), row.peaks.end());
+    if (all.empty()) return undefined;
+    std::ranges::sort(all);
+    return quantile_of_sorted(all, 1 - share);
+}
+
+struct BothTails {
+    Tail pareto;
+    Tail weibull;
+
+    bool valid() const { return pareto.valid() && weibull.valid(); }
+    /// Akaike weight; both have as many parameters.
+    double weibull_weight() const { return 1 / (1 + std::exp(pareto.log_likelihood - weibull.log_likelihood)); }
+};
+
+/// Fits the peaks above one threshold, of rows drawn from all.
+class TailFitter {
+  public:
+    TailFitter(const std::vector<PeakRow>& rows, double window, double origin, double threshold)
+        : rows_(rows), window_(window), origin_(origin), threshold_(threshold) {}
+
+    BothTails fit(Rows drawn) const {
+        std::vector<double> excesses;
+        for (const std::uint32_t row : drawn)
+            for (const double peak : rows_[row].peaks) {
+                if (!(peak > threshold_)) break;  // they fall
+                excesses.push_back(peak - threshold_);
+            }
+        const double time = window_ * static_cast<double>(drawn.size());
+        return {fit_tail(TailKind::pareto, excesses, threshold_, origin_, time),
+                fit_tail(TailKind::weibull, excesses, threshold_, origin_, time)};
+    }
+
+  private:
+    const std::vector<PeakRow>& rows_;
+    double window_;
+    double origin_;
+    double threshold_;
+};
+
+/// A draw a row, a figure a column.
+using Draws = std::vector<Figures>;
+
+std::vector<double> column(const Draws& draws, std::size_t figure) {
+    std::vector<double> values;
+    for (const Figures& row : draws) values.push_back(row[figure]);
+    return values;
+}
+
+/// The figures of each tail from all rows, resampled, and with rows left out in turn.
+struct TailDraws {
+    Figures all;
+    Draws resampled;
+    Draws without;
+
+    /// Sorted draws whose percentiles are the BCa limits.
+    std::vector<double> corrected(std::size_t figure) const {
+        return bca_draws(column(resampled, figure), all[figure], column(without, figure));
+    }
+};
+
+/// The 95 % limits of draws of two tails that weigh `second` and one minus that.
+Limits mixed_limits(const std::vector<double>& one, const std::vector<double>& other, double second) {
+    std::vector<std::pair<double, double>> draws;  // value, weight
+    for (const double value : one) draws.emplace_back(value, (1 - second) / static_cast<double>(one.size()));
+    for (const double value : other) draws.emplace_back(value, second / static_cast<double>(other.size()));
+    std::ranges::sort(draws);
+    const auto quantile = [&](double p) {
+        double sum = 0;
+        for (const auto& [value, weight] : draws)
+            if ((sum += weight) >= p) return value;
+        return draws.back().first;
+    };
+    return {quantile(0.025), quantile(0.975)};
+}
+
+DesignEstimate estimate(LargestBy method, const Figures& values, const std::function<Limits(std::size_t)>& limits) {
+    DesignEstimate made{.method = method, .expected = {values[0], limits(0)}, .quantiles = {}};
+    for (std::size_t k = 1; k < values.size(); ++k) made.quantiles.push_back({values[k], limits(k)});
+    return made;
+}
+
+int resamples_for(std::size_t values) {
+    return static_cast<int>(std::clamp(fit_budget / static_cast<double>(std::max<std::size_t>(values, 1)), 199.0, 999.0));
+}
+
+/// Every row left out in turn; of many rows, every hundredth together.
+template <class Use>
+void leave_out(std::size_t rows, Use use) {
+    const std::size_t groups = std::min(rows, most_left_out);
+    for (std::size_t group = 0; group < groups; ++group) {
+        std::vector<std::uint32_t> others = all_of(rows);
+        std::erase_if(others, [&](std::uint32_t row) { return row % groups == group; });
+        use(others);
+    }
+}
+
+void add_tails(const std::vector<PeakRow>& rows, const TailFitter& fitter, const Exposure& exposure, DesignLoad& load) {
+    const BothTails tails = fitter.fit(all_of(rows.size()));
+    if (!tails.valid()) return;
+    const double weight = tails.weibull_weight();
+    load.pareto_shape = tails.pareto.shape;
+    load.weibull_shape = tails.weibull.shape;
+    load.weibull_weight = weight;
+    TailDraws pareto{.all = figures_of(tails.pareto, exposure), .resampled = {}, .without = {}};
+    TailDraws weibull{.all = figures_of(tails.weibull, exposure), .resampled = {}, .without = {}};
+    const auto take = [&](Rows drawn, Draws TailDraws::*into) {
+        const BothTails found = fitter.fit(drawn);
+        if (!found.valid()) return;
+        (pareto.*into).push_back(figures_of(found.pareto, exposure));
+        (weibull.*into).push_back(figures_of(found.weibull, exposure));
+    };
+    bootstrap(rows.size(),
+              [&](Rows drawn) {
+                  take(drawn, &TailDraws::resampled);
+                  return 0.0;
+              },
+              {.resamples = resamples_for(load.peaks)});
+    leave_out(rows.size(), [&](const std::vector<std::uint32_t>& others) { take(others, &TailDraws::without); });
+    const auto mean = [&](const Figures& one, const Figures& other) {
+        Figures both(one.size());
+        for (std::size_t k = 0; k < one.size(); ++k) both[k] = (1 - weight) * one[k] + weight * other[k];
+        return both;
+    };
+    std::vector<std::vector<double>> of_pareto, of_weibull;
+    for (std::size_t k = 0; k <= exposure.probabilities.size(); ++k) {
+        of_pareto.push_back(pareto.corrected(k));
+        of_weibull.push_back(weibull.corrected(k));
+    }
+    const auto limits_of = [](const std::vector<std::vector<double>>& draws) {
+        return [&](std::size_t k) { return percentile_interval(draws[k]); };
+    };
+    load.estimates.push_back(estimate(LargestBy::both_tails, mean(pareto.all, weibull.all), [&](std::size_t k) {
+        return mixed_limits(of_pareto[k], of_weibull[k], weight);
+    }));
+    load.estimates.push_back(estimate(LargestBy::pareto, pareto.all, limits_of(of_pareto)));
+    load.estimates.push_back(estimate(LargestBy::weibull, weibull.all, limits_of(of_weibull)));
+    for (std::size_t draw = 0; draw < pareto.resampled.size(); ++draw) {
+        const Figures both = mean(pareto.resampled[draw], weibull.resampled[draw]);
+        load.draws.emplace_back(both.begin() + 1, both.end());
+    }
+}
+
+void add_maxima(const std::vector<PeakRow>& rows, double segment, const Exposure& exposure, ExtremeKind kind,
+                DesignLoad& load) {
+    const auto maxima_of = [&](Rows drawn) {
+        std::vector<double> maxima;
+        for (const std::uint32_t row : drawn)
+            maxima.insert(maxima.end(), rows[row].segment_maxima.begin(), rows[row].segment_maxima.end());
+        return maxima;
+    };
+    const std::vector<double> all = maxima_of(all_of(rows.size()));
+    const ExtremeFit fit = fit_maxima(all, kind);
+    Draws draws;
+    if (fit.valid())
+        bootstrap(rows.size(),
+                  [&](Rows drawn) {
+                      const ExtremeFit found = fit_maxima(maxima_of(drawn), kind, &fit);
+                      if (found.valid()) draws.push_back(figures_of(found, exposure, segment));
+                      return 0.0;
+                  },
+                  {.resamples = resamples_for(4 * all.size())});
+    load.estimates.push_back(estimate(kind == ExtremeKind::gumbel ? LargestBy::gumbel : LargestBy::gev,
+                                      figures_of(fit, exposure, segment),
+                                      [&](std::size_t k) { return percentile_interval(column(draws, k)); }));
+}
+
+}  // namespace
+
+std::string_view name_of(LargestBy method) {
+    switch (method) {
+        case LargestBy::both_tails: return "both tails";
+        case LargestBy::pareto: return "Pareto tail";
+        case LargestBy::weibull: return "Weibull tail";
+        case LargestBy::gumbel: return "Gumbel";
+        case LargestBy::gev: break;
+    }
+    return "GEV";
+}
+
+DesignLoad design_load(const std::vector<PeakRow>& rows, double window, double segment, double origin,
+                       const Exposure& exposure) {
+    DesignLoad load;
+    load.arrangements = rows.size();
+    load.time_run = window * static_cast<double>(rows.size());
+    load.threshold = threshold_of(rows, exposure.share);
+    for (const PeakRow& row : rows)
+        load.peaks += static_cast<std::size_t>(
+            std::ranges::count_if(row.peaks, [&](double peak) { return peak > load.threshold; }));
+    if (rows.size() < 3 || load.peaks < fewest_peaks || !(load.threshold > origin)) return load;
+    add_tails(rows, TailFitter(rows, window, origin, load.threshold), exposure, load);
+    if (!load.valid()) return load;
+    add_maxima(rows, segment, exposure, ExtremeKind::gumbel, load);
+    add_maxima(rows, segment, exposure, ExtremeKind::gev, load);
+    return load;
+}
+
+std::vector<std::vector<double>> over_thresholds(const std::vector<PeakRow>& rows, double window, double origin,
+                                                 Exposure exposure, const std::vector<double>& shares) {
+    std::vector<std::vector<double>> all;
+    for (const double share : shares) {
+        const double threshold = threshold_of(rows, share);
+        Figures& found = all.emplace_back(exposure.probabilities.size(), undefined);
+        if (!(threshold > origin)) continue;
+        const BothTails tails = TailFitter(rows, window, origin, threshold).fit(all_of(rows.size()));
+        if (!tails.valid()) continue;
+        const double weight = tails.weibull_weight();
+        for (std::size_t k = 0; k < found.size(); ++k) {
+            const double p = exposure.probabilities[k];
+            found[k] = (1 - weight) * quantile_of_largest(tails.pareto, exposure.time, p) +
+                       weight * quantile_of_largest(tails.weibull, exposure.time, p);
+        }
+    }
+    return all;
+}
+
+}  // namespace floes

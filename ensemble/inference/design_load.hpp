@@ -1,0 +1,73 @@
+#pragma once
+// The largest load in a long exposure, from short runs over many arrangements. docs/design_load.md says how, and how well
+// the intervals hold where the truth is known.
+//
+// A member is one row: its peaks and its segment maxima are resampled together.
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "inference/bootstrap.hpp"
+#include "inference/extremes.hpp"
+#include "inference/tails.hpp"
+
+namespace floes {
+
+/// What one arrangement showed of the averaged load.
+struct PeakRow {
+    std::vector<double> peaks;           ///< declustered, falling, N
+    std::vector<double> segment_maxima;  ///< N
+};
+
+struct Exposure {
+    double time = 0;                    ///< s
+    std::vector<double> probabilities;  ///< of not being exceeded, each in (0, 1)
+    double share = 0.25;                ///< of the peaks, the highest, that the tails are fitted to
+};
+
+/// How the largest load is extrapolated.
+enum class LargestBy {
+    both_tails,  ///< Pareto and Weibull, weighted by their likelihoods
+    pareto,      ///< peaks over a threshold
+    weibull,     ///< average exceedance rates
+    gumbel,      ///< segment maxima
+    gev
+};
+std::string_view name_of(LargestBy method);
+
+struct DesignFigure {
+    double value = 0;   ///< N
+    Limits interval{};  ///< 95 %, bootstrap over arrangements
+};
+
+struct DesignEstimate {
+    LargestBy method = LargestBy::both_tails;
+    DesignFigure expected;                ///< mean of the largest load in the exposure
+    std::vector<DesignFigure> quantiles;  ///< in the order of Exposure::probabilities
+};
+
+struct DesignLoad {
+    std::size_t arrangements = 0;
+    double time_run = 0;       ///< s, over all arrangements
+    std::size_t peaks = 0;     ///< above the threshold
+    double threshold = 0;      ///< N
+    double pareto_shape = 0;   ///< ξ: below 0 the load has an upper bound, above 0 a heavy tail
+    double weibull_shape = 0;  ///< c: 1 exponential, 2 Gaussian
+    double weibull_weight = 0;  ///< of the Weibull tail in both_tails, 0-1
+    std::vector<DesignEstimate> estimates;  ///< in the order of LargestBy; empty if there are too few peaks
+    /// Of the quantiles of both_tails, a draw a row: equal rows of two cases with the same arrangements belong together.
+    std::vector<std::vector<double>> draws;
+
+    bool valid() const { return !estimates.empty(); }
+};
+
+/// `window` and `segment`: length of each row's record and of a segment, s. `origin`: mean load, N.
+DesignLoad design_load(const std::vector<PeakRow>& rows, double window, double segment, double origin,
+                       const Exposure& exposure);
+
+/// The quantiles of both_tails with the highest `shares` of the peaks: how much the choice of the threshold decides.
+std::vector<std::vector<double>> over_thresholds(const std::vector<PeakRow>& rows, double window, double origin,
+                                                 Exposure exposure, const std::vector<double>& shares);
+
+}  // namespace floes

@@ -1,0 +1,138 @@
+#include "inference/tails.hpp"
+
+#include <algorithm>
+#include <array>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <limits>
+
+namespace floes {
+namespace {
+
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+constexpr double impossible = 1e300;  // cost outside the range of a parameter
+constexpr double lowest_pareto_shape = -0.5;
+constexpr double highest_pareto_shape = 1;
+constexpr double highest_weibull_shape = 8;
+constexpr double lowest_weibull_shape = 0.2;
+constexpr double small_shape = 1e-9;
+constexpr int bits = 24;  // of a parameter's logarithm; its error by chance is far larger
+
+/// Place of the least cost between `low` and `high`: the best of a grid, then Brent's method round it.
+template <class Cost>
+double least(Cost cost, double low, double high) {
+    constexpr int grid = 24;
+    const auto place = [&](int k) { return low + (high - low) * k / grid; };
+    int best = 0;
+    double lowest = impossible;
+    for (int k = 0; k <= grid; ++k) {
+        if (const double found = cost(place(k)); found < lowest) {
+            lowest = found;
+            best = k;
+        }
+    }
+    return boost::math::tools::brent_find_minima(cost, place(std::max(best - 1, 0)), place(std::min(best + 1, grid)),
+                                                 bits)
+        .first;
+}
+
+struct Fitted {
+    double scale;
+    double shape;
+    double cost;  ///< - log likelihood
+};
+
+/// Grimshaw's profile (Technometrics 35 (1993) 185-191): given θ = ξ/σ the likeliest ξ is the mean of log(1 + θ e). The
+/// search is over w with θ = (e^w - 1) / largest excess, which is all of the range of θ.
+Fitted fit_pareto(std::span<const double> excesses) {
+    const double largest = std::ranges::max(excesses);
+    const double count = static_cast<double>(excesses.size());
+    double mean = 0;
+    for (const double excess : excesses) mean += excess / count;
+    const auto at = [&](double w) -> Fitted {
+        const double theta = std::expm1(w) / largest;
+        double shape = 0;
+        for (const double excess : excesses) shape += std::log1p(theta * excess) / count;
+        if (std::abs(shape) < small_shape) return {mean, 0, count * (std::log(mean) + 1)};
+        if (shape < lowest_pareto_shape || shape > highest_pareto_shape) return {shape / theta, shape, impossible};
+        return {shape / theta, shape, count * (std::log(shape / theta) + shape + 1)};
+    };
+    return at(least([&](double w) { return at(w).cost; }, -7, 7));
+}
+
+/// Given c the likeliest a^c is the mean of (d + e)^c - d^c, where d = u - b.
+Fitted fit_weibull(std::span<const double> excesses, double above_origin) {
+    const double count = static_cast<double>(excesses.size());
+    double logs = 0;
+    for (const double excess : excesses) logs += std::log(above_origin + excess);
+    const auto at = [&](double log_shape) -> Fitted {
+        const double shape = std::exp(log_shape);
+        double mean = 0;
+        for (const double excess : excesses) mean += std::pow(above_origin + excess, shape) / count;
+        mean -= std::pow(above_origin, shape);
+        return {std::pow(mean, 1 / shape), shape, count * (std::log(mean) - log_shape + 1) - (shape - 1) * logs};
+    };
+    const double best = least([&](double log_shape) { return at(log_shape).cost; }, std::log(lowest_weibull_shape),
+                              std::log(highest_weibull_shape));
+    return at(best);
+}
+
+}  // namespace
+
+Tail fit_tail(TailKind kind, std::span<const double> excesses, double threshold, double origin, double time) {
+    Tail tail{.kind = kind,
+              .threshold = threshold,
+              .rate = static_cast<double>(excesses.size()) / time,
+              .origin = origin,
+              .scale = undefined,
+              .shape = undefined,
+              .log_likelihood = undefined};
+    if (excesses.size() < fewest_peaks || std::ranges::min(excesses) == std::ranges::max(excesses)) return tail;
+    const Fitted found = kind == TailKind::pareto ? fit_pareto(excesses) : fit_weibull(excesses, threshold - origin);
+    if (!(found.cost < impossible)) return tail;
+    tail.scale = found.scale;
+    tail.shape = found.shape;
+    tail.log_likelihood = -found.cost;
+    return tail;
+}
+
+double rate_above(const Tail& tail, double x) {
+    const double excess = x - tail.threshold;
+    if (excess <= 0) return tail.rate;
+    if (tail.kind == TailKind::weibull)
+        return tail.rate * std::exp(std::pow((tail.threshold - tail.origin) / tail.scale, tail.shape) -
+                                    std::pow((x - tail.origin) / tail.scale, tail.shape));
+    if (std::abs(tail.shape) < small_shape) return tail.rate * std::exp(-excess / tail.scale);
+    return tail.rate * std::pow(std::max(0.0, 1 + tail.shape * excess / tail.scale), -1 / tail.shape);
+}
+
+double level_at(const Tail& tail, double rate) {
+    const double rarer = std::log(tail.rate / rate);
+    if (rarer <= 0) return tail.threshold;
+    if (tail.kind == TailKind::weibull)
+        return tail.origin +
+               tail.scale * std::pow(std::pow((tail.threshold - tail.origin) / tail.scale, tail.shape) + rarer,
+                                     1 / tail.shape);
+    if (std::abs(tail.shape) < small_shape) return tail.threshold + tail.scale * rarer;
+    return tail.threshold + tail.scale / tail.shape * std::expm1(tail.shape * rarer);
+}
+
+double quantile_of_largest(const Tail& tail, double exposure, double p) {
+    return level_at(tail, -std::log(p) / exposure);
+}
+
+// The integral of the quantile over p, with p = exp(-e^t): the trapezoid rule is exact to many digits for it.
+double expected_largest(const Tail& tail, double exposure) {
+    constexpr double step = 0.125;
+    constexpr double first = -34;  // the largest is beyond with probability e^first
+    constexpr int count = 304;     // to t = 4, where p is e^-54
+    double sum = 0;
+    for (int k = 0; k < count; ++k) {
+        const double t = first + step * k;
+        const double y = std::exp(t);
+        sum += level_at(tail, y / exposure) * y * std::exp(-y) * step;
+    }
+    return sum;
+}
+
+}  // namespace floes

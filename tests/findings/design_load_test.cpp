@@ -1,0 +1,129 @@
+// The design load as a finding: rows of a case, Froude's law, pairs, and what cannot be answered.
+
+#include "findings/design_load.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "core/random.hpp"
+#include "support/refusal.hpp"
+
+namespace floes {
+namespace {
+
+using testing::HasSubstr;
+
+/// Two cases over the same 40 arrangements, exponential peaks of 20 N above 30 N; the second has half as much more.
+CampaignTable campaign() {
+    CampaignTable table;
+    table.title = "example";
+    table.averaging_times = {0.5, 1};
+    for (const char* name : {"weak", "strong"}) {
+        CaseRow row;
+        row.name = name;
+        row.shape = Shape({{-0.4, 0.2}, {0.1, 0.7}});
+        row.analysis.steady_start = 10;
+        row.analysis.window = 100;
+        row.analysis.segments = 4;
+        table.cases.push_back(row);
+    }
+    for (int arrangement = 0; arrangement < 40; ++arrangement) {
+        RandomStream random{5, static_cast<std::uint32_t>(arrangement), StreamId::bootstrap, 0};
+        std::vector<double> peaks(20);
+        for (double& peak : peaks) peak = 30 - 20 * std::log(random.uniform(1e-16, 1));
+        std::ranges::sort(peaks, std::ranges::greater{});
+        for (int k = 0; k < 2; ++k) {
+            MemberRow row;
+            row.case_index = k;
+            row.arrangement = arrangement;
+            row.status = RowStatus::done;
+            row.load.mean = 20;
+            row.load.steady = true;
+            AveragedLoad averaged;
+            averaged.time = 1;
+            for (const double peak : peaks) averaged.peaks.push_back(k == 0 ? peak : 1.5 * peak);
+            averaged.segment_maximum.assign(averaged.peaks.begin(), averaged.peaks.begin() + 4);
+            row.averaged.push_back(averaged);
+            table.members.push_back(row);
+        }
+    }
+    return table;
+}
+
+nlohmann::json answer(const DesignRequest& request) {
+    const CampaignTable table = campaign();
+    return nlohmann::json::parse(json(design_sections(summarise(table), find_design(table, request), request)));
+}
+
+double load_of(const nlohmann::json& told, const std::string& name, const std::string& method = "both tails") {
+    for (const auto& one : told.at("design").at("loads"))
+        if (one.at("case") == name && one.at("method") == method && one.at("figure") == "quantile")
+            return one.at("load_N");
+    ADD_FAILURE() << "no load of " << name << " in " << told;
+    return 0;
+}
+
+TEST(DesignFinding, HasEveryCaseMethodAndFigure) {
+    const nlohmann::json told = answer({});
+    EXPECT_EQ(told.at("design").at("loads").size(), 2u * 5 * 2);
+    EXPECT_NEAR(load_of(told, "weak"), 30 + 20 * std::log(10800 * 0.2 / -std::log(0.9)), 40);
+    EXPECT_EQ(told.at("design").at("basis").at(0).at("arrangements"), 40);
+    EXPECT_EQ(told.at("design").at("basis").at(0).at("peaks"), 200);
+}
+
+TEST(DesignFinding, GrowsByFroude) {
+    const double scale = 36;
+    const nlohmann::json model = answer({});
+    const nlohmann::json full = answer({.exposure = 6 * 10800, .averaging = 6, .scale = scale});
+    EXPECT_NEAR(load_of(full, "weak") / load_of(model, "weak"), scale * scale * scale, 1e-6);
+    EXPECT_EQ(full.at("design").at("basis").at(0).at("model_exposure_s"), 10800);
+}
+
+TEST(DesignFinding, ComparesCasesOverTheSameArrangements) {
+    const nlohmann::json pair = answer({}).at("design").at("pairs").at(0);
+    EXPECT_EQ(pair.at("first"), "weak");
+    EXPECT_EQ(pair.at("second"), "strong");
+    // The loads vary together, so the difference is far more certain than either.
+    EXPECT_GT(pair.at("low").get<double>(), 0);
+    EXPECT_LT(pair.at("high").get<double>() - pair.at("low").get<double>(), 0.7 * pair.at("difference_N").get<double>());
+}
+
+TEST(DesignFinding, PairsNoOtherArrangements) {
+    CampaignTable table = campaign();
+    table.members.back().arrangement = 99;
+    const auto told = nlohmann::json::parse(json(design_sections(summarise(table), find_design(table, {}), {})));
+    EXPECT_FALSE(told.at("design").contains("pairs"));
+}
+
+TEST(DesignFinding, SaysWhatItRestsOn) {
+    const CampaignTable table = campaign();
+    const std::string told = text(design_sections(summarise(table), find_design(table, {}), {}), 100);
+    EXPECT_THAT(told, HasSubstr("Design load: the largest load averaged over 1 s in 3 h"));
+    EXPECT_THAT(told, HasSubstr("weak, both tails"));
+    EXPECT_THAT(told, HasSubstr("exposure / time run"));
+    EXPECT_THAT(told, HasSubstr("Far end: an ice sheet."));
+}
+
+TEST(DesignFinding, RefusesAnAveragingTimeThatIsNotThere) {
+    EXPECT_EQ(refusal([] { find_design(campaign(), {.averaging = 3}); }),
+              "The members did not average the load over 3 s; take one of 0.5, 1 s, or run them with another "
+              "analysis.averaging_s.");
+    EXPECT_THAT(refusal([] { find_design(campaign(), {.averaging = 1, .scale = 36}); }),
+                HasSubstr("over 1 s at full scale; take one of 3, 6 s"));
+}
+
+TEST(DesignFinding, SaysWhereThereAreTooFewPeaks) {
+    CampaignTable table = campaign();
+    for (MemberRow& row : table.members)
+        if (row.case_index == 1) row.averaged[0].peaks.resize(2);
+    const std::string told = text(design_sections(summarise(table), find_design(table, {}), {}), 100);
+    EXPECT_THAT(told, HasSubstr("strong: too few peaks ("));
+}
+
+}  // namespace
+}  // namespace floes

@@ -1,0 +1,111 @@
+// Design loads: of peaks that are known, and what the parts have to do with each other. How often the intervals hold:
+// design_coverage_test.cpp.
+
+#include "inference/design_load.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/random.hpp"
+
+namespace floes {
+namespace {
+
+/// Windows of 100 s with about 20 exponential peaks of scale 20 N above 30 N each, and five segments.
+std::vector<PeakRow> exponential_rows(std::size_t count, double scale = 20, std::uint32_t number = 0) {
+    RandomStream random{21, number, StreamId::bootstrap, 0};
+    std::vector<PeakRow> rows(count);
+    for (PeakRow& row : rows) {
+        for (int segment = 0; segment < 5; ++segment) {
+            double largest = 30;
+            for (int k = 0; k < 4; ++k) {
+                row.peaks.push_back(30 - scale * std::log(random.uniform(1e-16, 1)));
+                largest = std::max(largest, row.peaks.back());
+            }
+            row.segment_maxima.push_back(largest);
+        }
+        std::ranges::sort(row.peaks, std::ranges::greater{});
+    }
+    return rows;
+}
+
+const Exposure three_times{.time = 30000, .probabilities = {0.5, 0.9}};
+
+double truth(double p) {
+    return 30 + 20 * std::log(30000 * 0.2 / -std::log(p));
+}
+
+TEST(DesignLoad, OfExponentialPeaksIsWhatTheirTailSays) {
+    const DesignLoad load = design_load(exponential_rows(100), 100, 20, 20, three_times);
+    ASSERT_TRUE(load.valid());
+    EXPECT_EQ(load.arrangements, 100u);
+    EXPECT_EQ(load.time_run, 10000);
+    EXPECT_EQ(load.peaks, 500u);  // a quarter of 2000
+    EXPECT_NEAR(load.threshold, 30 + 20 * std::log(4), 3);
+    ASSERT_EQ(load.estimates.size(), 5u);
+    for (const DesignEstimate& made : load.estimates) {
+        for (std::size_t k = 0; k < 2; ++k) {
+            const DesignFigure& figure = made.quantiles[k];
+            EXPECT_LT(figure.interval.low, figure.value) << name_of(made.method);
+            EXPECT_GT(figure.interval.high, figure.value) << name_of(made.method);
+            EXPECT_NEAR(figure.value / truth(three_times.probabilities[k]), 1, 0.25) << name_of(made.method);
+        }
+        EXPECT_LT(made.quantiles[0].value, made.quantiles[1].value);
+        EXPECT_GT(made.expected.value, made.quantiles[0].value);  // the mean of a largest load is above its median
+        EXPECT_LT(made.expected.value, made.quantiles[1].value);
+    }
+}
+
+TEST(DesignLoad, OfBothTailsLiesBetweenThem) {
+    const DesignLoad load = design_load(exponential_rows(50), 100, 20, 20, three_times);
+    const double one = load.estimates[1].quantiles[1].value;
+    const double other = load.estimates[2].quantiles[1].value;
+    EXPECT_NEAR(load.estimates[0].quantiles[1].value,
+                (1 - load.weibull_weight) * one + load.weibull_weight * other, 1e-9);
+    EXPECT_LE(load.estimates[0].quantiles[1].interval.low,
+              std::max(load.estimates[1].quantiles[1].interval.low, load.estimates[2].quantiles[1].interval.low) + 1e-9);
+}
+
+TEST(DesignLoad, OfLoadsTwiceAsHighIsTwiceAsHigh) {
+    const std::vector<PeakRow> rows = exponential_rows(30);
+    std::vector<PeakRow> doubled = rows;
+    for (PeakRow& row : doubled) {
+        for (double& value : row.peaks) value *= 2;
+        for (double& value : row.segment_maxima) value *= 2;
+    }
+    const DesignLoad one = design_load(rows, 100, 20, 20, three_times);
+    const DesignLoad other = design_load(doubled, 100, 20, 40, three_times);
+    for (std::size_t method = 0; method < one.estimates.size(); ++method) {
+        const DesignFigure& low = one.estimates[method].quantiles[1];
+        const DesignFigure& high = other.estimates[method].quantiles[1];
+        EXPECT_NEAR(high.value / low.value, 2, 1e-3) << name_of(one.estimates[method].method);
+        EXPECT_NEAR(high.interval.high / low.interval.high, 2, 1e-2) << name_of(one.estimates[method].method);
+    }
+}
+
+TEST(DesignLoad, IsTheSameAgain) {
+    const DesignLoad one = design_load(exponential_rows(30), 100, 20, 20, three_times);
+    const DesignLoad other = design_load(exponential_rows(30), 100, 20, 20, three_times);
+    EXPECT_EQ(one.estimates[0].quantiles[1].interval, other.estimates[0].quantiles[1].interval);
+    EXPECT_EQ(one.draws, other.draws);
+}
+
+TEST(DesignLoad, OfTooFewPeaksIsNone) {
+    EXPECT_FALSE(design_load(exponential_rows(2), 100, 20, 20, three_times).valid());
+    EXPECT_FALSE(design_load({}, 100, 20, 20, three_times).valid());
+    EXPECT_FALSE(design_load(exponential_rows(30), 100, 20, 500, three_times).valid());  // no peak above the mean
+}
+
+TEST(DesignLoad, OverThresholdsAgreesWithItself) {
+    const std::vector<PeakRow> rows = exponential_rows(50);
+    const DesignLoad load = design_load(rows, 100, 20, 20, three_times);
+    const auto found = over_thresholds(rows, 100, 20, three_times, {0.5, 0.25, 1e-3});
+    EXPECT_NEAR(found[1][1], load.estimates[0].quantiles[1].value, 1e-9);
+    EXPECT_NEAR(found[0][1] / found[1][1], 1, 0.2);
+    EXPECT_TRUE(std::isnan(found[2][1]));  // a single peak
+}
+
+}  // namespace
+}  // namespace floes
