@@ -28,7 +28,8 @@ WINDOW_START = 120  # s; where the steady window of the scattered fields begins
 LABELS = {"mean_N": "mean load, N", "sd_N": "SD, N", "segment_1_maximum_N": "maximum 0-50 s, N",
           "segment_2_maximum_N": "maximum 50-100 s, N", "segment_3_maximum_N": "maximum 100-150 s, N",
           "mean_maximum_N": "mean of the maxima, N", "sd_maximum_N": "SD of the maxima, N",
-          "maximum_N": "largest load, N", "failure_ratio": "broken floes, %"}
+          "mean_maximum_1s_N": "mean of the maxima over 1 s, N", "maximum_N": "largest load, N",
+          "failure_ratio": "broken floes, %"}
 
 
 def members(name):

@@ -18,8 +18,10 @@ void measure(MemberRow& row, std::span<const double> window, double step, const 
     row.load = load_statistics(window, step, analysis.segments);
     std::vector<double> times;
     for (const AveragedLoad& one : row.averaged) times.push_back(one.time);
-    row.averaged = averaged_load(
-        window, {.time_step = step, .segments = analysis.segments, .times = times, .peak_separation = analysis.peak_separation});
+    row.averaged = averaged_load(window, {.time_step = step,
+                                          .segments = analysis.segments,
+                                          .times = times,
+                                          .peak_separation = analysis.peak_separation});
     const std::vector<LevelCount> counts = count_levels(window, levels);
     for (std::size_t k = 0; k < levels.size(); ++k) {
         if (std::isnan(row.steps_above[k])) continue;

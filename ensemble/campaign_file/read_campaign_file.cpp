@@ -185,7 +185,8 @@ void read_averaged(hid_t file, CampaignTable& table) {
         const auto segments = table.cases.at(static_cast<std::size_t>(row.case_index)).analysis.segments;
         for (std::size_t i = 0; i < times; ++i) {
             const auto first = maxima.begin() + static_cast<std::ptrdiff_t>((k * times + i) * width);
-            row.averaged.push_back({.time = table.averaging_times[i], .segment_maximum = {first, first + segments}, .peaks = {}});
+            row.averaged.push_back(
+                {.time = table.averaging_times[i], .segment_maximum = {first, first + segments}, .peaks = {}});
         }
     }
     for (const Quantity& one : quantities) {

@@ -6,7 +6,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
-#include "findings/design_load.hpp"
+#include "findings/design_section.hpp"
 #include "findings/parts.hpp"
 
 namespace floes {
@@ -32,7 +32,8 @@ std::string answer(const DesignOptions& options) {
 
 void add_design(CLI::App& program, int& exit_status) {
     auto options = std::make_shared<DesignOptions>();
-    CLI::App* verb = program.add_subcommand("design", "Design load: the largest load in an exposure, with its uncertainty");
+    CLI::App* verb =
+        program.add_subcommand("design", "Design load: the largest load in an exposure, with its uncertainty");
     verb->add_option("campaign", options->file, "The campaign file (CAMPAIGN.h5)")->required();
     verb->add_option("--exposure-h", options->exposure_h, "Exposure, h at full scale")
         ->check(CLI::Range(1e-3, 1e6))
@@ -46,9 +47,10 @@ void add_design(CLI::App& program, int& exit_status) {
                      "Time that the load is averaged over, s at full scale: one of the campaign's analysis.averaging_s")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
-    verb->add_option("--scale", options->request.scale,
-                     "Length at full scale over length in the campaign: loads grow with its cube, times with its square "
-                     "root (Froude)")
+    verb->add_option(
+            "--scale", options->request.scale,
+            "Length at full scale over length in the campaign: loads grow with its cube, times with its square "
+            "root (Froude)")
         ->check(CLI::Range(1.0, 1000.0))
         ->capture_default_str();
     verb->add_option("--peaks", options->request.share, "Share of the peaks, the highest, that the tails are fitted to")

@@ -4,23 +4,19 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "campaign_file/measure_anew.hpp"
 #include "core/error.hpp"
-#include "core/units.hpp"
-#include "findings/conditions.hpp"
-#include "tables/number_text.hpp"
 
 namespace floes {
 namespace {
 
-constexpr double seconds_an_hour = 3600;
-
+/// A load that does not vary has none.
 bool has_peaks(const CampaignTable& table) {
     return std::ranges::all_of(table.members, [](const MemberRow& row) {
-        return !row.done() || std::ranges::any_of(row.averaged, [](const AveragedLoad& one) { return !one.peaks.empty(); });
+        return !row.done() || row.load.sd == 0 ||
+               std::ranges::any_of(row.averaged, [](const AveragedLoad& one) { return !one.peaks.empty(); });
     });
 }
 
@@ -31,222 +27,10 @@ double averaging_time(const CampaignTable& table, const DesignRequest& request) 
     std::vector<std::string> there;
     for (const double time : table.averaging_times)
         there.push_back(fmt::format("{:.3g}", time * std::sqrt(request.scale)));
-    throw InputError(fmt::format("The members did not average the load over {:g} s{}; take one of {} s, or run them with "
-                                 "another analysis.averaging_s.",
-                                 request.averaging, request.scale == 1 ? "" : " at full scale", fmt::join(there, ", ")));
-}
-
-/// The unit in which loads are shown, and N to it.
-struct LoadUnit {
-    const char* name;
-    double factor;
-};
-
-LoadUnit unit_for(const std::vector<CaseDesign>& designs, const DesignRequest& request) {
-    double largest = 0;
-    for (const CaseDesign& one : designs)
-        for (const DesignEstimate& made : one.load.estimates)
-            for (const DesignFigure& figure : made.quantiles)
-                if (figure.value > largest) largest = figure.value;
-    largest *= request.force_factor();
-    const LoadUnit unit = largest < 1e4 ? LoadUnit{"N", 1} : largest < 1e7 ? LoadUnit{"kN", 1e-3} : LoadUnit{"MN", 1e-6};
-    return {unit.name, unit.factor * request.force_factor()};
-}
-
-Cell load_cell(const DesignFigure& figure, double factor) {
-    const int decimals = std::abs(factor * figure.value) < 100 ? 1 : 0;
-    return {fixed(factor * figure.value, decimals),
-            bracket(factor * figure.interval.low, factor * figure.interval.high, decimals)};
-}
-
-std::string percent(double share) {
-    return fmt::format("{:.3g} %", share / unit::percent);
-}
-
-std::string scale_words(const DesignRequest& request) {
-    if (request.scale == 1) return "";
-    return fmt::format(
-        "\nFull scale by Froude, 1 : {0:g}: lengths x {0:g}, times x {1:.3g}, loads x {2:.3g}. The strength of the ice and\n"
-        "its modulus are then {0:g} times those of the campaign.\n",
-        request.scale, std::sqrt(request.scale), request.force_factor());
-}
-
-Section loads_section(const Summary& summary, const std::vector<CaseDesign>& designs, const DesignRequest& request) {
-    const LoadUnit unit = unit_for(designs, request);
-    Table table{{"case", {fmt::format("expected, {}", unit.name), ""}}};
-    for (const double p : request.quantiles)
-        table.front().push_back({fmt::format("exceeded with {}, {}", percent(1 - p), unit.name), ""});
-    for (const CaseDesign& one : designs) {
-        const std::string& name = summary.name_of(one.case_index);
-        if (!one.load.valid()) {
-            table.emplace_back(table.front().size(), "").front() =
-                fmt::format("{}: too few peaks ({}) to fit", name, one.load.peaks);
-            continue;
-        }
-        for (const DesignEstimate& made : one.load.estimates) {
-            std::vector<Cell>& line = table.emplace_back();
-            const bool first = made.method == LargestBy::both_tails;
-            line.emplace_back(first ? fmt::format("{}, {}", name, name_of(made.method))
-                                    : fmt::format("  {}", name_of(made.method)));
-            line.push_back(load_cell(made.expected, unit.factor));
-            for (const DesignFigure& figure : made.quantiles) line.push_back(load_cell(figure, unit.factor));
-        }
-    }
-    std::string before = fmt::format("Design load: the largest load averaged over {:g} s in {:g} h\n\n", request.averaging,
-                                     request.exposure / seconds_an_hour);
-    return {.before = std::move(before),
-            .table = std::move(table),
-            .after = "\nBrackets: 95 % by bootstrap over arrangements. Both tails: Pareto and Weibull tail, weighted by how\n"
-                     "likely each makes the peaks; its interval includes which of them it is. Gumbel and GEV: of the segment\n"
-                     "maxima. docs/design_load.md\n" +
-                     scale_words(request)};
-}
-
-/// How far the methods lie apart, relative to the load by both tails; of the first quantile.
-double disagreement(const DesignLoad& load) {
-    double least = load.estimates.front().quantiles.front().value;
-    double most = least;
-    for (const DesignEstimate& made : load.estimates) {
-        const double value = made.quantiles.front().value;
-        if (!std::isfinite(value)) continue;
-        least = std::min(least, value);
-        most = std::max(most, value);
-    }
-    return (most - least) / load.estimates.front().quantiles.front().value;
-}
-
-Section basis_section(const Summary& summary, const std::vector<CaseDesign>& designs, const DesignRequest& request) {
-    const LoadUnit unit = unit_for(designs, request);
-    Table table{{"what it rests on"}};
-    const auto row = [&](std::string label, auto cell) {
-        std::vector<Cell>& line = table.emplace_back();
-        line.emplace_back(std::move(label));
-        for (const CaseDesign& one : designs)
-            line.push_back(one.load.valid() ? Cell{cell(one)} : Cell{"–"});
-    };
-    for (const CaseDesign& one : designs) table.front().emplace_back(summary.name_of(one.case_index));
-    row("arrangements", [](const CaseDesign& one) { return fmt::format("{}", one.load.arrangements); });
-    row("time run, h", [&](const CaseDesign& one) {
-        return fmt::format("{:.3g}", one.load.time_run * std::sqrt(request.scale) / seconds_an_hour);
-    });
-    row("exposure / time run",
-        [&](const CaseDesign& one) { return fmt::format("{:.2g}", request.model_exposure() / one.load.time_run); });
-    row("not steady", [&](const CaseDesign& one) { return fmt::format("{}", summary.cases[one.case_index].not_steady); });
-    row(fmt::format("threshold, {}", unit.name),
-        [&](const CaseDesign& one) { return fmt::format("{:.3g}", unit.factor * one.load.threshold); });
-    row("peaks above", [](const CaseDesign& one) { return fmt::format("{}", one.load.peaks); });
-    row("ξ of the Pareto tail", [](const CaseDesign& one) { return fmt::format("{:.2f}", one.load.pareto_shape); });
-    row("c of the Weibull tail", [](const CaseDesign& one) { return fmt::format("{:.2f}", one.load.weibull_shape); });
-    row("weight of the Weibull tail",
-        [](const CaseDesign& one) { return fmt::format("{:.2f}", one.load.weibull_weight); });
-    for (std::size_t k = 0; k < std::size(threshold_shares); ++k)
-        row(fmt::format("with the highest {} of the peaks, {}", percent(threshold_shares[k]), unit.name),
-            [&](const CaseDesign& one) { return fmt::format("{:.3g}", unit.factor * one.over_shares[k]); });
-    row("methods differ by", [](const CaseDesign& one) { return fmt::format("{:.0f} %", 100 * disagreement(one.load)); });
-    row("more arrangements for half the interval",
-        [](const CaseDesign& one) { return fmt::format("{}", 3 * one.load.arrangements); });
-    const double separation = designs.empty() ? 0 : designs.front().separation * std::sqrt(request.scale);
-    return {.before = "",
-            .table = std::move(table),
-            .after = fmt::format("\nPeaks are at least {:g} s apart, the tails fitted to the highest {} of them. ξ below 0: "
-                                 "the load is bounded;\nabove 0: its tail is heavy. c: 1 exponential, 2 Gaussian. The load "
-                                 "with other shares of the peaks, and\nthe methods' difference, are of the load exceeded "
-                                 "with {}.\n",
-                                 separation, percent(request.share), percent(1 - request.quantiles.front()))};
-}
-
-/// The difference of the first quantile between two cases over the same arrangements.
-struct Paired {
-    const CaseDesign* first;
-    const CaseDesign* second;
-    DesignFigure difference;  ///< second - first
-};
-
-std::vector<Paired> pairs_of(const std::vector<CaseDesign>& designs) {
-    std::vector<Paired> pairs;
-    for (std::size_t a = 0; a < designs.size(); ++a) {
-        for (std::size_t b = a + 1; b < designs.size(); ++b) {
-            const CaseDesign& one = designs[a];
-            const CaseDesign& other = designs[b];
-            if (!one.load.valid() || !other.load.valid() || one.arrangements != other.arrangements ||
-                one.load.draws.size() != other.load.draws.size())
-                continue;
-            std::vector<double> differences;
-            for (std::size_t k = 0; k < one.load.draws.size(); ++k)
-                differences.push_back(other.load.draws[k].front() - one.load.draws[k].front());
-            const auto value = [](const CaseDesign& of) { return of.load.estimates.front().quantiles.front().value; };
-            pairs.push_back({&one, &other, {value(other) - value(one), percentile_interval(std::move(differences))}});
-        }
-    }
-    return pairs;
-}
-
-Section pairs_section(const Summary& summary, const std::vector<CaseDesign>& designs, const DesignRequest& request) {
-    const std::vector<Paired> pairs = pairs_of(designs);
-    if (pairs.empty()) return {};
-    const LoadUnit unit = unit_for(designs, request);
-    Table table{{"pair", {fmt::format("difference, {}", unit.name), ""}}};
-    for (const Paired& one : pairs)
-        table.push_back({fmt::format("{} - {}", summary.name_of(one.second->case_index),
-                                     summary.name_of(one.first->case_index)),
-                         load_cell(one.difference, unit.factor)});
-    std::vector<RecordField<Paired>> columns{
-        {"first", [&](const Paired& one) { return summary.name_of(one.first->case_index); }},
-        {"second", [&](const Paired& one) { return summary.name_of(one.second->case_index); }},
-        {"difference_N", [&](const Paired& one) { return request.force_factor() * one.difference.value; }},
-        {"low", [&](const Paired& one) { return request.force_factor() * one.difference.interval.low; }},
-        {"high", [&](const Paired& one) { return request.force_factor() * one.difference.interval.high; }}};
-    return {.before = "",
-            .table = std::move(table),
-            .after = fmt::format("\nDifferences of the load exceeded with {}, by both tails, over the same arrangements.\n",
-                                 percent(1 - request.quantiles.front())),
-            .records = {json_only(make_records<Paired>("design/pairs", pairs, columns))}};
-}
-
-/// A line for each case, method and figure.
-Records load_records(const Summary& summary, const std::vector<CaseDesign>& designs, const DesignRequest& request) {
-    struct Line {
-        const CaseDesign* of;
-        const DesignEstimate* made;
-        const DesignFigure* figure;
-        double probability;  ///< NaN for the expected load
-    };
-    std::vector<Line> lines;
-    for (const CaseDesign& one : designs)
-        for (const DesignEstimate& made : one.load.estimates) {
-            lines.push_back({&one, &made, &made.expected, std::nan("")});
-            for (std::size_t k = 0; k < made.quantiles.size(); ++k)
-                lines.push_back({&one, &made, &made.quantiles[k], request.quantiles[k]});
-        }
-    const double factor = request.force_factor();
-    return make_records<Line>(
-        "design/loads", lines,
-        {{"case", [&](const Line& line) { return summary.name_of(line.of->case_index); }},
-         {"method", [](const Line& line) { return name_of(line.made->method); }},
-         {"averaging_s", [&](const Line&) { return request.averaging; }},
-         {"exposure_h", [&](const Line&) { return request.exposure / seconds_an_hour; }},
-         {"scale", [&](const Line&) { return request.scale; }},
-         {"figure", [](const Line& line) { return std::isnan(line.probability) ? "expected" : "quantile"; }},
-         {"probability", [](const Line& line) { return line.probability; }},
-         {"load_N", [=](const Line& line) { return factor * line.figure->value; }},
-         {"low", [=](const Line& line) { return factor * line.figure->interval.low; }},
-         {"high", [=](const Line& line) { return factor * line.figure->interval.high; }}});
-}
-
-/// What the loads rest on, one record for each case.
-Records basis_records(const Summary& summary, const std::vector<CaseDesign>& designs, const DesignRequest& request) {
-    return json_only(make_records<CaseDesign>(
-        "design/basis", designs,
-        {{"case", [&](const CaseDesign& one) { return summary.name_of(one.case_index); }},
-         {"arrangements", [](const CaseDesign& one) { return one.load.arrangements; }},
-         {"time_run_s", [](const CaseDesign& one) { return one.load.time_run; }},
-         {"model_exposure_s", [&](const CaseDesign&) { return request.model_exposure(); }},
-         {"peak_separation_s", [](const CaseDesign& one) { return one.separation; }},
-         {"peaks", [](const CaseDesign& one) { return one.load.peaks; }},
-         {"model_threshold_N", [](const CaseDesign& one) { return one.load.threshold; }},
-         {"pareto_shape", [](const CaseDesign& one) { return one.load.pareto_shape; }},
-         {"weibull_shape", [](const CaseDesign& one) { return one.load.weibull_shape; }},
-         {"weibull_weight", [](const CaseDesign& one) { return one.load.weibull_weight; }}}));
+    throw InputError(
+        fmt::format("The members did not average the load over {:g} s{}; take one of {} s, or run them with "
+                    "another analysis.averaging_s.",
+                    request.averaging, request.scale == 1 ? "" : " at full scale", fmt::join(there, ", ")));
 }
 
 }  // namespace
@@ -269,9 +53,10 @@ CampaignTable with_peaks(const std::filesystem::path& path, CampaignTable table)
     for (const CaseRow& one : table.cases) windows.push_back(one.analysis);
     table = measured_anew(path, std::move(table), windows);
     if (!has_peaks(table))
-        throw InputError(fmt::format("The members of {} have no peaks of the averaged load, because an older version ran "
-                                     "them, and no histories to take them from. Run the campaign again.",
-                                     path.string()));
+        throw InputError(
+            fmt::format("The members of {} have no peaks of the averaged load, because an older version ran "
+                        "them, and no histories to take them from. Run the campaign again.",
+                        path.string()));
     return table;
 }
 
@@ -291,27 +76,20 @@ std::vector<CaseDesign> find_design(const CampaignTable& table, const DesignRequ
             if (row.case_index != static_cast<int>(index) || averaged == nullptr) continue;
             rows.push_back({averaged->peaks, averaged->segment_maximum});
             one.arrangements.push_back(row.arrangement);
+            one.peaks.insert(one.peaks.end(), averaged->peaks.begin(), averaged->peaks.end());
             mean += row.load.mean;
         }
+        std::ranges::sort(one.peaks, std::ranges::greater{});
         mean /= std::max(1.0, static_cast<double>(rows.size()));
-        one.load = design_load(rows, about.analysis.window, about.analysis.window / about.analysis.segments, mean, exposure);
-        for (const auto& quantiles : over_thresholds(rows, about.analysis.window, mean, exposure,
-                                                     {std::begin(threshold_shares), std::end(threshold_shares)}))
+        const Measured measured{about.analysis.window, about.analysis.window / about.analysis.segments,
+                                about.analysis.peak_separation, mean};
+        one.load = design_load(rows, measured, exposure);
+        for (const auto& quantiles :
+             over_thresholds(rows, measured, exposure, {std::begin(threshold_shares), std::end(threshold_shares)}))
             one.over_shares.push_back(quantiles.front());
         designs.push_back(std::move(one));
     }
     return designs;
-}
-
-std::vector<Section> design_sections(const Summary& summary, const std::vector<CaseDesign>& designs,
-                                     const DesignRequest& request) {
-    std::vector<Section> sections{loads_section(summary, designs, request), basis_section(summary, designs, request)};
-    sections.front().records = {load_records(summary, designs, request), basis_records(summary, designs, request)};
-    if (Section pairs = pairs_section(summary, designs, request); !pairs.table.empty()) sections.push_back(std::move(pairs));
-    std::string conditions;
-    for (const std::string& line : condition_lines(summary)) conditions += line + "\n";
-    sections.front().before = fmt::format("Campaign {}.\n{}\n", summary.title, conditions) + sections.front().before;
-    return sections;
 }
 
 }  // namespace floes

@@ -13,11 +13,11 @@ namespace floes {
 /// What is asked for, at full scale. Froude: times and speeds grow with the square root of the scale, forces with its
 /// cube.
 struct DesignRequest {
-    double exposure = 3 * 3600;           ///< s
-    std::vector<double> quantiles{0.9};   ///< probabilities of not being exceeded, each in (0, 1)
-    double averaging = 1;                 ///< s, that the load is averaged over
-    double scale = 1;                     ///< length at full scale / length in the campaign
-    double share = 0.25;                  ///< of the peaks, the highest, that the tails are fitted to
+    double exposure = 3 * 3600;          ///< s
+    std::vector<double> quantiles{0.9};  ///< probabilities of not being exceeded, each in (0, 1)
+    double averaging = 1;                ///< s, that the load is averaged over
+    double scale = 1;                    ///< length at full scale / length in the campaign
+    double share = 0.25;                 ///< of the peaks, the highest, that the tails are fitted to
 
     double model_exposure() const;   ///< s
     double model_averaging() const;  ///< s
@@ -26,24 +26,21 @@ struct DesignRequest {
 
 struct CaseDesign {
     std::size_t case_index = 0;
-    double separation = 0;          ///< s, between peaks
-    std::vector<int> arrangements;  ///< of the rows, in their order
-    DesignLoad load;                ///< at the scale of the campaign
+    double separation = 0;            ///< s, between peaks
+    std::vector<int> arrangements;    ///< of the rows, in their order
+    std::vector<double> peaks;        ///< of all rows, falling, N
+    DesignLoad load;                  ///< at the scale of the campaign
     std::vector<double> over_shares;  ///< the first quantile with each of threshold_shares of the peaks
 };
 
 /// Shares of the peaks for which the first quantile is shown, to defend the threshold.
 inline constexpr double threshold_shares[]{0.5, 0.35, 0.25, 0.15, 0.1};
 
-/// The table with the peaks of every done member; where members lack them, as in files before layout 1.6, they are taken
-/// from the histories. Throws InputError if there are none.
+/// The table with the peaks of every done member; where members lack them, as in files before layout 1.6, they are
+/// taken from the histories. Throws InputError if there are none.
 CampaignTable with_peaks(const std::filesystem::path& path, CampaignTable table);
 
 /// One for each case. Throws InputError if the members did not average over that time.
 std::vector<CaseDesign> find_design(const CampaignTable& table, const DesignRequest& request);
-
-/// The loads, what they rest on, and the differences between cases with the same arrangements.
-std::vector<Section> design_sections(const Summary& summary, const std::vector<CaseDesign>& designs,
-                                     const DesignRequest& request);
 
 }  // namespace floes

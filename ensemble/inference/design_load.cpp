@@ -7,11 +7,13 @@
 #include <limits>
 #include <numeric>
 
+#include "inference/hidden_peaks.hpp"
+
 namespace floes {
 namespace {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
-constexpr double fit_budget = 5e5;  // peaks fitted in all resamples; at least 199 resamples, at most 999
+constexpr double fit_budget = 5e5;          // peaks fitted in all resamples; at least 199 resamples, at most 999
 constexpr std::size_t most_left_out = 100;  // rows, or groups of rows, that the jackknife leaves out in turn
 
 using Rows = std::span<const std::uint32_t>;
@@ -70,8 +72,8 @@ struct BothTails {
 /// Fits the peaks above one threshold, of rows drawn from all.
 class TailFitter {
   public:
-    TailFitter(const std::vector<PeakRow>& rows, double window, double origin, double threshold)
-        : rows_(rows), window_(window), origin_(origin), threshold_(threshold) {}
+    TailFitter(const std::vector<PeakRow>& rows, const Measured& measured, double threshold)
+        : rows_(rows), measured_(measured), threshold_(threshold) {}
 
     BothTails fit(Rows drawn) const {
         std::vector<double> excesses;
@@ -80,15 +82,18 @@ class TailFitter {
                 if (!(peak > threshold_)) break;  // they fall
                 excesses.push_back(peak - threshold_);
             }
-        const double time = window_ * static_cast<double>(drawn.size());
-        return {fit_tail(TailKind::pareto, excesses, threshold_, origin_, time),
-                fit_tail(TailKind::weibull, excesses, threshold_, origin_, time)};
+        std::ranges::sort(excesses, std::ranges::greater{});
+        const double time = measured_.window * static_cast<double>(drawn.size());
+        std::vector<double> weights;
+        for (std::size_t higher = 0; higher < excesses.size(); ++higher)
+            weights.push_back(events_per_peak((static_cast<double>(higher) + 0.5) * measured_.separation / time));
+        return {fit_tail(TailKind::pareto, excesses, weights, threshold_, measured_.mean, time),
+                fit_tail(TailKind::weibull, excesses, weights, threshold_, measured_.mean, time)};
     }
 
   private:
     const std::vector<PeakRow>& rows_;
-    double window_;
-    double origin_;
+    Measured measured_;
     double threshold_;
 };
 
@@ -135,7 +140,8 @@ DesignEstimate estimate(LargestBy method, const Figures& values, const std::func
 }
 
 int resamples_for(std::size_t values) {
-    return static_cast<int>(std::clamp(fit_budget / static_cast<double>(std::max<std::size_t>(values, 1)), 199.0, 999.0));
+    return static_cast<int>(
+        std::clamp(fit_budget / static_cast<double>(std::max<std::size_t>(values, 1)), 199.0, 999.0));
 }
 
 /// Every row left out in turn; of many rows, every hundredth together.
@@ -153,8 +159,8 @@ void add_tails(const std::vector<PeakRow>& rows, const TailFitter& fitter, const
     const BothTails tails = fitter.fit(all_of(rows.size()));
     if (!tails.valid()) return;
     const double weight = tails.weibull_weight();
-    load.pareto_shape = tails.pareto.shape;
-    load.weibull_shape = tails.weibull.shape;
+    load.pareto = tails.pareto;
+    load.weibull = tails.weibull;
     load.weibull_weight = weight;
     TailDraws pareto{.all = figures_of(tails.pareto, exposure), .resampled = {}, .without = {}};
     TailDraws weibull{.all = figures_of(tails.weibull, exposure), .resampled = {}, .without = {}};
@@ -223,40 +229,44 @@ void add_maxima(const std::vector<PeakRow>& rows, double segment, const Exposure
 
 std::string_view name_of(LargestBy method) {
     switch (method) {
-        case LargestBy::both_tails: return "both tails";
-        case LargestBy::pareto: return "Pareto tail";
-        case LargestBy::weibull: return "Weibull tail";
-        case LargestBy::gumbel: return "Gumbel";
-        case LargestBy::gev: break;
+        case LargestBy::both_tails:
+            return "both tails";
+        case LargestBy::pareto:
+            return "Pareto tail";
+        case LargestBy::weibull:
+            return "Weibull tail";
+        case LargestBy::gumbel:
+            return "Gumbel";
+        case LargestBy::gev:
+            break;
     }
     return "GEV";
 }
 
-DesignLoad design_load(const std::vector<PeakRow>& rows, double window, double segment, double origin,
-                       const Exposure& exposure) {
+DesignLoad design_load(const std::vector<PeakRow>& rows, const Measured& measured, const Exposure& exposure) {
     DesignLoad load;
     load.arrangements = rows.size();
-    load.time_run = window * static_cast<double>(rows.size());
+    load.time_run = measured.window * static_cast<double>(rows.size());
     load.threshold = threshold_of(rows, exposure.share);
     for (const PeakRow& row : rows)
         load.peaks += static_cast<std::size_t>(
             std::ranges::count_if(row.peaks, [&](double peak) { return peak > load.threshold; }));
-    if (rows.size() < 3 || load.peaks < fewest_peaks || !(load.threshold > origin)) return load;
-    add_tails(rows, TailFitter(rows, window, origin, load.threshold), exposure, load);
+    if (rows.size() < 3 || load.peaks < fewest_peaks || !(load.threshold > measured.mean)) return load;
+    add_tails(rows, TailFitter(rows, measured, load.threshold), exposure, load);
     if (!load.valid()) return load;
-    add_maxima(rows, segment, exposure, ExtremeKind::gumbel, load);
-    add_maxima(rows, segment, exposure, ExtremeKind::gev, load);
+    add_maxima(rows, measured.segment, exposure, ExtremeKind::gumbel, load);
+    add_maxima(rows, measured.segment, exposure, ExtremeKind::gev, load);
     return load;
 }
 
-std::vector<std::vector<double>> over_thresholds(const std::vector<PeakRow>& rows, double window, double origin,
-                                                 Exposure exposure, const std::vector<double>& shares) {
+std::vector<std::vector<double>> over_thresholds(const std::vector<PeakRow>& rows, const Measured& measured,
+                                                 const Exposure& exposure, const std::vector<double>& shares) {
     std::vector<std::vector<double>> all;
     for (const double share : shares) {
         const double threshold = threshold_of(rows, share);
         Figures& found = all.emplace_back(exposure.probabilities.size(), undefined);
-        if (!(threshold > origin)) continue;
-        const BothTails tails = TailFitter(rows, window, origin, threshold).fit(all_of(rows.size()));
+        if (!(threshold > measured.mean)) continue;
+        const BothTails tails = TailFitter(rows, measured, threshold).fit(all_of(rows.size()));
         if (!tails.valid()) continue;
         const double weight = tails.weibull_weight();
         for (std::size_t k = 0; k < found.size(); ++k) {

@@ -1,6 +1,6 @@
 #pragma once
-// The largest load in a long exposure, from short runs over many arrangements. docs/design_load.md says how, and how well
-// the intervals hold where the truth is known.
+// The largest load in a long exposure, from short runs over many arrangements. docs/design_load.md says how, and how
+// well the intervals hold where the truth is known.
 //
 // A member is one row: its peaks and its segment maxima are resampled together.
 
@@ -18,6 +18,14 @@ namespace floes {
 struct PeakRow {
     std::vector<double> peaks;           ///< declustered, falling, N
     std::vector<double> segment_maxima;  ///< N
+};
+
+/// How the rows were measured.
+struct Measured {
+    double window = 0;      ///< length of each row's record, s
+    double segment = 0;     ///< s
+    double separation = 0;  ///< of the peaks, s
+    double mean = 0;        ///< load, N: the origin of the Weibull tail
 };
 
 struct Exposure {
@@ -49,25 +57,24 @@ struct DesignEstimate {
 
 struct DesignLoad {
     std::size_t arrangements = 0;
-    double time_run = 0;       ///< s, over all arrangements
-    std::size_t peaks = 0;     ///< above the threshold
-    double threshold = 0;      ///< N
-    double pareto_shape = 0;   ///< ξ: below 0 the load has an upper bound, above 0 a heavy tail
-    double weibull_shape = 0;  ///< c: 1 exponential, 2 Gaussian
-    double weibull_weight = 0;  ///< of the Weibull tail in both_tails, 0-1
+    double time_run = 0;                    ///< s, over all arrangements
+    std::size_t peaks = 0;                  ///< above the threshold
+    double threshold = 0;                   ///< N
+    Tail pareto;                            ///< shape below 0: the load has an upper bound; above 0: a heavy tail
+    Tail weibull;                           ///< shape 1: exponential; 2: Gaussian
+    double weibull_weight = 0;              ///< of the Weibull tail in both_tails, 0-1
     std::vector<DesignEstimate> estimates;  ///< in the order of LargestBy; empty if there are too few peaks
-    /// Of the quantiles of both_tails, a draw a row: equal rows of two cases with the same arrangements belong together.
+    /// Of the quantiles of both_tails, a draw a row: equal rows of two cases with the same arrangements belong
+    /// together.
     std::vector<std::vector<double>> draws;
 
     bool valid() const { return !estimates.empty(); }
 };
 
-/// `window` and `segment`: length of each row's record and of a segment, s. `origin`: mean load, N.
-DesignLoad design_load(const std::vector<PeakRow>& rows, double window, double segment, double origin,
-                       const Exposure& exposure);
+DesignLoad design_load(const std::vector<PeakRow>& rows, const Measured& measured, const Exposure& exposure);
 
 /// The quantiles of both_tails with the highest `shares` of the peaks: how much the choice of the threshold decides.
-std::vector<std::vector<double>> over_thresholds(const std::vector<PeakRow>& rows, double window, double origin,
-                                                 Exposure exposure, const std::vector<double>& shares);
+std::vector<std::vector<double>> over_thresholds(const std::vector<PeakRow>& rows, const Measured& measured,
+                                                 const Exposure& exposure, const std::vector<double>& shares);
 
 }  // namespace floes

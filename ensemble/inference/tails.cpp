@@ -5,6 +5,7 @@
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace floes {
 namespace {
@@ -42,35 +43,45 @@ struct Fitted {
     double cost;  ///< - log likelihood
 };
 
+/// Peaks above the threshold.
+struct Excesses {
+    std::span<const double> values;
+    std::span<const double> weights;
+    double count = 0;  ///< sum of the weights
+
+    /// Mean of a function of the excess.
+    template <class Function>
+    double mean(Function function) const {
+        double sum = 0;
+        for (std::size_t k = 0; k < values.size(); ++k) sum += weights[k] * function(values[k]);
+        return sum / count;
+    }
+};
+
 /// Grimshaw's profile (Technometrics 35 (1993) 185-191): given θ = ξ/σ the likeliest ξ is the mean of log(1 + θ e). The
 /// search is over w with θ = (e^w - 1) / largest excess, which is all of the range of θ.
-Fitted fit_pareto(std::span<const double> excesses) {
-    const double largest = std::ranges::max(excesses);
-    const double count = static_cast<double>(excesses.size());
-    double mean = 0;
-    for (const double excess : excesses) mean += excess / count;
+Fitted fit_pareto(const Excesses& excesses) {
+    const double largest = std::ranges::max(excesses.values);
+    const double mean = excesses.mean([](double excess) { return excess; });
     const auto at = [&](double w) -> Fitted {
         const double theta = std::expm1(w) / largest;
-        double shape = 0;
-        for (const double excess : excesses) shape += std::log1p(theta * excess) / count;
-        if (std::abs(shape) < small_shape) return {mean, 0, count * (std::log(mean) + 1)};
+        const double shape = excesses.mean([theta](double excess) { return std::log1p(theta * excess); });
+        if (std::abs(shape) < small_shape) return {mean, 0, excesses.count * (std::log(mean) + 1)};
         if (shape < lowest_pareto_shape || shape > highest_pareto_shape) return {shape / theta, shape, impossible};
-        return {shape / theta, shape, count * (std::log(shape / theta) + shape + 1)};
+        return {shape / theta, shape, excesses.count * (std::log(shape / theta) + shape + 1)};
     };
     return at(least([&](double w) { return at(w).cost; }, -7, 7));
 }
 
 /// Given c the likeliest a^c is the mean of (d + e)^c - d^c, where d = u - b.
-Fitted fit_weibull(std::span<const double> excesses, double above_origin) {
-    const double count = static_cast<double>(excesses.size());
-    double logs = 0;
-    for (const double excess : excesses) logs += std::log(above_origin + excess);
+Fitted fit_weibull(const Excesses& excesses, double above_origin) {
+    const double logs = excesses.mean([&](double excess) { return std::log(above_origin + excess); });
     const auto at = [&](double log_shape) -> Fitted {
         const double shape = std::exp(log_shape);
-        double mean = 0;
-        for (const double excess : excesses) mean += std::pow(above_origin + excess, shape) / count;
-        mean -= std::pow(above_origin, shape);
-        return {std::pow(mean, 1 / shape), shape, count * (std::log(mean) - log_shape + 1) - (shape - 1) * logs};
+        const double mean = excesses.mean([&](double excess) { return std::pow(above_origin + excess, shape); }) -
+                            std::pow(above_origin, shape);
+        return {std::pow(mean, 1 / shape), shape,
+                excesses.count * (std::log(mean) - log_shape + 1 - (shape - 1) * logs)};
     };
     const double best = least([&](double log_shape) { return at(log_shape).cost; }, std::log(lowest_weibull_shape),
                               std::log(highest_weibull_shape));
@@ -79,16 +90,18 @@ Fitted fit_weibull(std::span<const double> excesses, double above_origin) {
 
 }  // namespace
 
-Tail fit_tail(TailKind kind, std::span<const double> excesses, double threshold, double origin, double time) {
+Tail fit_tail(TailKind kind, std::span<const double> excesses, std::span<const double> weights, double threshold,
+              double origin, double time) {
+    const Excesses peaks{excesses, weights, std::accumulate(weights.begin(), weights.end(), 0.0)};
     Tail tail{.kind = kind,
               .threshold = threshold,
-              .rate = static_cast<double>(excesses.size()) / time,
+              .rate = peaks.count / time,
               .origin = origin,
               .scale = undefined,
               .shape = undefined,
               .log_likelihood = undefined};
     if (excesses.size() < fewest_peaks || std::ranges::min(excesses) == std::ranges::max(excesses)) return tail;
-    const Fitted found = kind == TailKind::pareto ? fit_pareto(excesses) : fit_weibull(excesses, threshold - origin);
+    const Fitted found = kind == TailKind::pareto ? fit_pareto(peaks) : fit_weibull(peaks, threshold - origin);
     if (!(found.cost < impossible)) return tail;
     tail.scale = found.scale;
     tail.shape = found.shape;
@@ -111,8 +124,8 @@ double level_at(const Tail& tail, double rate) {
     if (rarer <= 0) return tail.threshold;
     if (tail.kind == TailKind::weibull)
         return tail.origin +
-               tail.scale * std::pow(std::pow((tail.threshold - tail.origin) / tail.scale, tail.shape) + rarer,
-                                     1 / tail.shape);
+               tail.scale *
+                   std::pow(std::pow((tail.threshold - tail.origin) / tail.scale, tail.shape) + rarer, 1 / tail.shape);
     if (std::abs(tail.shape) < small_shape) return tail.threshold + tail.scale * rarer;
     return tail.threshold + tail.scale / tail.shape * std::expm1(tail.shape * rarer);
 }

@@ -51,7 +51,6 @@ void read_history(ByteReader& in, MemberRecord& record) {
     record.history.sway = read_numbers(in);
     record.history.heave = read_numbers(in);
     read_averaged(in, record.result);
-    read_peaks(in, record.result);
     if (in.left() != 0) throw RunError("a stored member is longer than expected; it was written by another version");
 }
 
@@ -74,7 +73,6 @@ Bytes encode(const MemberRecord& record) {
     write(out, record.history.sway);
     write(out, record.history.heave);
     write_averaged(out, record.result);
-    write_peaks(out, record.result);
     return out.take();
 }
 

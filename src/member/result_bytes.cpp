@@ -122,6 +122,7 @@ void write_averaged(ByteWriter& out, const MemberResult& result) {
         for (const double value : {one.time, one.sd, one.mean_maximum, one.sd_maximum}) out.f64(value);
         out.doubles(one.segment_maximum);
     }
+    for (const AveragedLoad& one : result.averaged) out.doubles(one.peaks);
 }
 
 void read_averaged(ByteReader& in, MemberResult& result) {
@@ -131,14 +132,7 @@ void read_averaged(ByteReader& in, MemberResult& result) {
         for (double* value : {&one.time, &one.sd, &one.mean_maximum, &one.sd_maximum}) *value = in.f64();
         one.segment_maximum = in.doubles();
     }
-}
-
-void write_peaks(ByteWriter& out, const MemberResult& result) {
-    for (const AveragedLoad& one : result.averaged) out.doubles(one.peaks);
-}
-
-void read_peaks(ByteReader& in, MemberResult& result) {
-    if (in.left() == 0) return;
+    if (in.left() == 0) return;  // from before peaks were taken
     for (AveragedLoad& one : result.averaged) one.peaks = in.doubles();
 }
 

@@ -13,16 +13,11 @@ void write(ByteWriter& out, const MemberResult& result);
 /// Restores what write() wrote, bit for bit. Throws RunError if the bytes are not a result.
 MemberResult read_member_result(ByteReader& in);
 
-/// The averaged load without its peaks, which stands after all else: older records end before it.
+/// The averaged load, which stands at the very end of a record, its peaks last: older ones end before it or before them.
 void write_averaged(ByteWriter& out, const MemberResult& result);
 
 /// What write_averaged() wrote; nothing where the bytes end. Throws RunError when they are no such thing.
 void read_averaged(ByteReader& in, MemberResult& result);
-
-/// The peaks of the averaged load, which stand at the very end: older records end before them.
-void write_peaks(ByteWriter& out, const MemberResult& result);
-/// What write_peaks() wrote, after read_averaged(); nothing where the bytes end.
-void read_peaks(ByteReader& in, MemberResult& result);
 
 /// The same for results without keys of quantities (journals of schema 1 and 2). Even older versions are read if the
 /// result is the last thing in the bytes.

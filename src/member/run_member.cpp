@@ -51,10 +51,11 @@ void take_statistics(MemberResult& result, const Scenario& scenario, const Simul
     result.load =
         load_statistics(in_window(result.history.surge), scenario.general.time_step, scenario.analysis.segments);
     const std::vector<double> times = scenario.averaging_times();
-    result.averaged = averaged_load(in_window(result.history.surge), {.time_step = scenario.general.time_step,
-                                                                      .segments = scenario.analysis.segments,
-                                                                      .times = times,
-                                                                      .peak_separation = scenario.analysis.peak_separation});
+    result.averaged =
+        averaged_load(in_window(result.history.surge), {.time_step = scenario.general.time_step,
+                                                        .segments = scenario.analysis.segments,
+                                                        .times = times,
+                                                        .peak_separation = scenario.analysis.peak_separation});
     result.levels = count_levels(in_window(result.history.surge), scenario.analysis.exceedance_levels);
     result.mean_sway = mean_of(in_window(result.history.sway));
     result.mean_heave = mean_of(in_window(result.history.heave));

@@ -16,15 +16,15 @@ struct AveragedLoad {
     std::vector<double> segment_maximum;  ///< largest running mean that ends in each segment, N
     double mean_maximum = 0;              ///< mean of the segment maxima, N
     double sd_maximum = 0;                ///< population SD of the segment maxima, N
-    std::vector<double> peaks;            ///< declustered peaks of the running means above their mean, falling, N
+    std::vector<double> peaks = {};       ///< declustered peaks of the running means above their mean, falling, N
 };
 
 /// How a window is looked at.
 struct Averaging {
-    double time_step = 0;              ///< s
-    int segments = 0;                  ///< equal parts of the window
-    std::span<const double> times;     ///< s, that the load is averaged over
-    double peak_separation = 0;        ///< s, between peaks that count as two
+    double time_step = 0;           ///< s
+    int segments = 0;               ///< equal parts of the window
+    std::span<const double> times;  ///< s, that the load is averaged over
+    double peak_separation = 0;     ///< s, between peaks that count as two
 };
 
 /// Mean of each `count` successive values, by one pass with a compensated sum: result k is that of values[k] …

@@ -50,7 +50,7 @@ class Readers(unittest.TestCase):
             "history": {"member": 12, "time": 110},
             "breaks": {"break": 15},
             "exceedance": {"member": 12, "level": 3},
-            "averaged": {"member": 12, "averaging_time": 3, "segment": 3},
+            "averaged": {"member": 12, "averaging_time": 3, "segment": 3, "peak": 3},
             "provenance": {"member": 12, "session": 2},
             **CALIBRATION,
         }

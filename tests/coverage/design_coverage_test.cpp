@@ -1,5 +1,5 @@
-// How often the intervals of design loads hold, and how far their middle is off, for loads whose largest value is known:
-// exposures of one and ten times the time run. docs/design_load.md has the table. Several minutes: label slow.
+// How often the intervals of design loads hold, and how far their middle is off, for loads whose largest value is
+// known: exposures of one and ten times the time run. docs/design_load.md has the table. Several minutes: label slow.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ PeakRow row_of(const std::vector<double>& load) {
 
 struct Held {
     int within = 0;
-    int below = 0;  ///< the interval ends below the truth
+    int below = 0;     ///< the interval ends below the truth
     double ratio = 0;  ///< sum of estimate / truth
 };
 
@@ -50,7 +50,7 @@ std::vector<std::array<Held, probabilities.size()>> try_often(const known::Proce
             for (const double value : load) mean += value / static_cast<double>(load.size() * arrangements);
             rows.push_back(row_of(load));
         }
-        const DesignLoad found = design_load(rows, known::window, known::segment, mean, exposure);
+        const DesignLoad found = design_load(rows, {known::window, known::segment, known::separation, mean}, exposure);
         for (std::size_t method = 0; method < found.estimates.size(); ++method) {
             for (std::size_t k = 0; k < probabilities.size(); ++k) {
                 const double truth = known::largest(process, exposure.time, probabilities[k]);

@@ -1,6 +1,6 @@
 // The design load as a finding: rows of a case, Froude's law, pairs, and what cannot be answered.
 
-#include "findings/design_load.hpp"
+#include "findings/design_section.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -81,7 +81,7 @@ TEST(DesignFinding, GrowsByFroude) {
     const nlohmann::json model = answer({});
     const nlohmann::json full = answer({.exposure = 6 * 10800, .averaging = 6, .scale = scale});
     EXPECT_NEAR(load_of(full, "weak") / load_of(model, "weak"), scale * scale * scale, 1e-6);
-    EXPECT_EQ(full.at("design").at("basis").at(0).at("model_exposure_s"), 10800);
+    EXPECT_EQ(full.at("design").at("basis").at(0).at("exposure_s"), 10800);
 }
 
 TEST(DesignFinding, ComparesCasesOverTheSameArrangements) {
@@ -90,7 +90,8 @@ TEST(DesignFinding, ComparesCasesOverTheSameArrangements) {
     EXPECT_EQ(pair.at("second"), "strong");
     // The loads vary together, so the difference is far more certain than either.
     EXPECT_GT(pair.at("low").get<double>(), 0);
-    EXPECT_LT(pair.at("high").get<double>() - pair.at("low").get<double>(), 0.7 * pair.at("difference_N").get<double>());
+    EXPECT_LT(pair.at("high").get<double>() - pair.at("low").get<double>(),
+              0.7 * pair.at("difference_N").get<double>());
 }
 
 TEST(DesignFinding, PairsNoOtherArrangements) {
@@ -120,7 +121,7 @@ TEST(DesignFinding, RefusesAnAveragingTimeThatIsNotThere) {
 TEST(DesignFinding, SaysWhereThereAreTooFewPeaks) {
     CampaignTable table = campaign();
     for (MemberRow& row : table.members)
-        if (row.case_index == 1) row.averaged[0].peaks.resize(2);
+        if (row.case_index == 1) row.averaged[0].peaks.resize(1);
     const std::string told = text(design_sections(summarise(table), find_design(table, {}), {}), 100);
     EXPECT_THAT(told, HasSubstr("strong: too few peaks ("));
 }

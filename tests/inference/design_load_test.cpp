@@ -33,12 +33,14 @@ std::vector<PeakRow> exponential_rows(std::size_t count, double scale = 20, std:
 
 const Exposure three_times{.time = 30000, .probabilities = {0.5, 0.9}};
 
+constexpr Measured measured{.window = 100, .segment = 20, .separation = 1e-9, .mean = 20};  // hides nothing
+
 double truth(double p) {
     return 30 + 20 * std::log(30000 * 0.2 / -std::log(p));
 }
 
 TEST(DesignLoad, OfExponentialPeaksIsWhatTheirTailSays) {
-    const DesignLoad load = design_load(exponential_rows(100), 100, 20, 20, three_times);
+    const DesignLoad load = design_load(exponential_rows(100), measured, three_times);
     ASSERT_TRUE(load.valid());
     EXPECT_EQ(load.arrangements, 100u);
     EXPECT_EQ(load.time_run, 10000);
@@ -59,13 +61,14 @@ TEST(DesignLoad, OfExponentialPeaksIsWhatTheirTailSays) {
 }
 
 TEST(DesignLoad, OfBothTailsLiesBetweenThem) {
-    const DesignLoad load = design_load(exponential_rows(50), 100, 20, 20, three_times);
+    const DesignLoad load = design_load(exponential_rows(50), measured, three_times);
     const double one = load.estimates[1].quantiles[1].value;
     const double other = load.estimates[2].quantiles[1].value;
-    EXPECT_NEAR(load.estimates[0].quantiles[1].value,
-                (1 - load.weibull_weight) * one + load.weibull_weight * other, 1e-9);
-    EXPECT_LE(load.estimates[0].quantiles[1].interval.low,
-              std::max(load.estimates[1].quantiles[1].interval.low, load.estimates[2].quantiles[1].interval.low) + 1e-9);
+    EXPECT_NEAR(load.estimates[0].quantiles[1].value, (1 - load.weibull_weight) * one + load.weibull_weight * other,
+                1e-9);
+    EXPECT_LE(
+        load.estimates[0].quantiles[1].interval.low,
+        std::max(load.estimates[1].quantiles[1].interval.low, load.estimates[2].quantiles[1].interval.low) + 1e-9);
 }
 
 TEST(DesignLoad, OfLoadsTwiceAsHighIsTwiceAsHigh) {
@@ -75,8 +78,8 @@ TEST(DesignLoad, OfLoadsTwiceAsHighIsTwiceAsHigh) {
         for (double& value : row.peaks) value *= 2;
         for (double& value : row.segment_maxima) value *= 2;
     }
-    const DesignLoad one = design_load(rows, 100, 20, 20, three_times);
-    const DesignLoad other = design_load(doubled, 100, 20, 40, three_times);
+    const DesignLoad one = design_load(rows, measured, three_times);
+    const DesignLoad other = design_load(doubled, {100, 20, 1e-9, 40}, three_times);
     for (std::size_t method = 0; method < one.estimates.size(); ++method) {
         const DesignFigure& low = one.estimates[method].quantiles[1];
         const DesignFigure& high = other.estimates[method].quantiles[1];
@@ -86,22 +89,23 @@ TEST(DesignLoad, OfLoadsTwiceAsHighIsTwiceAsHigh) {
 }
 
 TEST(DesignLoad, IsTheSameAgain) {
-    const DesignLoad one = design_load(exponential_rows(30), 100, 20, 20, three_times);
-    const DesignLoad other = design_load(exponential_rows(30), 100, 20, 20, three_times);
+    const DesignLoad one = design_load(exponential_rows(30), measured, three_times);
+    const DesignLoad other = design_load(exponential_rows(30), measured, three_times);
     EXPECT_EQ(one.estimates[0].quantiles[1].interval, other.estimates[0].quantiles[1].interval);
     EXPECT_EQ(one.draws, other.draws);
 }
 
 TEST(DesignLoad, OfTooFewPeaksIsNone) {
-    EXPECT_FALSE(design_load(exponential_rows(2), 100, 20, 20, three_times).valid());
-    EXPECT_FALSE(design_load({}, 100, 20, 20, three_times).valid());
-    EXPECT_FALSE(design_load(exponential_rows(30), 100, 20, 500, three_times).valid());  // no peak above the mean
+    EXPECT_FALSE(design_load(exponential_rows(2), measured, three_times).valid());
+    EXPECT_FALSE(design_load({}, measured, three_times).valid());
+    EXPECT_FALSE(
+        design_load(exponential_rows(30), {100, 20, 1e-9, 500}, three_times).valid());  // no peak above the mean
 }
 
 TEST(DesignLoad, OverThresholdsAgreesWithItself) {
     const std::vector<PeakRow> rows = exponential_rows(50);
-    const DesignLoad load = design_load(rows, 100, 20, 20, three_times);
-    const auto found = over_thresholds(rows, 100, 20, three_times, {0.5, 0.25, 1e-3});
+    const DesignLoad load = design_load(rows, measured, three_times);
+    const auto found = over_thresholds(rows, measured, three_times, {0.5, 0.25, 1e-3});
     EXPECT_NEAR(found[1][1], load.estimates[0].quantiles[1].value, 1e-9);
     EXPECT_NEAR(found[0][1] / found[1][1], 1, 0.2);
     EXPECT_TRUE(std::isnan(found[2][1]));  // a single peak

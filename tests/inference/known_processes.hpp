@@ -11,9 +11,9 @@
 
 namespace floes::known {
 
-inline constexpr double step = 0.1;     // s
-inline constexpr double window = 150;   // s
-inline constexpr double segment = 50;   // s
+inline constexpr double step = 0.1;      // s
+inline constexpr double window = 150;    // s
+inline constexpr double segment = 50;    // s
 inline constexpr double separation = 5;  // s
 
 struct Process {
@@ -78,12 +78,15 @@ inline std::vector<double> pulses(RandomStream& random, double often, double fad
     return values;
 }
 
-/// Exponential pulses: the load between them is gamma distributed, so the rate is known in closed form.
+/// Exponential pulses: the load between them is gamma distributed, so the rate is known in closed form. They fade fast,
+/// so that hardly one stands on another: where they do, up-crossings come in clusters, and the largest load is not what
+/// their rate says.
 inline Process filtered_poisson() {
-    const double often = 0.15, fade = 0.8, k = often * fade;
+    const double often = 0.15, fade = 0.1, k = often * fade;
     return {"filtered Poisson, exponential pulses",
             [=](RandomStream& random) {
-                std::vector<double> load = pulses(random, often, fade, [](RandomStream& r) { return 20 * exponential(r); });
+                std::vector<double> load =
+                    pulses(random, often, fade, [](RandomStream& r) { return 20 * exponential(r); });
                 for (double& value : load) value += 5;
                 return load;
             },

@@ -153,6 +153,8 @@ TEST(RunMember, AveragesAsItsHistoryShows) {
         EXPECT_EQ(found.time, scenario.analysis.averaging[k]);
         EXPECT_EQ(found.segment_maximum, without.averaged[k].segment_maximum);
         EXPECT_EQ(found.sd, without.averaged[k].sd);
+        EXPECT_EQ(found.peaks, without.averaged[k].peaks);
+        EXPECT_EQ(found.peaks.at(0), std::ranges::max(found.segment_maximum));
         const auto steps = static_cast<std::size_t>(std::lround(found.time / 0.02));
         for (std::size_t segment = 0; segment < 5; ++segment) {
             double largest = -1e300;

@@ -193,6 +193,17 @@ TEST(MemberRecord, ComesBackBitForBit) {
     EXPECT_EQ(after.result.averaged[1].mean_maximum, before.result.averaged[1].mean_maximum);
     EXPECT_EQ(after.result.averaged[1].sd_maximum, before.result.averaged[1].sd_maximum);
     EXPECT_EQ(after.result.averaged[1].segment_maximum, before.result.averaged[1].segment_maximum);
+    EXPECT_EQ(after.result.averaged[1].peaks, before.result.averaged[1].peaks);
+}
+
+/// From before peaks were taken: the record ends with its averaged loads.
+TEST(MemberRecord, HasNoPeaksWhereItsWriterDidNotTakeThem) {
+    MemberRecord before = awkward_record();
+    for (AveragedLoad& one : before.result.averaged) one.peaks.clear();
+    Bytes bytes = encode(before);
+    bytes.resize(bytes.size() - 8 * before.result.averaged.size());  // how many there are of each
+    const MemberRecord after = decode_member_record(bytes);
+    EXPECT_EQ(encode(after), encode(before));
 }
 
 /// Of schema 3, but from before loads were averaged: the record ends with its histories.
@@ -236,8 +247,10 @@ TEST(MemberRecord, RefusesEveryShortenedOne) {
     const Bytes bytes = encode(record);
     record.result.averaged.clear();
     const std::size_t before_averages = encode(record).size() - 8;  // where older ones end
+    std::size_t before_peaks = bytes.size();                        // where less old ones end
+    for (const AveragedLoad& one : awkward_record().result.averaged) before_peaks -= 8 * (1 + one.peaks.size());
     for (std::size_t size = 0; size < bytes.size(); ++size) {
-        if (size == before_averages) continue;
+        if (size == before_averages || size == before_peaks) continue;
         EXPECT_THROW(decode_member_record(std::span(bytes).first(size)), RunError) << size << " of " << bytes.size();
     }
 }

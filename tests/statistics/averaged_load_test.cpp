@@ -19,7 +19,8 @@ constexpr double step = 0.02;
 
 AveragedLoad over(const std::vector<double>& window, double time, int segments = 3) {
     const std::vector times{time};
-    return averaged_load(window, {.time_step = step, .segments = segments, .times = times, .peak_separation = 5}).front();
+    return averaged_load(window, {.time_step = step, .segments = segments, .times = times, .peak_separation = 5})
+        .front();
 }
 
 TEST(AveragedLoad, OfAConstantLoadIsThatLoad) {

@@ -76,6 +76,7 @@ inline MemberRecord record(const Campaign& campaign, int number) {
         AveragedLoad& one =
             result.averaged.emplace_back(AveragedLoad{time, base + time, {}, base + 10 * time, base + 100 * time});
         for (int k = 0; k < scenario.analysis.segments; ++k) one.segment_maximum.push_back(base + time + 0.01 * k);
+        for (int k = number % 3; k >= 0; --k) one.peaks.push_back(base + time + 0.1 * k);
     }
     result.mean_sway = base + 0.7;
     result.mean_heave = -base - 0.8;

@@ -1,0 +1,104 @@
+#!/usr/bin/python3
+"""The table and the picture of docs/design_load.md, from the data in docs/design.
+
+Usage:
+    design_load.py                      writes table and picture
+    design_load.py --check              writes nothing; fails if the page differs from the data
+    design_load.py --coverage           first takes the trials of build/ci/tests/test_coverage from standard input
+    design_load.py --collect TABLE3 [FLOES]
+                                        first takes the tails of the campaign file TABLE3 with the program FLOES
+"""
+import json
+import pathlib
+import subprocess
+import sys
+
+import pandas as pd
+
+from page_blocks import fill_or_check
+from validation_tables import table
+
+DATA = pathlib.Path(__file__).resolve().parent.parent / "design"
+PAGE = DATA.parent / "design_load.md"
+COLUMNS = ["process", "exposure", "method", "quantile", "error_percent", "within_percent", "below_percent"]
+SHOWN = ["both tails", "Pareto tail", "Weibull tail", "Gumbel", "GEV"]
+COLOURS = {"E30": "#0072B2", "E60": "#D55E00", "E200": "#009E73"}
+
+
+def take_coverage(lines):
+    rows = [[cell.strip().removesuffix(" %") for cell in line.strip().strip("|").split("|")]
+            for line in lines if line.startswith("| ")]
+    pd.DataFrame(rows, columns=COLUMNS).to_csv(DATA / "coverage.csv", index=False)
+
+
+def take_tails(campaign, program):
+    command = [program, "design", campaign, "--format", "json"]
+    told = json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout)["design"]
+    threshold = {one["case"]: one["threshold_N"] for one in told["basis"]}
+    rates = [point for point in told["rates"]
+             if point["case"] == "E60" and point["load_N"] > 0.6 * threshold["E60"]]
+    kept = {"basis": told["basis"], "loads": told["loads"], "rates": rates}
+    (DATA / "tails.json").write_text(json.dumps(kept, indent=1) + "\n")
+
+
+def coverage():
+    data = pd.read_csv(DATA / "coverage.csv")
+    data = data[data["quantile"] == 0.9]
+    rows = []
+    for (process, exposure), own in data.groupby(["process", "exposure"], sort=False):
+        own = own.set_index("method")
+        rows.append([process, f"{exposure:g}"]
+                    + [f"{own.loc[m, 'within_percent']:.0f} % ({own.loc[m, 'error_percent']:+.1f} %)" for m in SHOWN])
+    return table(["load", "exposure / time run"] + [f"{method}: within (error)" for method in SHOWN], rows)
+
+
+def draw(path):
+    import matplotlib
+
+    matplotlib.use("svg")
+    matplotlib.rcParams["svg.hashsalt"] = "floes"
+    import matplotlib.pyplot as plt
+
+    told = json.loads((DATA / "tails.json").read_text())
+    figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4.2))
+    rates = pd.DataFrame(told["rates"])
+    left.step(rates.load_N, 3600 * rates.seen_per_s, color="black", linewidth=1, label="declustered peaks seen")
+    for name, colour in [("pareto", "#0072B2"), ("weibull", "#D55E00")]:
+        left.plot(rates.load_N, 3600 * rates[f"{name}_per_s"].astype(float), color=colour, label=f"{name.title()} tail")
+    exposure = told["basis"][0]["exposure_s"]
+    left.axhline(3600 / exposure, color="0.6", linestyle=":", label=f"once in {exposure / 3600:g} h")
+    left.set_yscale("log")
+    left.set_xlabel("load averaged over 1 s, N")
+    left.set_ylabel("peaks above it in an hour")
+    left.legend(frameon=False, fontsize=8)
+    loads = pd.DataFrame(told["loads"])
+    loads = loads[(loads.method == "both tails") & (loads.figure == "quantile")].set_index("case")
+    for shift, one in enumerate(told["basis"]):
+        points = pd.DataFrame(one["over_thresholds"])
+        colour = COLOURS[one["case"]]
+        right.plot(100 * points.share, points.load_N, "o-", color=colour, label=f"{one['case'].removeprefix('E')} MPa")
+        own = loads.loc[one["case"]]
+        right.errorbar(25 + shift - 1, own.load_N, [[own.load_N - own.low], [own.high - own.load_N]], color=colour, capsize=4)
+    right.set_ylim(bottom=0)
+    right.set_xlabel("share of the peaks that the tails are fitted to, %")
+    right.set_ylabel("load exceeded with 10 % in 3 h, N")
+    right.legend(frameon=False, fontsize=8)
+    for axes in (left, right):
+        axes.spines[["top", "right"]].set_visible(False)
+    figure.tight_layout()
+    figure.savefig(path, metadata={"Date": None})
+
+
+def main(arguments):
+    if arguments[:1] == ["--coverage"]:
+        take_coverage(sys.stdin)
+    if arguments[:1] == ["--collect"]:
+        take_tails(arguments[1], arguments[2] if len(arguments) > 2 else "./floes")
+    check = arguments == ["--check"]
+    fill_or_check({PAGE: {"coverage": coverage}}, check, "design_load.py")
+    if not check:
+        draw(DATA / "tails.svg")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

@@ -1,0 +1,64 @@
+// The verb `design`, from a campaign file on the disk to standard output.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "campaign_file/publish.hpp"
+#include "cli/verb_output.hpp"
+#include "core/error.hpp"
+#include "support/refusal.hpp"
+#include "support/synthetic.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace floes {
+namespace {
+
+using testing::HasSubstr;
+
+class Design : public testing::Test {
+  protected:
+    explicit Design(bool with_peaks = true) {
+        const Campaign campaign = synthetic::campaign();
+        std::vector<MemberRecord> records = synthetic::records(campaign);
+        if (!with_peaks)
+            for (MemberRecord& record : records)
+                for (AveragedLoad& one : record.result.averaged) one.peaks.clear();
+        publish(file_, campaign, records, std::vector<Session>{synthetic::session()});
+    }
+
+    std::string design(const std::string& arguments) {
+        return verb_output(add_design, "design " + file_.string() + " " + arguments);
+    }
+
+    TemporaryFolder folder_;
+    std::filesystem::path file_ = folder_ / "synthetic.h5";
+};
+
+class DesignOfAnOlderFile : public Design {
+  protected:
+    DesignOfAnOlderFile() : Design(false) {}
+};
+
+// Members of the synthetic campaign have one to three peaks.
+TEST_F(Design, SaysWhereThereAreTooFewPeaks) {
+    EXPECT_THAT(design("--averaging-s 0.4"), HasSubstr("soft: too few peaks ("));
+    EXPECT_TRUE(nlohmann::json::parse(design("--averaging-s 0.4 --format json")).at("design").at("loads").empty());
+}
+
+TEST_F(Design, RefusesWhatItCannotAnswer) {
+    EXPECT_THAT(refusal([&] { design("--averaging-s 33"); }),
+                HasSubstr("The members did not average the load over 33 s"));
+    EXPECT_THROW(design("--exposure-h -1"), CLI::Error);
+    EXPECT_THROW(design("--quantile 1"), CLI::Error);
+    EXPECT_THROW(design("--scale 0.5"), CLI::Error);
+}
+
+// The histories of the synthetic campaign are shorter than its windows say, so peaks are taken from what there is.
+TEST_F(DesignOfAnOlderFile, TakesPeaksFromTheHistories) {
+    EXPECT_THAT(design("--averaging-s 0.4"), HasSubstr("soft: too few peaks ("));
+}
+
+}  // namespace
+}  // namespace floes
