@@ -11,7 +11,6 @@ namespace floes {
 namespace {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
-constexpr double impossible = 1e300;  // cost outside the range of a parameter
 constexpr double lowest_pareto_shape = -0.5;
 constexpr double highest_pareto_shape = 1;
 constexpr double highest_weibull_shape = 8;
@@ -25,7 +24,7 @@ double least(Cost cost, double low, double high) {
     constexpr int grid = 24;
     const auto place = [&](int k) { return low + (high - low) * k / grid; };
     int best = 0;
-    double lowest = impossible;
+    double lowest = std::numeric_limits<double>::infinity();
     for (int k = 0; k <= grid; ++k) {
         if (const double found = cost(place(k)); found < lowest) {
             lowest = found;
@@ -58,19 +57,34 @@ struct Excesses {
     }
 };
 
-/// Grimshaw's profile (Technometrics 35 (1993) 185-191): given θ = ξ/σ the likeliest ξ is the mean of log(1 + θ e). The
-/// search is over w with θ = (e^w - 1) / largest excess, which is all of the range of θ.
+/// Where a rising function has a value: the end that is nearer, if it lies outside.
+template <class Function>
+double place_of(double value, Function rising, double low, double high) {
+    for (int k = 0; k < 60; ++k) {
+        const double middle = 0.5 * (low + high);
+        (rising(middle) < value ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+/// Grimshaw's profile (Technometrics 35 (1993) 185-191): given θ = ξ/σ the likeliest ξ is the mean of log(1 + θ e),
+/// which rises with θ. The search is over w with θ = (e^w - 1) / largest excess, so w = 0 is the exponential.
 Fitted fit_pareto(const Excesses& excesses) {
     const double largest = std::ranges::max(excesses.values);
     const double mean = excesses.mean([](double excess) { return excess; });
-    const auto at = [&](double w) -> Fitted {
-        const double theta = std::expm1(w) / largest;
-        const double shape = excesses.mean([theta](double excess) { return std::log1p(theta * excess); });
-        if (std::abs(shape) < small_shape) return {mean, 0, excesses.count * (std::log(mean) + 1)};
-        if (shape < lowest_pareto_shape || shape > highest_pareto_shape) return {shape / theta, shape, impossible};
-        return {shape / theta, shape, excesses.count * (std::log(shape / theta) + shape + 1)};
+    const auto theta_at = [&](double w) { return std::expm1(w) / largest; };
+    const auto shape_at = [&](double w) {
+        return excesses.mean([theta = theta_at(w)](double excess) { return std::log1p(theta * excess); });
     };
-    return at(least([&](double w) { return at(w).cost; }, -7, 7));
+    const auto at = [&](double w) -> Fitted {
+        const double shape = shape_at(w);
+        if (std::abs(shape) < small_shape) return {mean, 0, excesses.count * (std::log(mean) + 1)};
+        const double scale = shape / theta_at(w);
+        return {scale, shape, excesses.count * (std::log(scale) + shape + 1)};
+    };
+    const double low = place_of(lowest_pareto_shape, shape_at, -30, 0);
+    const double high = place_of(highest_pareto_shape, shape_at, 0, 30);
+    return at(least([&](double w) { return at(w).cost; }, low, high));
 }
 
 /// Given c the likeliest a^c is the mean of (d + e)^c - d^c, where d = u - b.
@@ -102,7 +116,7 @@ Tail fit_tail(TailKind kind, std::span<const double> excesses, std::span<const d
               .log_likelihood = undefined};
     if (excesses.size() < fewest_peaks || std::ranges::min(excesses) == std::ranges::max(excesses)) return tail;
     const Fitted found = kind == TailKind::pareto ? fit_pareto(peaks) : fit_weibull(peaks, threshold - origin);
-    if (!(found.cost < impossible)) return tail;
+    if (!std::isfinite(found.cost)) return tail;
     tail.scale = found.scale;
     tail.shape = found.shape;
     tail.log_likelihood = -found.cost;

@@ -12,6 +12,7 @@
 #include "findings/pairs_section.hpp"
 #include "findings/paper_table3.hpp"
 #include "findings/sensitivity_section.hpp"
+#include "page/answer.hpp"
 #include "page/page_style.hpp"
 #include "page/plot.hpp"
 #include "page/report_figures.hpp"
@@ -36,6 +37,21 @@ std::string note(const std::string& text) {
     return fmt::format("<p class=\"note\">{}</p>\n", html_escaped(text));
 }
 
+std::string listed(const std::vector<std::string>& sentences) {
+    std::string items;
+    for (const std::string& one : sentences) items += fmt::format("<li>{}</li>\n", html_escaped(one));
+    return "<ul>\n" + items + "</ul>\n";
+}
+
+std::string answer(const ReportData& data) {
+    std::string body;
+    for (const std::string& one : answer_sentences(data))
+        body += fmt::format("<p class=\"answer\">{}</p>\n", html_escaped(one));
+    if (body.empty()) body = paragraph("No member is done yet.");
+    return body + "<h3>What it rests on</h3>\n" + listed(basis_sentences(data)) + "<h3>What would change it</h3>\n" +
+           listed(change_sentences(data));
+}
+
 std::string what_was_run(const ReportData& data) {
     const Summary& summary = data.summary;
     int done = 0;
@@ -51,7 +67,6 @@ std::string what_was_run(const ReportData& data) {
         counted(std::ssize(summary.cases), "case"), counted(data.campaign.arrangements, "random arrangement"),
         counted(data.campaign.cases.front().scenario.field.floes, "floe"), counted(done, "simulation"), failed,
         missing));
-    for (const std::string& line : condition_lines(summary)) body += paragraph(line);
     const Scenario& scenario = data.campaign.cases.front().scenario;
     body +=
         figure(section_figure(scenario), "Section of the structure (first case) and the ice on the water, to scale.");
@@ -218,7 +233,8 @@ std::string report_page(const ReportData& data) {
                "floes</title>\n<style>{1}</style></head>\n"
                "<body>\n<h1>Loads of managed ice floes: {0}</h1>\n",
                title, page_style) +
-           section("Loads", loads(data)) + section("What was run", what_was_run(data)) + sensitivity(data) +
+           section("The answer", answer(data)) + section("Loads", loads(data)) +
+           "<h1 class=\"appendix\">Appendix</h1>\n" + section("What was run", what_was_run(data)) + sensitivity(data) +
            comparisons(data) + over_time(data) + extremes(data) + further_parts(data) +
            section("Uncertainty of the mean",
                    figure(convergence_figure(data), "Mean load of the first n arrangements with its 95 % interval.")) +

@@ -12,6 +12,8 @@ inline constexpr const char* page_style = R"(
 body{font:16px/1.5 system-ui,sans-serif;color:var(--ink);background:var(--ground);max-width:52rem;margin:2rem auto;
 padding:0 1rem}
 h1{font-size:1.7rem;line-height:1.2}h2{font-size:1.2rem;margin-top:2.4rem;border-bottom:1px solid var(--grid)}
+h3{font-size:1rem;margin-bottom:.2rem}ul{margin-top:.2rem;padding-left:1.2rem}.answer{font-weight:600}
+.appendix{margin-top:3rem;font-size:1.4rem}
 figure{margin:1rem 0}figcaption,.note{color:var(--soft);font-size:.9rem}
 svg{max-width:100%;height:auto;font:12px system-ui,sans-serif}
 svg text{fill:var(--ink)}svg .label{fill:var(--soft)}svg .grid{stroke:var(--grid);fill:none}
@@ -31,7 +33,7 @@ table{border-collapse:collapse;font-size:.88rem;font-variant-numeric:tabular-num
 .wide{overflow-x:auto}th,td{padding:.2rem .45rem;text-align:right;border-bottom:1px solid var(--grid);vertical-align:top}
 th:first-child,td:first-child{text-align:left}td small{color:var(--soft)}td{white-space:nowrap}td.words{white-space:normal;text-align:left}
 pre{overflow-x:auto;background:var(--water);padding:.7rem;font-size:.8rem}code{font-size:.9em}
-@media print{:root{--ink:#000;--ground:#fff}figure,table{break-inside:avoid}
+@media print{.appendix{break-before:page}body{font-size:12px;margin:0;max-width:none}:root{--ink:#000;--ground:#fff}figure,table{break-inside:avoid}
 table{font-size:.68rem}.wide{overflow-x:visible}}
 )";
 

@@ -63,6 +63,19 @@ std::optional<HybridCurve> hybrid_of(const Scenario& scenario) {
     }
 }
 
+/// The design load of every case over 1 s, or over the longest time that members averaged over if they did not take
+/// that.
+void take_designs(const std::filesystem::path& path, ReportData& data) {
+    const std::vector<double>& times = data.table.averaging_times;
+    if (times.empty()) return;
+    if (std::ranges::find(times, data.asked.averaging) == times.end()) data.asked.averaging = times.back();
+    try {
+        data.designs = find_design(with_peaks(path, data.table), data.asked);
+    } catch (const InputError&) {
+        data.designs.clear();  // an older file without histories, or with thinned ones
+    }
+}
+
 }  // namespace
 
 ReportData read_report_data(const std::filesystem::path& path) {
@@ -76,6 +89,7 @@ ReportData read_report_data(const std::filesystem::path& path) {
     if (in_detail(data.campaign)) {
         data.pairs = compare_pairs(data.table, {});
         data.extremes = find_extremes(data.table);
+        take_designs(path, data);
     }
     data.levels = find_levels(data.table);
     for (const Part& part : parts())

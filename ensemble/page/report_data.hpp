@@ -7,6 +7,7 @@
 
 #include "campaign/campaign.hpp"
 #include "campaign_file/read_details.hpp"
+#include "findings/design_load.hpp"
 #include "findings/extremes.hpp"
 #include "findings/levels.hpp"
 #include "findings/pairs.hpp"
@@ -30,6 +31,8 @@ struct ReportData : Evidence {
     std::optional<std::vector<PairRow>> pairs;  ///< where in_detail()
     std::optional<Sensitivity> sensitivity;     ///< of a design
     std::optional<DesignPoints> points;         ///< of a design
+    DesignRequest asked;                        ///< of the design loads
+    std::vector<CaseDesign> designs;            ///< where in_detail() and the members averaged their load
     std::vector<LevelRow> levels;
     std::vector<std::pair<std::string, Section>> further;  ///< parts with a title for the page, with that title
     std::vector<DrawnHistory> histories;  ///< of the first arrangement that every case has done; empty: none is kept

@@ -120,6 +120,16 @@ TEST(Tails, OfTooFewOrEqualPeaksAreNone) {
     EXPECT_FALSE(fitted(TailKind::weibull, std::vector<double>(100, 3.0), 100).valid());
 }
 
+// Peaks below a near limit are likelier the closer the tail's end is to the highest; the fit stops at ξ = -1/2.
+TEST(Tails, OfPeaksBelowALimitStopAtTheLowestShape) {
+    std::vector<double> values;
+    for (int k = 1; k <= 100; ++k) values.push_back(0.1 * k);
+    const Tail found = fitted(TailKind::pareto, values, 1000);
+    ASSERT_TRUE(found.valid());
+    EXPECT_NEAR(found.shape, -0.5, 1e-6);
+    EXPECT_GE(found.threshold - found.scale / found.shape, 60);  // its end lies above the highest
+}
+
 TEST(Tails, APeakOfWeightTwoIsTwoPeaks) {
     const std::vector<double> values = excesses(pareto(0.1), 50);
     std::vector<double> twice = values;
