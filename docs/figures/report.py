@@ -1,0 +1,46 @@
+#!/usr/bin/python3
+"""The pictures of docs/report.md: sections of a report, as headless Chromium shows them.
+
+Usage: report.py REPORT.html          (floes report CAMPAIGN.h5 -o REPORT.html; needs chromium and ImageMagick)
+"""
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+PICTURES = {
+    "answer": ["The answer"],
+    "loads": ["Loads"],
+    "run": ["What was run"],
+    "differences": ["Do the cases differ?"],
+    "extremes": ["Load over time", "Extremes"],
+    "convergence": ["Uncertainty of the mean", "Broken floes", "The arrangement with the largest load"],
+    "formulas": ["Elastic modulus and closed formulas"],
+}
+FOLDER = pathlib.Path(__file__).resolve().parent.parent / "report"
+
+
+def photograph(page, picture, folder):
+    source, raw = folder / "page.html", folder / "page.png"
+    source.write_text(page)
+    subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars",
+                    "--window-size=900,3600", f"--screenshot={raw}", source.as_uri()], check=True, capture_output=True)
+    subprocess.run(["convert", raw, "-trim", "-bordercolor", "white", "-border", "12", "-colors", "128", picture],
+                   check=True)
+
+
+def main(report):
+    text = pathlib.Path(report).read_text()
+    head = text[:text.index("<h1>")].replace("prefers-color-scheme:dark", "prefers-color-scheme:none")
+    sections = dict(re.findall(r"(?s)<section><h2>(.*?)</h2>(.*?)</section>", text))
+    with tempfile.TemporaryDirectory() as folder:
+        for name, titles in PICTURES.items():
+            body = "".join(f"<section><h2>{title}</h2>{sections[title]}</section>" for title in titles)
+            photograph(head + body + "</body></html>", FOLDER / f"{name}.png", pathlib.Path(folder))
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    main(sys.argv[1])
