@@ -5,6 +5,7 @@
 
 #include "campaign_file/read_campaign_file.hpp"
 #include "campaign_file/read_details.hpp"
+#include "findings/control_section.hpp"
 #include "findings/extremes.hpp"
 #include "findings/levels.hpp"
 #include "findings/members.hpp"
@@ -68,6 +69,10 @@ Section steady(Evidence& evidence) {
     return steady_section(evidence.summary, evidence.table, *evidence.steady);
 }
 
+Section control(Evidence& evidence) {
+    return control_section(evidence.summary, find_control(evidence.campaign, evidence.table));
+}
+
 Section members(Evidence& evidence) {
     return members_section(evidence.table);
 }
@@ -80,6 +85,7 @@ constexpr std::array all{
     Part{"extremes", extremes, in_detail},
     Part{"exceedance", exceedance, never},
     Part{"steady", steady, never},
+    Part{"control", control, never},
     Part{.name = "members", .section = members, .unasked = never, .for_csv_alone = true},
 };
 

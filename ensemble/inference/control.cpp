@@ -1,0 +1,105 @@
+#include "inference/control.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+
+namespace floes {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Rows with the columns that vary in both samples.
+struct Samples {
+    MatrixXd known;
+    MatrixXd population;
+};
+
+MatrixXd matrix(const Covariates& rows) {
+    MatrixXd made(static_cast<Index>(rows.size()), static_cast<Index>(rows.empty() ? 0 : rows.front().size()));
+    for (Index row = 0; row < made.rows(); ++row)
+        for (Index column = 0; column < made.cols(); ++column)
+            made(row, column) = rows[static_cast<std::size_t>(row)].at(static_cast<std::size_t>(column));
+    return made;
+}
+
+Samples varying(const Covariates& known, const Covariates& population) {
+    const MatrixXd one = matrix(known);
+    const MatrixXd other = matrix(population);
+    Samples kept{MatrixXd(one.rows(), 0), MatrixXd(other.rows(), 0)};
+    for (Index column = 0; column < one.cols(); ++column) {
+        const bool finite = one.col(column).allFinite() && other.col(column).allFinite();
+        if (!finite || one.col(column).minCoeff() == one.col(column).maxCoeff()) continue;
+        kept.known.conservativeResize(Eigen::NoChange, kept.known.cols() + 1);
+        kept.population.conservativeResize(Eigen::NoChange, kept.population.cols() + 1);
+        kept.known.rightCols(1) = one.col(column);
+        kept.population.rightCols(1) = other.col(column);
+    }
+    return kept;
+}
+
+MatrixXd centred(const MatrixXd& rows) {
+    return rows.rowwise() - rows.colwise().mean();
+}
+
+/// A plane through the values over centred covariates.
+struct Plane {
+    VectorXd slopes;
+    MatrixXd inverse;     ///< of X'X
+    double residual = 0;  ///< sum of squares
+    double left_out = 0;  ///< R² of predictions of each value from the others
+};
+
+Plane fit(const VectorXd& values, const MatrixXd& covariates) {
+    const MatrixXd x = centred(covariates);
+    const double count = static_cast<double>(values.size());
+    const VectorXd y = values.array() - values.mean();
+    Plane plane;
+    plane.inverse = (x.transpose() * x).inverse();
+    plane.slopes = plane.inverse * x.transpose() * y;
+    const VectorXd errors = y - x * plane.slopes;
+    plane.residual = errors.squaredNorm();
+    double predicted = 0;
+    double total = 0;
+    for (Index row = 0; row < values.size(); ++row) {
+        const double leverage = 1 / count + (x.row(row) * plane.inverse * x.row(row).transpose()).value();
+        predicted += std::pow(errors(row) / (1 - leverage), 2);
+        total += std::pow(y(row) / (1 - 1 / count), 2);
+    }
+    plane.left_out = 1 - predicted / total;
+    return plane;
+}
+
+}  // namespace
+
+ControlledMean controlled_mean(std::span<const double> values, const Covariates& known, const Covariates& population) {
+    ControlledMean result{.plain = mean_interval(values), .corrected = {}};
+    result.corrected = result.plain;
+    const Samples samples = varying(known, population);
+    const Index count = static_cast<Index>(values.size());
+    const double freedom = static_cast<double>(count - 1 - samples.known.cols());
+    if (samples.known.cols() == 0 || freedom < 2 || population.size() < 2) return result;
+    const VectorXd y = Eigen::Map<const VectorXd>(values.data(), count);
+    const Plane plane = fit(y, samples.known);
+    result.left_out = plane.left_out;
+    if (!(plane.left_out > 0)) return result;
+    const VectorXd shift = (samples.population.colwise().mean() - samples.known.colwise().mean()).transpose();
+    const MatrixXd spread = centred(samples.population);
+    const double drawn = static_cast<double>(population.size());
+    const double of_population = (spread * plane.slopes).squaredNorm() / (drawn - 1) / drawn;
+    const double variance = plane.residual / freedom *
+                                (1 / static_cast<double>(count) + (shift.transpose() * plane.inverse * shift).value()) +
+                            of_population;
+    const double half = student_t(freedom, 0.025) * std::sqrt(variance);
+    const double plain_half = 0.5 * (result.plain.high - result.plain.low);
+    if (!(half < plain_half)) return result;
+    result.used = true;
+    result.corrected.estimate += plane.slopes.dot(shift);
+    result.corrected.low = result.corrected.estimate - half;
+    result.corrected.high = result.corrected.estimate + half;
+    result.saved = static_cast<double>(count) * (std::pow(plain_half / half, 2) - 1);
+    return result;
+}
+
+}  // namespace floes

@@ -1,0 +1,33 @@
+#pragma once
+// A mean corrected by what is known of the arrangements before they are run: control variates, or the regression
+// estimator of survey sampling (W. G. Cochran, Sampling Techniques, Wiley 1977, chapter 7).
+//
+// Where the load depends on a covariate, such as how ordered the floes lie, and the arrangements that were run happen
+// to have more of it than arrangements have on average, the mean is off by the slope times that. The average over many
+// arrangements costs no simulation.
+
+#include <span>
+#include <vector>
+
+#include "inference/interval.hpp"
+
+namespace floes {
+
+/// Covariates: a row for each arrangement.
+using Covariates = std::vector<std::vector<double>>;
+
+struct ControlledMean {
+    Interval plain;       ///< mean and its 95 % interval without correction
+    Interval corrected;   ///< with it; predictions as plain
+    double left_out = 0;  ///< R²: share of the variance that a fit to the other arrangements predicts; below 0: none
+    bool used = false;    ///< whether it shortens the interval; if not, `corrected` is `plain`
+    double saved = 0;     ///< further arrangements that would have shortened the interval as much; 0 unless used
+};
+
+/// `values`: one of each arrangement; `known`: its covariates; `population`: those of arrangements that were not run,
+/// at least 2. The correction is used where it predicts arrangements that it has not seen, and the interval is shorter:
+/// Student's t with as many degrees of freedom fewer as there are covariates, which includes the uncertainty of slopes
+/// and of the population's mean. Covariates that do not vary are left out.
+ControlledMean controlled_mean(std::span<const double> values, const Covariates& known, const Covariates& population);
+
+}  // namespace floes

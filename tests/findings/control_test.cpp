@@ -1,0 +1,78 @@
+// Control variates as a finding: covariates of real arrangements, drawn as the campaign draws them.
+
+#include "findings/control_section.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "arrangement/arrangement.hpp"
+#include "core/random.hpp"
+
+namespace floes {
+namespace {
+
+Campaign small() {
+    Scenario scenario;
+    scenario.field.floes = 6;
+    scenario.field.concentration = 0.3;
+    Campaign campaign;
+    campaign.name = "small";
+    campaign.seed = 3;
+    campaign.arrangements = 40;
+    campaign.cases.push_back({"one", scenario});
+    campaign.cases.push_back({"other", scenario});
+    return campaign;
+}
+
+/// The mean load of the first case follows the local order, that of the second does not.
+CampaignTable table_of(const Campaign& campaign) {
+    CampaignTable table;
+    table.title = campaign.name;
+    for (const Case& one : campaign.cases) {
+        CaseRow row;
+        row.name = one.name;
+        table.cases.push_back(row);
+    }
+    RandomStream random{1, 0, StreamId::bootstrap, 0};
+    for (int arrangement = 0; arrangement < campaign.arrangements; ++arrangement) {
+        const Arrangement made =
+            make_arrangement(campaign.cases[0].scenario, campaign.seed, static_cast<std::uint32_t>(arrangement));
+        for (int k = 0; k < 2; ++k) {
+            MemberRow row;
+            row.case_index = k;
+            row.arrangement = arrangement;
+            row.status = RowStatus::done;
+            row.local_order = made.local_order;
+            row.coverage_ahead = made.coverage_ahead;
+            row.load.mean = 30 + (k == 0 ? 10 * made.local_order : 0) + random.uniform(-1, 1);
+            row.load.mean_maximum = 100 + random.uniform(-10, 10);
+            table.members.push_back(row);
+        }
+    }
+    return table;
+}
+
+TEST(ControlFinding, CorrectsWhatFollowsTheOrderAndNothingElse) {
+    const Campaign campaign = small();
+    const CampaignTable table = table_of(campaign);
+    const std::vector<ControlRow> rows = find_control(campaign, table);
+    ASSERT_EQ(rows.size(), 6u);  // mean, mean maximum, failure ratio of two cases
+    EXPECT_TRUE(rows[0].found.used);
+    EXPECT_GT(rows[0].found.left_out, 0.8);
+    EXPECT_GT(rows[0].found.saved, 40);
+    EXPECT_LT(rows[3].found.left_out, 0.2);
+    EXPECT_FALSE(rows[2].found.used);  // no floe broke
+    const std::string told = text(std::vector{control_section(summarise(table), rows)}, 100);
+    EXPECT_THAT(told, testing::HasSubstr("one, mean, N"));
+    EXPECT_THAT(told, testing::HasSubstr("off"));
+}
+
+TEST(ControlFinding, HasNothingToDrawWherePosesAreGiven) {
+    Campaign campaign = small();
+    const CampaignTable table = table_of(campaign);
+    for (Case& one : campaign.cases) one.scenario.arrangement.method = ArrangementMethod::file;
+    EXPECT_TRUE(find_control(campaign, table).empty());
+}
+
+}  // namespace
+}  // namespace floes
