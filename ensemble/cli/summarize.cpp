@@ -77,7 +77,7 @@ void add_summarize(CLI::App& program, int& exit_status) {
     verb->add_option("--reference", options->reference, "Reference case: the others are compared with it, in percent");
     verb->add_option("--parts", options->parts,
                      "Parts to show, comma-separated: cases, points and sensitivity (of a design), pairs, extremes, "
-                     "exceedance, steady, control, members (CSV only)")
+                     "exceedance, steady, control, design, members (CSV only)")
         ->delimiter(',')
         ->allow_extra_args(false)
         ->check(CLI::IsMember(part_names()));

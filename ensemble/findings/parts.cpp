@@ -6,6 +6,7 @@
 #include "campaign_file/read_campaign_file.hpp"
 #include "campaign_file/read_details.hpp"
 #include "findings/control_section.hpp"
+#include "findings/design_section.hpp"
 #include "findings/extremes.hpp"
 #include "findings/levels.hpp"
 #include "findings/members.hpp"
@@ -69,6 +70,13 @@ Section steady(Evidence& evidence) {
     return steady_section(evidence.summary, evidence.table, *evidence.steady);
 }
 
+/// As `floes design` has it by default, without what it rests on.
+Section design(Evidence& evidence) {
+    const DesignRequest request;
+    return design_sections(evidence.summary, find_design(with_peaks(evidence.file, evidence.table), request), request)
+        .front();
+}
+
 Section control(Evidence& evidence) {
     return control_section(evidence.summary, find_control(evidence.campaign, evidence.table));
 }
@@ -86,6 +94,7 @@ constexpr std::array all{
     Part{"exceedance", exceedance, never},
     Part{"steady", steady, never},
     Part{"control", control, never},
+    Part{"design", design, never},
     Part{.name = "members", .section = members, .unasked = never, .for_csv_alone = true},
 };
 
