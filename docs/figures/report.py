@@ -1,13 +1,16 @@
 #!/usr/bin/python3
 """The pictures of docs/report.md: sections of a report, as headless Chromium shows them.
 
-Usage: report.py REPORT.html          (floes report CAMPAIGN.h5 -o REPORT.html; needs chromium and ImageMagick)
+Usage: report.py REPORT.html          (floes report CAMPAIGN.h5 -o REPORT.html; needs chromium and matplotlib)
 """
 import pathlib
 import re
 import subprocess
 import sys
 import tempfile
+
+import numpy as np
+from matplotlib import pyplot
 
 PICTURES = {
     "answer": ["The answer"],
@@ -26,8 +29,9 @@ def photograph(page, picture, folder):
     source.write_text(page)
     subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars",
                     "--window-size=900,3600", f"--screenshot={raw}", source.as_uri()], check=True, capture_output=True)
-    subprocess.run(["convert", raw, "-trim", "-bordercolor", "white", "-border", "12", "-colors", "128", picture],
-                   check=True)
+    image = pyplot.imread(raw)
+    rows, columns = np.nonzero((image[..., :3] < 0.99).any(axis=2))
+    pyplot.imsave(picture, image[:rows.max() + 12, max(0, columns.min() - 12):columns.max() + 12])
 
 
 def main(report):

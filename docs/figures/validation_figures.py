@@ -13,13 +13,13 @@ COLOURS = {"E30": "#0072B2", "E60": "#D55E00", "E200": "#009E73"}  # Okabe and I
 PANELS = ["mean_N", "mean_maximum_N", "failure_ratio"]
 
 
-def finish(figure, path, legend_of=None):
+def finish(figure, path, legend_of=None, legend_rows=1):
     for axes in figure.axes:
         axes.spines[["top", "right"]].set_visible(False)
     if legend_of is not None:
         handles, names = legend_of.get_legend_handles_labels()
-        figure.legend(handles, names, loc="upper center", ncol=len(names), frameon=False)
-    figure.tight_layout(rect=(0, 0, 1, 1 if legend_of is None else 0.92))
+        figure.legend(handles, names, loc="upper center", ncol=-(-len(names) // legend_rows), frameon=False)
+    figure.tight_layout(rect=(0, 0, 1, 1 if legend_of is None else 1 - 0.07 * legend_rows - 0.01))
     figure.savefig(path, metadata={"Date": None})
     plt.close(figure)
 
@@ -57,12 +57,12 @@ def answer(path):
         level = EXPERIMENT[name] * (100 if quantity == "failure_ratio" else 1)
         axes.axhline(level, color="black", linestyle=":", linewidth=1,
                      label="experiment (60 MPa; its largest load)" if axes is panels[0] else None)
-        axes.set_xticks([3.6 * group + 1 for group in range(3)], [name.replace(", ", ",\n") for name in WAYS.values()],
-                        fontsize=8)
+        axes.set_xticks([3.6 * group + 1 for group in range(3)],
+                        [name.replace(" contacts", "").replace(", ", ",\n") for name in WAYS.values()], fontsize=9)
         axes.tick_params(axis="x", length=0)
         axes.set_ylim(bottom=0)
         axes.set_ylabel(LABELS[quantity])
-    finish(figure, path, legend_of=panels[0])
+    finish(figure, path, legend_of=panels[0], legend_rows=2)
 
 
 def sensitivity(path):

@@ -147,7 +147,8 @@ def experiment():
 
     rows = [row("mean load, N", EXPERIMENT["mean_N"], {campaign: own[campaign].mean_N for campaign in ways})]
     for time in sorted(peaks["table3"].averaged_over_s.unique()):
-        over = {c: peaks[c].query("case == 'E60' and averaged_over_s == @time").maximum_N for c in ways}
+        over = {campaign: peak[(peak.case == "E60") & (peak.averaged_over_s == time)].maximum_N
+                for campaign, peak in peaks.items()}
         rows.append(row(f"largest load over {time:g} s, N", EXPERIMENT["maximum_N"], over, positive=True))
     rows.append(row("broken floes, %", 100 * EXPERIMENT["failure_ratio"], {c: own[c].failure_ratio for c in ways}))
     return table(["60 MPa", "experiment", "physical contacts [95 %]", "one run", "paper's contacts [95 %]", "one run"], rows)

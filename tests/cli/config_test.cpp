@@ -44,14 +44,14 @@ TEST(Config, ReferenceAsJsonHasEveryKey) {
 }
 
 TEST(Config, CheckCountsMembers) {
-    EXPECT_EQ(config({"--check", table3}), "ok: 3 cases x 100 arrangements = 300 members\n");
+    EXPECT_EQ(config({"--check", table3}), "ok: 3 cases x 50 arrangements = 150 members\n");
     EXPECT_EQ(config({"--check", table3, "--set", "campaign.arrangements=1"}),
               "ok: 3 cases x 1 arrangement = 3 members\n");
 }
 
 TEST(Config, CheckWarnsOfElementsTooLargeToBreakWhereTheIceWould) {
     const std::string answer = config({"--check", table3, "--set", "floe.element_m=0.3"});
-    EXPECT_EQ(answer, "ok: 3 cases x 100 arrangements = 300 members\n");
+    EXPECT_EQ(answer, "ok: 3 cases x 50 arrangements = 150 members\n");
     const std::string coarse = config({"--check", table3, "--set", "floe.element_m=0.6"});
     EXPECT_NE(coarse.find("but case E60: floe.element_m = 0.6 is not below 0.377 m"), std::string::npos) << coarse;
     EXPECT_NE(coarse.find("but case E200: floe.element_m = 0.6 is not below 0.509 m"), std::string::npos) << coarse;

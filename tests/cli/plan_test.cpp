@@ -26,24 +26,24 @@ std::string plan(const std::string& arguments) {
 }
 
 TEST(Plan, GivesJsonOfEverySetting) {
-    const json answer = json::parse(plan("--cores 1,300 --ranks 1,2 --format json"));
+    const json answer = json::parse(plan("--cores 1,150 --ranks 1,2 --format json"));
     EXPECT_EQ(answer.at("campaign"), "table3");
-    EXPECT_EQ(answer.at("members"), 300);
+    EXPECT_EQ(answer.at("members"), 150);
     const json& one = answer.at("plans").at(0);
     const json& all = answer.at("plans").at(1);
     EXPECT_EQ(all.at("ranks"), 2);
     const double mean = answer.at("mean_run_time_s");
-    EXPECT_NEAR(one.at("wall_time_s").get<double>(), 300 * mean, 0.01 * 300 * mean);
-    EXPECT_NEAR(one.at("core_hours").get<double>(), 300 * mean / 3600, 0.01 * 300 * mean / 3600);
+    EXPECT_NEAR(one.at("wall_time_s").get<double>(), 150 * mean, 0.01 * 150 * mean);
+    EXPECT_NEAR(one.at("core_hours").get<double>(), 150 * mean / 3600, 0.01 * 150 * mean / 3600);
     const double longest = answer.at("longest_run_time_s");
     const json lean = json::parse(plan("--cores 1 --record-bytes 5000 --format json"));
-    EXPECT_EQ(lean.at("plans").at(0).at("journal_bytes"), 300 * 5000.0);
+    EXPECT_EQ(lean.at("plans").at(0).at("journal_bytes"), 150 * 5000.0);
     EXPECT_NEAR(all.at("wall_time_s").get<double>(), longest, 2.0);  // a member a core
 }
 
 TEST(Plan, GivesATableThatSaysWhereTheTimesComeFrom) {
     const std::string text = plan("--cores 400");
-    EXPECT_THAT(text, HasSubstr("table3: 300 members"));
+    EXPECT_THAT(text, HasSubstr("table3: 150 members"));
     EXPECT_THAT(text, HasSubstr("Run times: the expected cost of each member"));
     EXPECT_THAT(text, HasSubstr("400 cores: too few members;"));
     EXPECT_EQ(std::ranges::count(plan("--cores 2,4 --format csv"), '\n'), 3);
