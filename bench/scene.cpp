@@ -63,7 +63,9 @@ Scenario tow_scenario(SolverKind solver, Wall wall) {
     Scenario scenario;
     scenario.contact = {};  // the paper's laws, which Bullet's own solver has, too
     scenario.general.solver = solver;
-    if (wall == Wall::straight) scenario.structure.shape = Shape({{-0.443, 0.171}, {0.122, 0.736}});
+    scenario.arrangement.method = ArrangementMethod::monte_carlo;
+    scenario.structure.shape = wall == Wall::straight ? Shape({{-0.443, 0.171}, {0.122, 0.736}})
+                                                      : Shape({{-0.443, 0.499}, {0, 0.614}, {0.122, 0.736}});
     scenario.structure.start = scenario.field.begin - scenario.structure.shape.waterline_radius() - 0.2;
     return scenario;
 }

@@ -17,6 +17,8 @@ namespace floes {
 
 namespace {
 
+constexpr double peaks_a_separation = 0.57;  // declustered peaks; of the members of configs/table3.toml
+
 constexpr int cores_of_a_node = 64;
 
 /// Size of a done member's record without its history, from an empty record with as many numbers.
@@ -28,7 +30,11 @@ double record_bytes(const Scenario& scenario) {
     record.result.load.segment_maximum.resize(static_cast<std::size_t>(analysis.segments));
     record.result.levels.resize(analysis.exceedance_levels.size());
     record.result.averaged.resize(scenario.averaging_times().size());
-    for (AveragedLoad& one : record.result.averaged) one.segment_maximum = record.result.load.segment_maximum;
+    const double peaks = peaks_a_separation * analysis.window / analysis.peak_separation;
+    for (AveragedLoad& one : record.result.averaged) {
+        one.segment_maximum = record.result.load.segment_maximum;
+        one.peaks.resize(static_cast<std::size_t>(std::lround(peaks)));
+    }
     record.result.arrangement.resize(static_cast<std::size_t>(scenario.field.floes));
     return static_cast<double>(encode(record).size());
 }

@@ -32,7 +32,7 @@ struct ShapeColumn {
 class Shape {
   public:
     /// Table 2: breadths 1.472 and 1.228 m, draught 0.443 m, depth 0.565 m. Above the waterline a straight wall through
-    /// them stands at 45°. Below, the table gives no radius: the default, 75.4°, is fitted to the paper's mean load at
+    /// them stands at 45°. Below, the table gives no radius: the default, 69.1°, is fitted to the paper's mean load at
     /// E = 60 MPa (docs/validation.md).
     Shape();
 

@@ -42,6 +42,7 @@ TEST(ExpectedMembers, HaveTheSizeOfTheirRecords) {
         const SimulatedMember& member = planned.members[static_cast<std::size_t>(number)];
         MemberRecord record = synthetic::record(campaign, number);
         record.result.breaks.clear();
+        for (AveragedLoad& one : record.result.averaged) one.peaks.clear();  // the window is shorter than a separation
         record.host = "node0000";
         const auto numbers = 3.0 * static_cast<double>(record.history.surge.count);
         record.history = {};
