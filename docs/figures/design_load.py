@@ -13,6 +13,7 @@ import pathlib
 import subprocess
 import sys
 
+import numpy as np
 import pandas as pd
 
 from page_blocks import fill_or_check
@@ -60,7 +61,7 @@ def draw(path):
     import matplotlib.pyplot as plt
 
     told = json.loads((DATA / "tails.json").read_text())
-    figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4.2))
+    figure, (left, middle, right) = plt.subplots(1, 3, figsize=(13, 4.2))
     rates = pd.DataFrame(told["rates"])
     left.step(rates.load_N, 3600 * rates.seen_per_s, color="black", linewidth=1, label="declustered peaks seen")
     for name, colour in [("pareto", "#0072B2"), ("weibull", "#D55E00")]:
@@ -71,6 +72,17 @@ def draw(path):
     left.set_xlabel("load averaged over 1 s, N")
     left.set_ylabel("peaks above it in an hour")
     left.legend(frameon=False, fontsize=8)
+    peaks = rates.load_N.to_numpy()[::-1]
+    middle.plot(peaks[:-5], [(peaks[peaks > u] - u).mean() for u in peaks[:-5]], color="black", linewidth=1,
+                label="peaks seen")
+    basis = next(one for one in told["basis"] if one["case"] == "E60")
+    scale, shape, threshold = basis["pareto"]["scale_N"], basis["pareto"]["shape"], basis["threshold_N"]
+    above = np.array([threshold, peaks[-5]])
+    middle.plot(above, (scale + shape * (above - threshold)) / (1 - shape), color="#0072B2", label="Pareto tail")
+    middle.set_ylim(bottom=0)
+    middle.set_xlabel("threshold, N")
+    middle.set_ylabel("mean excess over it, N")
+    middle.legend(frameon=False, fontsize=8)
     loads = pd.DataFrame(told["loads"])
     loads = loads[(loads.method == "both tails") & (loads.figure == "quantile")].set_index("case")
     for shift, one in enumerate(told["basis"]):
@@ -83,7 +95,7 @@ def draw(path):
     right.set_xlabel("share of the peaks that the tails are fitted to, %")
     right.set_ylabel("load exceeded with 10 % in 3 h, N")
     right.legend(frameon=False, fontsize=8)
-    for axes in (left, right):
+    for axes in (left, middle, right):
         axes.spines[["top", "right"]].set_visible(False)
     figure.tight_layout()
     figure.savefig(path, metadata={"Date": None})

@@ -17,6 +17,7 @@ PICTURES = {
     "loads": ["Loads"],
     "run": ["What was run"],
     "differences": ["Do the cases differ?"],
+    "design": ["Design load: averaged over 1 s, in 3 h"],
     "extremes": ["Load over time", "Extremes"],
     "convergence": ["Uncertainty of the mean", "Broken floes", "The arrangement with the largest load"],
     "formulas": ["Elastic modulus and closed formulas"],

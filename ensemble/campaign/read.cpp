@@ -115,6 +115,21 @@ class Reader {
         }
     }
 
+    /// Nor may a preset of the case overrule it unseen. `keys`: of the case, when all that it gives is set.
+    void refuse_overruled(const Keys& keys, const CaseBlock& block) const {
+        Scenario before = base_;
+        const Keys overridden = describe(before);
+        for (const Entry& entry : overrides_) {
+            const Key* there = find_key(overridden, full_path(entry.path));
+            const Key* here = find_key(keys, full_path(entry.path));
+            if (there == nullptr || here == nullptr || here->preset || exact_text(*there) == exact_text(*here))
+                continue;
+            throw InputError(fmt::format(
+                "{}: the preset of case {} says {} = {}; override it there, --set case.{}.{}={}", entry.where,
+                block.name, entry.path, literal(*here), block.name, entry.path, to_text(entry.value)));
+        }
+    }
+
     /// Which case the override "case.NAME.key" is for. Names may contain dots, so the longest that fits.
     static const CaseBlock* target(const std::string& path, const std::vector<CaseBlock>& cases) {
         const CaseBlock* best = nullptr;
@@ -165,6 +180,7 @@ class Reader {
             }
             set(keys, entry, own);
         }
+        refuse_overruled(keys, block);
         std::vector<Entry> overrides;
         for (const auto& [of_case, entry] : case_overrides_) {
             if (of_case == block.given) overrides.push_back(entry);

@@ -9,6 +9,7 @@
 #include "core/wording.hpp"
 #include "findings/averaged_table.hpp"
 #include "findings/conditions.hpp"
+#include "findings/design_section.hpp"
 #include "findings/pairs_section.hpp"
 #include "findings/paper_table3.hpp"
 #include "findings/sensitivity_section.hpp"
@@ -156,13 +157,27 @@ std::string return_levels(const ReportData& data) {
 std::string extremes(const ReportData& data) {
     std::string body;
     if (data.extremes)
-        body += figure(exceedance_figure(data),
-                       "Dots: maxima of all segments. Lines: Gumbel, dashed: GEV, fitted by maximum likelihood.") +
-                return_levels(data);
+        body +=
+            figure(
+                exceedance_figure(data),
+                "Dots: maxima of all segments, of single steps, which are no design loads. Lines: Gumbel, dashed: GEV, "
+                "fitted by maximum likelihood.") +
+            return_levels(data);
     body += figure(levels_figure(data),
                    "Share of the time in the window with a surge load above the levels that the members counted at "
                    "every step: mean over arrangements with its 95 % interval.");
     return body.empty() ? "" : section("Extremes", body);
+}
+
+/// The design loads by every method, and what they rest on.
+std::string design_loads(const ReportData& data) {
+    if (data.designs.empty()) return "";
+    std::string body;
+    for (const Section& part : design_sections(data.summary, data.designs, data.asked))
+        body += html_table(part.table) + note(part.after);
+    return section(
+        fmt::format("Design load: averaged over {:g} s, in {:g} h", data.asked.averaging, data.asked.exposure / 3600),
+        body);
 }
 
 std::string failures(const ReportData& data) {
@@ -235,7 +250,7 @@ std::string report_page(const ReportData& data) {
                title, page_style) +
            section("The answer", answer(data)) + section("Loads", loads(data)) +
            "<h1 class=\"appendix\">Appendix</h1>\n" + section("What was run", what_was_run(data)) + sensitivity(data) +
-           comparisons(data) + over_time(data) + extremes(data) + further_parts(data) +
+           comparisons(data) + over_time(data) + design_loads(data) + extremes(data) + further_parts(data) +
            section("Uncertainty of the mean",
                    figure(convergence_figure(data), "Mean load of the first n arrangements with its 95 % interval.")) +
            failures(data) + largest(data) + theory(data) + provenance(data) + "</body></html>\n";

@@ -8,6 +8,7 @@
 #include "campaign/read.hpp"
 #include "core/error.hpp"
 #include "scenario/keys.hpp"
+#include "support/refusal.hpp"
 
 namespace floes {
 namespace {
@@ -292,6 +293,16 @@ TEST(ReadCampaign, WithoutLoaderAPoseFileIsRefused) {
 
 const Case& only_case(const Campaign& campaign) {
     return campaign.cases.front();
+}
+
+TEST(ReadCampaign, APresetOfACaseOverrulesNoOverrideUnseen) {
+    const std::string text = "[[case]]\nname = \"a\"\ncontact.preset = \"paper\"\n[[case]]\nname = \"b\"\n";
+    EXPECT_EQ(refusal([&] { read(text, {"contact.law=crushing"}); }),
+              "--set contact.law=crushing: the preset of case a says contact.law = \"rigid\"; override it there, --set "
+              "case.a.contact.law=\"crushing\"");
+    EXPECT_EQ(read(text, {"contact.law=rigid"}).cases[0].scenario.contact.normal, NormalLaw::rigid);
+    EXPECT_EQ(read(text, {"case.a.contact.law=crushing"}).cases[0].scenario.contact.normal, NormalLaw::crushing);
+    EXPECT_EQ(read(text, {"contact.erp=0.5"}).cases[0].scenario.contact.erp, 0.5);
 }
 
 TEST(Preset, SetsItsKeysBeforeThoseThatAreGiven) {
