@@ -60,8 +60,8 @@ Section loads_section(const Summary& summary, const std::vector<CaseDesign>& des
     for (const CaseDesign& one : designs) {
         const std::string& name = summary.name_of(one.case_index);
         if (!one.load.valid()) {
-            table.emplace_back(table.front().size(), "").front() =
-                fmt::format("{}: too few peaks ({}) to fit", name, one.load.peaks);
+            table.emplace_back(table.front().size(), "").front() = fmt::format(
+                "{}: too few peaks ({} of {}) to fit; run more arrangements", name, one.load.peaks, fewest_peaks);
             continue;
         }
         for (const DesignEstimate& made : one.load.estimates) {
