@@ -86,6 +86,10 @@ class Reader {
         for (const Entry& entry : presets_first(keys, overrides_)) {
             if (!is_case_path(entry.path)) set(keys, entry, origins_);
         }
+        for (const Entry& entry : overrides_) {
+            const Key* key = find_key(keys, full_path(entry.path));
+            if (key != nullptr && !key->preset) overridden_.emplace_back(entry, exact_text(*key));
+        }
     }
 
     static void set(const Keys& keys, const Entry& entry, Origins& origins) {
@@ -117,13 +121,9 @@ class Reader {
 
     /// Nor may a preset of the case overrule it unseen. `keys`: of the case, when all that it gives is set.
     void refuse_overruled(const Keys& keys, const CaseBlock& block) const {
-        Scenario before = base_;
-        const Keys overridden = describe(before);
-        for (const Entry& entry : overrides_) {
-            const Key* there = find_key(overridden, full_path(entry.path));
+        for (const auto& [entry, wanted] : overridden_) {
             const Key* here = find_key(keys, full_path(entry.path));
-            if (there == nullptr || here == nullptr || here->preset || exact_text(*there) == exact_text(*here))
-                continue;
+            if (here == nullptr || exact_text(*here) == wanted) continue;
             throw InputError(fmt::format(
                 "{}: the preset of case {} says {} = {}; override it there, --set case.{}.{}={}", entry.where,
                 block.name, entry.path, literal(*here), block.name, entry.path, to_text(entry.value)));
@@ -258,6 +258,7 @@ class Reader {
     LoadFile load_file_;
     Document document_;
     std::vector<Entry> overrides_;
+    std::vector<std::pair<Entry, std::string>> overridden_;  ///< keys of a scenario, with the text that each then has
     CampaignHead head_;
     StopRule stop_;
     RunRules rules_;

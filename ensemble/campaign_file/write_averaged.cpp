@@ -8,29 +8,16 @@
 namespace floes {
 namespace {
 
-/// Of each member, averaging time and segment; NaN where there is none.
-std::vector<double> segment_maxima(const CampaignTable& table, std::size_t segments) {
-    const std::size_t times = table.averaging_times.size();
-    std::vector<double> values(table.members.size() * times * segments, std::numeric_limits<double>::quiet_NaN());
-    auto place = values.begin();
-    for (const MemberRow& row : table.members) {
-        for (const double time : table.averaging_times) {
-            if (const AveragedLoad* one = row.averaged_over(time)) std::ranges::copy(one->segment_maximum, place);
-            place += static_cast<std::ptrdiff_t>(segments);
-        }
-    }
-    return values;
-}
-
-/// Of each member, averaging time and peak; NaN where there is none.
-std::vector<double> all_peaks(const CampaignTable& table, std::size_t most) {
-    std::vector<double> values(table.members.size() * table.averaging_times.size() * most,
+/// The loads of each member and averaging time, `width` of them; NaN where there is none.
+std::vector<double> of_each_time(const CampaignTable& table, std::size_t width,
+                                 std::vector<double> AveragedLoad::*loads) {
+    std::vector<double> values(table.members.size() * table.averaging_times.size() * width,
                                std::numeric_limits<double>::quiet_NaN());
     auto place = values.begin();
     for (const MemberRow& row : table.members) {
         for (const double time : table.averaging_times) {
-            if (const AveragedLoad* one = row.averaged_over(time)) std::ranges::copy(one->peaks, place);
-            place += static_cast<std::ptrdiff_t>(most);
+            if (const AveragedLoad* one = row.averaged_over(time)) std::ranges::copy(one->*loads, place);
+            place += static_cast<std::ptrdiff_t>(width);
         }
     }
     return values;
@@ -44,7 +31,7 @@ void write_peaks(hid_t group, hid_t file, const CampaignTable& table, const Camp
     if (most == 0) return;
     const hdf5::Scale peak = write_index_scale(file, "peak", "declustered peak of a member, the highest first", most);
     hdf5::write_values(group, {"peaks", "N", "declustered peaks of the running means above their mean, falling"},
-                       {scales.member, times, peak}, all_peaks(table, most));
+                       {scales.member, times, peak}, of_each_time(table, most, &AveragedLoad::peaks));
 }
 
 }  // namespace
@@ -68,7 +55,8 @@ void write_averaged(hid_t file, const CampaignContent& content, const CampaignSc
                            {scales.member, times}, values);
     }
     hdf5::write_values(group.id(), {"segment_maximum", "N", "largest running mean that ends in each segment"},
-                       {scales.member, times, scales.segment}, segment_maxima(table, scales.segment.size()));
+                       {scales.member, times, scales.segment},
+                       of_each_time(table, scales.segment.size(), &AveragedLoad::segment_maximum));
     write_peaks(group.id(), file, table, scales, times);
 }
 

@@ -152,9 +152,7 @@ void add_calibrate(CLI::App& program, int& exit_status) {
     verb->add_option("--modulus-MPa", options->modulus,
                      "Inverse calibration: find the Σ that shows this modulus on the first sheet")
         ->excludes(cfm);
-    verb->add_option("--format", options->format, "table, json or csv")
-        ->check(CLI::IsMember({"table", "json", "csv"}))
-        ->capture_default_str();
+    add_format(*verb, options->format);
     verb->footer(
         "Lists are comma-separated and every combination is measured. Without arguments: the paper's Σ on sheets of\n"
         "5.4, 2.8 and 2.6 m. E (patch) assumes that the load is spread over the loaded elements, E (point) a point\n"

@@ -111,9 +111,7 @@ void add_cantilever(CLI::App& program, int& exit_status) {
                      "Modulus of the elastic beam on a foundation used for comparison")
         ->needs(floating)
         ->capture_default_str();
-    verb->add_option("--format", options->format, "table, json or csv")
-        ->check(CLI::IsMember({"table", "json", "csv"}))
-        ->capture_default_str();
+    add_format(*verb, options->format);
     verb->footer(
         "The beam is one element wide and clamped at one end. Bending: strength = 6 P L/(b h²), L from the load to "
         "the\n"

@@ -27,4 +27,10 @@ std::string version_text();
 /// The option --set of a verb that reads a configuration: key=value, repeatable, into `overrides`.
 CLI::Option* add_overrides(CLI::App& verb, std::vector<std::string>& overrides);
 
+/// The option --format of a verb whose answer is a table: "table", "json" or "csv", as written() takes it.
+void add_format(CLI::App& verb, std::string& format);
+
+/// The option --window of a verb that measures loads: "given" or "auto".
+void add_window(CLI::App& verb, std::string& window);
+
 }  // namespace floes

@@ -56,14 +56,8 @@ void add_design(CLI::App& program, int& exit_status) {
     verb->add_option("--peaks", options->request.share, "Share of the peaks, the highest, that the tails are fitted to")
         ->check(CLI::Range(0.01, 0.9))
         ->capture_default_str();
-    verb->add_option("--window", options->window,
-                     "Analysis window: given (as configured), or auto (from the start of the steady state, found in "
-                     "the histories)")
-        ->check(CLI::IsMember({"given", "auto"}))
-        ->capture_default_str();
-    verb->add_option("--format", options->format, "table, json or csv")
-        ->check(CLI::IsMember({"table", "json", "csv"}))
-        ->capture_default_str();
+    add_window(*verb, options->window);
+    add_format(*verb, options->format);
     verb->footer(
         "The exposure passes through many arrangements, so the members of a case are pieces of it. Loads of single\n"
         "steps depend on the time step and are no design loads; averaged ones do not (docs/convergence.md).\n\n"

@@ -66,9 +66,7 @@ void add_hybrid(CLI::App& program, int& exit_status) {
         ->expected(3)
         ->check(CLI::NonNegativeNumber)
         ->excludes(crossing);
-    verb->add_option("--format", options->format, "table, json or csv")
-        ->check(CLI::IsMember({"table", "json", "csv"}))
-        ->capture_default_str();
+    add_format(*verb, options->format);
     verb->footer(
         "R_LS is the load that breaks the floes (Lindqvist times concentration), R_LM the load that pushes them\n"
         "aside (KPR), R_F the lower of the two. No available source gives KPR's coefficients: k1 is set by the\n"

@@ -81,9 +81,7 @@ void add_plan(CLI::App& program, int& exit_status) {
     verb->add_option("--record-bytes", options->record_bytes,
                      "Assumed size of a member's result; default: the size of its record")
         ->check(CLI::Range(1.0, 1e12));
-    verb->add_option("--format", options->format, "table, json or csv")
-        ->check(CLI::IsMember({"table", "json", "csv"}))
-        ->capture_default_str();
+    add_format(*verb, options->format);
     add_overrides(*verb, options->overrides);
     verb->callback([options, &exit_status] {
         std::fputs(plan_text(*options).c_str(), stdout);

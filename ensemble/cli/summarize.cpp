@@ -71,9 +71,7 @@ void add_summarize(CLI::App& program, int& exit_status) {
     auto options = std::make_shared<SummarizeOptions>();
     CLI::App* verb = program.add_subcommand("summarize", "Statistics of a campaign: cases, pairs of cases, extremes");
     verb->add_option("campaign", options->file, "The campaign file (CAMPAIGN.h5)")->required();
-    verb->add_option("--format", options->format, "table, json or csv")
-        ->check(CLI::IsMember({"table", "json", "csv"}))
-        ->capture_default_str();
+    add_format(*verb, options->format);
     verb->add_option("--reference", options->reference, "Reference case: the others are compared with it, in percent");
     verb->add_option("--parts", options->parts,
                      "Parts to show, comma-separated: cases, points and sensitivity (of a design), pairs, extremes, "
@@ -86,11 +84,7 @@ void add_summarize(CLI::App& program, int& exit_status) {
                      "first case")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
-    verb->add_option("--window", options->window,
-                     "Analysis window: given (as configured), or auto (from the start of the steady state, found in "
-                     "the histories)")
-        ->check(CLI::IsMember({"given", "auto"}))
-        ->capture_default_str();
+    add_window(*verb, options->window);
     verb->callback([options, &exit_status] {
         std::fputs(answer(*options).c_str(), stdout);
         exit_status = 0;

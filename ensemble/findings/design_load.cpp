@@ -51,11 +51,12 @@ CampaignTable with_peaks(const std::filesystem::path& path, CampaignTable table)
     if (has_peaks(table)) return table;
     std::vector<Analysis> windows;
     for (const CaseRow& one : table.cases) windows.push_back(one.analysis);
-    table = measured_anew(path, std::move(table), windows);
+    const bool thinned = std::ranges::any_of(windows, [](const Analysis& one) { return one.history_stride > 1; });
+    if (!thinned) table = measured_anew(path, std::move(table), windows);
     if (!has_peaks(table))
         throw InputError(
             fmt::format("The members of {} have no peaks of the averaged load, because an older version ran "
-                        "them, and no histories to take them from. Run the campaign again.",
+                        "them, and no histories of every step to take them from. Run the campaign again.",
                         path.string()));
     return table;
 }

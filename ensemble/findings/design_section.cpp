@@ -52,8 +52,8 @@ std::string scale_words(const DesignRequest& request) {
         request.scale, std::sqrt(request.scale), request.force_factor());
 }
 
-Section loads_section(const Summary& summary, const std::vector<CaseDesign>& designs, const DesignRequest& request) {
-    const LoadUnit unit = unit_for(designs, request);
+Section loads_section(const Summary& summary, const std::vector<CaseDesign>& designs, const DesignRequest& request,
+                      const LoadUnit& unit) {
     Table table{{"case", {fmt::format("expected, {}", unit.name), ""}}};
     for (const double p : request.quantiles)
         table.front().push_back({fmt::format("exceeded with {}, {}", percent(1 - p), unit.name), ""});
@@ -98,8 +98,8 @@ double disagreement(const DesignLoad& load) {
     return (most - least) / load.estimates.front().quantiles.front().value;
 }
 
-Section basis_section(const Summary& summary, const std::vector<CaseDesign>& designs, const DesignRequest& request) {
-    const LoadUnit unit = unit_for(designs, request);
+Section basis_section(const Summary& summary, const std::vector<CaseDesign>& designs, const DesignRequest& request,
+                      const LoadUnit& unit) {
     Table table{{"what it rests on"}};
     const auto row = [&](std::string label, auto cell) {
         std::vector<Cell>& line = table.emplace_back();
@@ -115,6 +115,8 @@ Section basis_section(const Summary& summary, const std::vector<CaseDesign>& des
         [&](const CaseDesign& one) { return fmt::format("{:.2g}", request.model_exposure() / one.load.time_run); });
     row("not steady",
         [&](const CaseDesign& one) { return fmt::format("{}", summary.cases[one.case_index].not_steady); });
+    row("peaks at least apart, s",
+        [&](const CaseDesign& one) { return fmt::format("{:.3g}", one.separation * std::sqrt(request.scale)); });
     row(fmt::format("threshold, {}", unit.name),
         [&](const CaseDesign& one) { return fmt::format("{:.3g}", unit.factor * one.load.threshold); });
     row("peaks above", [](const CaseDesign& one) { return fmt::format("{}", one.load.peaks); });
@@ -129,15 +131,13 @@ Section basis_section(const Summary& summary, const std::vector<CaseDesign>& des
         [](const CaseDesign& one) { return fmt::format("{:.0f} %", 100 * disagreement(one.load)); });
     row("more arrangements for half the interval",
         [](const CaseDesign& one) { return fmt::format("{}", 3 * one.load.arrangements); });
-    const double separation = designs.empty() ? 0 : designs.front().separation * std::sqrt(request.scale);
     return {.before = "",
             .table = std::move(table),
-            .after =
-                fmt::format("\nPeaks are at least {:g} s apart, the tails fitted to the highest {} of them. ξ below 0: "
-                            "the load is bounded;\nabove 0: its tail is heavy. c: 1 exponential, 2 Gaussian. The load "
-                            "with other shares of the peaks, and\nthe methods' difference, are of the load exceeded "
-                            "with {}.\n",
-                            separation, percent(request.share), percent(1 - request.quantiles.front()))};
+            .after = fmt::format(
+                "\nThe tails are fitted to the highest {} of the peaks. ξ below 0: the load is bounded; above "
+                "0: its tail is\nheavy. c: 1 exponential, 2 Gaussian. The load with other shares of the "
+                "peaks, and the methods' difference,\nare of the load exceeded with {}.\n",
+                percent(request.share), percent(1 - request.quantiles.front()))};
 }
 
 /// The difference of the first quantile between two cases over the same arrangements.
@@ -153,11 +153,9 @@ std::vector<Paired> pairs_of(const std::vector<CaseDesign>& designs) {
         for (std::size_t b = a + 1; b < designs.size(); ++b) {
             const CaseDesign& one = designs[a];
             const CaseDesign& other = designs[b];
-            if (!one.load.valid() || !other.load.valid() || one.arrangements != other.arrangements ||
-                one.load.draws.size() != other.load.draws.size())
-                continue;
+            if (!one.load.valid() || !other.load.valid() || one.arrangements != other.arrangements) continue;
             std::vector<double> differences;
-            for (std::size_t k = 0; k < one.load.draws.size(); ++k)
+            for (std::size_t k = 0; k < std::min(one.load.draws.size(), other.load.draws.size()); ++k)
                 differences.push_back(other.load.draws[k].front() - one.load.draws[k].front());
             const auto value = [](const CaseDesign& of) { return of.load.estimates.front().quantiles.front().value; };
             pairs.push_back({&one, &other, {value(other) - value(one), percentile_interval(std::move(differences))}});
@@ -166,10 +164,10 @@ std::vector<Paired> pairs_of(const std::vector<CaseDesign>& designs) {
     return pairs;
 }
 
-Section pairs_section(const Summary& summary, const std::vector<CaseDesign>& designs, const DesignRequest& request) {
+Section pairs_section(const Summary& summary, const std::vector<CaseDesign>& designs, const DesignRequest& request,
+                      const LoadUnit& unit) {
     const std::vector<Paired> pairs = pairs_of(designs);
     if (pairs.empty()) return {};
-    const LoadUnit unit = unit_for(designs, request);
     Table table{{"pair", {fmt::format("difference, {}", unit.name), ""}}};
     for (const Paired& one : pairs)
         table.push_back(
@@ -271,10 +269,12 @@ Records rate_records(const Summary& summary, const std::vector<CaseDesign>& desi
 
 std::vector<Section> design_sections(const Summary& summary, const std::vector<CaseDesign>& designs,
                                      const DesignRequest& request) {
-    std::vector<Section> sections{loads_section(summary, designs, request), basis_section(summary, designs, request)};
+    const LoadUnit unit = unit_for(designs, request);
+    std::vector<Section> sections{loads_section(summary, designs, request, unit),
+                                  basis_section(summary, designs, request, unit)};
     sections.front().records = {load_records(summary, designs, request), basis_records(summary, designs, request),
                                 rate_records(summary, designs)};
-    if (Section pairs = pairs_section(summary, designs, request); !pairs.table.empty())
+    if (Section pairs = pairs_section(summary, designs, request, unit); !pairs.table.empty())
         sections.push_back(std::move(pairs));
     std::string conditions;
     for (const std::string& line : condition_lines(summary)) conditions += line + "\n";

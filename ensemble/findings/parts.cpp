@@ -1,6 +1,8 @@
 #include "findings/parts.hpp"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include "campaign_file/read_campaign_file.hpp"
@@ -73,8 +75,12 @@ Section steady(Evidence& evidence) {
 /// As `floes design` has it by default, without what it rests on.
 Section design(Evidence& evidence) {
     const DesignRequest request;
-    return design_sections(evidence.summary, find_design(with_peaks(evidence.file, evidence.table), request), request)
-        .front();
+    std::vector<Section> sections =
+        design_sections(evidence.summary, find_design(with_peaks(evidence.file, evidence.table), request), request);
+    Section loads = std::move(sections.front());
+    for (Section& other : std::span(sections).subspan(1))
+        std::ranges::move(other.records, std::back_inserter(loads.records));
+    return loads;
 }
 
 Section control(Evidence& evidence) {

@@ -42,15 +42,15 @@ double acceleration_of(std::span<const double> values, Influence influence) {
     return squares > 0 ? cubes / (6 * std::pow(squares, 1.5)) : 0;
 }
 
+double acceleration_of_jackknife(std::span<const double> without) {
+    return acceleration_of(without, [mean = mean_of(without)](double value) { return mean - value; });
+}
+
 /// Acceleration from the jackknife: the statistic without each row in turn.
 double acceleration(std::size_t rows, const RowStatistic& statistic) {
-    std::vector<std::uint32_t> others(rows - 1);
-    std::vector<double> without(rows);
-    for (std::size_t left_out = 0; left_out < rows; ++left_out) {
-        for (std::size_t i = 0; i + 1 < rows; ++i) others[i] = static_cast<std::uint32_t>(i < left_out ? i : i + 1);
-        without[left_out] = statistic(others);
-    }
-    return acceleration_of(without, [mean = mean_of(without)](double value) { return mean - value; });
+    std::vector<double> without;
+    leave_out(rows, rows, [&](std::span<const std::uint32_t> others) { without.push_back(statistic(others)); });
+    return acceleration_of_jackknife(without);
 }
 
 /// Which quantile of the sorted resampled values is that of the estimate, Efron's Eq. (6.8).
@@ -95,13 +95,24 @@ void check_confidence(double confidence) {
     throw InputError(fmt::format("The confidence is {}; it must lie between 0 and 1, such as 0.95.", confidence));
 }
 
+}  // namespace
+
 std::vector<std::uint32_t> all_rows(std::size_t rows) {
     std::vector<std::uint32_t> all(rows);
     std::iota(all.begin(), all.end(), 0u);
     return all;
 }
 
-}  // namespace
+void leave_out(std::size_t rows, std::size_t most, const std::function<void(std::span<const std::uint32_t>)>& use) {
+    const std::size_t groups = std::min(rows, most);
+    std::vector<std::uint32_t> others;
+    for (std::size_t group = 0; group < groups; ++group) {
+        others.clear();
+        for (std::uint32_t row = 0; row < rows; ++row)
+            if (row % groups != group) others.push_back(row);
+        use(others);
+    }
+}
 
 int default_resamples(std::size_t rows) {
     return static_cast<int>(std::clamp<std::size_t>(most_draws / std::max<std::size_t>(rows, 1), 999, 9999));
@@ -129,9 +140,7 @@ Limits bca_interval(std::size_t rows, const RowStatistic& statistic, const Boots
 std::vector<double> bca_draws(std::vector<double> resampled, double estimate, std::span<const double> without) {
     std::erase_if(resampled, [](double value) { return !std::isfinite(value); });
     std::ranges::sort(resampled);
-    const double accelerated =
-        acceleration_of(without, [mean = mean_of(without)](double value) { return mean - value; });
-    const auto correction = Correction::of(resampled, estimate, accelerated);
+    const auto correction = Correction::of(resampled, estimate, acceleration_of_jackknife(without));
     if (!correction) return resampled;
     std::vector<double> moved(resampled.size());
     for (std::size_t k = 0; k < moved.size(); ++k)

@@ -27,6 +27,12 @@ struct BootstrapOptions {
     std::uint32_t draw = 0;  ///< each number gives another, independent set of resamples
 };
 
+/// 0, 1, …, rows - 1.
+std::vector<std::uint32_t> all_rows(std::size_t rows);
+
+/// Calls `use` with all rows but one, each left out in turn; of more than `most` rows, every most-th together.
+void leave_out(std::size_t rows, std::size_t most, const std::function<void(std::span<const std::uint32_t>)>& use);
+
 /// 9999; fewer if that would draw more than 20 million rows, but at least 999.
 int default_resamples(std::size_t rows);
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numeric>
 
 #include "inference/hidden_peaks.hpp"
 
@@ -21,7 +20,9 @@ using Rows = std::span<const std::uint32_t>;
 /// Expected largest load, then its quantiles.
 using Figures = std::vector<double>;
 
+/// NaN of a tail that could not be fitted.
 Figures figures_of(const Tail& tail, const Exposure& exposure) {
+    if (!tail.valid()) return Figures(exposure.probabilities.size() + 1, undefined);
     Figures figures{expected_largest(tail, exposure.time)};
     for (const double p : exposure.probabilities) figures.push_back(quantile_of_largest(tail, exposure.time, p));
     return figures;
@@ -45,12 +46,6 @@ Figures figures_of(const ExtremeFit& fit, const Exposure& exposure, double segme
     return figures;
 }
 
-std::vector<std::uint32_t> all_of(std::size_t count) {
-    std::vector<std::uint32_t> rows(count);
-    std::iota(rows.begin(), rows.end(), 0u);
-    return rows;
-}
-
 /// The peak that the given share of all peaks exceeds.
 double threshold_of(const std::vector<PeakRow>& rows, double share) {
     std::vector<double> all;
@@ -68,6 +63,13 @@ struct BothTails {
     /// Akaike weight; both have as many parameters.
     double weibull_weight() const { return 1 / (1 + std::exp(pareto.log_likelihood - weibull.log_likelihood)); }
 };
+
+/// The figures of two tails, of which the second one has that weight.
+Figures weighted(const Figures& one, const Figures& other, double weight) {
+    Figures both(one.size());
+    for (std::size_t k = 0; k < one.size(); ++k) both[k] = (1 - weight) * one[k] + weight * other[k];
+    return both;
+}
 
 /// Fits the peaks above one threshold, of rows drawn from all.
 class TailFitter {
@@ -123,6 +125,7 @@ Limits mixed_limits(const std::vector<double>& one, const std::vector<double>& o
     std::vector<std::pair<double, double>> draws;  // value, weight
     for (const double value : one) draws.emplace_back(value, (1 - second) / static_cast<double>(one.size()));
     for (const double value : other) draws.emplace_back(value, second / static_cast<double>(other.size()));
+    if (draws.empty()) return {undefined, undefined};
     std::ranges::sort(draws);
     const auto quantile = [&](double p) {
         double sum = 0;
@@ -144,19 +147,8 @@ int resamples_for(std::size_t values) {
         std::clamp(fit_budget / static_cast<double>(std::max<std::size_t>(values, 1)), 199.0, 999.0));
 }
 
-/// Every row left out in turn; of many rows, every hundredth together.
-template <class Use>
-void leave_out(std::size_t rows, Use use) {
-    const std::size_t groups = std::min(rows, most_left_out);
-    for (std::size_t group = 0; group < groups; ++group) {
-        std::vector<std::uint32_t> others = all_of(rows);
-        std::erase_if(others, [&](std::uint32_t row) { return row % groups == group; });
-        use(others);
-    }
-}
-
 void add_tails(const std::vector<PeakRow>& rows, const TailFitter& fitter, const Exposure& exposure, DesignLoad& load) {
-    const BothTails tails = fitter.fit(all_of(rows.size()));
+    const BothTails tails = fitter.fit(all_rows(rows.size()));
     if (!tails.valid()) return;
     const double weight = tails.weibull_weight();
     load.pareto = tails.pareto;
@@ -164,24 +156,20 @@ void add_tails(const std::vector<PeakRow>& rows, const TailFitter& fitter, const
     load.weibull_weight = weight;
     TailDraws pareto{.all = figures_of(tails.pareto, exposure), .resampled = {}, .without = {}};
     TailDraws weibull{.all = figures_of(tails.weibull, exposure), .resampled = {}, .without = {}};
-    const auto take = [&](Rows drawn, Draws TailDraws::*into) {
-        const BothTails found = fitter.fit(drawn);
-        if (!found.valid()) return;
+    const auto take = [&](const BothTails& found, Draws TailDraws::*into) {
         (pareto.*into).push_back(figures_of(found.pareto, exposure));
         (weibull.*into).push_back(figures_of(found.weibull, exposure));
     };
+    // A draw that cannot be fitted stays as NaN, so that the same draws of two cases keep the same place.
     bootstrap(rows.size(),
               [&](Rows drawn) {
-                  take(drawn, &TailDraws::resampled);
+                  take(fitter.fit(drawn), &TailDraws::resampled);
                   return 0.0;
               },
               {.resamples = resamples_for(load.peaks)});
-    leave_out(rows.size(), [&](const std::vector<std::uint32_t>& others) { take(others, &TailDraws::without); });
-    const auto mean = [&](const Figures& one, const Figures& other) {
-        Figures both(one.size());
-        for (std::size_t k = 0; k < one.size(); ++k) both[k] = (1 - weight) * one[k] + weight * other[k];
-        return both;
-    };
+    leave_out(rows.size(), most_left_out, [&](Rows others) {
+        if (const BothTails found = fitter.fit(others); found.valid()) take(found, &TailDraws::without);
+    });
     std::vector<std::vector<double>> of_pareto, of_weibull;
     for (std::size_t k = 0; k <= exposure.probabilities.size(); ++k) {
         of_pareto.push_back(pareto.corrected(k));
@@ -190,13 +178,13 @@ void add_tails(const std::vector<PeakRow>& rows, const TailFitter& fitter, const
     const auto limits_of = [](const std::vector<std::vector<double>>& draws) {
         return [&](std::size_t k) { return percentile_interval(draws[k]); };
     };
-    load.estimates.push_back(estimate(LargestBy::both_tails, mean(pareto.all, weibull.all), [&](std::size_t k) {
-        return mixed_limits(of_pareto[k], of_weibull[k], weight);
-    }));
+    load.estimates.push_back(
+        estimate(LargestBy::both_tails, weighted(pareto.all, weibull.all, weight),
+                 [&](std::size_t k) { return mixed_limits(of_pareto[k], of_weibull[k], weight); }));
     load.estimates.push_back(estimate(LargestBy::pareto, pareto.all, limits_of(of_pareto)));
     load.estimates.push_back(estimate(LargestBy::weibull, weibull.all, limits_of(of_weibull)));
     for (std::size_t draw = 0; draw < pareto.resampled.size(); ++draw) {
-        const Figures both = mean(pareto.resampled[draw], weibull.resampled[draw]);
+        const Figures both = weighted(pareto.resampled[draw], weibull.resampled[draw], weight);
         load.draws.emplace_back(both.begin() + 1, both.end());
     }
 }
@@ -209,7 +197,7 @@ void add_maxima(const std::vector<PeakRow>& rows, double segment, const Exposure
             maxima.insert(maxima.end(), rows[row].segment_maxima.begin(), rows[row].segment_maxima.end());
         return maxima;
     };
-    const std::vector<double> all = maxima_of(all_of(rows.size()));
+    const std::vector<double> all = maxima_of(all_rows(rows.size()));
     const ExtremeFit fit = fit_maxima(all, kind);
     Draws draws;
     if (fit.valid())
@@ -266,14 +254,11 @@ std::vector<std::vector<double>> over_thresholds(const std::vector<PeakRow>& row
         const double threshold = threshold_of(rows, share);
         Figures& found = all.emplace_back(exposure.probabilities.size(), undefined);
         if (!(threshold > measured.mean)) continue;
-        const BothTails tails = TailFitter(rows, measured, threshold).fit(all_of(rows.size()));
+        const BothTails tails = TailFitter(rows, measured, threshold).fit(all_rows(rows.size()));
         if (!tails.valid()) continue;
-        const double weight = tails.weibull_weight();
-        for (std::size_t k = 0; k < found.size(); ++k) {
-            const double p = exposure.probabilities[k];
-            found[k] = (1 - weight) * quantile_of_largest(tails.pareto, exposure.time, p) +
-                       weight * quantile_of_largest(tails.weibull, exposure.time, p);
-        }
+        const Figures both =
+            weighted(figures_of(tails.pareto, exposure), figures_of(tails.weibull, exposure), tails.weibull_weight());
+        found.assign(both.begin() + 1, both.end());
     }
     return all;
 }

@@ -64,8 +64,8 @@ struct DesignLoad {
     Tail weibull;                           ///< shape 1: exponential; 2: Gaussian
     double weibull_weight = 0;              ///< of the Weibull tail in both_tails, 0-1
     std::vector<DesignEstimate> estimates;  ///< in the order of LargestBy; empty if there are too few peaks
-    /// Of the quantiles of both_tails, a draw a row: equal rows of two cases with the same arrangements belong
-    /// together.
+    /// Of the quantiles of both_tails, a draw a row, NaN where it could not be fitted: the first rows of two cases with
+    /// the same arrangements are of the same draws, as many as both have.
     std::vector<std::vector<double>> draws;
 
     bool valid() const { return !estimates.empty(); }

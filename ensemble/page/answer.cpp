@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/units.hpp"
@@ -39,13 +38,25 @@ std::string design_words(const DesignRequest& asked, const DesignLoad& found) {
                        (1 - asked.quantiles.front()) / unit::percent, load(made.quantiles.front()));
 }
 
+const char* placing_words(ArrangementMethod method) {
+    switch (method) {
+        case ArrangementMethod::monte_carlo:
+            return "in equilibrium";
+        case ArrangementMethod::lattice:
+            return "on a jittered lattice";
+        case ArrangementMethod::file:
+            return "as given in a file";
+        case ArrangementMethod::scattered:
+            break;
+    }
+    return "scattered at random";
+}
+
 std::string field_words(const Scenario& scenario) {
-    constexpr std::array methods{"in equilibrium", "on a jittered lattice", "as given in a file",
-                                 "scattered at random"};
     return fmt::format("{} of {:g} m x {:g} m x {:g} m at {:g} %, {}; structure towed at {:g} m/s.",
                        counted(scenario.field.floes, "floe"), scenario.floe.length, scenario.floe.breadth,
                        scenario.ice.thickness, scenario.field.concentration / unit::percent,
-                       methods.at(static_cast<std::size_t>(scenario.arrangement.method)), scenario.structure.speed);
+                       placing_words(scenario.arrangement.method), scenario.structure.speed);
 }
 
 }  // namespace

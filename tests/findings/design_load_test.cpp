@@ -94,6 +94,23 @@ TEST(DesignFinding, ComparesCasesOverTheSameArrangements) {
               0.7 * pair.at("difference_N").get<double>());
 }
 
+// With many peaks a case is resampled less often, the less the more peaks it has; the draws that both have are
+// compared.
+TEST(DesignFinding, ComparesCasesWithOtherNumbersOfPeaks) {
+    CampaignTable table = campaign();
+    const std::vector<MemberRow> once = table.members;
+    for (int copy = 1; copy < 4; ++copy)
+        for (MemberRow row : once) {
+            row.arrangement += 40 * copy;
+            if (row.case_index == 1) row.averaged[0].peaks.resize(16);
+            table.members.push_back(row);
+        }
+    const std::vector<CaseDesign> designs = find_design(table, {});
+    ASSERT_NE(designs[0].load.draws.size(), designs[1].load.draws.size());
+    const auto told = nlohmann::json::parse(json(design_sections(summarise(table), designs, {})));
+    EXPECT_EQ(told.at("design").at("pairs").size(), 1u);
+}
+
 TEST(DesignFinding, PairsNoOtherArrangements) {
     CampaignTable table = campaign();
     table.members.back().arrangement = 99;

@@ -7,13 +7,12 @@
 #include <cmath>
 
 #include "core/random.hpp"
+#include "inference/known_processes.hpp"
 
 namespace floes {
 namespace {
 
-double normal(RandomStream& random) {
-    return std::sqrt(-2 * std::log(random.uniform(1e-300, 1))) * std::cos(2 * M_PI * random.uniform(0, 1));
-}
+using known::normal;
 
 struct Drawn {
     std::vector<double> values;
