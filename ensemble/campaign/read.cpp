@@ -192,7 +192,8 @@ class Reader {
             one.point = block.point;
         }
         own.insert(origins_.begin(), origins_.end());  // what the case does not set comes from the tables
-        one.calibrate = own.contains("ice.elastic_modulus_MPa") && !own.contains("joint.cfm");
+        one.calibrate = one.scenario.joint.model == JointModel::cfm && own.contains("ice.elastic_modulus_MPa") &&
+                        !own.contains("joint.cfm");
         const std::string label = one_of_many ? fmt::format("case {}: ", one.name) : "";
         const std::optional<PoseFile> file = resolve_poses(one.scenario, own, label);
         refuse_contradictions(one.scenario, own, label);

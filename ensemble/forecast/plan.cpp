@@ -129,7 +129,7 @@ PlannedMembers expected_members(const Campaign& campaign) {
     for (std::size_t k = 0; k < planned.members.size(); ++k) {
         const int number = static_cast<int>(k);
         const auto case_index = static_cast<std::size_t>(member_key(campaign, number).case_index);
-        const bool lanes = campaign.cases[case_index].scenario.general.solver == SolverKind::lanes;
+        const bool lanes = campaign.cases[case_index].scenario.general.solver != SolverKind::stock;
         SimulatedMember& member = planned.members[k];
         member.run_time = member.expected_cost * (lanes ? costs.lanes_per_unit : costs.stock_per_unit) *
                           scatter(draw(campaign, number), costs.variation);

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/turn.hpp"
+#include "ice/beam_joint.hpp"
 #include "ice/scenario_world.hpp"
 
 namespace floes {
@@ -15,13 +16,14 @@ IceField::IceField(World& world, const Scenario& scenario, std::span<const Plana
       thresholds_(make_thresholds(scenario)),
       floes_(static_cast<int>(poses.size())) {
     const std::vector<GridJoint> order = joint_order(grid_);
+    const std::optional<JointSpring> spring = joint_spring(scenario);
     elements_.reserve(poses.size() * static_cast<std::size_t>(grid_.elements()));
     joints_.reserve(poses.size() * order.size());
-    for (const PlanarPose& pose : poses) add_floe(world, scenario, pose, order);
+    for (const PlanarPose& pose : poses) add_floe(world, scenario, spring, pose, order);
 }
 
-void IceField::add_floe(World& world, const Scenario& scenario, const PlanarPose& pose,
-                        const std::vector<GridJoint>& order) {
+void IceField::add_floe(World& world, const Scenario& scenario, const std::optional<JointSpring>& spring,
+                        const PlanarPose& pose, const std::vector<GridJoint>& order) {
     const double side = scenario.floe.element;
     const double thickness = scenario.ice.thickness;
     const int floe = static_cast<int>(elements_.size()) / grid_.elements();
@@ -46,7 +48,8 @@ void IceField::add_floe(World& world, const Scenario& scenario, const PlanarPose
                                             .pivot = middle + yaw * grid_.pivot(joint),
                                             .frame = yaw * joint_frame(joint.axis),
                                             .cfm = scenario.joint.cfm,
-                                            .erp = scenario.joint.erp});
+                                            .erp = scenario.joint.erp,
+                                            .spring = spring});
         joints_.push_back({id, floe, number, joint});
     }
 }

@@ -5,6 +5,7 @@
 //   ... world.step();  ice.break_joints(world, time);
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -59,7 +60,8 @@ class IceField {
         GridJoint grid;  // indices within the floe
     };
 
-    void add_floe(World& world, const Scenario& scenario, const PlanarPose& pose, const std::vector<GridJoint>& order);
+    void add_floe(World& world, const Scenario& scenario, const std::optional<JointSpring>& spring,
+                  const PlanarPose& pose, const std::vector<GridJoint>& order);
     void fail(World& world, const Joint& joint, const BreakEvent& event);
     void split_floes(World& world, std::size_t first_break);
     void expose_edges(const Joint& joint);

@@ -11,6 +11,8 @@ ConstraintSolver world_solver(SolverKind kind) {
             return ConstraintSolver::stock;
         case SolverKind::lanes:
             return ConstraintSolver::lanes;
+        case SolverKind::direct:
+            return ConstraintSolver::direct;
     }
     throw InputError("The scenario asks for a solver that the world does not have.");
 }

@@ -76,6 +76,28 @@ void check_floating(const Scenario& scenario, Contradictions& found) {
     }
 }
 
+void check_solver(const Scenario& scenario, Contradictions& found) {
+    const bool direct = scenario.general.solver == SolverKind::direct;
+    if (!direct && scenario.joint.model == JointModel::beam) {
+        found.push_back({{"joint.model", "general.solver"},
+                         fmt::format("{} is not possible with {}: joints as stiff as ice do not converge in sweeps; "
+                                     "take general.solver = \"direct\"",
+                                     given(scenario, "joint.model"), given(scenario, "general.solver"))});
+    }
+    if (direct && scenario.contact.friction != Friction::cone) {
+        found.push_back({{"contact.friction", "general.solver"},
+                         fmt::format("{} is not possible with {}, which has friction in the whole contact plane only; "
+                                     "take contact.friction = \"cone\", or contact.preset = \"physical\"",
+                                     given(scenario, "contact.friction"), given(scenario, "general.solver"))});
+    }
+    if (direct && scenario.contact.normal == NormalLaw::rigid && scenario.contact.split_impulse) {
+        found.push_back({{"contact.split_impulse", "general.solver"},
+                         fmt::format("{} is not possible with {} and rigid contacts: it corrects every penetration "
+                                     "within the impulse; take contact.split_impulse = false",
+                                     given(scenario, "contact.split_impulse"), given(scenario, "general.solver"))});
+    }
+}
+
 void check_contact(const Scenario& scenario, Contradictions& found) {
     if (scenario.general.solver != SolverKind::stock) return;
     const auto refuse = [&](const char* key, const char* reason, const char* instead) {

@@ -74,11 +74,11 @@ void check_tow(const Scenario& scenario, Contradictions& found) {
 void check_wake(const Scenario& scenario, Contradictions& found) {
     const double radius = scenario.field.wake_radius;
     if (radius == 0) return;
-    if (scenario.general.solver != SolverKind::lanes) {
+    if (scenario.general.solver == SolverKind::stock) {
         found.push_back(
             {{"field.wake_radius_m", "general.solver"},
-             fmt::format("{} is not for {}: only the lanes solver lets floes rest; take it, or set the radius "
-                         "to 0",
+             fmt::format("{} is not for {}, which lets no floes rest; take general.solver = \"lanes\", or set the "
+                         "radius to 0",
                          given(scenario, "field.wake_radius_m"), given(scenario, "general.solver"))});
     }
     const double least =

@@ -11,7 +11,9 @@
 
 namespace floes {
 
-enum class SolverKind { stock, lanes };  ///< of the world: Bullet's own, or ours with many floes side by side
+/// Of the world: Bullet's own; the same sweeps with many floes side by side; or joints solved exactly.
+enum class SolverKind { stock, lanes, direct };
+enum class JointModel { cfm, beam };  ///< Σ and Γ, or an elastic beam from centre to centre
 /// The point about which the bending moment of Eq. (3) is taken: where the joint is, or the centre of its first
 /// element, about which Bullet reports a joint's torque.
 enum class MomentAbout { pivot, element_centre };
@@ -25,7 +27,7 @@ enum class FormDragOn { outline, every_element };  ///< edge faces that form dra
 /// Time stepping and the constraint solver.
 struct General {
     double time_step = 0.02;  ///< Δt, s (Table 1)
-    int iterations = 50;      ///< projected Gauss-Seidel sweeps a step (design decision 1)
+    int iterations = 50;      ///< projected Gauss-Seidel sweeps a step (design decision 1); direct: over contacts
     SolverKind solver = SolverKind::lanes;
     double gravity = 9.81;        ///< m/s²
     double runaway_speed = 10.0;  ///< m/s; an element faster than this ends the member as failed
@@ -41,7 +43,8 @@ struct Ice {
     double tensile_strength = 0;            ///< Pa; 0: no criterion (the paper has none)
     double torsion_strength = 0;            ///< Pa; 0: no criterion
     double in_plane_bending_strength = 0;   ///< Pa; 0: no criterion
-    double elastic_modulus = 60e6;          ///< E that the case stands for, Pa; a label, the joints follow cfm
+    double elastic_modulus = 60e6;          ///< E, Pa; where joints follow Σ, only a label
+    double poisson_ratio = 0.3;             ///< ν, of beam joints
 };
 
 /// One floe: length x breadth of square elements (Table 1).
@@ -56,8 +59,10 @@ struct Floe {
 
 /// The fixed joints between elements.
 struct Joint {
-    double cfm = 0.016;  ///< Σ, Bullet's relative number (design decision 2); below 1
-    double erp = 0.8;    ///< Γ (Table 1)
+    JointModel model = JointModel::cfm;
+    double cfm = 0.016;           ///< Σ, Bullet's relative number (design decision 2); below 1
+    double erp = 0.8;             ///< Γ (Table 1)
+    double damping_ratio = 0.05;  ///< of beam joints, of critical
     ThresholdForm threshold_form = ThresholdForm::force;
     MomentAbout moment_about = MomentAbout::pivot;
 };

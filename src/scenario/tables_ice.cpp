@@ -11,11 +11,14 @@ void add_general(Keys& keys, General& general) {
                               "so another time step gives other ice."));
     keys.push_back(integer_key(
         "general.iterations", general.iterations, 1, 100000, "inferred from Fig. 2; Bullet's own default is 10",
-        "Projected Gauss-Seidel sweeps per step. More sweeps make ice of small cfm stiffer: at cfm 1e-10 a sheet shows "
+        "Projected Gauss-Seidel sweeps per step. With solver direct they are over contacts only, and 20 are enough "
+        "(docs/convergence.md). With the others more sweeps make ice of small cfm stiffer: at cfm 1e-10 a sheet shows "
         "37, 207 and 421 MPa at 10, 50 and 100 sweeps. Run time is proportional to it."));
-    keys.push_back(word_key("general.solver", general.solver, {"stock", "lanes"}, "the paper",
-                            "Constraint solver: lanes solves many floes at once, one per SIMD lane; stock is Bullet's "
-                            "own, the reference."));
+    keys.push_back(
+        word_key("general.solver", general.solver, {"stock", "lanes", "direct"}, "the paper",
+                 "Constraint solver: lanes sweeps over joints and contacts, with many floes at once, one per "
+                 "SIMD lane; stock is Bullet's own, the reference. direct solves all joints of a floe "
+                 "exactly, so that only contacts need iterations (docs/ice.md)."));
     keys.push_back(
         number_key("general.gravity_m_s2", general.gravity, unit::one, above(0).at_most(100), "standard", "Gravity."));
     keys.push_back(number_key(
@@ -49,7 +52,10 @@ void add_ice(Keys& keys, Ice& ice) {
     keys.push_back(number_key(
         "ice.elastic_modulus_MPa", ice.elastic_modulus, unit::megapascal, above(0).at_most(1e6), "Table 1",
         "Nominal E of the case. If joint.cfm is given too, it is only a label in results: joint.cfm sets the "
-        "stiffness. If joint.cfm is not given, floes run finds the joint.cfm with which a sheet shows this E."));
+        "stiffness. If joint.cfm is not given, floes run finds the joint.cfm with which a sheet shows this E. With "
+        "joint.model = \"beam\" it is the E of the ice."));
+    keys.push_back(late_key(number_key("ice.poisson_ratio", ice.poisson_ratio, unit::one, at_least(0).at_most(0.5),
+                                       "usual for ice", "Poisson's ratio ν, with joint.model = \"beam\".")));
 }
 
 void add_floe(Keys& keys, Floe& floe) {
@@ -70,6 +76,14 @@ void add_joint(Keys& keys, Joint& joint) {
     keys.push_back(number_key("joint.erp", joint.erp, unit::one, above(0).at_most(1), "Table 1",
                               "Error reduction parameter Γ: the share of a joint's error corrected in each step. "
                               "Stiffness is proportional to it."));
+    keys.push_back(late_key(word_key(
+        "joint.model", joint.model, {"cfm", "beam"}, "the paper",
+        "How stiff joints are. cfm: by cfm and erp, together with element size, time step and iterations. beam: an "
+        "elastic beam from centre to centre, whose stiffness follows from ice.elastic_modulus_MPa, "
+        "ice.poisson_ratio, element side and thickness; with general.solver = \"direct\" only (docs/ice.md).")));
+    keys.push_back(late_key(
+        number_key("joint.damping_ratio", joint.damping_ratio, unit::one, at_least(0).at_most(10), "judgement",
+                   "Damping of beam joints: share of critical for two elements that swing against each other.")));
     keys.push_back(word_key(
         "joint.threshold_form", joint.threshold_form, {"force", "as_printed"}, "design decision",
         "Failure thresholds of compression and shear. force: L_e T_e σ, a force. as_printed: L_e T_e² σ, Eqs. (1)-(2) "

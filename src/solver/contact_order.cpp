@@ -9,15 +9,15 @@ void ContactOrder::find_pairs(std::span<const Contact> contacts) {
     next_level_.assign(spare_, 0);
     pairs_.clear();
     for (std::uint32_t i = 0; i < contacts.size(); ++i) {
-        const auto [a, b, a_moves, b_moves, pressed] = contacts[i];
+        const auto [a, b, a_group, b_group, a_moves, b_moves, pressed] = contacts[i];
         if (i > 0 && contacts[i - 1].a == a && contacts[i - 1].b == b) {
             ++pairs_.back().contacts;
             pairs_.back().pressed |= pressed;
             continue;
         }
-        const std::uint32_t level = std::max(a_moves ? next_level_[a] : 0, b_moves ? next_level_[b] : 0);
-        if (a_moves) next_level_[a] = level + 1;
-        if (b_moves) next_level_[b] = level + 1;
+        const std::uint32_t level = std::max(a_moves ? next_level_[a_group] : 0, b_moves ? next_level_[b_group] : 0);
+        if (a_moves) next_level_[a_group] = level + 1;
+        if (b_moves) next_level_[b_group] = level + 1;
         pairs_.push_back({level, pressed, 1, i});
     }
 }

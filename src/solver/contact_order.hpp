@@ -10,13 +10,14 @@
 
 namespace floes {
 
-/// Neighbouring contacts of the same two bodies stay together, as a pair. A pair may move forward past pairs that share
-/// no moving body with it: nothing changes by that. So each goes to the level after the last one that touched its
-/// bodies, and levels are solved one after the other, some pairs of a level side by side.
+/// Neighbouring contacts of the same two bodies stay together, as a pair. A pair may move forward past pairs that move
+/// nothing that it moves: nothing changes by that. So each goes to the level after the last one that moved its bodies,
+/// and levels are solved one after the other, some pairs of a level side by side.
 class ContactOrder {
   public:
     struct Contact {
-        std::uint32_t a, b;  ///< slots of the bodies
+        std::uint32_t a, b;              ///< slots of the bodies
+        std::uint32_t a_group, b_group;  ///< what moves together with them: below `spare`
         bool a_moves, b_moves;
         bool pressed;  ///< it bears something already
     };
@@ -44,7 +45,7 @@ class ContactOrder {
     std::uint32_t spare_ = 0;
     std::vector<Pair> pairs_, sorted_;
     std::vector<std::uint32_t> start_;       ///< of each rank in sorted_
-    std::vector<std::uint32_t> next_level_;  ///< by body slot
+    std::vector<std::uint32_t> next_level_;  ///< by group
     std::vector<ContactPack> packs_;
     std::vector<std::uint32_t> pack_slots_, row_slots_;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/contact_points.hpp"
 #include "solver/lane_slot.hpp"
 
 namespace floes {
@@ -28,45 +29,9 @@ void ContactRows::order(std::span<const SolverContact> contacts, std::span<const
     for (const SolverContact& contact : contacts) {
         const std::uint32_t a = slot_of_body[contact.a];
         const std::uint32_t b = slot_of_body[contact.b];
-        to_order_.push_back({a, b, moves(a), moves(b), contact.impulse > 0});
+        to_order_.push_back({a, b, a, b, moves(a), moves(b), contact.impulse > 0});
     }
     order_.lay_out(to_order_, static_cast<std::uint32_t>(body_slots), kernels.width, kernels.turns);
-}
-
-void ContactRows::fill_points(std::span<const SolverContact> contacts) {
-    const auto width = static_cast<std::size_t>(width_);
-    points_.reserve(order_.rows() * width * point_field::count);
-    // Where there is none, something that stays open and harms no sum.
-    std::array<double, point_field::count> none{};
-    none[point_field::normal + 2] = 1;
-    none[point_field::distance] = infinity;
-    double* group = points_.data();
-    for (std::size_t row = 0; row < order_.rows(); ++row) {
-        for (const double value : none) group = std::fill_n(group, width, value);
-    }
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        const SolverContact& contact = contacts[i];
-        double* at = points_.data() + place(order_.slot(i), point_field::count, 0, width_);
-        for (std::size_t k = 0; k < 3; ++k) {
-            at[(point_field::on_a + k) * width] = contact.on_a[k];
-            at[(point_field::on_b + k) * width] = contact.on_b[k];
-            at[(point_field::normal + k) * width] = contact.normal[k];
-        }
-        at[point_field::distance * width] = contact.distance;
-        at[point_field::friction * width] = contact.friction;
-        at[point_field::impulse * width] = contact.impulse;
-    }
-}
-
-void ContactRows::fill_friction_start(std::span<const SolverContact> contacts) {
-    constexpr int fields = 3;
-    const auto width = static_cast<std::size_t>(width_);
-    friction_start_.reserve(order_.rows() * width * fields);
-    std::fill_n(friction_start_.data(), order_.rows() * width * fields, 0.0);
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        double* at = friction_start_.data() + place(order_.slot(i), fields, 0, width_);
-        for (std::size_t k = 0; k < 3; ++k) at[k * width] = contacts[i].slide[k] * contacts[i].friction_impulse;
-    }
 }
 
 void ContactRows::prepare(std::span<const SolverContact> contacts, std::span<const std::uint32_t> slot_of_body,
@@ -74,7 +39,7 @@ void ContactRows::prepare(std::span<const SolverContact> contacts, std::span<con
                           const ContactLaw& law, double time_step) {
     width_ = kernels.width;
     order(contacts, slot_of_body, arrays, body_slots, kernels);
-    fill_points(contacts);
+    fill_points(points_, contacts, order_, width_);
     const std::size_t slots = order_.rows() * static_cast<std::size_t>(width_);
     normals_.reserve(slots);
     frictions_.reserve(slots);
@@ -82,7 +47,7 @@ void ContactRows::prepare(std::span<const SolverContact> contacts, std::span<con
     cone_ = law.friction == Friction::cone;
     if (cone_) {
         seconds_.reserve(slots);
-        fill_friction_start(contacts);
+        fill_friction_start(friction_start_, contacts, order_, width_);
     }
     const bool crushing = law.normal == NormalLaw::crushing;
     const double split_depth = law.split_impulse && !crushing ? law.split_impulse_depth : infinity;

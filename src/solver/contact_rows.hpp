@@ -45,8 +45,6 @@ class ContactRows {
     };
     void order(std::span<const SolverContact> contacts, std::span<const std::uint32_t> slot_of_body,
                const LaneArrays& arrays, std::size_t body_slots, const LaneKernels& kernels);
-    void fill_points(std::span<const SolverContact> contacts);
-    void fill_friction_start(std::span<const SolverContact> contacts);
     FrictionArrays friction_arrays() { return {frictions_.arrays(), seconds_.arrays(), friction_start_.data()}; }
     LimitArrays limit_arrays() { return limited_ ? LimitArrays{yield_.data(), give_.data()} : LimitArrays{}; }
     std::array<double, 3> row_axis(const Rows& rows, std::uint32_t slot) const;

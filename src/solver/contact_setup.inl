@@ -93,18 +93,28 @@ inline V3 slide_direction(const V3& velocity, const V3& normal) {
     return {slides ? along.x : any.x, slides ? along.y : any.y, slides ? along.z : any.z};
 }
 
-/// The two rows of the cone, which stop `velocity`, and their impulses to start from. Directions follow from the normal
-/// alone (Duff et al. 2017, Building an orthonormal basis, revisited): what is carried from step to step is a vector in
-/// world axes. The scale is that of the stiffest direction in the plane, which keeps the sweeps stable.
-inline void prepare_cone(const FrictionArrays& frictions, int i, const V3& n, const V3& velocity, const V3& lever_a,
-                         const V3& lever_b, const Touching& a, const Touching& b, Pack friction, Pack normal_impulse,
-                         Pack normal_scale) {
+/// Two directions at right angles in the contact plane. They follow from the normal alone (Duff et al. 2017, Building
+/// an orthonormal basis, revisited): what is carried from step to step is a vector in world axes.
+struct TangentPlane {
+    V3 first, second;
+};
+
+inline TangentPlane tangents(const V3& n) {
     const Pack none{};
     const Pack sign = n.z < 0.0 ? none - 1.0 : none + 1.0;
     const Pack k = -1.0 / (sign + n.z);
     const Pack xy = n.x * n.y * k;
-    const Arm first = make_arm({1.0 + sign * n.x * n.x * k, sign * xy, -sign * n.x}, lever_a, lever_b, a, b);
-    const Arm second = make_arm({xy, sign + n.y * n.y * k, -n.y}, lever_a, lever_b, a, b);
+    return {{1.0 + sign * n.x * n.x * k, sign * xy, -sign * n.x}, {xy, sign + n.y * n.y * k, -n.y}};
+}
+
+/// The two rows of the cone, which stop `velocity`, and their impulses to start from. The scale is that of the stiffest
+/// direction in the plane, which keeps the sweeps stable.
+inline void prepare_cone(const FrictionArrays& frictions, int i, const V3& n, const V3& velocity, const V3& lever_a,
+                         const V3& lever_b, const Touching& a, const Touching& b, Pack friction, Pack normal_impulse,
+                         Pack normal_scale) {
+    const TangentPlane plane = tangents(n);
+    const Arm first = make_arm(plane.first, lever_a, lever_b, a, b);
+    const Arm second = make_arm(plane.second, lever_a, lever_b, a, b);
     const Pack one_one = coupling(first, first);
     const Pack two_two = coupling(second, second);
     const Pack one_two = coupling(first, second);

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "solver/contact_law.hpp"
+#include "solver/direct_layout.hpp"
 
 namespace floes {
 
@@ -190,6 +191,7 @@ struct LaneKernels {
     void (*solve_frictions)(double* delta, const ContactPacks&, const ContactRowArrays&, const double* normal_impulse);
     void (*solve_cones)(double* delta, const ContactPacks&, const ContactRowArrays& normals, const FrictionArrays&,
                         const LimitArrays&);
+    DirectKernels direct;
 };
 
 }  // namespace floes

@@ -29,6 +29,7 @@ LaneArrays LaneSystem::arrays() {
 void LaneSystem::remove_joint(std::size_t joint) {
     cover(joint, 0);
     frame_[place(slot_of_joint_[joint], frame_field::count, frame_field::alive, width())] = 0;
+    if (direct_) direct_->remove_joint(joint);
     for (int field = 0; field < 6; ++field) {
         reaction_[place(slot_of_joint_[joint], reaction_field::count, field, width())] = 0;
     }
@@ -83,6 +84,10 @@ void LaneSystem::advance() {
 void LaneSystem::prepare(double time_step) {
     time_step_ = time_step;
     kernels_->prepare_bodies(arrays(), body_groups_, time_step);
+    if (direct_) {
+        direct_->prepare(arrays(), blocks_, time_step);
+        return;
+    }
     for (const LaneBlock& block : blocks_) kernels_->prepare_joints(arrays(), block, time_step);
 }
 
@@ -108,6 +113,10 @@ void LaneSystem::find_touched(std::span<const SolverContact> contacts) {
 }
 
 void LaneSystem::solve(std::span<SolverContact> contacts, const ContactLaw& law, int iterations) {
+    if (direct_) {
+        solve_directly(contacts, law, iterations);
+        return;
+    }
     const LaneArrays all = arrays();
     find_touched(contacts);
     kernels_->to_contacts(all, touched_groups_.data(), touched_groups_.size());
@@ -129,6 +138,16 @@ void LaneSystem::solve(std::span<SolverContact> contacts, const ContactLaw& law,
     }
     for (const LaneBlock& block : blocks_) kernels_->reactions(all, block, time_step_);
     contact_rows_.finish(contacts);
+}
+
+void LaneSystem::solve_directly(std::span<SolverContact> contacts, const ContactLaw& law, int iterations) {
+    const LaneArrays all = arrays();
+    direct_->touch(all, contacts);
+    direct_contacts_.prepare(contacts, slot_of_body_, body_groups_ * static_cast<std::size_t>(width()), all, *direct_,
+                             *kernels_, law, time_step_);
+    direct_contacts_.solve(all, *direct_, *kernels_, iterations);
+    direct_->finish(all, blocks_);
+    direct_contacts_.finish(contacts);
 }
 
 SolverReaction LaneSystem::reaction(std::size_t joint) const {

@@ -2,7 +2,7 @@
 // The joints and contacts of many floes, solved side by side. The physics is that of Bullet 3.24's sequential-impulse
 // solver with fixed joints (btGeneric6DofSpring2Constraint locked in all six axes) and one friction direction, or
 // Coulomb's cone in place of that and edges that crush; each floe's rows are solved in the order in which its joints
-// are given. A step reads:
+// are given. Or joints are solved exactly, and only contacts are iterated. A step reads:
 //
 //   system.set_force(body, force, torque);         // every body; set_state for those that something else moves
 //   system.prepare(time_step);
@@ -15,57 +15,31 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "solver/aligned_array.hpp"
 #include "solver/contact_rows.hpp"
+#include "solver/direct_contacts.hpp"
+#include "solver/direct_floes.hpp"
 #include "solver/lane_layout.hpp"
+#include "solver/solver_parts.hpp"
 
 namespace floes {
 
-/// What does not change about a body. Without mass: it never moves by itself.
-struct SolverBody {
-    double inverse_mass = 0;                  ///< 1/kg
-    std::array<double, 3> inverse_inertia{};  ///< principal, about its own axes, 1/(kg m²)
-    std::array<double, 3> half_extent{};      ///< of a box, own axes, m; 0: flat and unbounded, where ice crushes on it
-};
-
-/// A joint's frame in a body: rotation joint -> body row by row, origin in m from the centre of mass.
-struct SolverFrame {
-    std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};
-    std::array<double, 3> origin{};
-};
-
-/// A fixed joint between two bodies that move.
-struct SolverJoint {
-    std::uint32_t a = 0;
-    std::uint32_t b = 0;
-    SolverFrame in_a;
-    SolverFrame in_b;
-    double cfm = 0;  ///< Σ, relative to the row's inverse effective mass; below 1
-    double erp = 0;  ///< Γ
-};
-
-/// Motion of a body. World axes, SI units.
-struct SolverState {
-    std::array<double, 3> position{};                           ///< of the centre of mass
-    std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};  ///< body -> world, row by row
-    std::array<double, 3> velocity{};
-    std::array<double, 3> spin{};
-};
-
-/// What a joint exerted on body a in the last solve: in the joint's frame in a, moment about the pivot; N and N m.
-struct SolverReaction {
-    std::array<double, 3> force{};
-    std::array<double, 3> moment{};
+/// How joints are solved.
+enum class JointSolution {
+    swept,  ///< row by row, in each iteration once
+    direct  ///< exactly, floe by floe (solver/direct_floes.hpp)
 };
 
 class LaneSystem {
   public:
     /// width: one of lane_widths(), an upper bound: no more lanes are used than there are equal floes.
-    LaneSystem(std::span<const SolverBody> bodies, std::span<const SolverJoint> joints, int width);
+    LaneSystem(std::span<const SolverBody> bodies, std::span<const SolverJoint> joints, int width,
+               JointSolution solution = JointSolution::swept);
 
     std::size_t body_count() const { return slot_of_body_.size(); }
     std::size_t joint_count() const { return slot_of_joint_.size(); }
@@ -103,6 +77,7 @@ class LaneSystem {
     void cover(std::size_t joint, double covered);
     LaneArrays arrays();
     void find_touched(std::span<const SolverContact> contacts);
+    void solve_directly(std::span<SolverContact> contacts, const ContactLaw& law, int iterations);
 
     const LaneKernels* kernels_;
     std::vector<std::int32_t> pairs_;
@@ -119,6 +94,8 @@ class LaneSystem {
     double time_step_ = 0;
     AlignedArray<double> body_, sweep_, frame_, row_, reaction_, delta_;
     ContactRows contact_rows_;
+    std::optional<DirectFloes> direct_;  ///< where joints are solved exactly
+    DirectContacts direct_contacts_;
 };
 
 }  // namespace floes

@@ -34,7 +34,8 @@ int useful_width(std::size_t most_floes, int width) {
 
 }  // namespace
 
-LaneSystem::LaneSystem(std::span<const SolverBody> bodies, std::span<const SolverJoint> joints, int width)
+LaneSystem::LaneSystem(std::span<const SolverBody> bodies, std::span<const SolverJoint> joints, int width,
+                       JointSolution solution)
     : slot_of_body_(bodies.size()), slot_of_joint_(joints.size()), block_of_body_(bodies.size()) {
     std::map<std::pair<std::size_t, std::vector<std::int32_t>>, std::size_t> kind_of;
     std::vector<std::vector<Floe>> kinds;  // floes with the same bodies and joints, in order of appearance
@@ -48,6 +49,9 @@ LaneSystem::LaneSystem(std::span<const SolverBody> bodies, std::span<const Solve
     }
     kernels_ = &lane_kernels(useful_width(most_floes, width));
     lay_out(bodies, joints, kinds);
+    if (solution == JointSolution::swept) return;
+    const std::size_t joint_groups = frame_.size() / static_cast<std::size_t>(frame_field::count * kernels_->width);
+    direct_.emplace(bodies, joints, LaneSlots{slot_of_body_, slot_of_joint_, body_groups_, joint_groups}, *kernels_);
 }
 
 std::vector<LaneSystem::Floe> LaneSystem::find_floes(std::span<const SolverBody> bodies,

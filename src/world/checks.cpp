@@ -28,6 +28,16 @@ void check_contact(const ContactLaw& law, ConstraintSolver solver) {
             "The world cannot be built: Bullet's own solver has friction in one direction, rigid contacts and internal "
             "edges that act, and nothing else; take general.solver = \"lanes\", or contact.preset = \"paper\".");
     }
+    if (solver == ConstraintSolver::direct && law.friction != Friction::cone) {
+        throw InputError(
+            "The world cannot be built: the direct solver has friction in the whole contact plane only; take "
+            "contact.friction = \"cone\".");
+    }
+    if (solver == ConstraintSolver::direct && law.normal == NormalLaw::rigid && law.split_impulse) {
+        throw InputError(
+            "The world cannot be built: the direct solver corrects every penetration within the impulse; take "
+            "contact.split_impulse = false.");
+    }
     require(law.normal == NormalLaw::rigid || law.crushing_pressure > 0, "the crushing pressure", law.crushing_pressure,
             "above 0 Pa");
     require(law.erp >= 0 && law.erp <= 1, "the contact ERP", law.erp, "between 0 and 1");
@@ -52,7 +62,7 @@ void check(const FixedBoxDefinition& box) {
     check_box(box.half_extents);
 }
 
-void check(const JointDefinition& joint, std::size_t bodies) {
+void check(const JointDefinition& joint, std::size_t bodies, ConstraintSolver solver) {
     const auto last = static_cast<double>(bodies) - 1;
     for (const BodyId body : {joint.a, joint.b}) {
         require(body.index() < bodies, "the index of a joined body", static_cast<double>(body.index()),
@@ -63,6 +73,19 @@ void check(const JointDefinition& joint, std::size_t bodies) {
     // The sweeps are an over-relaxation by 1 + Σ, which does not converge from 1 on.
     require(joint.cfm >= 0 && joint.cfm < 1, "the joint CFM", joint.cfm, "at least 0 and below 1");
     require(joint.erp >= 0 && joint.erp <= 1, "the joint ERP", joint.erp, "between 0 and 1");
+    const bool direct = solver == ConstraintSolver::direct;
+    if (!joint.spring) {
+        require(!direct || joint.cfm > 0, "the joint CFM", joint.cfm, "above 0 with the direct solver");
+        return;
+    }
+    if (!direct) throw InputError("The world cannot be built: only the direct solver has joints that are springs.");
+    for (const auto& part : {joint.spring->force, joint.spring->moment}) {
+        for (const double stiffness : part) {
+            require(stiffness > 0 && std::isfinite(stiffness), "the stiffness of a joint", stiffness, "above 0");
+        }
+    }
+    require(joint.spring->damping_ratio >= 0, "the damping ratio of a joint", joint.spring->damping_ratio,
+            "at least 0");
 }
 
 void check_structure(std::span<const ConvexPiece> pieces, bool present) {

@@ -13,7 +13,7 @@ namespace floes {
 void check(const WorldDefinition& definition);
 void check(const BoxDefinition& box);
 void check(const FixedBoxDefinition& box);
-void check(const JointDefinition& joint, std::size_t bodies);
+void check(const JointDefinition& joint, std::size_t bodies, ConstraintSolver solver);
 void check_structure(std::span<const ConvexPiece> pieces, bool present);
 
 }  // namespace floes

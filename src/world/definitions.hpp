@@ -2,9 +2,12 @@
 // What a World is made of: plain values that describe, from which World builds. SI units, world axes as in
 // core/vector.hpp.
 
+#include <optional>
+
 #include "core/id.hpp"
 #include "core/vector.hpp"
 #include "solver/contact_law.hpp"
+#include "solver/joint_spring.hpp"
 
 namespace floes {
 
@@ -14,14 +17,15 @@ using JointId = Id<struct JointTag>;  ///< in order of creation in a World; neve
 /// The constraint solver of a World.
 enum class ConstraintSolver {
     stock,  ///< Bullet's sequential impulses: projected Gauss-Seidel, joints before contacts in each sweep
-    lanes   ///< the same sweeps, many floes side by side (solver/lane_system.hpp)
+    lanes,  ///< the same sweeps, many floes side by side (solver/lane_system.hpp)
+    direct  ///< joints solved exactly, contacts in sweeps (solver/direct_floes.hpp)
 };
 
 /// Time stepping, solver and contacts.
 struct WorldDefinition {
     double time_step = 0.02;  ///< Δt, s
-    int iterations = 50;      ///< Gauss-Seidel sweeps a step; sets the stiffness of joints whose cfm is nearly 0
-    double gravity = 9.81;    ///< m/s², along -y
+    int iterations = 50;  ///< Gauss-Seidel sweeps a step; where they solve joints, they set the stiffness at Σ near 0
+    double gravity = 9.81;  ///< m/s², along -y
     ContactLaw contact = {};
     ConstraintSolver solver = ConstraintSolver::stock;
     int lanes = 0;  ///< floes side by side at most: 0 for what the processor has, 1, 2, 4 or 8; never shows in a result
@@ -53,8 +57,9 @@ struct JointDefinition {
     BodyId b;
     Vec3 pivot = Vec3::Zero();      ///< m, in world axes: the middle of the common face
     Quat frame = Quat::Identity();  ///< joint -> world: x the face normal from a to b, y up, z horizontal in the face
-    double cfm = 0;                 ///< Σ, 0 <= Σ < 1
+    double cfm = 0;                 ///< Σ, 0 <= Σ < 1; above 0 with the direct solver
     double erp = 0.8;               ///< Γ, 0-1
+    std::optional<JointSpring> spring{};  ///< the joint in place of Σ and Γ, with the direct solver only
 };
 
 }  // namespace floes

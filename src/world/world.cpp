@@ -48,8 +48,10 @@ class World::Bullet {
         set_up(world.getSolverInfo(), definition);
         world.setGravity({0, -definition.gravity, 0});
         world.setForceUpdateAllAabbs(false);  // fixed boxes do not move
-        if (definition.solver == ConstraintSolver::lanes) {
-            world.setConstraintSolver(&lanes.emplace(definition.contact, definition.lanes));
+        if (definition.solver != ConstraintSolver::stock) {
+            const bool direct = definition.solver == ConstraintSolver::direct;
+            world.setConstraintSolver(&lanes.emplace(definition.contact, definition.lanes,
+                                                     direct ? JointSolution::direct : JointSolution::swept));
             dispatcher.pass_over_distant_pairs();
             world.getDispatchInfo().m_useContinuous = false;  // nothing swept: AABBs have a margin of 20 mm
         }
@@ -150,7 +152,7 @@ BodyId World::add_structure(std::span<const ConvexPiece> pieces, const Vec3& pos
 }
 
 JointId World::add_joint(const JointDefinition& joint) {
-    check(joint, bullet_->bodies.size());
+    check(joint, bullet_->bodies.size(), bullet_->definition.solver);
     const JointId id(bullet_->joint_count++);
     if (bullet_->lanes) {
         bullet_->lanes->add_joint(joint, bullet_->body(joint.a), bullet_->body(joint.b));
@@ -177,7 +179,8 @@ void World::set_piece(BodyId body, int piece) {
 }
 
 void World::set_asleep(BodyId body, bool asleep) {
-    if (!bullet_->lanes) throw InputError("Only the lanes solver lets bodies sleep; take it, or keep them awake.");
+    if (!bullet_->lanes)
+        throw InputError("Bullet's own solver lets no bodies sleep; take another, or keep them awake.");
     btRigidBody& changed = bullet_->body(body);
     bullet_->world.updateSingleAabb(&changed);  // from now on Bullet leaves its box alone; a new one has no margin yet
     changed.forceActivationState(asleep ? ISLAND_SLEEPING : DISABLE_DEACTIVATION);

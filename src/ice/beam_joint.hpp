@@ -1,0 +1,36 @@
+#pragma once
+// Joints as elastic ice: stiffness in closed form from Young's modulus E, Poisson's ratio ν, thickness T and the side L
+// of the square elements. Derivation: docs/ice.md.
+//
+// Vertically a joint is the piece of plate from one element's centre to the next, of width L, bent as a beam: its
+// relative rotation and displacement at the middle, where the joint is, do not couple. With D = E T³/(12 (1 - ν²)):
+//
+//   bending          D                       M = (D L) (θ / L)
+//   shear up         12 D / (L² (1 + Φ))     Timoshenko's beam, Φ = 12 D / (κ G T L²), κ = 5/6, G = E / (2 (1 + ν))
+//   torsion          D                       so that the lattice has the twisting energy of a plate, D w_xz²
+//
+// In its plane the lattice has the energy of a sheet that is stretched or sheared uniformly, without lateral
+// contraction:
+//
+//   axial            E T
+//   shear in plane   2 G T                   half of a uniform shear strain falls to each direction of joints
+//   in-plane bending E T L² / 12             linear stress across the face
+//
+// A sheet of such elements has the plate's bending equation D ∇⁴w inside; at free edges it is a plate of ν = 0. A beam
+// one element wide bends as a strip of plate: 1 / (1 - ν²) stiffer than a narrow beam.
+
+#include <optional>
+
+#include "scenario/scenario.hpp"
+#include "solver/joint_spring.hpp"
+
+namespace floes {
+
+/// E, thickness and side in SI; 0 <= ν <= 0.5.
+JointSpring beam_joint(double elastic_modulus, double poisson_ratio, double thickness, double side,
+                       double damping_ratio);
+
+/// The joints of the scenario's floes; nothing where they follow Σ and Γ.
+std::optional<JointSpring> joint_spring(const Scenario& scenario);
+
+}  // namespace floes

@@ -1,0 +1,48 @@
+#include "solver/contact_points.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "solver/lane_slot.hpp"
+
+namespace floes {
+
+void fill_points(AlignedArray<double>& points, std::span<const SolverContact> contacts, const ContactOrder& order,
+                 int lanes) {
+    const auto width = static_cast<std::size_t>(lanes);
+    points.reserve(order.rows() * width * point_field::count);
+    std::array<double, point_field::count> none{};
+    none[point_field::normal + 2] = 1;
+    none[point_field::distance] = std::numeric_limits<double>::infinity();
+    double* group = points.data();
+    for (std::size_t row = 0; row < order.rows(); ++row) {
+        for (const double value : none) group = std::fill_n(group, width, value);
+    }
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const SolverContact& contact = contacts[i];
+        double* at = points.data() + place(order.slot(i), point_field::count, 0, lanes);
+        for (std::size_t k = 0; k < 3; ++k) {
+            at[(point_field::on_a + k) * width] = contact.on_a[k];
+            at[(point_field::on_b + k) * width] = contact.on_b[k];
+            at[(point_field::normal + k) * width] = contact.normal[k];
+        }
+        at[point_field::distance * width] = contact.distance;
+        at[point_field::friction * width] = contact.friction;
+        at[point_field::impulse * width] = contact.impulse;
+    }
+}
+
+void fill_friction_start(AlignedArray<double>& start, std::span<const SolverContact> contacts,
+                         const ContactOrder& order, int lanes) {
+    constexpr int fields = 3;
+    const auto width = static_cast<std::size_t>(lanes);
+    start.reserve(order.rows() * width * fields);
+    std::fill_n(start.data(), order.rows() * width * fields, 0.0);
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        double* at = start.data() + place(order.slot(i), fields, 0, lanes);
+        for (std::size_t k = 0; k < 3; ++k) at[k * width] = contacts[i].slide[k] * contacts[i].friction_impulse;
+    }
+}
+
+}  // namespace floes

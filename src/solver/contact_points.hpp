@@ -1,0 +1,20 @@
+#pragma once
+// Contacts as the kernels see them, in the lanes of their rows.
+
+#include <span>
+
+#include "solver/aligned_array.hpp"
+#include "solver/contact_order.hpp"
+#include "solver/solver_contact.hpp"
+
+namespace floes {
+
+/// Fields of point_field, by groups of `width`. Where there is no contact, something that stays open.
+void fill_points(AlignedArray<double>& points, std::span<const SolverContact> contacts, const ContactOrder& order,
+                 int width);
+
+/// The friction impulses that contacts bring along, world axes, N s: 3 fields by groups of `width`.
+void fill_friction_start(AlignedArray<double>& start, std::span<const SolverContact> contacts,
+                         const ContactOrder& order, int width);
+
+}  // namespace floes

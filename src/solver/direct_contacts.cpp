@@ -1,0 +1,74 @@
+#include "solver/direct_contacts.hpp"
+
+#include <cmath>
+
+#include "solver/contact_points.hpp"
+#include "solver/lane_slot.hpp"
+
+namespace floes {
+
+DirectRowArrays DirectContacts::rows() {
+    return {row_.data(),
+            {target_[0].data(), target_[1].data(), target_[2].data()},
+            {impulse_[0].data(), impulse_[1].data(), impulse_[2].data()},
+            {scale_[0].data(), scale_[1].data()}};
+}
+
+void DirectContacts::prepare(std::span<const SolverContact> contacts, std::span<const std::uint32_t> slot_of_body,
+                             std::size_t body_slots, const LaneArrays& all, DirectFloes& floes,
+                             const LaneKernels& kernels, const ContactLaw& law, double time_step) {
+    width_ = kernels.width;
+    to_order_.clear();
+    for (const SolverContact& contact : contacts) {
+        to_order_.push_back({slot_of_body[contact.a], slot_of_body[contact.b], floes.piece(contact.a),
+                             floes.piece(contact.b), floes.moves(contact.a), floes.moves(contact.b),
+                             contact.impulse > 0});
+    }
+    order_.lay_out(to_order_, static_cast<std::uint32_t>(body_slots), width_, 1);
+    fill_points(points_, contacts, order_, width_);
+    fill_friction_start(friction_start_, contacts, order_, width_);
+    const std::size_t slots = order_.rows() * static_cast<std::size_t>(width_);
+    row_.reserve(slots * direct_field::count);
+    for (AlignedArray<double>& target : target_) target.reserve(slots);
+    for (AlignedArray<double>& impulse : impulse_) impulse.reserve(slots);
+    for (AlignedArray<double>& scale : scale_) scale.reserve(slots);
+    const bool crushing = law.normal == NormalLaw::crushing;
+    kernels.direct.prepare_contacts(all, floes.arrays(), floes.reaches(), order_.packs(), points_.data(),
+                                    friction_start_.data(), rows(),
+                                    {1.0 / time_step, crushing ? 0 : law.erp});  // crushed ice does not push back
+    limited_ = crushing || !law.internal_edges;
+    if (!limited_) return;
+    yield_.reserve(slots);
+    give_.reserve(slots);
+    kernels.prepare_limits(all, order_.packs(), points_.data(), scale_[0].data(), {yield_.data(), give_.data()}, law,
+                           time_step);
+}
+
+void DirectContacts::solve(const LaneArrays& all, DirectFloes& floes, const LaneKernels& kernels, int iterations) {
+    double* impulse = floes.arrays().impulse;
+    kernels.direct.start_contacts(all.delta, impulse, floes.reaches(), order_.packs(), rows());
+    const LimitArrays limits = limited_ ? LimitArrays{yield_.data(), give_.data()} : LimitArrays{};
+    for (int i = 0; i < iterations; ++i) {
+        kernels.direct.solve_contacts(all.delta, impulse, floes.reaches(), order_.packs(), rows(), limits);
+    }
+}
+
+void DirectContacts::finish(std::span<SolverContact> contacts) const {
+    const auto width = static_cast<std::size_t>(width_);
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const std::uint32_t at = order_.slot(i);
+        contacts[i].impulse = impulse_[0][at] * scale_[0][at];
+        const double* plane = row_.data() + place(at, direct_field::count, direct_field::first, width_);
+        std::array<double, 3> friction{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            friction[k] =
+                (plane[k * width] * impulse_[1][at] + plane[(3 + k) * width] * impulse_[2][at]) * scale_[1][at];
+        }
+        const double size =
+            std::sqrt(friction[0] * friction[0] + friction[1] * friction[1] + friction[2] * friction[2]);
+        contacts[i].friction_impulse = size;
+        for (std::size_t k = 0; k < 3; ++k) contacts[i].slide[k] = size > 0 ? friction[k] / size : 0;
+    }
+}
+
+}  // namespace floes

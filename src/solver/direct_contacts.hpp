@@ -1,0 +1,45 @@
+#pragma once
+// Contacts of pieces whose joints are solved exactly: per contact a normal row, rigid or bounded by crushing, and two
+// friction rows within Coulomb's cone. An impulse moves the whole piece.
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "solver/aligned_array.hpp"
+#include "solver/contact_law.hpp"
+#include "solver/contact_order.hpp"
+#include "solver/direct_floes.hpp"
+#include "solver/lane_layout.hpp"
+#include "solver/solver_contact.hpp"
+
+namespace floes {
+
+class DirectContacts {
+  public:
+    /// Rows of the contacts, ordered such that the result is that of the given order. To be called after
+    /// floes.touch().
+    void prepare(std::span<const SolverContact> contacts, std::span<const std::uint32_t> slot_of_body,
+                 std::size_t body_slots, const LaneArrays& all, DirectFloes& floes, const LaneKernels& kernels,
+                 const ContactLaw& law, double time_step);
+
+    /// The impulses that contacts bring along, then `iterations` sweeps.
+    void solve(const LaneArrays& all, DirectFloes& floes, const LaneKernels& kernels, int iterations);
+
+    /// Impulses and friction directions back into the contacts.
+    void finish(std::span<SolverContact> contacts) const;
+
+  private:
+    DirectRowArrays rows();
+
+    int width_ = 1;
+    std::vector<ContactOrder::Contact> to_order_;
+    ContactOrder order_;
+    AlignedArray<double> points_, friction_start_, row_;
+    std::array<AlignedArray<double>, 3> target_, impulse_;
+    std::array<AlignedArray<double>, 2> scale_;
+    bool limited_ = false;
+    AlignedArray<double> yield_, give_;  ///< where limited, of the normal rows
+};
+
+}  // namespace floes

@@ -1,0 +1,251 @@
+// Contacts between pieces that answer as a whole. A row has, for each of its two bodies, the impulse on it and what
+// that does to the velocity of the same body; what it does to the rest of the piece is spread once a visit.
+
+/// Linear and angular, of one body, in the axes of its piece.
+struct V6 {
+    V3 linear, angular;
+};
+
+inline V6 load6(const double* row, int field) {
+    return {load3(row, field), load3(row, field + 3)};
+}
+
+inline void store6(double* row, int field, const V6& v) {
+    store3(row, field, v.linear);
+    store3(row, field + 3, v.angular);
+}
+
+inline Pack dot(const V6& a, const V6& b) {
+    return dot(a.linear, b.linear) + dot(a.angular, b.angular);
+}
+
+inline V6 operator*(const V6& a, Pack s) {
+    return {a.linear * s, a.angular * s};
+}
+
+inline V6 operator+(const V6& a, const V6& b) {
+    return {a.linear + b.linear, a.angular + b.angular};
+}
+
+inline V6 operator-(const V6& a, const V6& b) {
+    return {a.linear - b.linear, a.angular - b.angular};
+}
+
+/// One body of each pair: its motion, the axes of its piece, and its own answer to impulses.
+struct Answering {
+    V3 position, start_velocity, start_spin;
+    M3 frame;
+    Pack self[36];  ///< column by column
+};
+
+inline Answering answering(const LaneArrays& arrays, const DirectArrays& direct, const Reach* reaches,
+                           const std::uint32_t* slots) {
+    Answering body;
+    body.position = pick3(arrays, body_field::position, slots);
+    body.start_velocity = pick3(arrays, body_field::start_velocity, slots);
+    body.start_spin = pick3(arrays, body_field::start_spin, slots);
+    Pack frame[9];
+    pick(direct.local, local_field::count, local_field::frame, slots, frame);
+    body.frame = {{frame[0], frame[3], frame[6]}, {frame[1], frame[4], frame[7]}, {frame[2], frame[5], frame[8]}};
+    alignas(Pack) double values[36][lanes];
+    for (int lane = 0; lane < lanes; ++lane) {
+        const double* self = reaches[slots[lane]].self;
+        for (int k = 0; k < 6; ++k) {
+            for (int i = 0; i < 6; ++i)
+                values[6 * k + i][lane] = self == nullptr ? 0.0 : self[8 * k + i + (i < 3 ? 0 : 1)];
+        }
+    }
+    for (int i = 0; i < 36; ++i) body.self[i] = load(values[i], 0);
+    return body;
+}
+
+inline V6 answer(const Answering& body, const V6& impulse) {
+    const Pack p[6] = {impulse.linear.x,  impulse.linear.y,  impulse.linear.z,
+                       impulse.angular.x, impulse.angular.y, impulse.angular.z};
+    Pack v[6];
+    for (int i = 0; i < 6; ++i) {
+        v[i] = body.self[i] * p[0];
+        for (int k = 1; k < 6; ++k) v[i] = v[i] + body.self[6 * k + i] * p[k];
+    }
+    return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+}
+
+/// A unit impulse along a direction: what it is on both bodies, and what it does to them.
+struct DirectArm {
+    V6 on_a, on_b, moves_a, moves_b;
+};
+
+inline DirectArm direct_arm(const V3& axis, const V3& lever_a, const V3& lever_b, const Answering& a,
+                            const Answering& b) {
+    DirectArm arm;
+    arm.on_a = {transposed_times(a.frame, axis), transposed_times(a.frame, cross(lever_a, axis))};
+    arm.on_b = {transposed_times(b.frame, axis), transposed_times(b.frame, cross(lever_b, axis))};
+    arm.moves_a = answer(a, arm.on_a);
+    arm.moves_b = answer(b, arm.on_b);
+    return arm;
+}
+
+inline Pack coupling(const DirectArm& one, const DirectArm& other) {
+    return dot(one.on_a, other.moves_a) + dot(one.on_b, other.moves_b);
+}
+
+inline void store_arm(double* row, int i, const DirectArm& arm, Pack s) {
+    store6(row, direct_field::on_a + 6 * i, arm.on_a * s);
+    store6(row, direct_field::on_b + 6 * i, arm.on_b * s);
+    store6(row, direct_field::moves_a + 6 * i, arm.moves_a * s);
+    store6(row, direct_field::moves_b + 6 * i, arm.moves_b * s);
+}
+
+inline void prepare_direct_contact(const double* point, const double* friction_start, int i, const Answering& a,
+                                   const Answering& b, const DirectRowArrays& to, const DirectContactStep& step) {
+    double* row = to.row + static_cast<std::size_t>(i) * (direct_field::count * lanes);
+    const V3 n = load3(point, point_field::normal);
+    const Pack distance = load(point, point_field::distance);
+    const V3 lever_a = load3(point, point_field::on_a) - a.position;
+    const V3 lever_b = load3(point, point_field::on_b) - b.position;
+    const V3 velocity =
+        (a.start_velocity + cross(a.start_spin, lever_a)) - (b.start_velocity + cross(b.start_spin, lever_b));
+    const Pack approach = dot(n, velocity);
+    // A gap may close within the step; a penetration is opened by erp.
+    const auto apart = distance > 0.0;
+    const Pack gap = apart ? -distance * step.inverse_step : -distance * step.erp * step.inverse_step;
+    const DirectArm normal = direct_arm(n, lever_a, lever_b, a, b);
+    const Pack s = 1.0 / square_root(coupling(normal, normal));
+    store_arm(row, 0, normal, s);
+    store(to.target[0], i, (gap - approach) * s);
+    store(to.impulse[0], i, load(point, point_field::impulse) / s);
+    store(to.scale[0], i, s);
+
+    const TangentPlane plane = tangents(n);
+    const DirectArm first = direct_arm(plane.first, lever_a, lever_b, a, b);
+    const DirectArm second = direct_arm(plane.second, lever_a, lever_b, a, b);
+    const Pack one_one = coupling(first, first);
+    const Pack two_two = coupling(second, second);
+    const Pack one_two = coupling(first, second);
+    const Pack half = 0.5 * (one_one - two_two);
+    const Pack stiffest = 0.5 * (one_one + two_two) + square_root(half * half + one_two * one_two);
+    const Pack t = 1.0 / square_root(stiffest);
+    store_arm(row, 1, first, t);
+    store_arm(row, 2, second, t);
+    store(row, direct_field::coupling, coupling(normal, first) * (s * t));
+    store(row, direct_field::coupling + 1, coupling(normal, second) * (s * t));
+    const Pack friction = load(point, point_field::friction);
+    store(row, direct_field::grip, friction * s / t);
+    store(to.target[1], i, -dot(plane.first, velocity) * t);
+    store(to.target[2], i, -dot(plane.second, velocity) * t);
+    const V3 start = load3(friction_start, 3 * i);
+    const Pack along_first = dot(plane.first, start);
+    const Pack along_second = dot(plane.second, start);
+    const Pack held = in_circle(along_first, along_second, friction * load(point, point_field::impulse));
+    store(to.impulse[1], i, along_first * held / t);
+    store(to.impulse[2], i, along_second * held / t);
+    store(to.scale[1], i, t);
+    store3(row, direct_field::first, plane.first);
+    store3(row, direct_field::second, plane.second);
+}
+
+void prepare_direct_contacts(const LaneArrays& arrays, const DirectArrays& direct, const Reach* reaches,
+                             const ContactPacks& packs, const double* points, const double* friction_start,
+                             const DirectRowArrays& to, const DirectContactStep& step) {
+    for_each_pair(packs, [&](const ContactPack& pack, std::uint32_t turn, const std::uint32_t* slots) {
+        const Answering a = answering(arrays, direct, reaches, slots);
+        const Answering b = answering(arrays, direct, reaches, slots + lanes);
+        for (std::uint32_t row = pack.first_row + turn; row < pack.end_row; row += pack.turns) {
+            prepare_direct_contact(points + static_cast<std::size_t>(row) * (point_field::count * lanes),
+                                   friction_start, static_cast<int>(row), a, b, to, step);
+        }
+    });
+}
+
+/// A pair on its way through its rows: motions as they are with the impulses so far, and these impulses.
+struct DirectPair {
+    V6 a, b;
+    V6 on_a, on_b;
+};
+
+[[gnu::always_inline]] inline Pack along(const double* row, int i, const DirectPair& pair) {
+    return dot(load6(row, direct_field::on_a + 6 * i), pair.a) - dot(load6(row, direct_field::on_b + 6 * i), pair.b);
+}
+
+[[gnu::always_inline]] inline void push(const double* row, int i, DirectPair& pair, Pack impulse) {
+    pair.a = pair.a + load6(row, direct_field::moves_a + 6 * i) * impulse;
+    pair.b = pair.b - load6(row, direct_field::moves_b + 6 * i) * impulse;
+    pair.on_a = pair.on_a + load6(row, direct_field::on_a + 6 * i) * impulse;
+    pair.on_b = pair.on_b - load6(row, direct_field::on_b + 6 * i) * impulse;
+}
+
+/// Hands an impulse in each lane on to the piece that the lane's body belongs to.
+[[gnu::always_inline]] inline void hand_on(double* delta, double* impulse, const Reach* reaches,
+                                           const std::uint32_t* slots, const V6& on) {
+    alignas(64) double by_lane[lanes][8];
+    scatter([&](int lane) { return by_lane[lane]; }, {on.linear, Pack{}, on.angular});
+    for (int lane = 0; lane < lanes; ++lane) {
+        const Reach& reach = reaches[slots[lane]];
+        if (reach.column == nullptr) continue;
+        double* total = impulse + static_cast<std::size_t>(slots[lane]) * 8;
+        for (int i = 0; i < 8; ++i) total[i] += by_lane[lane][i];
+        spread(delta, reach, by_lane[lane]);
+    }
+}
+
+template <class Solve>
+[[gnu::always_inline]] inline void for_each_direct_row(double* delta, double* impulse, const Reach* reaches,
+                                                       const ContactPacks& packs, const double* rows,
+                                                       const Solve& solve) {
+    const std::uint32_t* slots = packs.slots;
+    for (std::size_t k = 0; k < packs.count; ++k, slots += 2 * lanes) {
+        const auto motion = [=](const std::uint32_t* at) {
+            const Motion m = gather([=](int lane) { return delta + 8 * static_cast<std::size_t>(at[lane]); });
+            return V6{m.velocity, m.spin};
+        };
+        DirectPair pair{motion(slots), motion(slots + lanes), {}, {}};
+        for (std::uint32_t i = packs.packs[k].first_row; i < packs.packs[k].end_row; ++i) {
+            solve(static_cast<int>(i), rows + static_cast<std::size_t>(i) * (direct_field::count * lanes), pair);
+        }
+        hand_on(delta, impulse, reaches, slots, pair.on_a);
+        hand_on(delta, impulse, reaches, slots + lanes, pair.on_b);
+    }
+}
+
+void start_direct_contacts(double* delta, double* impulse, const Reach* reaches, const ContactPacks& packs,
+                           const DirectRowArrays& all) {
+    const auto start = [&](int i, const double* row, DirectPair& pair) __attribute__((always_inline)) {
+        for (int k = 0; k < 3; ++k) push(row, k, pair, load(all.impulse[k], i));
+    };
+    for_each_direct_row(delta, impulse, reaches, packs, all.row, start);
+}
+
+/// Coulomb's cone as in solve_all_cones().
+template <bool limited>
+void solve_all_direct(double* delta, double* impulse, const Reach* reaches, const ContactPacks& packs,
+                      const DirectRowArrays& all, const LimitArrays& limits) {
+    const ContactRowArrays normals{nullptr, all.target[0], all.impulse[0], all.scale[0]};
+    const auto solve = [&](int i, const double* row, DirectPair& pair) __attribute__((always_inline)) {
+        const Pack old = load(all.impulse[0], i);
+        const Pack normal = normal_impulse<limited>(normals, limits, i, old, along(row, 0, pair));
+        const Pack old_first = load(all.impulse[1], i);
+        const Pack old_second = load(all.impulse[2], i);
+        if (!any_positive((normal + old) + (absolute(old_first) + absolute(old_second)))) return;
+        const Pack pressed = normal - old;
+        store(all.impulse[0], i, normal);
+        const Pack first_slides = along(row, 1, pair) + load(row, direct_field::coupling) * pressed;
+        const Pack second_slides = along(row, 2, pair) + load(row, direct_field::coupling + 1) * pressed;
+        const Pack first_total = old_first + (load(all.target[1], i) - first_slides);
+        const Pack second_total = old_second + (load(all.target[2], i) - second_slides);
+        const Pack cut = in_circle(first_total, second_total, load(row, direct_field::grip) * normal);
+        const Pack next_first = first_total * cut;
+        const Pack next_second = second_total * cut;
+        store(all.impulse[1], i, next_first);
+        store(all.impulse[2], i, next_second);
+        push(row, 0, pair, pressed);
+        push(row, 1, pair, next_first - old_first);
+        push(row, 2, pair, next_second - old_second);
+    };
+    for_each_direct_row(delta, impulse, reaches, packs, all.row, solve);
+}
+
+void solve_direct_contacts(double* delta, double* impulse, const Reach* reaches, const ContactPacks& packs,
+                           const DirectRowArrays& all, const LimitArrays& limits) {
+    const auto solve = limits.yield == nullptr ? solve_all_direct<false> : solve_all_direct<true>;
+    solve(delta, impulse, reaches, packs, all, limits);
+}

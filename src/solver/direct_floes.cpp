@@ -1,0 +1,316 @@
+#include "solver/direct_floes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "solver/lane_slot.hpp"
+
+namespace floes {
+namespace {
+
+/// Pieces up to this size keep their whole response, all columns of it.
+constexpr std::size_t most_bodies_with_columns = 64;
+
+using Rows3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
+Mat3 matrix_of(const SolverFrame& frame) {
+    return Eigen::Map<const Rows3>(frame.rotation.data());
+}
+
+Vec3 origin_of(const SolverFrame& frame) {
+    return Vec3(frame.origin[0], frame.origin[1], frame.origin[2]);
+}
+
+/// The rotation nearest to a mean of rotations (Higham 1986, Newton's iteration for the polar factor). Three steps are
+/// exact where rotations differ by a tenth.
+Mat3 nearest_rotation(Mat3 mean) {
+    for (int i = 0; i < 3; ++i) mean = 0.5 * (mean + Mat3(mean.inverse().transpose()));
+    return mean;
+}
+
+}  // namespace
+
+DirectFloes::DirectFloes(std::span<const SolverBody> bodies, std::span<const SolverJoint> joints,
+                         const LaneSlots& slots, const LaneKernels& kernels)
+    : kernels_(&kernels),
+      slots_(slots),
+      bodies_(bodies.begin(), bodies.end()),
+      joints_(joints.begin(), joints.end()),
+      removed_(joints.size(), false),
+      piece_of_body_(bodies.size()),
+      within_piece_(bodies.size()),
+      is_touched_(bodies.size()) {
+    const auto lanes = static_cast<std::size_t>(kernels.width);
+    local_ = AlignedArray<double>(slots.body_groups * lanes * local_field::count);
+    spring_ = AlignedArray<double>(slots.joint_groups * lanes * spring_field::count);
+    impulse_ = AlignedArray<double>((slots.body_groups * lanes + 1) * 8);
+    reaches_.resize(slots.body_groups * lanes + 1);
+    for (std::size_t slot = 0; slot < slots.body_groups * lanes; ++slot) {  // bodies of no piece, and empty lanes
+        for (int i = 0; i < 9; i += 4) {
+            local_[place(static_cast<std::uint32_t>(slot), local_field::count, local_field::frame + i, kernels.width)] =
+                1;
+        }
+    }
+    // One piece of everything, which then falls apart.
+    Piece all;
+    for (std::uint32_t body = 0; body < bodies_.size(); ++body) all.bodies.push_back(body);
+    for (std::uint32_t joint = 0; joint < joints_.size(); ++joint) all.joints.push_back(joint);
+    pieces_.push_back(std::move(all));
+    split(0);
+}
+
+void DirectFloes::remove_joint(std::size_t joint) {
+    removed_[joint] = true;
+    Piece& piece = pieces_[piece_of_body_[joints_[joint].a]];
+    std::erase(piece.joints, static_cast<std::uint32_t>(joint));
+    piece.broken = true;
+    stale_ = true;
+    store_spring(joint, {}, {});
+}
+
+void DirectFloes::split(std::size_t piece) {
+    const Piece whole = std::move(pieces_[piece]);
+    std::vector<std::uint32_t> first(bodies_.size());  // of the part that each body belongs to
+    for (const std::uint32_t body : whole.bodies) first[body] = body;
+    const auto root = [&](std::uint32_t body) {
+        while (first[body] != body) body = first[body] = first[first[body]];
+        return body;
+    };
+    for (const std::uint32_t joint : whole.joints) {
+        const std::uint32_t a = root(joints_[joint].a);
+        const std::uint32_t b = root(joints_[joint].b);
+        first[std::max(a, b)] = std::min(a, b);
+    }
+    bool replaced = false;
+    for (const std::uint32_t body : whole.bodies) {
+        if (root(body) == body) {
+            piece_of_body_[body] = static_cast<std::uint32_t>(replaced ? pieces_.size() : piece);
+            if (replaced)
+                pieces_.emplace_back();
+            else
+                pieces_[piece] = Piece{};
+            replaced = true;
+        }
+        piece_of_body_[body] = piece_of_body_[root(body)];
+        Piece& part = pieces_[piece_of_body_[body]];
+        within_piece_[body] = static_cast<std::uint32_t>(part.bodies.size());
+        part.within.push_back(within_piece_[body]);
+        part.bodies.push_back(body);
+        part.slots.push_back(slots_.body[body]);
+    }
+    for (const std::uint32_t joint : whole.joints) {
+        pieces_[piece_of_body_[joints_[joint].a]].joints.push_back(joint);
+    }
+}
+
+void DirectFloes::store_spring(std::size_t joint, const PieceJoint& at_rest, const std::array<double, 6>& stiffness) {
+    const auto put = [&](int field, double value) {
+        spring_[place(slots_.joint[joint], spring_field::count, field, kernels_->width)] = value;
+    };
+    for (int i = 0; i < 3; ++i) {
+        for (int k = 0; k < 3; ++k) put(spring_field::axes + 3 * i + k, at_rest.axes(i, k));
+        put(spring_field::lever_a + i, at_rest.lever_a[i]);
+        put(spring_field::lever_b + i, at_rest.lever_b[i]);
+    }
+    for (std::size_t i = 0; i < 6; ++i) {
+        put(spring_field::stiffness + static_cast<int>(i), stiffness[i] * time_step_);
+        put(spring_field::hold + static_cast<int>(i), at_rest.hold[i]);
+    }
+}
+
+PieceJoint DirectFloes::at_rest(const Piece& piece, const SolverJoint& joint, const std::vector<PieceBody>& bodies,
+                                std::array<double, 6>& stiffness) const {
+    PieceJoint found;
+    found.a = static_cast<int>(within_piece_[joint.a]);
+    found.b = static_cast<int>(within_piece_[joint.b]);
+    const Mat3& turn_a = piece.at_rest[within_piece_[joint.a]];
+    const Mat3& turn_b = piece.at_rest[within_piece_[joint.b]];
+    found.axes = turn_a * matrix_of(joint.in_a);
+    found.lever_a = turn_a * origin_of(joint.in_a);
+    found.lever_b = turn_b * origin_of(joint.in_b);
+    const std::array<double, 6> inverse_mass =
+        inverse_effective_mass(bodies[within_piece_[joint.a]], bodies[within_piece_[joint.b]], found);
+    const double step = time_step_;
+    for (std::size_t i = 0; i < 6; ++i) {
+        double damping = 0;
+        if (joint.spring) {
+            stiffness[i] = i < 3 ? joint.spring->force[i] : joint.spring->moment[i - 3];
+            damping = 2 * joint.spring->damping_ratio * std::sqrt(stiffness[i] / inverse_mass[i]);
+        } else {  // design decision 2: K = Γ / (Δt² Σ A), D = (1 - Γ) / (Δt Σ A)
+            const double per_step = 1 / (step * joint.cfm * inverse_mass[i]);
+            stiffness[i] = joint.erp * per_step / step;
+            damping = (1 - joint.erp) * per_step;
+        }
+        found.hold[i] = step * damping + step * step * stiffness[i];
+    }
+    return found;
+}
+
+void DirectFloes::make_response(Piece& piece) {
+    // Where nothing strains them all bodies are turned against the first as their joints say.
+    piece.at_rest.assign(piece.bodies.size(), Mat3::Identity());
+    std::vector<bool> known(piece.bodies.size(), false);
+    known[0] = true;
+    for (bool more = true; more;) {
+        more = false;
+        for (const std::uint32_t number : piece.joints) {
+            const SolverJoint& joint = joints_[number];
+            const std::uint32_t a = within_piece_[joint.a];
+            const std::uint32_t b = within_piece_[joint.b];
+            if (known[a] == known[b]) continue;
+            const Mat3 in_a = piece.at_rest[a] * matrix_of(joint.in_a);
+            const Mat3 in_b = piece.at_rest[b] * matrix_of(joint.in_b);
+            if (known[a])
+                piece.at_rest[b] = in_a * matrix_of(joint.in_b).transpose();
+            else
+                piece.at_rest[a] = in_b * matrix_of(joint.in_a).transpose();
+            known[a] = known[b] = more = true;
+        }
+    }
+    std::vector<PieceBody> bodies;
+    for (std::size_t i = 0; i < piece.bodies.size(); ++i) {
+        const SolverBody& body = bodies_[piece.bodies[i]];
+        bodies.emplace_back();
+        if (!(body.inverse_mass > 0)) continue;
+        const Vec3 inertia(1 / body.inverse_inertia[0], 1 / body.inverse_inertia[1], 1 / body.inverse_inertia[2]);
+        bodies.back() = {1 / body.inverse_mass, piece.at_rest[i] * inertia.asDiagonal() * piece.at_rest[i].transpose()};
+    }
+    std::vector<PieceJoint> joints;
+    for (const std::uint32_t joint : piece.joints) {
+        std::array<double, 6> stiffness{};
+        joints.push_back(at_rest(piece, joints_[joint], bodies, stiffness));
+        store_spring(joint, joints.back(), stiffness);
+    }
+    find_response(piece, std::move(bodies), std::move(joints));
+    piece.broken = false;
+}
+
+void DirectFloes::find_response(Piece& piece, std::vector<PieceBody> bodies, std::vector<PieceJoint> joints) {
+    const auto found =
+        std::ranges::find_if(responses_, [&](const auto& response) { return response->is_of(bodies, joints); });
+    if (found != responses_.end()) {
+        piece.response = *found;
+        return;
+    }
+    piece.response = std::make_shared<PieceResponse>(std::move(bodies), std::move(joints));
+    responses_.push_back(piece.response);
+}
+
+void DirectFloes::turn_frames(const LaneArrays& all) {
+    const int width = kernels_->width;
+    for (const Piece& piece : pieces_) {
+        Mat3 sum = Mat3::Zero();
+        for (std::size_t i = 0; i < piece.bodies.size(); ++i) {
+            const double* from = all.body + place(piece.slots[i], body_field::count, body_field::rotation, width);
+            Mat3 turn;
+            for (int k = 0; k < 9; ++k) turn(k / 3, k % 3) = from[k * width];
+            sum += turn * piece.at_rest[i].transpose();
+        }
+        const Mat3 frame =
+            piece.bodies.size() == 1 ? sum : nearest_rotation(sum / static_cast<double>(piece.bodies.size()));
+        for (const std::uint32_t slot : piece.slots) {
+            double* to = local_.data() + place(slot, local_field::count, local_field::frame, width);
+            for (int k = 0; k < 9; ++k) to[k * width] = frame(k / 3, k % 3);
+        }
+    }
+}
+
+void DirectFloes::prepare(const LaneArrays& all, std::span<const LaneBlock> blocks, double time_step) {
+    if (stale_ || time_step != time_step_) {
+        const bool all_anew = time_step != time_step_;
+        time_step_ = time_step;
+        if (all_anew) responses_.clear();
+        for (std::size_t i = 0; i < pieces_.size(); ++i) {
+            if (pieces_[i].broken) split(i);
+        }
+        for (Piece& piece : pieces_) {
+            if (all_anew || piece.response == nullptr) make_response(piece);
+        }
+        std::erase_if(responses_, [](const auto& response) { return response.use_count() == 1; });
+        stale_ = false;
+    }
+    turn_frames(all);
+    kernels_->direct.begin(all, arrays(), slots_.body_groups);
+    for (const LaneBlock& block : blocks) kernels_->direct.press(all, arrays(), block, time_step);
+    kernels_->direct.to_pieces(all, arrays(), slots_.body_groups);
+}
+
+void DirectFloes::answer_at_once(Piece& piece, double* delta) {
+    piece_impulse_.resize(8 * piece.bodies.size());
+    piece_change_.resize(8 * piece.bodies.size());
+    for (std::size_t i = 0; i < piece.bodies.size(); ++i) {
+        std::copy_n(impulse_.data() + 8 * static_cast<std::size_t>(piece.slots[i]), 8, &piece_impulse_[8 * i]);
+    }
+    piece.response->respond(piece_impulse_.data(), piece_change_.data());
+    for (std::size_t i = 0; i < piece.bodies.size(); ++i) {
+        double* to = delta + 8 * static_cast<std::size_t>(piece.slots[i]);
+        for (std::size_t k = 0; k < 8; ++k) {
+            if (k % 4 != 3) to[k] = piece_change_[8 * i + k];
+        }
+    }
+}
+
+void DirectFloes::answer(Piece& piece, const std::vector<std::uint32_t>& slots,
+                         const std::vector<std::uint32_t>& within, double* delta) {
+    if (piece.bodies.size() > most_bodies_with_columns) {
+        answer_at_once(piece, delta);
+        return;
+    }
+    for (const std::uint32_t slot : slots) {
+        double* to = delta + 8 * static_cast<std::size_t>(slot);
+        for (std::size_t k = 0; k < 8; ++k) {
+            if (k % 4 != 3) to[k] = 0;
+        }
+    }
+    for (std::size_t i = 0; i < piece.bodies.size(); ++i) {
+        const Reach reach{piece.response->column(i), nullptr, slots.data(), within.data(), slots.size()};
+        kernels_->direct.spread(delta, reach, impulse_.data() + 8 * static_cast<std::size_t>(piece.slots[i]));
+    }
+}
+
+void DirectFloes::touch(const LaneArrays& all, std::span<const SolverContact> contacts) {
+    for (const std::uint32_t body : touched_bodies_) {
+        is_touched_[body] = 0;
+        reaches_[slots_.body[body]] = {};
+    }
+    touched_bodies_.clear();
+    for (const SolverContact& contact : contacts) {
+        for (const std::uint32_t body : {contact.a, contact.b}) {
+            if (is_touched_[body] != 0 || !moves(body)) continue;
+            is_touched_[body] = 1;
+            touched_bodies_.push_back(body);
+        }
+    }
+    std::ranges::sort(touched_bodies_);
+    for (const std::uint32_t piece : touched_pieces_) {
+        pieces_[piece].touched_slots.clear();
+        pieces_[piece].touched_within.clear();
+    }
+    touched_pieces_.clear();
+    for (const std::uint32_t body : touched_bodies_) {
+        Piece& piece = pieces_[piece_of_body_[body]];
+        if (piece.touched_slots.empty()) touched_pieces_.push_back(piece_of_body_[body]);
+        piece.touched_slots.push_back(slots_.body[body]);
+        piece.touched_within.push_back(within_piece_[body]);
+    }
+    for (const std::uint32_t i : touched_pieces_) {
+        Piece& piece = pieces_[i];
+        answer(piece, piece.touched_slots, piece.touched_within, all.delta);
+        for (std::size_t k = 0; k < piece.touched_slots.size(); ++k) {
+            const std::uint32_t within = piece.touched_within[k];
+            const double* column = piece.response->column(within);
+            reaches_[piece.touched_slots[k]] = {column, column + within * PieceResponse::block,
+                                                piece.touched_slots.data(), piece.touched_within.data(),
+                                                piece.touched_slots.size()};
+        }
+    }
+}
+
+void DirectFloes::finish(const LaneArrays& all, std::span<const LaneBlock> blocks) {
+    for (Piece& piece : pieces_) answer(piece, piece.slots, piece.within, all.delta);
+    kernels_->direct.from_pieces(all, arrays(), slots_.body_groups);
+    for (const LaneBlock& block : blocks) kernels_->direct.reactions(all, arrays(), block, time_step_);
+}
+
+}  // namespace floes

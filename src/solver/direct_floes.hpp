@@ -1,0 +1,94 @@
+#pragma once
+// Floes whose joints are solved exactly. What the joints of a connected piece do to the velocities at the end of a step
+// is one linear system (solver/piece_response.hpp), so an impulse on one element moves the whole piece at once, and
+// only contacts between pieces are left to iterate.
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "solver/aligned_array.hpp"
+#include "solver/direct_layout.hpp"
+#include "solver/lane_layout.hpp"
+#include "solver/piece_response.hpp"
+#include "solver/solver_contact.hpp"
+#include "solver/solver_parts.hpp"
+
+namespace floes {
+
+/// Where the bodies and joints of a system lie in its lanes.
+struct LaneSlots {
+    std::span<const std::uint32_t> body;
+    std::span<const std::uint32_t> joint;
+    std::size_t body_groups;
+    std::size_t joint_groups;
+};
+
+class DirectFloes {
+  public:
+    DirectFloes(std::span<const SolverBody> bodies, std::span<const SolverJoint> joints, const LaneSlots& slots,
+                const LaneKernels& kernels);
+
+    /// From the next step on.
+    void remove_joint(std::size_t joint);
+
+    /// What the joints would do without contacts, from the bodies' start velocities.
+    void prepare(const LaneArrays& all, std::span<const LaneBlock> blocks, double time_step);
+
+    /// Makes ready for impulses on the bodies in these contacts: `delta` of the bodies that they may move.
+    void touch(const LaneArrays& all, std::span<const SolverContact> contacts);
+
+    /// The pieces' answer to all impulses, as changes of velocity, and what the joints carry.
+    void finish(const LaneArrays& all, std::span<const LaneBlock> blocks);
+
+    DirectArrays arrays() { return {local_.data(), spring_.data(), impulse_.data()}; }
+
+    /// By slot of a body, and for the spare slot after them; valid from touch() on.
+    const Reach* reaches() const { return reaches_.data(); }
+
+    /// Of a body: two of one piece move together.
+    std::uint32_t piece(std::size_t body) const { return piece_of_body_[body]; }
+
+    bool moves(std::size_t body) const { return bodies_[body].inverse_mass > 0; }
+
+  private:
+    struct Piece {
+        std::vector<std::uint32_t> bodies;         ///< rising
+        std::vector<std::uint32_t> joints;         ///< alive, rising
+        std::vector<std::uint32_t> slots, within;  ///< of the bodies, and 0, 1, 2, …
+        std::vector<Mat3> at_rest;                 ///< body -> piece where nothing strains it
+        std::shared_ptr<PieceResponse> response;
+        std::vector<std::uint32_t> touched_slots, touched_within;
+        bool broken = true;  ///< joints were removed since the response was made
+    };
+
+    void split(std::size_t piece);
+    void make_response(Piece& piece);
+    void find_response(Piece& piece, std::vector<PieceBody> bodies, std::vector<PieceJoint> joints);
+    PieceJoint at_rest(const Piece& piece, const SolverJoint& joint, const std::vector<PieceBody>& bodies,
+                       std::array<double, 6>& stiffness) const;
+    void store_spring(std::size_t joint, const PieceJoint& at_rest, const std::array<double, 6>& stiffness);
+    void turn_frames(const LaneArrays& all);
+    void answer(Piece& piece, const std::vector<std::uint32_t>& slots, const std::vector<std::uint32_t>& within,
+                double* delta);
+    void answer_at_once(Piece& piece, double* delta);
+
+    const LaneKernels* kernels_;
+    LaneSlots slots_;
+    std::vector<SolverBody> bodies_;
+    std::vector<SolverJoint> joints_;
+    std::vector<bool> removed_;
+    std::vector<Piece> pieces_;
+    std::vector<std::uint32_t> piece_of_body_, within_piece_;
+    std::vector<std::shared_ptr<PieceResponse>> responses_;  ///< of the pieces that there are
+    bool stale_ = true;
+    double time_step_ = 0;
+    AlignedArray<double> local_, spring_, impulse_;
+    std::vector<Reach> reaches_;
+    std::vector<std::uint32_t> touched_pieces_, touched_bodies_;
+    std::vector<std::uint8_t> is_touched_;  ///< by body
+    std::vector<double> piece_impulse_, piece_change_;
+};
+
+}  // namespace floes

@@ -1,0 +1,142 @@
+// Joints that are solved exactly: their impulses before velocities change, and what they carry in the end. All of it in
+// the axes of each piece.
+
+inline double* body_group(double* array, int fields, std::size_t group) {
+    return array + group * static_cast<std::size_t>(fields * lanes);
+}
+
+inline const double* body_group(const double* array, int fields, std::size_t group) {
+    return array + group * static_cast<std::size_t>(fields * lanes);
+}
+
+void begin_local(const LaneArrays& arrays, const DirectArrays& direct, std::size_t groups) {
+    for (std::size_t i = 0; i < groups; ++i) {
+        const double* body = body_group(arrays.body, body_field::count, i);
+        double* local = body_group(direct.local, local_field::count, i);
+        const M3 frame = load_matrix(local, local_field::frame);
+        store3(local, local_field::velocity, transposed_times(frame, load3(body, body_field::start_velocity)));
+        store3(local, local_field::spin, transposed_times(frame, load3(body, body_field::start_spin)));
+        store3(local, local_field::impulse, V3{});
+        store3(local, local_field::impulse + 3, V3{});
+    }
+}
+
+inline V3 times(const V3& a, const V3& b) {
+    return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
+
+/// What a joint holds against: the motion of a relative to b, along its axes.
+struct JointMotion {
+    V3 sliding, turning;
+};
+
+inline JointMotion joint_motion(const double* spring, const double* a, const double* b) {
+    const M3 axes = load_matrix(spring, spring_field::axes);
+    const V3 spin_a = load3(a, local_field::spin);
+    const V3 spin_b = load3(b, local_field::spin);
+    const V3 sliding =
+        (load3(a, local_field::velocity) - load3(b, local_field::velocity)) +
+        (cross(spin_a, load3(spring, spring_field::lever_a)) - cross(spin_b, load3(spring, spring_field::lever_b)));
+    return {transposed_times(axes, sliding), transposed_times(axes, spin_a - spin_b)};
+}
+
+inline void add3(double* group, int field, const V3& v) {
+    store3(group, field, load3(group, field) + v);
+}
+
+inline void press_joint(const double* frame, double* spring, const double* reaction, const double* body_a,
+                        const double* body_b, double* a, double* b, double time_step) {
+    const JointGeometry g = joint_geometry(frame, body_a, body_b);
+    const M3 axes = load_matrix(spring, spring_field::axes);
+    const V3 lever_a = load3(spring, spring_field::lever_a);
+    const V3 lever_b = load3(spring, spring_field::lever_b);
+    const JointMotion motion = joint_motion(spring, a, b);
+    // The angles are those by which a is turned ahead of b, the gap that by which b is ahead of a.
+    const V3 pull =
+        times(load3(spring, spring_field::stiffness), g.gap) - times(load3(spring, spring_field::hold), motion.sliding);
+    const V3 twist = (times(load3(spring, spring_field::stiffness + 3), g.angle) +
+                      times(load3(spring, spring_field::hold + 3), motion.turning)) *
+                     (Pack{} - 1.0);
+    store3(spring, spring_field::impulse, pull);
+    store3(spring, spring_field::impulse + 3, twist);
+    const V3 force = axes * pull;
+    const V3 moment = axes * twist;
+
+    // The levers are those of a piece that nothing strains; strained, its pivots are a little apart by them, and a pair
+    // of forces would be a couple. The last step's reaction tells how large, and each body takes half of it back.
+    const V3 apart = transposed_times(load_matrix(a, local_field::frame),
+                                      load3(body_b, body_field::position) - load3(body_a, body_field::position)) +
+                     (lever_b - lever_a);
+    const V3 couple = cross(apart, axes * load3(reaction, reaction_field::force)) * (Pack{} + 0.5 * time_step);
+    add3(a, local_field::impulse, force);
+    add3(a, local_field::impulse + 3, (cross(lever_a, force) + moment) + couple);
+    add3(b, local_field::impulse, force * (Pack{} - 1.0));
+    add3(b, local_field::impulse + 3, couple - (cross(lever_b, force) + moment));
+}
+
+void press_joints(const LaneArrays& arrays, const DirectArrays& direct, const LaneBlock& block, double time_step) {
+    for (std::int32_t j = 0; j < block.joints; ++j) {
+        const std::int32_t a = block.pairs[2 * j];
+        const std::int32_t b = block.pairs[2 * j + 1];
+        press_joint(joint_group(arrays.frame, frame_field::count, block, j),
+                    joint_group(direct.spring, spring_field::count, block, j),
+                    joint_group(arrays.reaction, reaction_field::count, block, j),
+                    body_group(arrays.body, body_field::count, block, a),
+                    body_group(arrays.body, body_field::count, block, b),
+                    body_group(direct.local, local_field::count, block, a),
+                    body_group(direct.local, local_field::count, block, b), time_step);
+    }
+}
+
+void to_pieces(const LaneArrays&, const DirectArrays& direct, std::size_t groups) {
+    for (std::size_t i = 0; i < groups; ++i) {
+        const double* local = body_group(direct.local, local_field::count, i);
+        double* to = direct.impulse + i * static_cast<std::size_t>(8 * lanes);
+        scatter([to](int lane) { return to + 8 * lane; },
+                {load3(local, local_field::impulse), Pack{}, load3(local, local_field::impulse + 3)});
+    }
+}
+
+void from_pieces(const LaneArrays& arrays, const DirectArrays& direct, std::size_t groups) {
+    for (std::size_t i = 0; i < groups; ++i) {
+        const double* from = arrays.delta + i * static_cast<std::size_t>(8 * lanes);
+        double* local = body_group(direct.local, local_field::count, i);
+        double* to = body_group(arrays.sweep, sweep_field::count, i);
+        const Motion change = gather([from](int lane) { return from + 8 * lane; });
+        const M3 frame = load_matrix(local, local_field::frame);
+        store3(local, local_field::velocity, change.velocity);
+        store3(local, local_field::spin, change.spin);
+        store3(to, sweep_field::velocity, frame * change.velocity);
+        store3(to, sweep_field::spin, frame * change.spin);
+    }
+}
+
+void direct_reactions(const LaneArrays& arrays, const DirectArrays& direct, const LaneBlock& block, double time_step) {
+    const Pack per_step = Pack{} + 1.0 / time_step;
+    for (std::int32_t j = 0; j < block.joints; ++j) {
+        const double* spring = joint_group(direct.spring, spring_field::count, block, j);
+        double* reaction = joint_group(arrays.reaction, reaction_field::count, block, j);
+        const JointMotion change =
+            joint_motion(spring, body_group(direct.local, local_field::count, block, block.pairs[2 * j]),
+                         body_group(direct.local, local_field::count, block, block.pairs[2 * j + 1]));
+        const V3 pull = load3(spring, spring_field::impulse) - times(load3(spring, spring_field::hold), change.sliding);
+        const V3 twist =
+            load3(spring, spring_field::impulse + 3) - times(load3(spring, spring_field::hold + 3), change.turning);
+        store3(reaction, reaction_field::force, pull * per_step);
+        store3(reaction, reaction_field::moment, twist * per_step);
+    }
+}
+
+void spread(double* delta, const Reach& reach, const double* impulse) {
+    for (std::size_t i = 0; i < reach.count; ++i) {
+        const double* block = reach.column + static_cast<std::size_t>(reach.within[i]) * 48;
+        double* to = delta + static_cast<std::size_t>(reach.slots[i]) * 8;
+#pragma GCC unroll 8
+        for (int part = 0; part < 8; part += lanes) {
+            Pack sum = load(to + part, 0);
+#pragma GCC unroll 6
+            for (int k = 0; k < 6; ++k) sum = sum + load(block + 8 * k + part, 0) * impulse[k < 3 ? k : k + 1];
+            store(to + part, 0, sum);
+        }
+    }
+}

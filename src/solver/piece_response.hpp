@@ -1,0 +1,67 @@
+#pragma once
+// How a connected piece of ice answers to impulses within one step. With stiffness K, damping D and masses M the
+// velocities v at the end of an implicit step follow from
+//
+//   (M + Δt D + Δt² K) (v - v_free) = impulses,
+//
+// v_free being what they would be without them. The matrix is factorised once for all pieces of the same form: they
+// differ by a turn in space only, and bend too little to differ by more (docs/ice.md).
+
+#include <Eigen/SparseCholesky>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/vector.hpp"
+#include "solver/aligned_array.hpp"
+
+namespace floes {
+
+/// A body of a piece that nothing strains, in the piece's axes. Mass 0: it never moves.
+struct PieceBody {
+    double mass = 0;              ///< kg
+    Mat3 inertia = Mat3::Zero();  ///< about the centre of mass, kg m²
+};
+
+/// A joint of a piece that nothing strains, in the piece's axes.
+struct PieceJoint {
+    int a = 0;
+    int b = 0;
+    Mat3 axes = Mat3::Identity();  ///< joint -> piece
+    Vec3 lever_a = Vec3::Zero();   ///< centre of mass of a -> pivot, m
+    Vec3 lever_b = Vec3::Zero();   ///< likewise of b
+    std::array<double, 6> hold{};  ///< Δt D + Δt² K of the linear, then of the angular parts: kg, kg m²
+};
+
+class PieceResponse {
+  public:
+    PieceResponse(std::vector<PieceBody> bodies, std::vector<PieceJoint> joints);
+
+    /// Whether this is the response of such a piece, lengths and masses equal to a relative 1e-9.
+    bool is_of(std::span<const PieceBody> bodies, std::span<const PieceJoint> joints) const;
+
+    std::size_t bodies() const { return bodies_.size(); }
+
+    /// What a unit impulse and a unit angular impulse on body `source` along each of the piece's axes do to the
+    /// velocities of all bodies: body by body a block of 6 columns of 8 numbers {v, 0, w, 0}, the layout of `delta`.
+    /// Computed when first asked for.
+    const double* column(std::size_t source);
+
+    static constexpr std::size_t block = 48;
+
+    /// Changes of velocity by impulses on all bodies, both body by body as the rows of a block. For large pieces: it
+    /// needs no columns.
+    void respond(const double* impulses, double* changes);
+
+  private:
+    std::vector<PieceBody> bodies_;
+    std::vector<PieceJoint> joints_;
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
+    std::vector<AlignedArray<double>> columns_;
+    Eigen::VectorXd impulses_, changes_;
+};
+
+/// J M⁻¹ Jᵀ of a joint's six parts: the inverse of the mass that each moves, 1/kg and 1/(kg m²).
+std::array<double, 6> inverse_effective_mass(const PieceBody& a, const PieceBody& b, const PieceJoint& joint);
+
+}  // namespace floes

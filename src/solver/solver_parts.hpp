@@ -1,0 +1,50 @@
+#pragma once
+// Bodies and joints as the solver is told about them, and what it tells back.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "solver/joint_spring.hpp"
+
+namespace floes {
+
+/// What does not change about a body. Without mass: it never moves by itself.
+struct SolverBody {
+    double inverse_mass = 0;                  ///< 1/kg
+    std::array<double, 3> inverse_inertia{};  ///< principal, about its own axes, 1/(kg m²)
+    std::array<double, 3> half_extent{};      ///< of a box, own axes, m; 0: flat and unbounded, where ice crushes on it
+};
+
+/// A joint's frame in a body: rotation joint -> body row by row, origin in m from the centre of mass.
+struct SolverFrame {
+    std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};
+    std::array<double, 3> origin{};
+};
+
+/// A fixed joint between two bodies that move.
+struct SolverJoint {
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+    SolverFrame in_a;
+    SolverFrame in_b;
+    double cfm = 0;                     ///< Σ, relative to the row's inverse effective mass; below 1
+    double erp = 0;                     ///< Γ
+    std::optional<JointSpring> spring;  ///< in place of Σ and Γ, where joints are solved directly
+};
+
+/// Motion of a body. World axes, SI units.
+struct SolverState {
+    std::array<double, 3> position{};                           ///< of the centre of mass
+    std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};  ///< body -> world, row by row
+    std::array<double, 3> velocity{};
+    std::array<double, 3> spin{};
+};
+
+/// What a joint exerted on body a in the last solve: in the joint's frame in a, moment about the pivot; N and N m.
+struct SolverReaction {
+    std::array<double, 3> force{};
+    std::array<double, 3> moment{};
+};
+
+}  // namespace floes
