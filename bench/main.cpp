@@ -93,6 +93,9 @@ void add_all(int steps) {
         add(fmt::format("TowStep/lanes/late{}", name), tow_step, SolverKind::lanes, late_scene, law);
         add(fmt::format("TowStep/lanes/late_steep{}", name), tow_step, SolverKind::lanes, late_steep_scene, law);
     }
+    const ContactLaw physical = with_preset({}, ContactPreset::physical);
+    add("TowStep/direct/late_cone_crushing", tow_step, SolverKind::direct, late_scene, physical);
+    add("TowStep/direct/late_steep_cone_crushing", tow_step, SolverKind::direct, late_steep_scene, physical);
     add("Peer/bullet/late", peer_step, make_bullet, late_scene);
     add("Peer/ode/late", peer_step, make_ode, late_scene);
     const auto add_member = [](const std::string& name, SolverKind solver, double wake_radius) {

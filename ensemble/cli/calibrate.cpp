@@ -26,6 +26,7 @@ struct CalibrateOptions {
     std::vector<std::string> overrides;
     std::vector<double> sheets{5.4, 2.8, 2.6};
     std::vector<double> cfm{1e-10, 0.016, 0.03};
+    std::vector<double> moduli{200, 60, 30};
     std::vector<double> elements;
     std::vector<double> thicknesses;
     std::vector<double> time_steps;
@@ -58,6 +59,7 @@ void vary(std::vector<PointPlan>& plans, const std::vector<Value>& values, Set s
     plans = std::move(varied);
 }
 
+/// Sheets of both kinds of joints: those that follow Σ, and beams of a modulus.
 std::vector<PointPlan> make_plans(const CalibrateOptions& options) {
     std::vector<PointPlan> plans{{base_scenario(options), {.load = options.load}}};
     vary(plans, options.elements, [](PointPlan& plan, double value) { plan.scenario.floe.element = value; });
@@ -66,31 +68,48 @@ std::vector<PointPlan> make_plans(const CalibrateOptions& options) {
     vary(plans, options.erps, [](PointPlan& plan, double value) { plan.scenario.joint.erp = value; });
     vary(plans, options.iterations, [](PointPlan& plan, int value) { plan.scenario.general.iterations = value; });
     vary(plans, options.sheets, [](PointPlan& plan, double value) { plan.test.sheet = value; });
+    std::vector<PointPlan> beams = options.moduli.empty() ? std::vector<PointPlan>{} : plans;
+    vary(beams, options.moduli, [](PointPlan& plan, double value) {
+        plan.scenario = with_beam_joints(plan.scenario, value * unit::megapascal);
+    });
+    for (PointPlan& plan : plans) plan.scenario.joint.model = JointModel::cfm;
+    if (options.cfm.empty() && !options.moduli.empty()) plans.clear();
     vary(plans, options.cfm, [](PointPlan& plan, double value) { plan.scenario.joint.cfm = value; });
+    plans.insert(plans.end(), beams.begin(), beams.end());
     return plans;
 }
 
+std::string model_word(const CurvePoint& point) {
+    return point.model == JointModel::beam ? "beam" : "cfm";
+}
+
 Section curve_section(const std::vector<CurvePoint>& curve) {
-    Table table{{"sheet, m", "element, m", "thickness, m", "Δt, s", "Γ", "iterations", "Σ", "dP/dw, N/m",
-                 "E (patch), MPa", "E (point), MPa"}};
+    Table table{{"joints", "sheet, m", "element, m", "thickness, m", "Δt, s", "Γ", "iterations", "Σ", "E set, MPa",
+                 "dP/dw, N/m", "E (patch), MPa", "E (point), MPa"}};
     const auto number = [](double value) { return fmt::format("{:.4g}", value); };
-    for (const CurvePoint& p : curve)
-        table.push_back({number(p.sheet), number(p.element), number(p.thickness), number(p.time_step), number(p.erp),
-                         fmt::format("{}", p.iterations), number(p.cfm), fixed(p.slope, 0),
-                         fixed(p.elastic_modulus / unit::megapascal, 1),
+    for (const CurvePoint& p : curve) {
+        const bool beam = p.model == JointModel::beam;
+        table.push_back({model_word(p), number(p.sheet), number(p.element), number(p.thickness), number(p.time_step),
+                         beam ? "" : number(p.erp), beam ? "" : fmt::format("{}", p.iterations),
+                         beam ? "" : number(p.cfm), beam ? number(p.set_modulus / unit::megapascal) : "",
+                         fixed(p.slope, 0), fixed(p.elastic_modulus / unit::megapascal, 1),
                          fixed(p.elastic_modulus_point / unit::megapascal, 1)});
+    }
     using Row = const CurvePoint&;
     return {
         .table = std::move(table),
         .records = {make_records<CurvePoint>(
             "curve", curve,
-            {{"sheet_m", &CurvePoint::sheet},
+            {{"joint_model", [](Row row) { return model_word(row); }},
+             {"sheet_m", &CurvePoint::sheet},
              {"element_m", &CurvePoint::element},
              {"thickness_m", &CurvePoint::thickness},
              {"time_step_s", &CurvePoint::time_step},
              {"erp", &CurvePoint::erp},
              {"iterations", &CurvePoint::iterations},
              {"cfm", &CurvePoint::cfm},
+             {"set_modulus_MPa",
+              [](Row row) { return row.model == JointModel::beam ? row.set_modulus / unit::megapascal : NAN; }},
              {"slope_N_per_m", &CurvePoint::slope},
              {"elastic_modulus_MPa", [](Row row) { return row.elastic_modulus / unit::megapascal; }},
              {"elastic_modulus_point_MPa", [](Row row) { return row.elastic_modulus_point / unit::megapascal; }}})}};
@@ -100,6 +119,7 @@ Section curve_section(const std::vector<CurvePoint>& curve) {
 PointPlan plan_of_inverse(CalibrateOptions options) {
     options.sheets.resize(1);
     options.cfm.clear();
+    options.moduli.clear();
     const std::vector<PointPlan> plans = make_plans(options);
     if (plans.size() == 1) return plans.front();
     throw InputError(
@@ -134,7 +154,8 @@ void add_calibrate(CLI::App& program, int& exit_status) {
     auto options = std::make_shared<CalibrateOptions>();
     CLI::App* verb = program.add_subcommand(
         "calibrate",
-        "Elastic modulus of the numerical ice over Σ, Γ, Δt, iterations and element size (plate deflection, Fig. 2)");
+        "Elastic modulus of the numerical ice over Σ, Γ, Δt, iterations and element size (plate deflection, Fig. 2), "
+        "and of ice with beam joints");
     const auto list = [&](const char* name, auto& values, const char* help) {
         verb->add_option(name, values, help)->delimiter(',');
     };
@@ -142,7 +163,10 @@ void add_calibrate(CLI::App& program, int& exit_status) {
         "config", options->config, "Test the ice of this configuration's first case; default: the paper's plate");
     add_overrides(*verb, options->overrides)->needs(config);
     list("--sheet-m", options->sheets, "Sides of the square sheet, m");
-    CLI::Option* cfm = verb->add_option("--cfm", options->cfm, "Values of Σ")->delimiter(',');
+    CLI::Option* cfm = verb->add_option("--cfm", options->cfm, "Values of Σ, joint.model = \"cfm\"")->delimiter(',');
+    CLI::Option* beams =
+        verb->add_option("--beam-MPa", options->moduli, "Moduli of beam joints, joint.model = \"beam\", solved exactly")
+            ->delimiter(',');
     list("--element-m", options->elements, "Element sizes L_e, m");
     list("--thickness-m", options->thicknesses, "Thicknesses, m");
     list("--time-step-s", options->time_steps, "Time steps Δt, s");
@@ -151,15 +175,23 @@ void add_calibrate(CLI::App& program, int& exit_status) {
     verb->add_option("--load-N", options->load, "Largest load on the centre, N")->capture_default_str();
     verb->add_option("--modulus-MPa", options->modulus,
                      "Inverse calibration: find the Σ that shows this modulus on the first sheet")
-        ->excludes(cfm);
+        ->excludes(cfm)
+        ->excludes(beams);
     add_format(*verb, options->format);
     verb->footer(
         "Lists are comma-separated and every combination is measured. Without arguments: the paper's Σ on sheets of\n"
-        "5.4, 2.8 and 2.6 m. E (patch) assumes that the load is spread over the loaded elements, E (point) a point\n"
-        "load.\n\n"
+        "5.4, 2.8 and 2.6 m, and beam joints of 200, 60 and 30 MPa. E (patch) assumes that the load is spread over "
+        "the\n"
+        "loaded elements, which is right for joints that follow Σ; E (point) a point load, which is right for beams "
+        "from\n"
+        "centre to centre (docs/ice.md).\n\n"
         "  floes calibrate --sheet-m 2.6 --cfm 1e-10 --iterations 10,50,100     the ceiling set by the iterations\n"
+        "  floes calibrate --sheet-m 5.1 --element-m 0.3,0.1 --beam-MPa 60       beam joints, whatever the element\n"
         "  floes calibrate table3.toml --modulus-MPa 60                         Σ for an ice of 60 MPa");
-    verb->callback([options, verb, &exit_status] {
+    verb->callback([options, verb, cfm, beams, &exit_status] {
+        // One of the two given alone: only sheets of these joints.
+        if (cfm->count() > 0 && beams->count() == 0) options->moduli.clear();
+        if (beams->count() > 0 && cfm->count() == 0) options->cfm.clear();
         const bool inverse = verb->count("--modulus-MPa") > 0;
         std::fputs((inverse ? inverse_text(*options) : curve_text(*options)).c_str(), stdout);
         exit_status = 0;

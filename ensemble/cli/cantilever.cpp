@@ -10,7 +10,10 @@
 #include "cli/commands.hpp"
 #include "cli/config_file.hpp"
 #include "cli/terminal.hpp"
+#include "core/error.hpp"
 #include "core/units.hpp"
+#include "laboratory/beam_stiffness.hpp"
+#include "laboratory/calibration.hpp"
 #include "laboratory/cantilever.hpp"
 #include "tables/number_text.hpp"
 #include "theory/beam.hpp"
@@ -24,8 +27,9 @@ struct CantileverOptions {
     std::vector<double> cfm{1e-10, 0.016, 0.03};
     std::vector<int> elements{1, 2, 3, 4};
     std::vector<std::string> loads{"bending", "shear", "compression"};
-    double modulus = 60;
+    std::vector<double> moduli{60};
     bool floating = false;
+    bool stiffness = false;
     std::string format = "table";
 };
 
@@ -40,9 +44,15 @@ BeamLoad load_of(const std::string& word) {
     return word == "compression" ? BeamLoad::compression : BeamLoad::bending;
 }
 
+Scenario base_scenario(const CantileverOptions& options) {
+    if (options.config.empty()) return {};
+    return load_campaign(options.config, options.overrides).cases.front().scenario;
+}
+
 std::vector<Row> measure(const CantileverOptions& options) {
-    Scenario scenario =
-        options.config.empty() ? Scenario{} : load_campaign(options.config, options.overrides).cases.front().scenario;
+    Scenario scenario = base_scenario(options);
+    if (options.moduli.size() != 1)
+        throw InputError("The elastic beam for comparison has one modulus; give a single --modulus-MPa.");
     const double foundation = scenario.water.density * scenario.general.gravity;
     std::vector<Row> rows;
     for (const double cfm : options.cfm) {
@@ -54,10 +64,11 @@ std::vector<Row> measure(const CantileverOptions& options) {
             for (const int elements : lengths) {
                 const BeamTest test{
                     .load = load, .elements = elements, .floating = options.floating && load == BeamLoad::bending};
-                const double elastic = test.floating ? floating_cantilever_factor(options.modulus * unit::megapascal,
-                                                                                  elements * scenario.floe.element,
-                                                                                  scenario.ice.thickness, foundation)
-                                                     : 1.0;
+                const double elastic = test.floating
+                                           ? floating_cantilever_factor(options.moduli.front() * unit::megapascal,
+                                                                        elements * scenario.floe.element,
+                                                                        scenario.ice.thickness, foundation)
+                                           : 1.0;
                 rows.push_back({cfm, measure_beam_strength(scenario, test), elastic});
             }
         }
@@ -88,6 +99,44 @@ Section section_of(const std::vector<Row>& rows, bool floating) {
                  {"elastic_foundation_ratio", &Row::elastic}})}};
 }
 
+struct StiffnessRow {
+    double modulus;  ///< MPa
+    int elements;
+    BeamStiffness shown;
+};
+
+std::vector<StiffnessRow> measure_stiffness(const CantileverOptions& options) {
+    const Scenario scenario = base_scenario(options);
+    std::vector<StiffnessRow> rows;
+    for (const double modulus : options.moduli) {
+        const Scenario beam = with_beam_joints(scenario, modulus * unit::megapascal);
+        for (const int elements : options.elements) {
+            rows.push_back({modulus, elements, measure_beam_stiffness(beam, elements)});
+        }
+    }
+    return rows;
+}
+
+Section stiffness_section(const std::vector<StiffnessRow>& rows) {
+    Table table{{"E, MPa", "elements", "deflection, mm", "elastic, mm", "shown/elastic", "frequency, 1/s",
+                 "elastic, 1/s", "shown/elastic"}};
+    for (const auto& [modulus, elements, shown] : rows) {
+        table.push_back({fmt::format("{:g}", modulus), fmt::format("{}", elements), fixed(1e3 * shown.deflection, 4),
+                         fixed(1e3 * shown.elastic_deflection, 4),
+                         fixed(shown.deflection / shown.elastic_deflection, 4), fixed(shown.frequency, 3),
+                         fixed(shown.elastic_frequency, 3), fixed(shown.frequency / shown.elastic_frequency, 4)});
+    }
+    return {.table = std::move(table),
+            .records = {make_records<StiffnessRow>(
+                "rows", rows,
+                {{"elastic_modulus_MPa", &StiffnessRow::modulus},
+                 {"elements", &StiffnessRow::elements},
+                 {"deflection_m", [](const StiffnessRow& row) { return row.shown.deflection; }},
+                 {"elastic_deflection_m", [](const StiffnessRow& row) { return row.shown.elastic_deflection; }},
+                 {"frequency_1_per_s", [](const StiffnessRow& row) { return row.shown.frequency; }},
+                 {"elastic_frequency_1_per_s", [](const StiffnessRow& row) { return row.shown.elastic_frequency; }}})}};
+}
+
 }  // namespace
 
 void add_cantilever(CLI::App& program, int& exit_status) {
@@ -107,18 +156,24 @@ void add_cantilever(CLI::App& program, int& exit_status) {
         ->check(CLI::IsMember({"bending", "shear", "compression"}));
     CLI::Option* floating = verb->add_flag("--floating", options->floating,
                                            "Bend a floating beam (lifted at its tip) instead of a dry one");
-    verb->add_option("--modulus-MPa", options->modulus,
-                     "Modulus of the elastic beam on a foundation used for comparison")
-        ->needs(floating)
+    verb->add_flag("--stiffness", options->stiffness,
+                   "Instead: how far a strip with beam joints bends, and how it swings, beside the closed form")
+        ->excludes(floating);
+    verb->add_option("--modulus-MPa", options->moduli,
+                     "Modulus of the elastic beam on a foundation used for comparison; with --stiffness moduli of the "
+                     "beam joints, comma-separated")
+        ->delimiter(',')
         ->capture_default_str();
     add_format(*verb, options->format);
     verb->footer(
         "The beam is one element wide and clamped at one end. Bending: strength = 6 P L/(b h²), L from the load to "
         "the\n"
-        "failing joint. Shear and compression: P/(b h), or P/(b h²) with joint.threshold_form = \"as_printed\".");
+        "failing joint. With --stiffness: dry, the load at the middle of the last element. Shear and compression: P/(b "
+        "h), or P/(b h²) with joint.threshold_form = \"as_printed\".");
     verb->callback([options, &exit_status] {
-        const std::vector<Row> rows = measure(*options);
-        std::fputs(written({section_of(rows, options->floating)}, options->format).c_str(), stdout);
+        const Section section = options->stiffness ? stiffness_section(measure_stiffness(*options))
+                                                   : section_of(measure(*options), options->floating);
+        std::fputs(written({section}, options->format).c_str(), stdout);
         exit_status = 0;
     });
 }

@@ -37,7 +37,9 @@ void report(const ReportOptions& options) {
     const std::filesystem::path file = options.file;
     const std::filesystem::path output = options.output.empty() ? file.stem().string() + ".html" : options.output;
     ReportData data = read_report_data(file);
-    if (!options.skip_plate_tests) data.curve = measure_curve(curve_plans(data.campaign.cases.front().scenario));
+    const Scenario& first = data.campaign.cases.front().scenario;
+    const bool follows_cfm = first.joint.model == JointModel::cfm;  // else there is no curve: E is what it says
+    if (!options.skip_plate_tests && follows_cfm) data.curve = measure_curve(curve_plans(first));
     data.command = fmt::format("./floes run {0}.toml -o {0}.h5", data.summary.title);
     write_page(output, report_page(data));
     std::printf("%s\n", output.string().c_str());

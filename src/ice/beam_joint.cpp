@@ -2,24 +2,31 @@
 
 namespace floes {
 
-JointSpring beam_joint(double elastic_modulus, double poisson_ratio, double thickness, double side,
-                       double damping_ratio) {
-    const double rigidity =
-        elastic_modulus * thickness * thickness * thickness / (12 * (1 - poisson_ratio * poisson_ratio));
-    const double shear_modulus = elastic_modulus / (2 * (1 + poisson_ratio));
-    const double area = side * side;
-    const double shear_flexibility = 12 * rigidity / (5.0 / 6.0 * shear_modulus * thickness * area);
-    return {.force = {elastic_modulus * thickness, 12 * rigidity / (area * (1 + shear_flexibility)),
-                      2 * shear_modulus * thickness},
-            .moment = {rigidity, elastic_modulus * thickness * area / 12, rigidity},
-            .damping_ratio = damping_ratio};
+double ElasticIce::flexural_rigidity() const {
+    return elastic_modulus * thickness * thickness * thickness / (12 * (1 - poisson_ratio * poisson_ratio));
+}
+
+ElasticIce elastic_ice(const Scenario& scenario) {
+    return {scenario.ice.elastic_modulus, scenario.ice.poisson_ratio, scenario.ice.thickness,
+            scenario.joint.damping_ratio};
+}
+
+JointSpring beam_joint(const ElasticIce& ice, double width, double span) {
+    const double bending = ice.flexural_rigidity() * width / span;
+    const double stretching = ice.elastic_modulus * ice.thickness * width / span;
+    const double shear_modulus = ice.elastic_modulus / (2 * (1 + ice.poisson_ratio));
+    const double square = span * span;
+    const double shear_flexibility =
+        12 * ice.flexural_rigidity() / (5.0 / 6.0 * shear_modulus * ice.thickness * square);
+    return {.force = {stretching, 12 * bending / (square * (1 + shear_flexibility)),
+                      2 * shear_modulus * ice.thickness * width / span},
+            .moment = {bending, stretching * width * width / 12, bending},
+            .damping_ratio = ice.damping_ratio};
 }
 
 std::optional<JointSpring> joint_spring(const Scenario& scenario) {
     if (scenario.joint.model == JointModel::cfm) return std::nullopt;
-    const Ice& ice = scenario.ice;
-    return beam_joint(ice.elastic_modulus, ice.poisson_ratio, ice.thickness, scenario.floe.element,
-                      scenario.joint.damping_ratio);
+    return beam_joint(elastic_ice(scenario), scenario.floe.element, scenario.floe.element);
 }
 
 }  // namespace floes

@@ -26,9 +26,21 @@
 
 namespace floes {
 
-/// E, thickness and side in SI; 0 <= ν <= 0.5.
-JointSpring beam_joint(double elastic_modulus, double poisson_ratio, double thickness, double side,
-                       double damping_ratio);
+/// Ice as beam joints see it. SI.
+struct ElasticIce {
+    double elastic_modulus;  ///< E, Pa
+    double poisson_ratio;    ///< ν, 0 to 0.5
+    double thickness;        ///< T, m
+    double damping_ratio;    ///< of two elements that swing against each other, of critical
+
+    double flexural_rigidity() const;  ///< D of a plate, N m
+};
+
+ElasticIce elastic_ice(const Scenario& scenario);
+
+/// The joint in the middle of a beam of this width and span, m. Between elements both are L; from the edge of an
+/// element to its centre, where a clamp holds it, the span is L / 2.
+JointSpring beam_joint(const ElasticIce& ice, double width, double span);
 
 /// The joints of the scenario's floes; nothing where they follow Σ and Γ.
 std::optional<JointSpring> joint_spring(const Scenario& scenario);

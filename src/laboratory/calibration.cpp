@@ -72,9 +72,19 @@ std::vector<PointPlan> curve_plans(const Scenario& scenario) {
     return plans;
 }
 
+Scenario with_beam_joints(Scenario scenario, double elastic_modulus) {
+    scenario.general.solver = SolverKind::direct;
+    scenario.joint.model = JointModel::beam;
+    scenario.ice.elastic_modulus = elastic_modulus;
+    scenario.contact = with_preset(scenario.contact, ContactPreset::physical);  // nothing touches; the solver has it
+    return scenario;
+}
+
 CurvePoint measure_curve_point(const Scenario& scenario, const PlateTest& test) {
     const PlateDeflection result = measure_plate_deflection(scenario, test);
-    return {.sheet = test.sheet,
+    return {.model = scenario.joint.model,
+            .set_modulus = scenario.ice.elastic_modulus,
+            .sheet = test.sheet,
             .element = scenario.floe.element,
             .thickness = scenario.ice.thickness,
             .time_step = scenario.general.time_step,
@@ -89,6 +99,9 @@ CurvePoint measure_curve_point(const Scenario& scenario, const PlateTest& test) 
 Calibration calibrate_cfm(const Scenario& scenario, const PlateTest& test, double elastic_modulus) {
     if (!(elastic_modulus > 0 && std::isfinite(elastic_modulus)))
         throw InputError(fmt::format("The requested elastic modulus is {} Pa; it must be above 0.", elastic_modulus));
+    if (scenario.joint.model != JointModel::cfm)
+        throw InputError(
+            "Joints of the model beam have the elastic modulus that they are given; there is no Σ to find.");
     Curve curve(scenario, test);
     const double wanted = std::log(elastic_modulus);
     const double ceiling = curve.log_modulus(vanishing_cfm);

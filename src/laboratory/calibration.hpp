@@ -10,6 +10,8 @@ namespace floes {
 
 /// One plate test and everything on which its modulus depends. SI.
 struct CurvePoint {
+    JointModel model = JointModel::cfm;
+    double set_modulus = 0;  ///< Pa, E of beam joints
     double sheet = 0;
     double element = 0;
     double thickness = 0;
@@ -32,6 +34,9 @@ struct PointPlan {
 /// the paper's smaller sheet to a whole number of elements.
 std::vector<PointPlan> curve_plans(const Scenario& scenario);
 
+/// The scenario with beam joints of this modulus (Pa), solved exactly.
+Scenario with_beam_joints(Scenario scenario, double elastic_modulus);
+
 /// measure_plate_deflection() on the scenario's ice; throws as it does.
 CurvePoint measure_curve_point(const Scenario& scenario, const PlateTest& test);
 
@@ -49,7 +54,8 @@ struct Calibration {
 };
 
 /// The Σ that gives the scenario's ice `elastic_modulus` (Pa, patch load). Throws InputError if the modulus is above
-/// the ceiling (set by unconverged Gauss-Seidel) or so small that Σ would have to be 0.9 or more.
+/// the ceiling (set by unconverged Gauss-Seidel) or so small that Σ would have to be 0.9 or more, or if joints do not
+/// follow Σ.
 Calibration calibrate_cfm(const Scenario& scenario, const PlateTest& test, double elastic_modulus);
 
 }  // namespace floes

@@ -45,11 +45,12 @@ struct LoadedElement {
     Vec3 centre_arm;  ///< from the element's centre to the centre of the sheet, element axes, m
 };
 
-std::vector<LoadedElement> loaded_elements(int across, double element) {
+/// Between beams the middle of four elements lies half as far along their tangents as it is away from their centres.
+std::vector<LoadedElement> loaded_elements(int across, const Scenario& scenario) {
     const auto index = [&](int i, int k) { return static_cast<std::size_t>(i + k * across); };
     const int middle = across / 2;
     if (across % 2 == 1) return {{index(middle, middle), Vec3::Zero()}};
-    const double half = element / 2;
+    const double half = scenario.floe.element / (scenario.joint.model == JointModel::beam ? 4 : 2);
     return {{index(middle - 1, middle - 1), {half, 0, half}},
             {index(middle, middle - 1), {-half, 0, half}},
             {index(middle - 1, middle), {half, 0, -half}},
@@ -64,7 +65,7 @@ class Sheet {
           ice_(world_, scenario, std::vector<PlanarPose>(1)),
           water_(scenario.water, scenario.general.gravity, {scenario.floe.element, scenario.ice.thickness},
                  scenario.element_mass(), 0, 0),
-          loaded_(loaded_elements(across, scenario.floe.element)) {}
+          loaded_(loaded_elements(across, scenario)) {}
 
     /// Depth of the centre of the sheet below its initial height, at rest under a total load, m.
     double settled_depth(double load) {

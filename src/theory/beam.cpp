@@ -1,6 +1,7 @@
 #include "theory/beam.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace floes {
 
@@ -13,6 +14,15 @@ double floating_cantilever_factor(double elastic_modulus, double length, double 
     const double x = lambda * length;
     const double root = std::sinh(x) * std::cos(x) + std::cosh(x) * std::sin(x);
     return x * (std::cosh(x) * std::cosh(x) + std::cos(x) * std::cos(x)) / root;
+}
+
+double cantilever_deflection(double load, double distance, double stiffness) {
+    return load * distance * distance * distance / (3 * stiffness);
+}
+
+double cantilever_frequency(double length, double stiffness, double mass_per_length) {
+    constexpr double root = 1.8751040687119611;  // first of cos x cosh x = -1
+    return root * root * std::sqrt(stiffness / mass_per_length) / (2 * std::numbers::pi * length * length);
 }
 
 }  // namespace floes

@@ -72,11 +72,9 @@ TEST(Direct, IsWhereSweepsConvergeTo) {
         a.step();
         b.step();
         const double size = largest_load(b);
-        if (size > 0) EXPECT_LT(largest_difference(a, b), 0.05 * size) << "step " << i;
-        if (size > 0 && first_touch < 0) {
-            first_touch = i;
-            EXPECT_LT(largest_difference(a, b), 1e-5 * size);
-        }
+        if (size == 0) continue;
+        EXPECT_LT(largest_difference(a, b), (first_touch < 0 ? 1e-5 : 0.05) * size) << "step " << i;
+        first_touch = first_touch < 0 ? i : first_touch;
     }
     EXPECT_GT(first_touch, 0);
 }
