@@ -1,41 +1,36 @@
 // Contacts between pieces that answer as a whole. A row has, for each of its two bodies, the impulse on it and what
 // that does to the velocity of the same body; what it does to the rest of the piece is spread once a visit.
 
-/// Linear and angular, of one body, in the axes of its piece.
-struct V6 {
-    V3 linear, angular;
-};
-
-inline V6 load6(const double* row, int field) {
+inline Flat load_flat(const double* row, int field) {
     return {load3(row, field), load3(row, field + 3)};
 }
 
-inline void store6(double* row, int field, const V6& v) {
-    store3(row, field, v.linear);
-    store3(row, field + 3, v.angular);
+inline void store_flat(double* row, int field, const Flat& v) {
+    store3(row, field, v.within);
+    store3(row, field + 3, v.out);
 }
 
-inline Pack dot(const V6& a, const V6& b) {
-    return dot(a.linear, b.linear) + dot(a.angular, b.angular);
+inline Pack dot(const Flat& a, const Flat& b) {
+    return dot(a.within, b.within) + dot(a.out, b.out);
 }
 
-inline V6 operator*(const V6& a, Pack s) {
-    return {a.linear * s, a.angular * s};
+inline Flat operator*(const Flat& a, Pack s) {
+    return {a.within * s, a.out * s};
 }
 
-inline V6 operator+(const V6& a, const V6& b) {
-    return {a.linear + b.linear, a.angular + b.angular};
+inline Flat operator+(const Flat& a, const Flat& b) {
+    return {a.within + b.within, a.out + b.out};
 }
 
-inline V6 operator-(const V6& a, const V6& b) {
-    return {a.linear - b.linear, a.angular - b.angular};
+inline Flat operator-(const Flat& a, const Flat& b) {
+    return {a.within - b.within, a.out - b.out};
 }
 
 /// One body of each pair: its motion, the axes of its piece, and its own answer to impulses.
 struct Answering {
     V3 position, start_velocity, start_spin;
     M3 frame;
-    Pack self[36];  ///< column by column
+    M3 within, out;  ///< its own answer
 };
 
 inline Answering answering(const LaneArrays& arrays, const DirectArrays& direct, const Reach* reaches,
@@ -47,39 +42,34 @@ inline Answering answering(const LaneArrays& arrays, const DirectArrays& direct,
     Pack frame[9];
     pick(direct.local, local_field::count, local_field::frame, slots, frame);
     body.frame = {{frame[0], frame[3], frame[6]}, {frame[1], frame[4], frame[7]}, {frame[2], frame[5], frame[8]}};
-    alignas(Pack) double values[36][lanes];
+    alignas(Pack) double values[18][lanes];
     for (int lane = 0; lane < lanes; ++lane) {
         const double* self = reaches[slots[lane]].self;
-        for (int k = 0; k < 6; ++k) {
-            for (int i = 0; i < 6; ++i)
-                values[6 * k + i][lane] = self == nullptr ? 0.0 : self[8 * k + i + (i < 3 ? 0 : 1)];
-        }
+        for (int i = 0; i < 18; ++i)
+            values[i][lane] = self == nullptr ? 0.0 : self[8 * (i / 6) + i % 3 + i % 6 / 3 * 4];
     }
-    for (int i = 0; i < 36; ++i) body.self[i] = load(values[i], 0);
+    const auto column = [&](int first) {
+        return V3{load(values[first], 0), load(values[first + 1], 0), load(values[first + 2], 0)};
+    };
+    body.within = {column(0), column(6), column(12)};
+    body.out = {column(3), column(9), column(15)};
     return body;
 }
 
-inline V6 answer(const Answering& body, const V6& impulse) {
-    const Pack p[6] = {impulse.linear.x,  impulse.linear.y,  impulse.linear.z,
-                       impulse.angular.x, impulse.angular.y, impulse.angular.z};
-    Pack v[6];
-    for (int i = 0; i < 6; ++i) {
-        v[i] = body.self[i] * p[0];
-        for (int k = 1; k < 6; ++k) v[i] = v[i] + body.self[6 * k + i] * p[k];
-    }
-    return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+inline Flat answer(const Answering& body, const Flat& impulse) {
+    return {body.within * impulse.within, body.out * impulse.out};
 }
 
 /// A unit impulse along a direction: what it is on both bodies, and what it does to them.
 struct DirectArm {
-    V6 on_a, on_b, moves_a, moves_b;
+    Flat on_a, on_b, moves_a, moves_b;
 };
 
 inline DirectArm direct_arm(const V3& axis, const V3& lever_a, const V3& lever_b, const Answering& a,
                             const Answering& b) {
     DirectArm arm;
-    arm.on_a = {transposed_times(a.frame, axis), transposed_times(a.frame, cross(lever_a, axis))};
-    arm.on_b = {transposed_times(b.frame, axis), transposed_times(b.frame, cross(lever_b, axis))};
+    arm.on_a = flat(transposed_times(a.frame, axis), transposed_times(a.frame, cross(lever_a, axis)));
+    arm.on_b = flat(transposed_times(b.frame, axis), transposed_times(b.frame, cross(lever_b, axis)));
     arm.moves_a = answer(a, arm.on_a);
     arm.moves_b = answer(b, arm.on_b);
     return arm;
@@ -90,10 +80,10 @@ inline Pack coupling(const DirectArm& one, const DirectArm& other) {
 }
 
 inline void store_arm(double* row, int i, const DirectArm& arm, Pack s) {
-    store6(row, direct_field::on_a + 6 * i, arm.on_a * s);
-    store6(row, direct_field::on_b + 6 * i, arm.on_b * s);
-    store6(row, direct_field::moves_a + 6 * i, arm.moves_a * s);
-    store6(row, direct_field::moves_b + 6 * i, arm.moves_b * s);
+    store_flat(row, direct_field::on_a + 6 * i, arm.on_a * s);
+    store_flat(row, direct_field::on_b + 6 * i, arm.on_b * s);
+    store_flat(row, direct_field::moves_a + 6 * i, arm.moves_a * s);
+    store_flat(row, direct_field::moves_b + 6 * i, arm.moves_b * s);
 }
 
 inline void prepare_direct_contact(const double* point, const double* friction_start, int i, const Answering& a,
@@ -159,26 +149,27 @@ void prepare_direct_contacts(const LaneArrays& arrays, const DirectArrays& direc
 
 /// A pair on its way through its rows: motions as they are with the impulses so far, and these impulses.
 struct DirectPair {
-    V6 a, b;
-    V6 on_a, on_b;
+    Flat a, b;
+    Flat on_a, on_b;
 };
 
 [[gnu::always_inline]] inline Pack along(const double* row, int i, const DirectPair& pair) {
-    return dot(load6(row, direct_field::on_a + 6 * i), pair.a) - dot(load6(row, direct_field::on_b + 6 * i), pair.b);
+    return dot(load_flat(row, direct_field::on_a + 6 * i), pair.a) -
+           dot(load_flat(row, direct_field::on_b + 6 * i), pair.b);
 }
 
 [[gnu::always_inline]] inline void push(const double* row, int i, DirectPair& pair, Pack impulse) {
-    pair.a = pair.a + load6(row, direct_field::moves_a + 6 * i) * impulse;
-    pair.b = pair.b - load6(row, direct_field::moves_b + 6 * i) * impulse;
-    pair.on_a = pair.on_a + load6(row, direct_field::on_a + 6 * i) * impulse;
-    pair.on_b = pair.on_b - load6(row, direct_field::on_b + 6 * i) * impulse;
+    pair.a = pair.a + load_flat(row, direct_field::moves_a + 6 * i) * impulse;
+    pair.b = pair.b - load_flat(row, direct_field::moves_b + 6 * i) * impulse;
+    pair.on_a = pair.on_a + load_flat(row, direct_field::on_a + 6 * i) * impulse;
+    pair.on_b = pair.on_b - load_flat(row, direct_field::on_b + 6 * i) * impulse;
 }
 
 /// Hands an impulse in each lane on to the piece that the lane's body belongs to.
 [[gnu::always_inline]] inline void hand_on(double* delta, double* impulse, const Reach* reaches,
-                                           const std::uint32_t* slots, const V6& on) {
+                                           const std::uint32_t* slots, const Flat& on) {
     alignas(64) double by_lane[lanes][8];
-    scatter([&](int lane) { return by_lane[lane]; }, {on.linear, Pack{}, on.angular});
+    scatter_flat([&](int lane) { return by_lane[lane]; }, on);
     for (int lane = 0; lane < lanes; ++lane) {
         const Reach& reach = reaches[slots[lane]];
         if (reach.column == nullptr) continue;
@@ -195,8 +186,7 @@ template <class Solve>
     const std::uint32_t* slots = packs.slots;
     for (std::size_t k = 0; k < packs.count; ++k, slots += 2 * lanes) {
         const auto motion = [=](const std::uint32_t* at) {
-            const Motion m = gather([=](int lane) { return delta + 8 * static_cast<std::size_t>(at[lane]); });
-            return V6{m.velocity, m.spin};
+            return gather_flat([=](int lane) { return delta + 8 * static_cast<std::size_t>(at[lane]); });
         };
         DirectPair pair{motion(slots), motion(slots + lanes), {}, {}};
         for (std::uint32_t i = packs.packs[k].first_row; i < packs.packs[k].end_row; ++i) {

@@ -300,9 +300,8 @@ void DirectFloes::touch(const LaneArrays& all, std::span<const SolverContact> co
         for (std::size_t k = 0; k < piece.touched_slots.size(); ++k) {
             const std::uint32_t within = piece.touched_within[k];
             const double* column = piece.response->column(within);
-            reaches_[piece.touched_slots[k]] = {column, column + within * PieceResponse::block,
-                                                piece.touched_slots.data(), piece.touched_within.data(),
-                                                piece.touched_slots.size()};
+            reaches_[piece.touched_slots[k]] = {column, column + within * response_block, piece.touched_slots.data(),
+                                                piece.touched_within.data(), piece.touched_slots.size()};
         }
     }
 }

@@ -1,6 +1,36 @@
 // Joints that are solved exactly: their impulses before velocities change, and what they carry in the end. All of it in
 // the axes of each piece.
 
+/// A motion, or an impulse, of one body: what moves it within the plane of its floe {x, z, about y}, and what moves it
+/// out of that {y, about x, about z}. Neither causes the other.
+struct Flat {
+    V3 within, out;
+};
+
+inline Flat flat(const V3& linear, const V3& angular) {
+    return {{linear.x, linear.z, angular.y}, {linear.y, angular.x, angular.z}};
+}
+
+inline V3 linear(const Flat& f) {
+    return {f.within.x, f.out.x, f.within.y};
+}
+
+inline V3 angular(const Flat& f) {
+    return {f.out.y, f.within.z, f.out.z};
+}
+
+/// at(lane): where the 8 numbers of that lane's body begin.
+template <class At>
+[[gnu::always_inline]] inline Flat gather_flat(const At& at) {
+    const Motion places = gather(at);
+    return {places.velocity, places.spin};
+}
+
+template <class At>
+[[gnu::always_inline]] inline void scatter_flat(const At& at, const Flat& f) {
+    scatter(at, {f.within, Pack{}, f.out});
+}
+
 inline double* body_group(double* array, int fields, std::size_t group) {
     return array + group * static_cast<std::size_t>(fields * lanes);
 }
@@ -92,8 +122,8 @@ void to_pieces(const LaneArrays&, const DirectArrays& direct, std::size_t groups
     for (std::size_t i = 0; i < groups; ++i) {
         const double* local = body_group(direct.local, local_field::count, i);
         double* to = direct.impulse + i * static_cast<std::size_t>(8 * lanes);
-        scatter([to](int lane) { return to + 8 * lane; },
-                {load3(local, local_field::impulse), Pack{}, load3(local, local_field::impulse + 3)});
+        scatter_flat([to](int lane) { return to + 8 * lane; },
+                     flat(load3(local, local_field::impulse), load3(local, local_field::impulse + 3)));
     }
 }
 
@@ -102,12 +132,12 @@ void from_pieces(const LaneArrays& arrays, const DirectArrays& direct, std::size
         const double* from = arrays.delta + i * static_cast<std::size_t>(8 * lanes);
         double* local = body_group(direct.local, local_field::count, i);
         double* to = body_group(arrays.sweep, sweep_field::count, i);
-        const Motion change = gather([from](int lane) { return from + 8 * lane; });
+        const Flat change = gather_flat([from](int lane) { return from + 8 * lane; });
         const M3 frame = load_matrix(local, local_field::frame);
-        store3(local, local_field::velocity, change.velocity);
-        store3(local, local_field::spin, change.spin);
-        store3(to, sweep_field::velocity, frame * change.velocity);
-        store3(to, sweep_field::spin, frame * change.spin);
+        store3(local, local_field::velocity, linear(change));
+        store3(local, local_field::spin, angular(change));
+        store3(to, sweep_field::velocity, frame * linear(change));
+        store3(to, sweep_field::spin, frame * angular(change));
     }
 }
 
@@ -128,14 +158,19 @@ void direct_reactions(const LaneArrays& arrays, const DirectArrays& direct, cons
 }
 
 void spread(double* delta, const Reach& reach, const double* impulse) {
+    // The three impulses within the plane beside the three out of it, as the rows of a block are.
+    alignas(64) double factor[3][8];
+    for (int k = 0; k < 3; ++k) {
+        for (int i = 0; i < 8; ++i) factor[k][i] = impulse[k + (i < 4 ? 0 : 4)];
+    }
     for (std::size_t i = 0; i < reach.count; ++i) {
-        const double* block = reach.column + static_cast<std::size_t>(reach.within[i]) * 48;
+        const double* block = reach.column + static_cast<std::size_t>(reach.within[i]) * response_block;
         double* to = delta + static_cast<std::size_t>(reach.slots[i]) * 8;
 #pragma GCC unroll 8
         for (int part = 0; part < 8; part += lanes) {
             Pack sum = load(to + part, 0);
-#pragma GCC unroll 6
-            for (int k = 0; k < 6; ++k) sum = sum + load(block + 8 * k + part, 0) * impulse[k < 3 ? k : k + 1];
+#pragma GCC unroll 3
+            for (int k = 0; k < 3; ++k) sum = sum + load(block + 8 * k + part, 0) * load(factor[k] + part, 0);
             store(to + part, 0, sum);
         }
     }

@@ -14,6 +14,11 @@ struct ContactRowArrays;
 struct LimitArrays;
 struct ContactLaw;
 
+/// What an impulse on one body does to another, by three columns of 8 numbers, for an impulse {x, z, about y; y, about
+/// x, about z}: of its first parts the changes of {x, z, about y, 0}, of its last those of {y, about x, about z, 0}.
+/// The two halves do not mix.
+inline constexpr std::size_t response_block = 24;
+
 /// Fields of a body beside those of body_field.
 namespace local_field {
 inline constexpr int frame = 0;     ///< local -> world of its piece, row by row
@@ -37,7 +42,8 @@ inline constexpr int count = 33;
 struct DirectArrays {
     double* local;
     double* spring;
-    double* impulse;  ///< on each body, by slot {linear, 0, angular, 0}, local: of joints and contacts together
+    double* impulse;  ///< on each body, by slot {x, z, about y, 0, y, about x, about z, 0}, local: of joints and
+                      ///< contacts together; with this solver `delta` has the same order
 };
 
 /// Bodies of a piece that an impulse on one of them moves.
@@ -51,7 +57,7 @@ struct Reach {
 
 /// Fields of a contact's three rows, each scaled: normal, then two in the contact plane.
 namespace direct_field {
-inline constexpr int on_a = 0;      ///< 3 x what an impulse along the row is on a: linear, angular; local of a
+inline constexpr int on_a = 0;      ///< 3 x what an impulse along the row is on a {x, z, about y, y, about x, about z}
 inline constexpr int on_b = 18;     ///< likewise, local of b
 inline constexpr int moves_a = 36;  ///< 3 x what it does to the velocities of a
 inline constexpr int moves_b = 54;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.hpp"
+
 namespace floes {
 namespace {
 
@@ -19,14 +21,31 @@ Eigen::Matrix<double, 6, 6> motion(const PieceJoint& joint, const Vec3& lever) {
     return rows;
 }
 
-void add_block(std::vector<Eigen::Triplet<double>>& to, int row, int column, const Eigen::Matrix<double, 6, 6>& block) {
-    for (int i = 0; i < 6; ++i) {
-        for (int k = 0; k < 6; ++k) to.emplace_back(6 * row + i, 6 * column + k, block(i, k));
+/// Of the six velocities of a body those within the plane, and those out of it.
+constexpr std::array<std::array<int, 3>, 2> parts{{{0, 2, 4}, {1, 3, 5}}};
+
+using Entries = std::vector<Eigen::Triplet<double>>;
+
+void add_block(std::array<Entries, 2>& to, int row, int column, const Eigen::Matrix<double, 6, 6>& block) {
+    const double negligible = 1e-9 * block.cwiseAbs().maxCoeff();
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            for (std::size_t part = 0; part < 2; ++part) {
+                to[part].emplace_back(3 * row + static_cast<int>(i), 3 * column + static_cast<int>(k),
+                                      block(parts[part][i], parts[part][k]));
+                if (std::abs(block(parts[part][i], parts[1 - part][k])) > negligible) {
+                    throw InputError(
+                        "The direct solver cannot be set up: a joint lies outside the plane of its floe, or is turned "
+                        "against it.");
+                }
+            }
+        }
     }
 }
 
-Eigen::SparseMatrix<double> assembled(const std::vector<PieceBody>& bodies, const std::vector<PieceJoint>& joints) {
-    std::vector<Eigen::Triplet<double>> entries;
+std::array<Eigen::SparseMatrix<double>, 2> assembled(const std::vector<PieceBody>& bodies,
+                                                     const std::vector<PieceJoint>& joints) {
+    std::array<Entries, 2> entries;
     for (int i = 0; i < static_cast<int>(bodies.size()); ++i) {
         const PieceBody& body = bodies[static_cast<std::size_t>(i)];
         Eigen::Matrix<double, 6, 6> inertia = Eigen::Matrix<double, 6, 6>::Identity();  // of a fixed body anything
@@ -48,10 +67,13 @@ Eigen::SparseMatrix<double> assembled(const std::vector<PieceBody>& bodies, cons
             }
         }
     }
-    const auto size = static_cast<Eigen::Index>(6 * bodies.size());
-    Eigen::SparseMatrix<double> matrix(size, size);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return matrix;
+    const auto size = static_cast<Eigen::Index>(3 * bodies.size());
+    std::array<Eigen::SparseMatrix<double>, 2> matrices{Eigen::SparseMatrix<double>(size, size),
+                                                        Eigen::SparseMatrix<double>(size, size)};
+    for (std::size_t part = 0; part < 2; ++part) {
+        matrices[part].setFromTriplets(entries[part].begin(), entries[part].end());
+    }
+    return matrices;
 }
 
 bool close(double a, double b) {
@@ -78,10 +100,10 @@ bool equal(const PieceJoint& a, const PieceJoint& b) {
 }  // namespace
 
 PieceResponse::PieceResponse(std::vector<PieceBody> bodies, std::vector<PieceJoint> joints)
-    : bodies_(std::move(bodies)),
-      joints_(std::move(joints)),
-      factor_(assembled(bodies_, joints_)),
-      columns_(bodies_.size()) {}
+    : bodies_(std::move(bodies)), joints_(std::move(joints)), columns_(bodies_.size()) {
+    const std::array<Eigen::SparseMatrix<double>, 2> matrices = assembled(bodies_, joints_);
+    for (std::size_t part = 0; part < 2; ++part) factors_[part].compute(matrices[part]);
+}
 
 bool PieceResponse::is_of(std::span<const PieceBody> bodies, std::span<const PieceJoint> joints) const {
     const auto same = [](const auto& a, const auto& b) { return equal(a, b); };
@@ -91,17 +113,17 @@ bool PieceResponse::is_of(std::span<const PieceBody> bodies, std::span<const Pie
 const double* PieceResponse::column(std::size_t source) {
     AlignedArray<double>& column = columns_[source];
     if (column.size() > 0) return column.data();
-    column = AlignedArray<double>(bodies_.size() * block);
+    column = AlignedArray<double>(bodies_.size() * response_block);
     if (!(bodies_[source].mass > 0)) return column.data();  // it does not feel impulses
-    const auto size = static_cast<Eigen::Index>(6 * bodies_.size());
-    Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(size, 6);
-    unit.middleRows<6>(static_cast<Eigen::Index>(6 * source)).setIdentity();
-    const Eigen::MatrixXd answer = factor_.solve(unit);
-    for (std::size_t body = 0; body < bodies_.size(); ++body) {
-        for (std::size_t k = 0; k < 6; ++k) {
-            for (std::size_t i = 0; i < 6; ++i) {
-                column[body * block + 8 * k + i + (i < 3 ? 0 : 1)] =
-                    answer(static_cast<Eigen::Index>(6 * body + i), static_cast<Eigen::Index>(k));
+    const auto size = static_cast<Eigen::Index>(3 * bodies_.size());
+    Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(size, 3);
+    unit.middleRows<3>(static_cast<Eigen::Index>(3 * source)).setIdentity();
+    for (std::size_t part = 0; part < 2; ++part) {
+        const Eigen::MatrixXd answer = factors_[part].solve(unit);
+        for (std::size_t i = 0; i < 3 * bodies_.size(); ++i) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                column[i / 3 * response_block + 8 * k + 4 * part + i % 3] =
+                    answer(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k));
             }
         }
     }
@@ -109,18 +131,14 @@ const double* PieceResponse::column(std::size_t source) {
 }
 
 void PieceResponse::respond(const double* impulses, double* changes) {
-    impulses_.resize(static_cast<Eigen::Index>(6 * bodies_.size()));
-    for (std::size_t body = 0; body < bodies_.size(); ++body) {
-        for (std::size_t i = 0; i < 6; ++i) {
-            impulses_[static_cast<Eigen::Index>(6 * body + i)] =
-                bodies_[body].mass > 0 ? impulses[8 * body + i + (i < 3 ? 0 : 1)] : 0;
+    impulses_.resize(static_cast<Eigen::Index>(3 * bodies_.size()));
+    for (std::size_t part = 0; part < 2; ++part) {
+        const auto at = [&](std::size_t i) { return i / 3 * 8 + 4 * part + i % 3; };
+        for (std::size_t i = 0; i < 3 * bodies_.size(); ++i) {
+            impulses_[static_cast<Eigen::Index>(i)] = bodies_[i / 3].mass > 0 ? impulses[at(i)] : 0;
         }
-    }
-    changes_ = factor_.solve(impulses_);
-    for (std::size_t body = 0; body < bodies_.size(); ++body) {
-        for (std::size_t i = 0; i < 6; ++i) {
-            changes[8 * body + i + (i < 3 ? 0 : 1)] = changes_[static_cast<Eigen::Index>(6 * body + i)];
-        }
+        changes_ = factors_[part].solve(impulses_);
+        for (std::size_t i = 0; i < 3 * bodies_.size(); ++i) changes[at(i)] = changes_[static_cast<Eigen::Index>(i)];
     }
 }
 

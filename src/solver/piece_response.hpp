@@ -5,7 +5,8 @@
 //   (M + Δt D + Δt² K) (v - v_free) = impulses,
 //
 // v_free being what they would be without them. The matrix is factorised once for all pieces of the same form: they
-// differ by a turn in space only, and bend too little to differ by more (docs/ice.md).
+// differ by a turn in space only, and bend too little to differ by more (docs/ice.md). A piece is flat, its joints in
+// the plane of its bodies: so what moves it within its plane, and out of it, are two systems of half the size.
 
 #include <Eigen/SparseCholesky>
 #include <array>
@@ -14,10 +15,11 @@
 
 #include "core/vector.hpp"
 #include "solver/aligned_array.hpp"
+#include "solver/direct_layout.hpp"
 
 namespace floes {
 
-/// A body of a piece that nothing strains, in the piece's axes. Mass 0: it never moves.
+/// A body of a piece that nothing strains, in the piece's axes, y normal to its plane. Mass 0: it never moves.
 struct PieceBody {
     double mass = 0;              ///< kg
     Mat3 inertia = Mat3::Zero();  ///< about the centre of mass, kg m²
@@ -35,6 +37,7 @@ struct PieceJoint {
 
 class PieceResponse {
   public:
+    /// Throws InputError for a piece that is not flat.
     PieceResponse(std::vector<PieceBody> bodies, std::vector<PieceJoint> joints);
 
     /// Whether this is the response of such a piece, lengths and masses equal to a relative 1e-9.
@@ -42,21 +45,19 @@ class PieceResponse {
 
     std::size_t bodies() const { return bodies_.size(); }
 
-    /// What a unit impulse and a unit angular impulse on body `source` along each of the piece's axes do to the
-    /// velocities of all bodies: body by body a block of 6 columns of 8 numbers {v, 0, w, 0}, the layout of `delta`.
-    /// Computed when first asked for.
+    /// What unit impulses on body `source` do to the velocities of all bodies: a response_block for each. Computed when
+    /// first asked for.
     const double* column(std::size_t source);
 
-    static constexpr std::size_t block = 48;
-
-    /// Changes of velocity by impulses on all bodies, both body by body as the rows of a block. For large pieces: it
-    /// needs no columns.
+    /// Changes of velocity by impulses on all bodies, both 8 numbers a body in the order of a block's rows. For large
+    /// pieces: it needs no columns.
     void respond(const double* impulses, double* changes);
 
   private:
     std::vector<PieceBody> bodies_;
     std::vector<PieceJoint> joints_;
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
+    using Factor = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
+    std::array<Factor, 2> factors_;  ///< within the plane, and out of it
     std::vector<AlignedArray<double>> columns_;
     Eigen::VectorXd impulses_, changes_;
 };
