@@ -183,8 +183,26 @@ TEST(Validate, EveryContradictionIsOneSentence) {
              s.contact = {};
              s.general.solver = SolverKind::stock;
          },
-         "field.wake_radius_m = 3.0 is not for general.solver = \"stock\": only the lanes solver lets floes rest; take "
-         "it, or set the radius to 0"},
+         "field.wake_radius_m = 3.0 is not for general.solver = \"stock\", which lets no floes rest; take "
+         "general.solver = \"lanes\", or set the radius to 0"},
+        {[](Scenario& s) { s.joint.model = JointModel::beam; },
+         "joint.model = \"beam\" is not possible with general.solver = \"lanes\": joints as stiff as ice do not "
+         "converge "
+         "in sweeps; take general.solver = \"direct\""},
+        {[](Scenario& s) {
+             s.contact.friction = Friction::one_direction;
+             s.general.solver = SolverKind::direct;
+         },
+         "contact.friction = \"one_direction\" is not possible with general.solver = \"direct\", which has friction in "
+         "the "
+         "whole contact plane only; take contact.friction = \"cone\", or contact.preset = \"physical\""},
+        {[](Scenario& s) {
+             s.contact.normal = NormalLaw::rigid;
+             s.general.solver = SolverKind::direct;
+         },
+         "contact.split_impulse = true is not possible with general.solver = \"direct\" and rigid contacts: it "
+         "corrects "
+         "every penetration within the impulse; take contact.split_impulse = false"},
         {[](Scenario& s) { s.field.wake_radius = 1.1; },
          "field.wake_radius_m = 1.1 lets the structure strike a floe at rest, whose middle may be 1.16 m from its axis "
          "then; take more than that, or 0 for none at rest"},

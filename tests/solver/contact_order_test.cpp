@@ -17,7 +17,7 @@ constexpr std::uint32_t spare = 100;
 constexpr std::uint32_t wall = 99;
 
 Contact touch(std::uint32_t a, std::uint32_t b, bool pressed = false) {
-    return {a, b, a != wall, b != wall, pressed};
+    return {a, b, a, b, a != wall, b != wall, pressed};
 }
 
 /// A chain along which each pair has to wait for the one before it, pairs that are free to go, and some on a wall.

@@ -1,0 +1,152 @@
+// The connected pieces of floes that are solved exactly: how they fall apart, and their response.
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/direct_floes.hpp"
+#include "solver/lane_slot.hpp"
+
+namespace floes {
+namespace {
+
+using Rows3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
+Mat3 matrix_of(const SolverFrame& frame) {
+    return Eigen::Map<const Rows3>(frame.rotation.data());
+}
+
+Vec3 origin_of(const SolverFrame& frame) {
+    return Vec3(frame.origin[0], frame.origin[1], frame.origin[2]);
+}
+
+}  // namespace
+
+void DirectFloes::split(std::size_t piece) {
+    const Piece whole = std::move(pieces_[piece]);
+    std::vector<std::uint32_t> first(bodies_.size());  // of the part that each body belongs to
+    for (const std::uint32_t body : whole.bodies) first[body] = body;
+    const auto root = [&](std::uint32_t body) {
+        while (first[body] != body) body = first[body] = first[first[body]];
+        return body;
+    };
+    for (const std::uint32_t joint : whole.joints) {
+        const std::uint32_t a = root(joints_[joint].a);
+        const std::uint32_t b = root(joints_[joint].b);
+        first[std::max(a, b)] = std::min(a, b);
+    }
+    bool replaced = false;
+    for (const std::uint32_t body : whole.bodies) {
+        if (root(body) == body) {
+            piece_of_body_[body] = static_cast<std::uint32_t>(replaced ? pieces_.size() : piece);
+            if (replaced)
+                pieces_.emplace_back();
+            else
+                pieces_[piece] = Piece{};
+            replaced = true;
+        }
+        piece_of_body_[body] = piece_of_body_[root(body)];
+        Piece& part = pieces_[piece_of_body_[body]];
+        within_piece_[body] = static_cast<std::uint32_t>(part.bodies.size());
+        part.within.push_back(within_piece_[body]);
+        part.bodies.push_back(body);
+        part.slots.push_back(slots_.body[body]);
+    }
+    for (const std::uint32_t joint : whole.joints) {
+        pieces_[piece_of_body_[joints_[joint].a]].joints.push_back(joint);
+    }
+}
+
+void DirectFloes::store_spring(std::size_t joint, const PieceJoint& at_rest, const std::array<double, 6>& stiffness) {
+    const auto put = [&](int field, double value) {
+        spring_[place(slots_.joint[joint], spring_field::count, field, kernels_->width)] = value;
+    };
+    for (int i = 0; i < 3; ++i) {
+        for (int k = 0; k < 3; ++k) put(spring_field::axes + 3 * i + k, at_rest.axes(i, k));
+        put(spring_field::lever_a + i, at_rest.lever_a[i]);
+        put(spring_field::lever_b + i, at_rest.lever_b[i]);
+    }
+    for (std::size_t i = 0; i < 6; ++i) {
+        put(spring_field::stiffness + static_cast<int>(i), stiffness[i] * time_step_);
+        put(spring_field::hold + static_cast<int>(i), at_rest.hold[i]);
+    }
+}
+
+PieceJoint DirectFloes::at_rest(const Piece& piece, const SolverJoint& joint, const std::vector<PieceBody>& bodies,
+                                std::array<double, 6>& stiffness) const {
+    PieceJoint found;
+    found.a = static_cast<int>(within_piece_[joint.a]);
+    found.b = static_cast<int>(within_piece_[joint.b]);
+    const Mat3& turn_a = piece.at_rest[within_piece_[joint.a]];
+    const Mat3& turn_b = piece.at_rest[within_piece_[joint.b]];
+    found.axes = turn_a * matrix_of(joint.in_a);
+    found.lever_a = turn_a * origin_of(joint.in_a);
+    found.lever_b = turn_b * origin_of(joint.in_b);
+    const std::array<double, 6> inverse_mass =
+        inverse_effective_mass(bodies[within_piece_[joint.a]], bodies[within_piece_[joint.b]], found);
+    const double step = time_step_;
+    for (std::size_t i = 0; i < 6; ++i) {
+        double damping = 0;
+        if (joint.spring) {
+            stiffness[i] = i < 3 ? joint.spring->force[i] : joint.spring->moment[i - 3];
+            damping = 2 * joint.spring->damping_ratio * std::sqrt(stiffness[i] / inverse_mass[i]);
+        } else {  // design decision 2: K = Γ / (Δt² Σ A), D = (1 - Γ) / (Δt Σ A)
+            const double per_step = 1 / (step * joint.cfm * inverse_mass[i]);
+            stiffness[i] = joint.erp * per_step / step;
+            damping = (1 - joint.erp) * per_step;
+        }
+        found.hold[i] = step * damping + step * step * stiffness[i];
+    }
+    return found;
+}
+
+void DirectFloes::make_response(Piece& piece) {
+    // Where nothing strains them all bodies are turned against the first as their joints say.
+    piece.at_rest.assign(piece.bodies.size(), Mat3::Identity());
+    std::vector<bool> known(piece.bodies.size(), false);
+    known[0] = true;
+    for (bool more = true; more;) {
+        more = false;
+        for (const std::uint32_t number : piece.joints) {
+            const SolverJoint& joint = joints_[number];
+            const std::uint32_t a = within_piece_[joint.a];
+            const std::uint32_t b = within_piece_[joint.b];
+            if (known[a] == known[b]) continue;
+            const Mat3 in_a = piece.at_rest[a] * matrix_of(joint.in_a);
+            const Mat3 in_b = piece.at_rest[b] * matrix_of(joint.in_b);
+            if (known[a])
+                piece.at_rest[b] = in_a * matrix_of(joint.in_b).transpose();
+            else
+                piece.at_rest[a] = in_b * matrix_of(joint.in_a).transpose();
+            known[a] = known[b] = more = true;
+        }
+    }
+    std::vector<PieceBody> bodies;
+    for (std::size_t i = 0; i < piece.bodies.size(); ++i) {
+        const SolverBody& body = bodies_[piece.bodies[i]];
+        bodies.emplace_back();
+        if (!(body.inverse_mass > 0)) continue;
+        const Vec3 inertia(1 / body.inverse_inertia[0], 1 / body.inverse_inertia[1], 1 / body.inverse_inertia[2]);
+        bodies.back() = {1 / body.inverse_mass, piece.at_rest[i] * inertia.asDiagonal() * piece.at_rest[i].transpose()};
+    }
+    std::vector<PieceJoint> joints;
+    for (const std::uint32_t joint : piece.joints) {
+        std::array<double, 6> stiffness{};
+        joints.push_back(at_rest(piece, joints_[joint], bodies, stiffness));
+        store_spring(joint, joints.back(), stiffness);
+    }
+    find_response(piece, std::move(bodies), std::move(joints));
+    piece.broken = false;
+}
+
+void DirectFloes::find_response(Piece& piece, std::vector<PieceBody> bodies, std::vector<PieceJoint> joints) {
+    const auto found =
+        std::ranges::find_if(responses_, [&](const auto& response) { return response->is_of(bodies, joints); });
+    if (found != responses_.end()) {
+        piece.response = *found;
+        return;
+    }
+    piece.response = std::make_shared<PieceResponse>(std::move(bodies), std::move(joints));
+    responses_.push_back(piece.response);
+}
+
+}  // namespace floes
