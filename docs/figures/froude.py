@@ -20,7 +20,7 @@ import pandas as pd
 
 from page_blocks import fill_or_check
 from validation_data import half_width
-from validation_tables import number, table, with_interval
+from validation_tables import table, with_interval
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 DOCS = ROOT / "docs"
@@ -145,7 +145,7 @@ def collected(path, scene, scale):
 def collect(folder):
     rows = [row for scale in SCALES for row in collected(folder / f"smoke_{scale:g}.h5", "smoke", scale)]
     rows += collected(folder / "tank.h5", "tank", 1) + collected(folder / "tank_30.h5", "tank", 30)
-    pd.DataFrame(rows).to_csv(DATA / "members.csv", index=False, float_format="%.10g")
+    pd.DataFrame(rows).to_csv(DATA / "members.csv", index=False)
 
 
 def members(scene, scale):
@@ -187,8 +187,8 @@ def equal():
     names = list(QUANTITIES)
     worst = max(float((members("smoke", scale)[names] / one[names] - 1).abs().max().max())
                 for scale in SCALES if math.log(scale, 4).is_integer() and scale != 1)
-    return (f"Largest relative difference of a member's mean load, maxima or broken floes from those of its twin at "
-            f"scale 1, at scales that are powers of 4: {worst:.0e}.")
+    return (f"Largest relative difference of a member's mean load, maxima or broken floes from its twin's at scale 1, at\n"
+            f"scales that are powers of 4: {worst:.1g}.")
 
 
 BLOCKS = {"smoke": lambda: scales("smoke", SCALES), "equal": equal, "tank": lambda: scales("tank", [1, 30]),

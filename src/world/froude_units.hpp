@@ -2,9 +2,10 @@
 // Between SI, in which a World is spoken to, and the units in which it computes. Only for files inside this room.
 //
 // Bullet has lengths of its own, fixed for bodies of centimetres to a metre: contact points live up to 20 mm, shapes
-// have margins of millimetres, its narrow phase has tolerances. So a World measures lengths in a unit u (m) that
-// grows with the ice, times in √u (s) and masses in kg. In these units a scene that is scaled by Froude, lengths by u
-// and times by √u, is the same scene again: accelerations and forces keep their numbers.
+// have margins of millimetres, its narrow phase has tolerances. So a World, its solvers included, measures lengths in a
+// unit u (m) that grows with the ice, times in √u (s) and masses in kg: accelerations and forces have the same numbers
+// in both. A scene scaled by Froude, lengths by s and times by √s, then has the same lengths, times and speeds again,
+// at s³ times the masses and forces. Whatever a definition has with another unit needs its line in the .cpp.
 
 #include <cmath>
 
