@@ -150,7 +150,7 @@ def collect(folder):
 
 def members(scene, scale):
     """Of one scale, loads scaled back."""
-    data = pd.read_csv(DATA / "members.csv")
+    data = pd.read_csv(DATA / "members.csv", float_precision="round_trip")
     own = data[(data.scene == scene) & (data.scale == scale)].set_index(["case", "arrangement"]).sort_index()
     return own.assign(**{name: own[name] / scale**3 for name in QUANTITIES if name.endswith("_N")})
 
