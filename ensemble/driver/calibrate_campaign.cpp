@@ -25,7 +25,7 @@ struct Task {
 };
 
 PlateTest plate_test(const Scenario& scenario) {
-    PlateTest test;
+    PlateTest test = plate_test_for(scenario);
     // Slightly enlarged, so that rounding does not lose an element if the elements divide the sheet.
     test.sheet = std::floor(test.sheet / scenario.floe.element * (1 + 1e-9)) * scenario.floe.element;
     return test;
@@ -62,7 +62,7 @@ void calibrate(Task& task) {
 std::string intention(const Task& task) {
     const double element = task.scenario.floe.element;
     const double sheet = plate_test(task.scenario).sheet;
-    const double whole = PlateTest{}.sheet;
+    const double whole = plate_test_for(task.scenario).sheet;
     const bool divides = std::abs(sheet - whole) < 1e-6 * whole;
     return fmt::format("calibrating {}: searching for the Σ that gives {:.6g} MPa on a sheet of {:.6g} m{}", task.cases,
                        task.scenario.ice.elastic_modulus / unit::megapascal, sheet,

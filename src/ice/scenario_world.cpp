@@ -19,13 +19,19 @@ ConstraintSolver world_solver(SolverKind kind) {
 
 }  // namespace
 
+double size_of_ice(const Scenario& scenario) {
+    constexpr double tank = 0.033;  // m
+    return scenario.ice.thickness / tank;
+}
+
 World scenario_world(const Scenario& scenario) {
     const General& general = scenario.general;
     return World({.time_step = general.time_step,
                   .iterations = general.iterations,
                   .gravity = general.gravity / (1 + scenario.water.added_mass),  // the added mass has no weight
                   .contact = scenario.contact_law(),
-                  .solver = world_solver(general.solver)});
+                  .solver = world_solver(general.solver),
+                  .length_unit = size_of_ice(scenario)});
 }
 
 }  // namespace floes

@@ -6,8 +6,11 @@
 
 namespace floes {
 
-/// Time step, iterations, solver, gravity and contacts are those of the scenario. Throws InputError for values that
-/// World refuses.
+/// Thickness of the scenario's ice over that of the paper's tank, 0.033 m: what lengths that no key gives grow with.
+double size_of_ice(const Scenario& scenario);
+
+/// Time step, iterations, solver, gravity and contacts are those of the scenario; the unit of length is the size of its
+/// ice, so that Bullet's margins keep their share of the thickness. Throws InputError for values that World refuses.
 World scenario_world(const Scenario& scenario);
 
 }  // namespace floes

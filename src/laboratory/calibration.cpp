@@ -64,9 +64,11 @@ Scenario plate_scenario(const Scenario& scenario) {
 std::vector<PointPlan> curve_plans(const Scenario& scenario) {
     constexpr double tested_cfm[]{vanishing_cfm, 0.003, 0.008, 0.016, 0.03, 0.06};
     constexpr int sheet_elements = 13;
+    PlateTest test = plate_test_for(scenario);
+    test.sheet = sheet_elements * scenario.floe.element;
     std::vector<PointPlan> plans;
     for (const double cfm : tested_cfm) {
-        plans.push_back({scenario, {.sheet = sheet_elements * scenario.floe.element}});
+        plans.push_back({scenario, test});
         plans.back().scenario.joint.cfm = cfm;
     }
     return plans;

@@ -32,6 +32,7 @@ class Beam {
     Beam(const Scenario& scenario, const BeamTest& test)
         : test_(test),
           side_(scenario.floe.element),
+          size_(size_of_ice(scenario)),
           mass_(scenario.moving_mass()),
           time_step_(scenario.general.time_step),
           thresholds_(make_thresholds(scenario)),
@@ -62,7 +63,7 @@ class Beam {
     bool settle_under(double load) {
         const double start = side_ * (test_.elements - 0.5);
         return settle([&] { advance(load); },
-                      [&] { return (world_.state(elements_.back()).position - Vec3(start, 0, 0)).norm(); }, 0.0)
+                      [&] { return (world_.state(elements_.back()).position - Vec3(start, 0, 0)).norm(); }, 0.0, size_)
             .has_value();
     }
 
@@ -107,6 +108,7 @@ class Beam {
 
     BeamTest test_;
     double side_;
+    double size_;
     double mass_;
     double time_step_;
     Thresholds thresholds_;

@@ -69,7 +69,8 @@ class Sheet {
 
     /// Depth of the centre of the sheet below its initial height, at rest under a total load, m.
     double settled_depth(double load) {
-        const auto depth = settle([&] { advance(load); }, [&] { return checked_depth(load); }, 0.0);
+        const auto depth =
+            settle([&] { advance(load); }, [&] { return checked_depth(load); }, 0.0, size_of_ice(scenario_));
         if (!depth)
             throw InputError(fmt::format(
                 "The sheet did not settle under {} N in {} steps; a larger Σ, a smaller load or fewer elements may.",
@@ -129,6 +130,14 @@ double slope_through_origin(const PlateDeflection& result) {
 }
 
 }  // namespace
+
+PlateTest plate_test_for(const Scenario& scenario) {
+    const double size = size_of_ice(scenario);
+    PlateTest test;
+    test.sheet *= size;
+    test.load *= size * size * size;
+    return test;
+}
 
 PlateDeflection measure_plate_deflection(const Scenario& scenario, const PlateTest& test) {
     if (!(test.load > 0) || test.increments < 1)

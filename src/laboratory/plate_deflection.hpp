@@ -15,6 +15,10 @@ struct PlateTest {
     int increments = 3;  ///< equal steps up to it, each settled
 };
 
+/// The test at the size of the scenario's ice, scaled by Froude: PlateTest's own numbers where it is as thick as the
+/// paper's.
+PlateTest plate_test_for(const Scenario& scenario);
+
 struct PlateDeflection {
     std::vector<double> load;          ///< N, of each increment
     std::vector<double> deflection;    ///< m, of the centre of the sheet, downwards

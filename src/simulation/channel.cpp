@@ -1,10 +1,14 @@
 #include "simulation/channel.hpp"
 
+#include <algorithm>
+
 namespace floes {
 namespace {
 
-constexpr double room_behind =
-    1.0;  // m of wall behind the structure at t = 0: floes pass round it and stay between walls
+/// Floes pass round the structure and stay between walls. 1 m in the paper's tank.
+double room_for_a_floe(const Floe& floe) {
+    return 5 * std::max(floe.length, floe.breadth) / 3;
+}
 
 IceSheet sheet(const Scenario& scenario, const Vec2& x_range, const Vec2& z_range) {
     const Vec2 x_part{x_range.mean(), 0.5 * (x_range.y() - x_range.x())};
@@ -20,7 +24,8 @@ Channel make_channel(const Scenario& scenario) {
     const bool closed = field.far_end == FarEnd::ice_sheet;
     const double towed = scenario.structure.speed * (scenario.analysis.steady_start + scenario.analysis.window);
     Channel channel;
-    channel.begin = scenario.structure.start - scenario.structure.shape.largest_radius() - room_behind;
+    channel.room = room_for_a_floe(scenario.floe);
+    channel.begin = scenario.structure.start - scenario.structure.shape.largest_radius() - channel.room;
     channel.end = scenario.field_end() + field.sheet_width + (closed ? 0.0 : towed);
     channel.inner_edge = field.half_width;
     channel.outer_edge = field.half_width + field.sheet_width;

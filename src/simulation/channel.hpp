@@ -16,6 +16,7 @@ struct IceSheet {
 };
 
 struct Channel {
+    double room = 0;        ///< behind the structure at t = 0, for a floe that passes round it, m
     double begin = 0;       ///< x where the wall sheets begin, m: behind the structure at t = 0
     double end = 0;         ///< x where they end, m: past the far sheet, or past all that the tow can push ahead
     double inner_edge = 0;  ///< |z| of the wall sheets' inner edges, m

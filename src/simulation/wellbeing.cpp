@@ -7,8 +7,6 @@
 namespace floes {
 namespace {
 
-constexpr double margin = 1.0;  // m beyond which an element counts as gone
-
 bool within(double value, double low, double high) {
     return value >= low && value <= high;
 }  // false for NaN
@@ -17,10 +15,11 @@ bool within(double value, double low, double high) {
 
 Wellbeing::Wellbeing(const Scenario& scenario, const Channel& channel)
     : speed(scenario.general.runaway_speed),
-      begin(channel.begin - margin),
-      end(channel.end + margin),
+      begin(channel.begin - channel.room),
+      end(channel.end + channel.room),
       outer_edge(channel.outer_edge),
-      bottom(scenario.structure.shape.bottom() - margin) {}
+      top(channel.room),
+      bottom(scenario.structure.shape.bottom() - channel.room) {}
 
 std::optional<std::string> Wellbeing::trouble(const BodyState& state) const {
     const Vec3& at = state.position;

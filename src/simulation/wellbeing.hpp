@@ -14,11 +14,11 @@ namespace floes {
 /// Where and how fast an element may be. m, m/s.
 struct Wellbeing {
     double speed = 0;       ///< largest |velocity| of the centre of mass
-    double begin = 0;       ///< least x: 1 m before the wall sheets
-    double end = 0;         ///< largest x: 1 m past them
+    double begin = 0;       ///< least x: the channel's room before the wall sheets
+    double end = 0;         ///< largest x: as far past them
     double outer_edge = 0;  ///< largest |z|: the outer edge of a wall sheet
-    double top = 1.0;       ///< largest height
-    double bottom = 0;      ///< least height: 1 m below the structure
+    double top = 0;         ///< largest height: the same above the water
+    double bottom = 0;      ///< least height: the same below the structure
 
     Wellbeing(const Scenario& scenario, const Channel& channel);
 

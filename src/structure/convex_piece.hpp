@@ -26,10 +26,16 @@ struct Frustum {
     /// they are unless the wall meets the axis before them. It may enclose no volume.
     Frustum inside(double depth) const;
 
+    /// With all lengths multiplied by `factor`, above 0.
+    Frustum scaled(double factor) const {
+        return {factor * bottom_height, factor * bottom_radius, factor * top_height, factor * top_radius};
+    }
+
     friend bool operator==(const Frustum&, const Frustum&) = default;
 };
 
-/// What pieces of the structure are. The world asks a piece for fault(), farthest() and inside(), and for nothing else.
+/// What pieces of the structure are. The world asks a piece for fault(), farthest(), inside() and scaled(), and for
+/// nothing else.
 using ConvexPiece = Frustum;
 
 }  // namespace floes

@@ -50,6 +50,7 @@ void check(const WorldDefinition& d) {
     require(d.time_step > 0, "the time step", d.time_step, "above 0 s");
     require(d.iterations >= 1, "the number of iterations", d.iterations, "at least 1");
     require(std::isfinite(d.gravity), "gravity", d.gravity, "a finite number");
+    require(d.length_unit > 0 && std::isfinite(d.length_unit), "the unit of length", d.length_unit, "above 0 m");
     check_contact(d.contact, d.solver);
 }
 

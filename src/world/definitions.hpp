@@ -28,6 +28,9 @@ struct WorldDefinition {
     double gravity = 9.81;  ///< m/s², along -y
     ContactLaw contact = {};
     ConstraintSolver solver = ConstraintSolver::stock;
+    /// m, above 0: Bullet's margins and tolerances, fixed for elements as in the paper's tank, grow with it. A scene
+    /// scaled by Froude (lengths by this, times by its root) is the same scene again.
+    double length_unit = 1;
     int lanes = 0;  ///< floes side by side at most: 0 for what the processor has, 1, 2, 4 or 8; never shows in a result
 };
 

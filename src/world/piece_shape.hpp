@@ -16,7 +16,8 @@ ATTRIBUTE_ALIGNED16(class) PieceShape final : public btConvexInternalShape {
   public:
     BT_DECLARE_ALIGNED_ALLOCATOR();
 
-    /// Below this depth (with the margin of the other shape) contact is found exactly, without Bullet's EPA. 1 mm.
+    /// Below this depth (with the margin of the other shape) contact is found exactly, without Bullet's EPA. In units
+    /// of the World, 1 mm beside ice as thick as the paper's.
     static constexpr double margin = 1e-3;
 
     explicit PieceShape(const ConvexPiece& piece);

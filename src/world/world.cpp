@@ -18,6 +18,7 @@
 #include "world/contact_load.hpp"
 #include "world/conversion.hpp"
 #include "world/fixed_joint.hpp"
+#include "world/froude_units.hpp"
 #include "world/lane_solver.hpp"
 #include "world/material_friction.hpp"
 #include "world/ordered_dynamics_world.hpp"
@@ -41,10 +42,12 @@ void set_up(btContactSolverInfo& info, const WorldDefinition& definition) {
 
 }  // namespace
 
-// Members are destroyed last first: the world before what it refers to.
+// All of it, the solvers too, computes in `units`. Members are destroyed last first: the world before what it refers
+// to.
 class World::Bullet {
   public:
-    explicit Bullet(const WorldDefinition& given) : definition(given), friction(material_friction(given.contact)) {
+    explicit Bullet(const WorldDefinition& given)
+        : units(given.length_unit), definition(units.to_own(given)), friction(material_friction(given.contact)) {
         set_up(world.getSolverInfo(), definition);
         world.setGravity({0, -definition.gravity, 0});
         world.setForceUpdateAllAabbs(false);  // fixed boxes do not move
@@ -53,7 +56,7 @@ class World::Bullet {
             world.setConstraintSolver(&lanes.emplace(definition.contact, definition.lanes,
                                                      direct ? JointSolution::direct : JointSolution::swept));
             dispatcher.pass_over_distant_pairs();
-            world.getDispatchInfo().m_useContinuous = false;  // nothing swept: AABBs have a margin of 20 mm
+            world.getDispatchInfo().m_useContinuous = false;  // nothing swept: AABBs have a margin of 0.02
         }
     }
 
@@ -102,6 +105,7 @@ class World::Bullet {
         btBoxShape shape;
     };
 
+    FroudeUnits units;
     WorldDefinition definition;
     MaterialFriction friction;
     btDefaultCollisionConfiguration configuration;
@@ -128,14 +132,16 @@ World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
-BodyId World::add_element(const BoxDefinition& box) {
-    check(box);
+BodyId World::add_element(const BoxDefinition& given) {
+    check(given);
+    const BoxDefinition box = bullet_->units.to_own(given);
     return bullet_->add_body(bullet_->box_shape(box.half_extents), box.mass, box.pose, bullet_->friction.ice, box.piece,
                              0);
 }
 
-BodyId World::add_fixed_box(const FixedBoxDefinition& box) {
-    check(box);
+BodyId World::add_fixed_box(const FixedBoxDefinition& given) {
+    check(given);
+    const FixedBoxDefinition box = bullet_->units.to_own(given);
     return bullet_->add_body(bullet_->box_shape(box.half_extents), 0, box.pose, bullet_->friction.ice, no_piece, 0);
 }
 
@@ -143,16 +149,18 @@ BodyId World::add_structure(std::span<const ConvexPiece> pieces, const Vec3& pos
     check_structure(pieces, bullet_->structure.has_value());
     bullet_->structure_shape.emplace();
     for (const ConvexPiece& piece : pieces) {
-        bullet_->structure_shape->addChildShape(btTransform::getIdentity(), &bullet_->pieces.emplace_back(piece));
+        bullet_->structure_shape->addChildShape(btTransform::getIdentity(),
+                                                &bullet_->pieces.emplace_back(bullet_->units.to_own(piece)));
     }
-    const Pose pose{position, Quat::Identity()};
+    const Pose pose{bullet_->units.to_own(position), Quat::Identity()};
     bullet_->structure = bullet_->add_body(&*bullet_->structure_shape, 0, pose, bullet_->friction.structure, no_piece,
                                            btCollisionObject::CF_KINEMATIC_OBJECT);
     return *bullet_->structure;
 }
 
-JointId World::add_joint(const JointDefinition& joint) {
-    check(joint, bullet_->bodies.size(), bullet_->definition.solver);
+JointId World::add_joint(const JointDefinition& given) {
+    check(given, bullet_->bodies.size(), bullet_->definition.solver);
+    const JointDefinition joint = bullet_->units.to_own(given);
     const JointId id(bullet_->joint_count++);
     if (bullet_->lanes) {
         bullet_->lanes->add_joint(joint, bullet_->body(joint.a), bullet_->body(joint.b));
@@ -199,8 +207,9 @@ std::vector<BodyId> World::touched_asleep() const {
     return touched;
 }
 
-void World::place(BodyId body, const BodyState& state) {
+void World::place(BodyId body, const BodyState& given) {
     btRigidBody& placed = bullet_->body(body);
+    const BodyState state = bullet_->units.to_own(given);
     const btTransform transform(to_bullet(state.rotation), to_bullet(state.position));
     placed.setWorldTransform(transform);
     placed.setInterpolationWorldTransform(transform);  // what Bullet takes the structure's velocity from
@@ -218,12 +227,14 @@ void World::place(BodyId body, const BodyState& state) {
 }
 
 void World::move_structure(const Vec3& position) {
+    const Pose pose{bullet_->units.to_own(position), Quat::Identity()};
     // Not setCenterOfMassTransform: that would also move what Bullet takes the velocity from.
-    bullet_->body(bullet_->structure.value()).setWorldTransform(to_bullet(Pose{position, Quat::Identity()}));
+    bullet_->body(bullet_->structure.value()).setWorldTransform(to_bullet(pose));
 }
 
-void World::apply(BodyId body, const Wrench& wrench) {
+void World::apply(BodyId body, const Wrench& given) {
     btRigidBody& target = bullet_->body(body);
+    const Wrench wrench = bullet_->units.to_own(given);
     target.applyCentralForce(to_bullet(wrench.force));
     target.applyTorque(to_bullet(wrench.moment));
 }
@@ -241,16 +252,16 @@ void World::step() {
 BodyState World::state(BodyId body) const {
     const btRigidBody& source = bullet_->body(body);
     const btTransform& transform = source.getWorldTransform();
-    return {.position = from_bullet(transform.getOrigin()),
-            .rotation = from_bullet(transform.getBasis()),
-            .velocity = from_bullet(source.getLinearVelocity()),
-            .spin = from_bullet(source.getAngularVelocity())};
+    return bullet_->units.to_si({.position = from_bullet(transform.getOrigin()),
+                                 .rotation = from_bullet(transform.getBasis()),
+                                 .velocity = from_bullet(source.getLinearVelocity()),
+                                 .spin = from_bullet(source.getAngularVelocity())});
 }
 
 JointReaction World::reaction(JointId joint) const {
-    if (bullet_->lanes) return bullet_->lanes->reaction(joint.index());
+    if (bullet_->lanes) return bullet_->units.to_si(bullet_->lanes->reaction(joint.index()));
     const std::unique_ptr<FixedJoint>& live = bullet_->joints[joint.index()];
-    return live ? live->reaction() : JointReaction{};
+    return live ? bullet_->units.to_si(live->reaction()) : JointReaction{};
 }
 
 Vec3 World::contact_force(BodyId body) const {

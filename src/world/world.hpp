@@ -53,7 +53,7 @@ class World {
     void set_asleep(BodyId body, bool asleep);
 
     /// Sleeping bodies that the structure or an awake element touched in the last step (nearer than a contact point
-    /// lives, some millimetres), in the order of the contacts; a body may come more than once.
+    /// lives, some millimetres for elements of 0.2 m), in the order of the contacts; a body may come more than once.
     std::vector<BodyId> touched_asleep() const;
 
     /// Where the structure is at the end of the coming step. Its velocity in that step is the difference over Δt.

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "support/froude.hpp"
 
 namespace floes {
 namespace {
@@ -36,6 +37,24 @@ TEST(PlateDeflection, EvenAndOddSheetsAgree) {
     const double odd = measure_plate_deflection(paper_plate(0.016), {.sheet = 2.6}).elastic_modulus;
     const double even = measure_plate_deflection(paper_plate(0.016), {.sheet = 2.8}).elastic_modulus;
     EXPECT_NEAR(even / odd, 1, 0.15);
+}
+
+// Of a power of 4 to the bit: support/froude.hpp. Without a load the sheet stays where it is but for rounding, and that
+// counts as settled at every size.
+TEST(PlateDeflection, IsTheSameTestAtAnySize) {
+    const Scenario scenario;
+    PlateTest test = plate_test_for(scenario);
+    EXPECT_EQ(test.sheet, 5.4);
+    EXPECT_EQ(test.load, 3);
+    test.sheet = 2.6;
+    const PlateDeflection tank = measure_plate_deflection(scenario, test);
+    for (const double s : {1.0 / 16, 16.0, 256.0}) {
+        const Scenario other = test::scaled(scenario, s);
+        PlateTest there = plate_test_for(other);
+        EXPECT_EQ(there.sheet, s * 5.4);
+        there.sheet = s * test.sheet;
+        EXPECT_EQ(measure_plate_deflection(other, there).elastic_modulus, s * tank.elastic_modulus) << s;
+    }
 }
 
 std::string message_of(const Scenario& scenario, const PlateTest& test) {

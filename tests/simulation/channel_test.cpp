@@ -18,12 +18,19 @@ TEST(Channel, HasSheetsAlongBothWallsAndAcrossTheFarEnd) {
     EXPECT_NEAR(channel.sheets[2].centre.x() - channel.sheets[2].half_extents.x(), 24.9, 1e-12);
     EXPECT_NEAR(channel.sheets[2].half_extents.z(), 2.4, 1e-12);
     EXPECT_NEAR(channel.outer_edge, 3.4, 1e-12);
-    EXPECT_LT(channel.begin, scenario.structure.start - 0.736);
+    EXPECT_EQ(channel.room, 1.0);
+    EXPECT_EQ(channel.begin, scenario.structure.start - 0.736 - 1.0);
     EXPECT_NEAR(channel.end, 25.9, 1e-12);
     for (const IceSheet& sheet : channel.sheets) {
         EXPECT_NEAR(2 * sheet.half_extents.y(), 0.033, 1e-15);
         EXPECT_NEAR(top(sheet), 0.07 * 0.033, 1e-15);  // freeboard of ice of 930 kg/m³
     }
+}
+
+TEST(Channel, LeavesRoomForFloesOfAnySize) {
+    Scenario scenario;
+    scenario.floe.breadth = 30;
+    EXPECT_DOUBLE_EQ(make_channel(scenario).room, 50);
 }
 
 TEST(Channel, WithAnOpenEndHasWallsAsFarAsTheTowCanPush) {

@@ -39,6 +39,15 @@ TEST_F(WellbeingTest, AnElementIsGoneBeyondEachSideOfItsRange) {
     EXPECT_THAT(trouble_at({-1, 0, 0}), HasSubstr("x = -1 m"));
 }
 
+TEST_F(WellbeingTest, LargeFloesMayGoFarther) {
+    Scenario large = scenario;
+    large.floe.length = large.floe.breadth = 60;
+    const Wellbeing limits(large, make_channel(large));
+    EXPECT_FALSE(limits.trouble({.position = {10, -100, 0}}));
+    EXPECT_FALSE(limits.trouble({.position = {-90, 99, 0}}));
+    EXPECT_TRUE(limits.trouble({.position = {10, -101, 0}}));
+}
+
 TEST_F(WellbeingTest, NotANumberIsNotWell) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THAT(trouble_at({10, nan, 0}), HasSubstr("not a number"));

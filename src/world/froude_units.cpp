@@ -1,0 +1,42 @@
+#include "world/froude_units.hpp"
+
+namespace floes {
+
+WorldDefinition FroudeUnits::to_own(WorldDefinition definition) const {
+    definition.time_step /= time_;
+    definition.contact.split_impulse_depth /= length_;
+    definition.contact.crushing_pressure *= length_ * length_;
+    return definition;
+}
+
+BoxDefinition FroudeUnits::to_own(BoxDefinition box) const {
+    box.half_extents /= length_;
+    box.pose = to_own(box.pose);
+    return box;
+}
+
+FixedBoxDefinition FroudeUnits::to_own(FixedBoxDefinition box) const {
+    box.half_extents /= length_;
+    box.pose = to_own(box.pose);
+    return box;
+}
+
+JointDefinition FroudeUnits::to_own(JointDefinition joint) const {
+    joint.pivot /= length_;
+    return joint;
+}
+
+BodyState FroudeUnits::to_own(const BodyState& state) const {
+    return {to_own(state.position), state.rotation, state.velocity / time_, state.spin * time_};
+}
+
+BodyState FroudeUnits::to_si(const BodyState& state) const {
+    return {state.position * length_, state.rotation, state.velocity * time_, state.spin / time_};
+}
+
+JointReaction FroudeUnits::to_si(JointReaction reaction) const {
+    for (double* moment : {&reaction.torsion, &reaction.in_plane_bending, &reaction.bending}) *moment *= length_;
+    return reaction;
+}
+
+}  // namespace floes
