@@ -66,12 +66,12 @@ def table(times, counts):
     return "\n".join(lines) + "\n"
 
 
-def put_between_marks(path, text):
+def put_between_marks(path, text, marks=MARKS):
     with open(path, encoding="utf-8") as file:
-        before, mark, rest = file.read().partition(MARKS[0])
-    _, end, after = rest.partition(MARKS[1])
+        before, mark, rest = file.read().partition(marks[0])
+    _, end, after = rest.partition(marks[1])
     if not mark or not end:
-        sys.exit(f"{path} lacks the marks {MARKS[0]} and {MARKS[1]} that the table goes between.")
+        sys.exit(f"{path} lacks the marks {marks[0]} and {marks[1]} that the table goes between.")
     with open(path, "w", encoding="utf-8") as file:
         file.write(f"{before}{mark}\n{text}{end}{after}")
 

@@ -25,10 +25,11 @@ namespace {
 
 constexpr int warm_up = 5;  // steps: the contacts that a stored state lacks, memory that grows once
 
-void tow_step(benchmark::State& state, SolverKind solver, Scene (*make_scene)(), ContactLaw law) {
+void tow_step(benchmark::State& state, SolverKind solver, Scene (*make_scene)(), ContactLaw law, int iterations) {
     const Scene scene = make_scene();
     Scenario scenario = tow_scenario(solver, scene.wall);
     scenario.contact = law;
+    if (iterations > 0) scenario.general.iterations = iterations;
     Simulation simulation(scenario, scene.arrangement, scene.state);
     for (int i = 0; i < warm_up; ++i) simulation.step();
     for (auto _ : state) simulation.step();
@@ -45,9 +46,10 @@ void peer_step(benchmark::State& state, std::unique_ptr<Peer> (*make_peer)(const
 }
 
 /// A member of 20 s at four times the tow speed: 5.6 m of way from the edge of resting ice to packed ice.
-void member(benchmark::State& state, SolverKind solver, double wake_radius) {
+void member(benchmark::State& state, SolverKind solver, double wake_radius, ContactLaw law) {
     const Scene scene = early_scene();
     Scenario scenario = tow_scenario(solver, scene.wall);
+    scenario.contact = law;
     scenario.arrangement.method = ArrangementMethod::file;
     scenario.arrangement.poses = scene.arrangement.poses;
     scenario.field.wake_radius = wake_radius;
@@ -80,31 +82,37 @@ void add_all(int steps) {
             ->Iterations(steps)
             ->Unit(benchmark::kMillisecond);
     };
-    add("TowStep/stock/late", tow_step, SolverKind::stock, late_scene, ContactLaw{});
-    add("TowStep/stock/late_steep", tow_step, SolverKind::stock, late_steep_scene, ContactLaw{});
-    add("TowStep/stock/early", tow_step, SolverKind::stock, early_scene, ContactLaw{});
-    add("TowStep/lanes/early", tow_step, SolverKind::lanes, early_scene, ContactLaw{});
+    add("TowStep/stock/late", tow_step, SolverKind::stock, late_scene, ContactLaw{}, 0);
+    add("TowStep/stock/late_steep", tow_step, SolverKind::stock, late_steep_scene, ContactLaw{}, 0);
+    add("TowStep/stock/early", tow_step, SolverKind::stock, early_scene, ContactLaw{}, 0);
+    add("TowStep/lanes/early", tow_step, SolverKind::lanes, early_scene, ContactLaw{}, 0);
     const std::pair<const char*, ContactLaw> laws[] = {
         {"", {}},
         {"_cone", {.friction = Friction::cone}},
         {"_crushing", {.normal = NormalLaw::crushing, .internal_edges = false}},
         {"_cone_crushing", with_preset({}, ContactPreset::physical)}};
     for (const auto& [name, law] : laws) {
-        add(fmt::format("TowStep/lanes/late{}", name), tow_step, SolverKind::lanes, late_scene, law);
-        add(fmt::format("TowStep/lanes/late_steep{}", name), tow_step, SolverKind::lanes, late_steep_scene, law);
+        add(fmt::format("TowStep/lanes/late{}", name), tow_step, SolverKind::lanes, late_scene, law, 0);
+        add(fmt::format("TowStep/lanes/late_steep{}", name), tow_step, SolverKind::lanes, late_steep_scene, law, 0);
     }
     const ContactLaw physical = with_preset({}, ContactPreset::physical);
-    add("TowStep/direct/late_cone_crushing", tow_step, SolverKind::direct, late_scene, physical);
-    add("TowStep/direct/late_steep_cone_crushing", tow_step, SolverKind::direct, late_steep_scene, physical);
+    for (const int iterations : {20, 50}) {
+        add(fmt::format("TowStep/direct/late_cone_crushing_{}", iterations), tow_step, SolverKind::direct, late_scene,
+            physical, iterations);
+        add(fmt::format("TowStep/direct/late_steep_cone_crushing_{}", iterations), tow_step, SolverKind::direct,
+            late_steep_scene, physical, iterations);
+    }
     add("Peer/bullet/late", peer_step, make_bullet, late_scene);
     add("Peer/ode/late", peer_step, make_ode, late_scene);
-    const auto add_member = [](const std::string& name, SolverKind solver, double wake_radius) {
-        benchmark::RegisterBenchmark(name.c_str(), member, solver, wake_radius)
+    const auto add_member = [](const std::string& name, SolverKind solver, double wake_radius, ContactLaw law = {}) {
+        benchmark::RegisterBenchmark(name.c_str(), member, solver, wake_radius, law)
             ->Iterations(1)
             ->Unit(benchmark::kMillisecond);
     };
     add_member("Member/stock", SolverKind::stock, 0);
     add_member("Member/lanes", SolverKind::lanes, 0);
+    add_member("Member/lanes_physical", SolverKind::lanes, 0, physical);
+    add_member("Member/direct_physical", SolverKind::direct, 0, physical);
     for (const double radius : {6.0, 4.0, 3.0, 2.0}) {
         add_member(fmt::format("Member/lanes/wake:{}", radius), SolverKind::lanes, radius);
     }
@@ -112,6 +120,12 @@ void add_all(int steps) {
         add_size({.floes = floes}, "floes", floes, 5);
     }
     for (const int along : {1, 2, 3, 4, 5, 6}) add_size({.elements_along = along}, "elements", along * along, 20);
+    for (const int along : {3, 4, 5, 6}) {
+        add_size({.elements_along = along, .solver = SolverKind::direct}, "direct/elements", along * along, 20);
+    }
+    for (const int floes : {189, 500, 1000, 2000}) {
+        add_size({.floes = floes, .solver = SolverKind::direct}, "direct/floes", floes, 5);
+    }
     for (const int percent : {50, 60, 70, 75, 80, 85}) {
         add_size({.concentration = percent / 100.0}, "concentration", percent, 20);
     }

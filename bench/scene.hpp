@@ -17,7 +17,7 @@ enum class Wall { straight, steep };
 /// "straight" or "steep"; throws InputError for another name.
 Wall wall_named(std::string_view name);
 
-/// Sweeps over contacts of the direct solver that leave no more unsolved than the 50 of `lanes`: docs/convergence.md.
+/// Sweeps over contacts that an ensemble needs of the direct solver: docs/convergence.md.
 inline constexpr int direct_iterations = 20;
 
 /// The default scenario, but with the given wall and the structure 0.2 m before the ice: a tow that needs no run-up. The

@@ -4,6 +4,7 @@
 
 #include "campaign_file/arrangement_rows.hpp"
 #include "campaign_file/campaign_table.hpp"
+#include "campaign_file/followed_cfm.hpp"
 
 namespace floes {
 namespace {
@@ -32,7 +33,7 @@ void set_missing(MemberRow& row, int segments, std::size_t levels) {
 CaseRow case_row(const Case& one) {
     const Scenario& scenario = one.scenario;
     return {one.name,
-            scenario.joint.cfm,
+            followed_cfm(scenario.joint),
             scenario.ice.elastic_modulus,
             scenario.field.far_end,
             scenario.contact_law(),

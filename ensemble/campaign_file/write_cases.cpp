@@ -5,6 +5,8 @@
 
 #include <limits>
 
+#include "campaign_file/followed_cfm.hpp"
+
 namespace floes {
 namespace {
 
@@ -46,7 +48,8 @@ void write_cases(hid_t file, const CampaignContent& content, const CampaignScale
     const auto real = [&](const char* name, const char* unit, const char* long_name, auto function) {
         hdf5::write_values(id, {name, unit, long_name}, one, of_cases<double>(content, function));
     };
-    real("cfm", "1", "constraint force mixing of the joints (Sigma)", [](const Scenario& s) { return s.joint.cfm; });
+    real("cfm", "1", "constraint force mixing of the joints (Sigma); NaN for beam joints",
+         [](const Scenario& s) { return followed_cfm(s.joint); });
     real("elastic_modulus", "Pa", "elastic modulus that the case stands for",
          [](const Scenario& s) { return s.ice.elastic_modulus; });
     real("contact_erp", "1", "error reduction parameter of contacts (Gamma)",

@@ -32,7 +32,8 @@ void add_counts(const Summary& summary, Table& table) {
     add_line(
         summary, "case", [](Row row) { return Cell{row.about.name}; }, table);
     add("E, MPa", [](Row row) { return row.about.elastic_modulus / unit::megapascal; });
-    add("Σ", [](Row row) { return row.about.cfm; });
+    if (std::ranges::any_of(summary.cases, [](Row row) { return !std::isnan(row.about.cfm); }))
+        add("Σ", [](Row row) { return row.about.cfm; });
     add("arrangements", [](Row row) { return row.members; });
     add("  done", [](Row row) { return row.done; });
     add("  failed", [](Row row) { return row.failed_members; });

@@ -104,7 +104,8 @@ BeamStiffness measure_beam_stiffness(const Scenario& scenario, int elements) {
     const double time_step = 1 / (steps_per_swing * result.elastic_frequency);
     const double load = 1e-3 * 3 * stiffness / (arm * arm);  // bends it by a thousandth of its length
     Strip strip(scenario, elements, time_step);
-    const auto rest = settle([&] { strip.step(load, settling_loss); }, [&] { return strip.depth(); }, 0.0);
+    const auto rest =
+        settle([&] { strip.step(load, settling_loss); }, [&] { return strip.depth(); }, 0.0, size_of_ice(scenario));
     if (!rest) throw InputError(fmt::format("The beam of {} elements did not come to rest.", elements));
     result.deflection = *rest;
     result.elastic_deflection = cantilever_deflection(load, arm, stiffness);

@@ -84,9 +84,7 @@ Scenario with_beam_joints(Scenario scenario, double elastic_modulus) {
 
 CurvePoint measure_curve_point(const Scenario& scenario, const PlateTest& test) {
     const PlateDeflection result = measure_plate_deflection(scenario, test);
-    return {.model = scenario.joint.model,
-            .set_modulus = scenario.ice.elastic_modulus,
-            .sheet = test.sheet,
+    return {.sheet = test.sheet,
             .element = scenario.floe.element,
             .thickness = scenario.ice.thickness,
             .time_step = scenario.general.time_step,
@@ -95,7 +93,9 @@ CurvePoint measure_curve_point(const Scenario& scenario, const PlateTest& test) 
             .cfm = scenario.joint.cfm,
             .slope = result.slope,
             .elastic_modulus = result.elastic_modulus,
-            .elastic_modulus_point = result.elastic_modulus_point};
+            .elastic_modulus_point = result.elastic_modulus_point,
+            .model = scenario.joint.model,
+            .set_modulus = scenario.ice.elastic_modulus};
 }
 
 Calibration calibrate_cfm(const Scenario& scenario, const PlateTest& test, double elastic_modulus) {

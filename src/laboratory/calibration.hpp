@@ -10,8 +10,6 @@ namespace floes {
 
 /// One plate test and everything on which its modulus depends. SI.
 struct CurvePoint {
-    JointModel model = JointModel::cfm;
-    double set_modulus = 0;  ///< Pa, E of beam joints
     double sheet = 0;
     double element = 0;
     double thickness = 0;
@@ -22,6 +20,8 @@ struct CurvePoint {
     double slope = 0;                  ///< N/m
     double elastic_modulus = 0;        ///< Pa, load on a patch
     double elastic_modulus_point = 0;  ///< Pa, as if the load were a point
+    JointModel model = JointModel::cfm;
+    double set_modulus = 0;  ///< Pa, E of beam joints
 };
 
 /// One plate test to be made.

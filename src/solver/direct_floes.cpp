@@ -42,6 +42,8 @@ DirectFloes::DirectFloes(std::span<const SolverBody> bodies, std::span<const Sol
                 1;
         }
     }
+    touched_bodies_.reserve(bodies_.size());
+    touched_pieces_.reserve(bodies_.size());
     // One piece of everything, which then falls apart.
     Piece all;
     for (std::uint32_t body = 0; body < bodies_.size(); ++body) all.bodies.push_back(body);

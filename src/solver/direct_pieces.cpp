@@ -135,6 +135,8 @@ void DirectFloes::make_response(Piece& piece) {
         store_spring(joint, joints.back(), stiffness);
     }
     find_response(piece, std::move(bodies), std::move(joints));
+    piece.touched_slots.reserve(piece.bodies.size());  // so that steps need not
+    piece.touched_within.reserve(piece.bodies.size());
     piece.broken = false;
 }
 

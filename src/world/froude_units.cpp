@@ -23,6 +23,10 @@ FixedBoxDefinition FroudeUnits::to_own(FixedBoxDefinition box) const {
 
 JointDefinition FroudeUnits::to_own(JointDefinition joint) const {
     joint.pivot /= length_;
+    if (joint.spring) {
+        for (double& stiffness : joint.spring->force) stiffness *= length_;
+        for (double& stiffness : joint.spring->moment) stiffness /= length_;
+    }
     return joint;
 }
 

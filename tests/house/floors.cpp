@@ -19,7 +19,7 @@ const std::vector<Room>& rooms() {
     static const std::vector<Room> table{
         {0, "core", "Eigen, fmt (all rooms), POSIX, Random123, xxHash"},
         {1, "keys", "toml++"},
-        {1, "solver", ""},
+        {1, "solver", "Eigen"},
         {1, "structure", ""},
         {2, "scenario", ""},
         {3, "arrangement", ""},

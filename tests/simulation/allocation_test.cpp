@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <new>
 #include <ostream>
+#include <utility>
 
 #include "simulation/simulation.hpp"
 
@@ -127,11 +128,12 @@ TEST_F(StepLoop, TakesNothingFromTheHeapWhileTheIceIsAtRest) {
 }
 
 // Floes that drift into each other come and go as pairs: their algorithms and manifolds come from Bullet's pools.
-class Collisions : public StepLoop, public ::testing::WithParamInterface<ContactPreset> {};
+class Collisions : public StepLoop, public ::testing::WithParamInterface<std::pair<SolverKind, ContactPreset>> {};
 
 TEST_P(Collisions, TakeNothingFromTheHeap) {
     Rows rows(5, 0.03);
-    rows.scenario.contact = with_preset({}, GetParam());
+    rows.scenario.general.solver = GetParam().first;
+    rows.scenario.contact = with_preset({}, GetParam().second);
     rows.scenario.structure.start -= 2;
     SimulationState state = Simulation(rows.scenario, rows.arrangement).state();
     for (std::size_t i = 0; i < state.elements.size(); ++i) {
@@ -143,7 +145,10 @@ TEST_P(Collisions, TakeNothingFromTheHeap) {
     EXPECT_EQ(taken_in(simulation, 200), Taken{});
 }
 
-INSTANTIATE_TEST_SUITE_P(StepLoop, Collisions, ::testing::Values(ContactPreset::paper, ContactPreset::physical));
+INSTANTIATE_TEST_SUITE_P(StepLoop, Collisions,
+                         ::testing::Values(std::pair(SolverKind::lanes, ContactPreset::paper),
+                                           std::pair(SolverKind::lanes, ContactPreset::physical),
+                                           std::pair(SolverKind::direct, ContactPreset::physical)));
 
 // The one exception: an element that newly comes near the structure. Bullet's algorithm for a compound shape then takes
 // three arrays of its own; the structure is one because its profile need not be convex.

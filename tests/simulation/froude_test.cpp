@@ -61,6 +61,16 @@ TEST_P(Froude, AMemberIsTheSameAtEverySize) {
     }
 }
 
+TEST_P(Froude, AMemberOfElasticBeamsIsTheSameAtEverySize) {
+    Scenario scenario = smoke();
+    scenario.general.solver = SolverKind::direct;
+    scenario.joint.model = JointModel::beam;
+    const Arrangement arrangement = make_arrangement(scenario, 1, 0);
+    const std::vector<double> expected = loads(scenario, arrangement, 1, 600);
+    ASSERT_GT(*std::ranges::max_element(expected), 10);
+    EXPECT_EQ(loads(scenario, arrangement, GetParam(), 600), expected);
+}
+
 TEST_P(Froude, FirstContactsAreTheSameWithPaperContactsInBothSolvers) {
     for (const SolverKind solver : {SolverKind::lanes, SolverKind::stock}) {
         const Scenario scenario = with_paper_contacts(smoke(), solver);

@@ -128,8 +128,8 @@ inline CalibrationRecord calibration(const Campaign& campaign) {
     const Scenario& scenario = campaign.cases[1].scenario;
     CalibrationRecord made{calibration_key(scenario), {scenario.joint.cfm, 207e6, {}}};
     for (int k = 0; k < 3; ++k)
-        made.found.curve.push_back(
-            {5.4 + k, 0.2 + k, 0.03 + k, 0.02 + k, 0.8 + k, 50 + k, 0.016 + k, 1e4 + k, 6e7 + k, 7e7 + k});
+        made.found.curve.push_back({5.4 + k, 0.2 + k, 0.03 + k, 0.02 + k, 0.8 + k, 50 + k, 0.016 + k, 1e4 + k, 6e7 + k,
+                                    7e7 + k, JointModel::cfm, 0});
     return made;
 }
 

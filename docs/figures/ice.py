@@ -1,0 +1,187 @@
+#!/usr/bin/python3
+"""The tables of docs/ice.md, of docs/full_scale.md and of the resolution in docs/convergence.md, from docs/ice.
+
+Usage:
+    ice.py                    writes the tables
+    ice.py --check            writes nothing; fails if a table differs from the data
+    ice.py --measure FLOES    first bends strips and sheets with the program FLOES, half a minute
+    ice.py --collect FOLDER   first takes the members of the finished campaigns resolution.h5 and full_scale.h5 in FOLDER
+
+The costs in docs/ice.md are measured by bench/direct.py.
+"""
+import io
+import math
+import pathlib
+import subprocess
+import sys
+import tomllib
+
+import numpy as np
+import pandas as pd
+
+from page_blocks import fill_or_check
+from validation_data import half_width, interval
+from validation_tables import bracketed, number, table, with_interval
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+DOCS = ROOT / "docs"
+DATA = DOCS / "ice"
+SHEETS = {0.3: 5.1, 0.2: 5.4, 0.1: 5.3, 0.05: 5.25}  # side of the elements -> of the sheet, an odd number of them, m
+KEYS = {"element_m": "floe.element_m", "iterations": "general.iterations", "time_step_s": "general.time_step_s"}
+BASE = {"element_m": 0.2, "iterations": 20, "time_step_s": 0.02}
+QUANTITIES = {"mean_N": "mean", "maximum_0.1s_N": "maxima, 0.1 s", "maximum_1s_N": "maxima, 1 s",
+              "broken_percent": "broken floes, %"}
+
+
+def csv_of(program, *arguments):
+    text = subprocess.run([program, *arguments, "--format", "csv"], capture_output=True, text=True, check=True).stdout
+    return pd.read_csv(io.StringIO(text), comment="#")
+
+
+def measure(program):
+    DATA.mkdir(exist_ok=True)
+    csv_of(program, "cantilever", "--stiffness", "--elements", "3,6,12", "--modulus-MPa", "60,1000,5000").to_csv(
+        DATA / "strip.csv", index=False)
+    sheets = [csv_of(program, "calibrate", "--thickness-m", "0.03", "--sheet-m", str(sheet), "--element-m", str(element),
+                     "--beam-MPa", "60,200") for element, sheet in SHEETS.items()]
+    pd.concat(sheets).to_csv(DATA / "sheet.csv", index=False)
+    csv_of(program, "hybrid", str(ROOT / "configs" / "full_scale.toml"), "--modulus-MPa", "1000,5000").to_csv(
+        DATA / "lindqvist.csv", index=False)
+
+
+def collected(path):
+    """One row for each finished member of a campaign file."""
+    import h5py  # which --check does not need
+
+    with h5py.File(path) as file:
+        config = tomllib.loads(file["provenance/configuration"].asstr()[()])
+        times = file["averaging_time"][:]
+        rows = []
+        for i in np.flatnonzero(file["members/status"][:] == 0):
+            own = config["case"][file["members/case"][i]]
+            row = {}
+            for name, key in KEYS.items():
+                head, tail = key.split(".")
+                row[name] = own.get(head, {}).get(tail, config.get(head, {}).get(tail))
+            row["arrangement"] = file["arrangements/number"][file["members/arrangement"][i]]
+            for name, field in [("mean_N", "mean_load"), ("sd_N", "sd_load"), ("maximum_N", "mean_maximum")]:
+                row[name] = file[f"members/{field}"][i]
+            for k, time in enumerate(times):
+                row[f"maximum_{time:g}s_N"] = file["averaged/mean_maximum"][i][k]
+            row["broken_percent"] = 100 * file["members/failure_ratio"][i]
+            for mode in ["bending", "shear", "compression"]:
+                row[f"failed_in_{mode}"] = file[f"members/failures_{mode}"][i]
+            rows.append(row)
+    return pd.DataFrame(rows).round({name: 6 for name in rows[0] if name.endswith(("_N", "_percent"))})
+
+
+def members(name):
+    return pd.read_csv(DATA / f"{name}.csv")
+
+
+# -- docs/ice.md
+
+def strip():
+    rows = [[f"{row.elastic_modulus_MPa:g}", f"{row.elements}", f"{row.deflection_m / row.elastic_deflection_m:.4f}",
+             f"{row.frequency_1_per_s:.4g}", f"{row.frequency_1_per_s / row.elastic_frequency_1_per_s:.4f}"]
+            for row in members("strip").itertuples()]
+    return table(["E, MPa", "elements", "deflection / elastic", "frequency, 1/s", "frequency / elastic"], rows)
+
+
+def point_load_slope(modulus, thickness):
+    rigidity = modulus * thickness**3 / (12 * (1 - 0.3**2))
+    return 8 * math.sqrt(1000 * 9.81 * rigidity)
+
+
+def sheet():
+    rows = []
+    for row in members("sheet").itertuples():
+        elastic = point_load_slope(1e6 * row.set_modulus_MPa, row.thickness_m)
+        rows.append([f"{row.set_modulus_MPa:g}", f"{row.element_m:g}", f"{row.sheet_m:g}", f"{row.slope_N_per_m:.0f}",
+                     f"{elastic:.0f}", f"{row.slope_N_per_m / elastic:.4f}", f"{row.elastic_modulus_point_MPa:.1f}"])
+    return table(["E, MPa", "element, m", "sheet, m", "slope, N/m", "plate, N/m", "shown / plate", "E shown, MPa"], rows)
+
+
+# -- docs/convergence.md
+
+def cases():
+    """Of the campaign: one thing at a time away from the base."""
+    data = members("resolution")
+    found = []
+    for key in KEYS:
+        rest = [other for other in KEYS if other != key]
+        alone = data[np.logical_and.reduce([data[other] == BASE[other] for other in rest])]
+        found += [(key, value, alone[alone[key] == value].set_index("arrangement"))
+                  for value in sorted(alone[key].unique(), reverse=key != "iterations")]
+    return found
+
+
+def resolution():
+    base = next(rows for key, value, rows in cases() if value == BASE[key])
+    what = {"element_m": "elements, m", "iterations": "iterations", "time_step_s": "Δt, s"}
+    lines = []
+    for key, value, rows in cases():
+        cells = [what[key], f"{value:g}", f"{len(rows)}"]
+        for quantity in QUANTITIES:
+            cells.append(with_interval(rows[quantity].to_numpy()))
+            if quantity == "broken_percent":
+                continue
+            both = rows[quantity].to_frame("one").join(base[quantity].to_frame("other"), how="inner")
+            ratio = both["one"] / both["other"]
+            cells.append("1" if value == BASE[key] else f"{ratio.mean():.2f} ± {half_width(ratio.to_numpy()):.2f}")
+        lines.append(cells)
+    heading = ["varied", "value", "members"]
+    for quantity, name in QUANTITIES.items():
+        heading += [name if quantity == "broken_percent" else f"{name}, N"] + ([] if quantity == "broken_percent" else ["over base"])
+    return table(heading, lines)
+
+
+# -- docs/full_scale.md
+
+def full_scale():
+    rows = members("full_scale")
+    mega = 1e-6
+    lines = [["mean", with_interval(mega * rows["mean_N"].to_numpy())],
+             ["standard deviation", with_interval(mega * rows["sd_N"].to_numpy())]]
+    for column in [name for name in rows if name.startswith("maximum_") and name != "maximum_N"]:
+        time = column.removeprefix("maximum_").removesuffix("s_N")
+        lines.append([f"largest over {time} s, mean of three segments", with_interval(mega * rows[column].to_numpy())])
+    return table([f"load, MN ({len(rows)} members)", "mean over arrangements [95 %]"], lines)
+
+
+def full_scale_breaks():
+    rows = members("full_scale")
+    failed = {mode: rows[f"failed_in_{mode}"].to_numpy() for mode in ["bending", "shear", "compression"]}
+    total = sum(values.sum() for values in failed.values())
+    shares = ", ".join(f"{100 * values.sum() / total:.0f} % in {mode}" for mode, values in failed.items())
+    return (f"Broken floes: {bracketed(*interval(rows['broken_percent'].to_numpy()))} %. Joints that failed: "
+            f"{number(total / len(rows))} a member, {shares}.")
+
+
+def lindqvist():
+    rows = [[f"{row.elastic_modulus_MPa / 1000:g}", *(number(1e-6 * value) for value in
+             (row.crushing_N, row.bending_N, row.submergence_N, row.limit_stress_N))]
+            for row in members("lindqvist").itertuples()]
+    return table(["E, GPa", "crushing, MN", "bending, MN", "submergence, MN", "together, MN"], rows)
+
+
+def main():
+    arguments = sys.argv[1:]
+    if arguments[:1] == ["--measure"]:
+        measure(arguments[1])
+    elif arguments[:1] == ["--collect"]:
+        DATA.mkdir(exist_ok=True)
+        for name in ["resolution", "full_scale"]:
+            path = pathlib.Path(arguments[1]) / f"{name}.h5"
+            if path.exists():
+                collected(path).to_csv(DATA / f"{name}.csv", index=False)
+    elif arguments not in ([], ["--check"]):
+        sys.exit(__doc__)
+    fill_or_check({DOCS / "ice.md": {"strip": strip, "sheet": sheet},
+                   DOCS / "convergence.md": {"resolution": resolution},
+                   DOCS / "full_scale.md": {"loads": full_scale, "breaks": full_scale_breaks, "lindqvist": lindqvist}},
+                  arguments == ["--check"], "ice.py")
+
+
+if __name__ == "__main__":
+    main()
