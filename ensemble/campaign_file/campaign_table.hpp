@@ -18,7 +18,7 @@ enum class RowStatus : std::int8_t { missing = -1, done = 0, failed = 1 };
 /// A case as the file has it.
 struct CaseRow {
     std::string name;
-    double cfm = 0;              ///< Σ
+    double cfm = 0;              ///< Σ; NaN where joints are beams
     double elastic_modulus = 0;  ///< Pa
     FarEnd far_end = FarEnd::ice_sheet;
     ContactLaw contact;    ///< only its laws, Γ and crushing pressure; the pressure is the one in force

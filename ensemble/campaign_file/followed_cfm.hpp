@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "scenario/scenario.hpp"
+#include "campaign/campaign.hpp"
 
 namespace floes {
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <utility>
 
@@ -36,6 +37,10 @@ void add_condition(const Summary& summary, std::string_view name,
 template <class Enum, std::size_t count>
 std::string_view word(const std::array<std::string_view, count>& words, Enum value) {
     return words.at(static_cast<std::size_t>(value));
+}
+
+bool has_beam_joints(const CaseRow& row) {
+    return std::isnan(row.cfm);
 }
 
 }  // namespace
@@ -76,6 +81,12 @@ std::vector<std::string> condition_lines(const Summary& summary) {
         summary, "Structure wall", [](const CaseRow& row) { return row.shape.words(); }, lines);
     add_condition(
         summary, "Far end", [](const CaseRow& row) { return far_end_words(row.far_end); }, lines);
+    if (std::ranges::any_of(summary.cases, [](const CaseSummary& row) { return has_beam_joints(row.about); })) {
+        add_condition(
+            summary, "Joints",
+            [](const CaseRow& row) { return has_beam_joints(row) ? "elastic beams, solved exactly" : "they follow Σ"; },
+            lines);
+    }
     add_condition(
         summary, "Contacts", [](const CaseRow& row) { return contact_words(row.contact); }, lines);
     add_condition(

@@ -1,8 +1,6 @@
 #include "solver/direct_floes.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 
 #include "solver/lane_slot.hpp"
 
@@ -27,7 +25,6 @@ DirectFloes::DirectFloes(std::span<const SolverBody> bodies, std::span<const Sol
       slots_(slots),
       bodies_(bodies.begin(), bodies.end()),
       joints_(joints.begin(), joints.end()),
-      removed_(joints.size(), false),
       piece_of_body_(bodies.size()),
       within_piece_(bodies.size()),
       is_touched_(bodies.size()) {
@@ -53,7 +50,6 @@ DirectFloes::DirectFloes(std::span<const SolverBody> bodies, std::span<const Sol
 }
 
 void DirectFloes::remove_joint(std::size_t joint) {
-    removed_[joint] = true;
     Piece& piece = pieces_[piece_of_body_[joints_[joint].a]];
     std::erase(piece.joints, static_cast<std::uint32_t>(joint));
     piece.broken = true;

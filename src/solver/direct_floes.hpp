@@ -78,7 +78,6 @@ class DirectFloes {
     LaneSlots slots_;
     std::vector<SolverBody> bodies_;
     std::vector<SolverJoint> joints_;
-    std::vector<bool> removed_;
     std::vector<Piece> pieces_;
     std::vector<std::uint32_t> piece_of_body_, within_piece_;
     std::vector<std::shared_ptr<PieceResponse>> responses_;  ///< of the pieces that there are

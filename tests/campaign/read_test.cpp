@@ -117,6 +117,8 @@ TEST(ReadCampaign, AModulusWithoutASigmaIsToBeCalibrated) {
     EXPECT_EQ(calibrated(cfm + cases), "");
     EXPECT_EQ(calibrated(cases, {"case.short.cfm=0.02", "case.plain.elastic_modulus_MPa=30"}), "plain long ");
     EXPECT_EQ(read(cases).cases[1].scenario.ice.elastic_modulus, 30e6);
+    const std::string beams = "[general]\nsolver = \"direct\"\n[joint]\nmodel = \"beam\"\n";  // E is what it says
+    EXPECT_EQ(calibrated(beams + cases), "");
 }
 
 TEST(ReadCampaign, OrderOfTheTextDoesNotMatter) {

@@ -211,6 +211,10 @@ TEST(Conditions, SayWhichCasesDiffer) {
     EXPECT_THAT(lines, testing::Contains("Far end: an ice sheet (E30, E200)."));
     EXPECT_THAT(lines, testing::Contains("Far end: open (E60)."));
     EXPECT_THAT(lines, testing::Contains("Contacts: preset paper, friction in one direction, rigid with Γ 0.2."));
+    table.cases[1].cfm = std::numeric_limits<double>::quiet_NaN();  // of beam joints
+    EXPECT_THAT(
+        condition_lines(summarise(table)),
+        testing::IsSupersetOf({"Joints: they follow Σ (E30, E200).", "Joints: elastic beams, solved exactly (E60)."}));
 }
 
 }  // namespace
