@@ -29,6 +29,7 @@ DATA = DOCS / "ice"
 SHEETS = {0.3: 5.1, 0.2: 5.4, 0.1: 5.3, 0.05: 5.25}  # side of the elements -> of the sheet, an odd number of them, m
 KEYS = {"element_m": "floe.element_m", "iterations": "general.iterations", "time_step_s": "general.time_step_s"}
 BASE = {"element_m": 0.2, "iterations": 20, "time_step_s": 0.02}
+FULL_SCALE_BREADTH = 70  # m, of the structure of configs/full_scale.toml at the waterline
 QUANTITIES = {"mean_N": "mean", "maximum_0.1s_N": "maxima, 0.1 s", "maximum_1s_N": "maxima, 1 s",
               "broken_percent": "broken floes, %"}
 
@@ -140,13 +141,12 @@ def resolution():
 
 def full_scale():
     rows = members("full_scale")
-    mega = 1e-6
-    lines = [["mean", with_interval(mega * rows["mean_N"].to_numpy())],
-             ["standard deviation", with_interval(mega * rows["sd_N"].to_numpy())]]
+    what = {"mean_N": "mean", "sd_N": "standard deviation"}
     for column in [name for name in rows if name.startswith("maximum_") and name != "maximum_N"]:
-        time = column.removeprefix("maximum_").removesuffix("s_N")
-        lines.append([f"largest over {time} s, mean of three segments", with_interval(mega * rows[column].to_numpy())])
-    return table([f"load, MN ({len(rows)} members)", "mean over arrangements [95 %]"], lines)
+        what[column] = f"largest over {column.removeprefix('maximum_').removesuffix('s_N')} s, mean of three segments"
+    lines = [[name, with_interval(1e-6 * rows[column].to_numpy()), number(1e-3 * rows[column].mean() / FULL_SCALE_BREADTH)]
+             for column, name in what.items()]
+    return table([f"load ({len(rows)} members)", "MN, mean over arrangements [95 %]", "kN per m of breadth"], lines)
 
 
 def full_scale_breaks():
@@ -160,9 +160,10 @@ def full_scale_breaks():
 
 def lindqvist():
     rows = [[f"{row.elastic_modulus_MPa / 1000:g}", *(number(1e-6 * value) for value in
-             (row.crushing_N, row.bending_N, row.submergence_N, row.limit_stress_N))]
+             (row.crushing_N, row.bending_N, row.submergence_N, row.limit_stress_N)),
+             number(1e-3 * row.limit_stress_N / FULL_SCALE_BREADTH)]
             for row in members("lindqvist").itertuples()]
-    return table(["E, GPa", "crushing, MN", "bending, MN", "submergence, MN", "together, MN"], rows)
+    return table(["E, GPa", "crushing, MN", "bending, MN", "submergence, MN", "together, MN", "kN per m"], rows)
 
 
 def main():
