@@ -2,7 +2,7 @@
 """The tables of docs/ice.md, of docs/full_scale.md and of the resolution in docs/convergence.md, from docs/ice.
 
 Usage:
-    ice.py                    writes the tables
+    ice.py                    writes the tables and the picture docs/ice/resolution.svg
     ice.py --check            writes nothing; fails if a table differs from the data
     ice.py --measure FLOES    first bends strips and sheets with the program FLOES, half a minute
     ice.py --collect FOLDER   first takes the members of the finished campaigns resolution.h5 and full_scale.h5 in FOLDER
@@ -137,6 +137,37 @@ def resolution():
     return table(heading, lines)
 
 
+def draw(path):
+    """Loads and broken floes over element size, iterations and time step."""
+    import matplotlib
+
+    matplotlib.use("svg")
+    matplotlib.rcParams["svg.hashsalt"] = "floes"
+    from matplotlib import pyplot
+
+    figure, axes = pyplot.subplots(2, 3, figsize=(9.5, 4.6), sharey="row", sharex="col")
+    shown = [("mean_N", "mean load", "C0"), ("maximum_1s_N", "maxima over 1 s", "C1")]
+    for column, (key, title) in enumerate([("element_m", "side of the elements, m"), ("iterations", "iterations"),
+                                           ("time_step_s", "time step, s")]):
+        points = [(value, rows) for name, value, rows in cases() if name == key]
+        places = range(len(points))
+        for axis, quantities in [(axes[0][column], shown), (axes[1][column], [("broken_percent", None, "C2")])]:
+            for quantity, label, colour in quantities:
+                found = [interval(rows[quantity].to_numpy()) for _, rows in points]
+                axis.errorbar(places, [mean for mean, *_ in found],
+                              [[mean - low for mean, low, _ in found], [high - mean for mean, _, high in found]],
+                              color=colour, marker="o", markersize=4, capsize=3, linewidth=1, label=label)
+            axis.set_ylim(bottom=0)
+            axis.grid(axis="y", linewidth=0.4)
+        axes[1][column].set_xticks(list(places), [f"{value:g}" for value, _ in points])
+        axes[1][column].set_xlabel(title)
+    axes[0][0].set_ylabel("load, N")
+    axes[1][0].set_ylabel("broken floes, %")
+    axes[0][0].legend(frameon=False, fontsize=8)
+    figure.tight_layout()
+    figure.savefig(path, metadata={"Date": None})
+
+
 # -- docs/full_scale.md
 
 def full_scale():
@@ -182,6 +213,8 @@ def main():
                    DOCS / "convergence.md": {"resolution": resolution},
                    DOCS / "full_scale.md": {"loads": full_scale, "breaks": full_scale_breaks, "lindqvist": lindqvist}},
                   arguments == ["--check"], "ice.py")
+    if arguments != ["--check"]:
+        draw(DATA / "resolution.svg")
 
 
 if __name__ == "__main__":
