@@ -165,6 +165,12 @@ struct DirectPair {
     pair.on_b = pair.on_b - load_flat(row, direct_field::on_b + 6 * i) * impulse;
 }
 
+inline bool is_nothing(const double* impulse) {
+    bool nothing = true;
+    for (int i = 0; i < 8; ++i) nothing = nothing && impulse[i] == 0.0;
+    return nothing;
+}
+
 /// Hands an impulse in each lane on to the piece that the lane's body belongs to.
 [[gnu::always_inline]] inline void hand_on(double* delta, double* impulse, const Reach* reaches,
                                            const std::uint32_t* slots, const Flat& on) {
@@ -172,7 +178,7 @@ struct DirectPair {
     scatter_flat([&](int lane) { return by_lane[lane]; }, on);
     for (int lane = 0; lane < lanes; ++lane) {
         const Reach& reach = reaches[slots[lane]];
-        if (reach.column == nullptr) continue;
+        if (reach.column == nullptr || is_nothing(by_lane[lane])) continue;
         double* total = impulse + static_cast<std::size_t>(slots[lane]) * 8;
         for (int i = 0; i < 8; ++i) total[i] += by_lane[lane][i];
         spread(delta, reach, by_lane[lane]);
