@@ -54,12 +54,24 @@ def instructions(program, name):
     return int(total.group(1)) / (WARM_UP + steps)
 
 
+def ratio_text(ratios):
+    return f"{statistics.median(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})"
+
+
+def parser(about):
+    made = argparse.ArgumentParser(description=about, formatter_class=argparse.RawDescriptionHelpFormatter)
+    made.add_argument("folder")
+    made.add_argument("--rounds", type=int, default=7, help="of steps; members take a third of them")
+    made.add_argument("--docs")
+    return made
+
+
 def table(times, counts):
     lines = ["| benchmark | CPU ms | instructions/step | time of stock over it (range of rounds) |", "|---|---|---|---|"]
     for group in (LATE, STEEP, EARLY, MEMBERS):
         for name in group:
             ratios = [a / b for a, b in zip(times[group[0]], times[name])]
-            ratio = f"{statistics.median(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})"
+            ratio = ratio_text(ratios)
             count = f"{counts[name] / 1e6:.1f} M" if name in counts else ""
             lines.append(f"| {name} | {statistics.median(times[name]):.4g} | {count} | "
                          f"{1 if name == group[0] else ratio} |")
@@ -77,11 +89,7 @@ def put_between_marks(path, text, marks=MARKS):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("folder")
-    parser.add_argument("--rounds", type=int, default=7, help="of steps; members take a third of them")
-    parser.add_argument("--docs")
-    options = parser.parse_args()
+    options = parser(__doc__).parse_args()
     program = os.path.join(options.folder, "floes_bench")
 
     load = os.getloadavg()[0]

@@ -1,12 +1,11 @@
 #!/usr/bin/python3
-"""The direct solver beside the sweeps: time, and what a number of iterations leaves unsolved. Some 4 minutes.
+"""The direct solver beside the sweeps: time, and what a number of iterations leaves unsolved. Under a minute.
 
     bench/direct.py build/bench/bench [--rounds 7] [--docs docs/ice.md]
 
 Steps and members in turns, A B A B .... --docs puts the tables into that file, between <!-- cost --> and <!-- end -->.
 """
 
-import argparse
 import csv
 import os
 import statistics
@@ -29,8 +28,8 @@ def times_table(times):
     for names, _ in GROUPS:
         for name in names:
             ratios = [b / a for a, b in zip(times[names[0]], times[name])]
-            ratio = f"{statistics.median(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})"
-            lines.append(f"| {name} | {statistics.median(times[name]):.4g} | {1 if name == names[0] else ratio} |")
+            ratio = 1 if name == names[0] else paired.ratio_text(ratios)
+            lines.append(f"| {name} | {statistics.median(times[name]):.4g} | {ratio} |")
     return "\n".join(lines) + "\n"
 
 
@@ -46,11 +45,7 @@ def error_table(program):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("folder")
-    parser.add_argument("--rounds", type=int, default=7, help="of steps; members take a third of them")
-    parser.add_argument("--docs")
-    options = parser.parse_args()
+    options = paired.parser(__doc__).parse_args()
     times = {}
     for names, steps in GROUPS:
         rounds = options.rounds if steps > 1 else max(1, options.rounds // 3)

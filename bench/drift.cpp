@@ -10,12 +10,8 @@ namespace floes::bench {
 Simulation make_drift(const Drift& drift) {
     Scenario scenario;
     scenario.contact = {};  // the paper's laws, which Bullet's own solver has, too
-    scenario.general.solver = drift.solver;
-    if (drift.solver == SolverKind::direct) {
-        scenario.contact = with_preset({}, ContactPreset::physical);
-        scenario.joint.model = JointModel::beam;
-        scenario.general.iterations = direct_iterations;
-    }
+    choose_solver(scenario, drift.solver);
+    if (drift.solver == SolverKind::direct) scenario.contact = with_preset({}, ContactPreset::physical);
     scenario.floe.length = scenario.floe.breadth = drift.elements_along * scenario.floe.element;
     scenario.field.floes = drift.floes;
     scenario.field.concentration = drift.concentration;

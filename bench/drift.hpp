@@ -9,7 +9,7 @@ struct Drift {
     int floes = 189;
     int elements_along = 3;  ///< elements of 0.2 m along each side of a floe
     double concentration = 0.75;
-    double speed = 0.3;  ///< m/s
+    double speed = 0.3;                     ///< m/s
     SolverKind solver = SolverKind::lanes;  ///< direct: with beam joints and the physical laws of contact
 };
 

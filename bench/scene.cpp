@@ -59,14 +59,17 @@ Wall wall_named(std::string_view name) {
     throw InputError(fmt::format("There is no wall {}; take straight or steep.", name));
 }
 
+void choose_solver(Scenario& scenario, SolverKind solver) {
+    scenario.general.solver = solver;
+    if (solver != SolverKind::direct) return;
+    scenario.joint.model = JointModel::beam;
+    scenario.general.iterations = direct_iterations;
+}
+
 Scenario tow_scenario(SolverKind solver, Wall wall) {
     Scenario scenario;
     scenario.contact = {};  // the paper's laws, which Bullet's own solver has, too
-    scenario.general.solver = solver;
-    if (solver == SolverKind::direct) {
-        scenario.joint.model = JointModel::beam;
-        scenario.general.iterations = direct_iterations;
-    }
+    choose_solver(scenario, solver);
     scenario.arrangement.method = ArrangementMethod::monte_carlo;
     scenario.structure.shape = wall == Wall::straight ? Shape({{-0.443, 0.171}, {0.122, 0.736}})
                                                       : Shape({{-0.443, 0.499}, {0, 0.614}, {0.122, 0.736}});

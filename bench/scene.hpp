@@ -20,8 +20,10 @@ Wall wall_named(std::string_view name);
 /// Sweeps over contacts that an ensemble needs of the direct solver: docs/convergence.md.
 inline constexpr int direct_iterations = 20;
 
-/// The default scenario, but with the given wall and the structure 0.2 m before the ice: a tow that needs no run-up. The
-/// direct solver has beam joints.
+/// The solver, and for the direct one beam joints and its iterations.
+void choose_solver(Scenario& scenario, SolverKind solver);
+
+/// The default scenario, but with the given wall and the structure 0.2 m before the ice: a tow that needs no run-up.
 Scenario tow_scenario(SolverKind solver, Wall wall);
 
 /// A tow at some time, with the arrangement that it began from.

@@ -30,8 +30,8 @@ MAXIMA = {"maximum_N": "every step", "maximum_0.1s_N": "0.1 s", "maximum_0.5s_N"
           "maximum_2s_N": "2 s"}
 
 
-def collected(path):
-    """One row for each finished member of a campaign file."""
+def collected(path, keys=KEYS, columns=()):
+    """One row for each finished member of a campaign file; `columns`: further ones of members."""
     import h5py  # which --check does not need
 
     with h5py.File(path) as file:
@@ -46,13 +46,14 @@ def collected(path):
                 head, name = key.split(".")
                 return own.get(head, {}).get(name, own.get(name, config.get(head, {}).get(name)))
 
-            row = {name: value(key) for name, key in KEYS.items()}
+            row = {name: value(key) for name, key in keys.items()}
             row["arrangement"] = file["arrangements/number"][file["members/arrangement"][i]]
             for name, field in [("mean_N", "mean_load"), ("sd_N", "sd_load"), ("maximum_N", "mean_maximum")]:
                 row[name] = file[f"members/{field}"][i]
             for k, time in enumerate(times):
                 row[f"maximum_{time:g}s_N"] = file["averaged/mean_maximum"][i][k]
             row["broken_percent"] = 100 * file["members/failure_ratio"][i]
+            row |= {column: file[f"members/{column}"][i] for column in columns}
             rows.append(row)
     return pd.DataFrame(rows).round({name: 6 for name in rows[0] if name.endswith(("_N", "_percent"))})
 

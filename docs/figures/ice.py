@@ -14,11 +14,11 @@ import math
 import pathlib
 import subprocess
 import sys
-import tomllib
 
 import numpy as np
 import pandas as pd
 
+from contact import collected
 from page_blocks import fill_or_check
 from validation_data import half_width, interval
 from validation_tables import bracketed, number, table, with_interval
@@ -28,6 +28,7 @@ DOCS = ROOT / "docs"
 DATA = DOCS / "ice"
 SHEETS = {0.3: 5.1, 0.2: 5.4, 0.1: 5.3, 0.05: 5.25}  # side of the elements -> of the sheet, an odd number of them, m
 KEYS = {"element_m": "floe.element_m", "iterations": "general.iterations", "time_step_s": "general.time_step_s"}
+FAILURES = [f"failures_{mode}" for mode in ("bending", "shear", "compression")]
 BASE = {"element_m": 0.2, "iterations": 20, "time_step_s": 0.02}
 FULL_SCALE_BREADTH = 70  # m, of the structure of configs/full_scale.toml at the waterline
 QUANTITIES = {"mean_N": "mean", "maximum_0.1s_N": "maxima, 0.1 s", "maximum_1s_N": "maxima, 1 s",
@@ -48,32 +49,6 @@ def measure(program):
     pd.concat(sheets).to_csv(DATA / "sheet.csv", index=False)
     csv_of(program, "hybrid", str(ROOT / "configs" / "full_scale.toml"), "--modulus-MPa", "1000,5000").to_csv(
         DATA / "lindqvist.csv", index=False)
-
-
-def collected(path):
-    """One row for each finished member of a campaign file."""
-    import h5py  # which --check does not need
-
-    with h5py.File(path) as file:
-        config = tomllib.loads(file["provenance/configuration"].asstr()[()])
-        times = file["averaging_time"][:]
-        rows = []
-        for i in np.flatnonzero(file["members/status"][:] == 0):
-            own = config["case"][file["members/case"][i]]
-            row = {}
-            for name, key in KEYS.items():
-                head, tail = key.split(".")
-                row[name] = own.get(head, {}).get(tail, config.get(head, {}).get(tail))
-            row["arrangement"] = file["arrangements/number"][file["members/arrangement"][i]]
-            for name, field in [("mean_N", "mean_load"), ("sd_N", "sd_load"), ("maximum_N", "mean_maximum")]:
-                row[name] = file[f"members/{field}"][i]
-            for k, time in enumerate(times):
-                row[f"maximum_{time:g}s_N"] = file["averaged/mean_maximum"][i][k]
-            row["broken_percent"] = 100 * file["members/failure_ratio"][i]
-            for mode in ["bending", "shear", "compression"]:
-                row[f"failed_in_{mode}"] = file[f"members/failures_{mode}"][i]
-            rows.append(row)
-    return pd.DataFrame(rows).round({name: 6 for name in rows[0] if name.endswith(("_N", "_percent"))})
 
 
 def members(name):
@@ -182,7 +157,7 @@ def full_scale():
 
 def full_scale_breaks():
     rows = members("full_scale")
-    failed = {mode: rows[f"failed_in_{mode}"].to_numpy() for mode in ["bending", "shear", "compression"]}
+    failed = {column.removeprefix("failures_"): rows[column].to_numpy() for column in FAILURES}
     total = sum(values.sum() for values in failed.values())
     shares = ", ".join(f"{100 * values.sum() / total:.0f} % in {mode}" for mode, values in failed.items())
     return (f"Broken floes: {bracketed(*interval(rows['broken_percent'].to_numpy()))} %. Joints that failed: "
@@ -206,7 +181,7 @@ def main():
         for name in ["resolution", "full_scale"]:
             path = pathlib.Path(arguments[1]) / f"{name}.h5"
             if path.exists():
-                collected(path).to_csv(DATA / f"{name}.csv", index=False)
+                collected(path, KEYS, FAILURES).to_csv(DATA / f"{name}.csv", index=False)
     elif arguments not in ([], ["--check"]):
         sys.exit(__doc__)
     fill_or_check({DOCS / "ice.md": {"strip": strip, "sheet": sheet},

@@ -15,15 +15,16 @@ namespace {
 
 constexpr double steps_per_swing = 400;
 constexpr int swings = 5;
-constexpr double settling_loss = 0.1;  // share of momentum lost in a step; nothing at rest depends on it
 
 class Strip {
   public:
     Strip(const Scenario& scenario, int elements, double time_step)
-        : mass_(scenario.element_mass()), time_step_(time_step), world_(world(scenario, time_step)) {
-        const double side = scenario.floe.element;
+        : side_(scenario.floe.element),
+          mass_(scenario.element_mass()),
+          time_step_(time_step),
+          world_(world(scenario, time_step)) {
+        const double side = side_;
         const Vec3 half_extents(side / 2, scenario.ice.thickness / 2, side / 2);
-        moment_of_inertia_ = mass_ * side * side / 12;
         // The clamp acts only through its joint: its body is placed aside, where nothing touches it.
         BodyId last = world_.add_fixed_box({.half_extents = half_extents, .pose = {.position = {-10 * side, 0, 0}}});
         for (int i = 0; i < elements; ++i) {
@@ -42,15 +43,15 @@ class Strip {
 
     double depth() const { return -world_.state(elements_.back()).position.y(); }
 
-    void step(double load, double loss) {
+    void settle_under(double load) {
         for (const BodyId element : elements_) {
-            const BodyState body = world_.state(element);
-            world_.apply(element, {.force = -loss * mass_ / time_step_ * body.velocity,
-                                   .moment = -loss * moment_of_inertia_ / time_step_ * body.spin});
+            world_.apply(element, settling_drag(world_.state(element), mass_, side_, time_step_));
         }
         world_.apply(elements_.back(), {{0, -load, 0}, Vec3::Zero()});
         world_.step();
     }
+
+    void swing() { world_.step(); }
 
   private:
     static World world(Scenario scenario, double time_step) {
@@ -60,9 +61,9 @@ class Strip {
         return scenario_world(scenario);
     }
 
+    double side_;
     double mass_;
     double time_step_;
-    double moment_of_inertia_;
     World world_;
     std::vector<BodyId> elements_;
 };
@@ -74,7 +75,7 @@ double swing_frequency(Strip& strip, double time_step) {
     double last = 0;
     double before = strip.depth();
     for (int i = 1; i < static_cast<int>(steps_per_swing) * (swings + 2) && passed <= swings; ++i) {
-        strip.step(0, 0);
+        strip.swing();
         const double now = strip.depth();
         if (before > 0 && now <= 0) {
             last = (i - 1 + before / (before - now)) * time_step;
@@ -105,7 +106,7 @@ BeamStiffness measure_beam_stiffness(const Scenario& scenario, int elements) {
     const double load = 1e-3 * 3 * stiffness / (arm * arm);  // bends it by a thousandth of its length
     Strip strip(scenario, elements, time_step);
     const auto rest =
-        settle([&] { strip.step(load, settling_loss); }, [&] { return strip.depth(); }, 0.0, size_of_ice(scenario));
+        settle([&] { strip.settle_under(load); }, [&] { return strip.depth(); }, 0.0, size_of_ice(scenario));
     if (!rest) throw InputError(fmt::format("The beam of {} elements did not come to rest.", elements));
     result.deflection = *rest;
     result.elastic_deflection = cantilever_deflection(load, arm, stiffness);

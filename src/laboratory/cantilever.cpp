@@ -16,9 +16,6 @@
 namespace floes {
 namespace {
 
-// Only the state at rest matters: damping shortens the settling and has no effect at rest. Share of momentum lost in
-// one step.
-constexpr double settling_loss = 0.1;
 constexpr double largest_load = 6.0;  // in units of the predicted one
 
 Scenario beam_scenario(Scenario scenario, bool floating) {
@@ -82,10 +79,7 @@ class Beam {
             const BodyState body = world_.state(element);
             if (test_.floating)
                 world_.apply(element, water_.wrench({body.position, body.rotation, body.velocity, body.spin, 0}, 0));
-            const double moment_of_inertia =
-                mass_ * side_ * side_ / 12;  // the smallest of a flat box, so that no axis gains momentum
-            world_.apply(element, {.force = -settling_loss * mass_ / time_step_ * body.velocity,
-                                   .moment = -settling_loss * moment_of_inertia / time_step_ * body.spin});
+            world_.apply(element, settling_drag(body, mass_, side_, time_step_));
         }
         world_.apply(elements_.back(), load_wrench(load));
         world_.step();

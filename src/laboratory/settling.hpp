@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "ice/scenario_world.hpp"
+
 namespace floes {
 
 /// Steps between two observations, and the largest number of observations.
@@ -26,6 +28,15 @@ std::optional<double> settle(Advance&& advance, Observe&& observe, double origin
         if (quiet == 2) return reading;
     }
     return std::nullopt;
+}
+
+/// Drag that brings a dry square element of this mass (kg) and side (m) to rest: a tenth of its momentum goes in each
+/// step (s). Only the state at rest matters, and that does not depend on it.
+inline Wrench settling_drag(const BodyState& body, double mass, double side, double time_step) {
+    constexpr double loss = 0.1;
+    const double moment_of_inertia = mass * side * side / 12;  // the smallest of a flat box, so that no axis gains
+    return {.force = -loss * mass / time_step * body.velocity,
+            .moment = -loss * moment_of_inertia / time_step * body.spin};
 }
 
 }  // namespace floes

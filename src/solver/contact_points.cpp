@@ -1,7 +1,7 @@
 #include "solver/contact_points.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <limits>
 
 #include "solver/lane_slot.hpp"
@@ -43,6 +43,12 @@ void fill_friction_start(AlignedArray<double>& start, std::span<const SolverCont
         double* at = start.data() + place(order.slot(i), fields, 0, lanes);
         for (std::size_t k = 0; k < 3; ++k) at[k * width] = contacts[i].slide[k] * contacts[i].friction_impulse;
     }
+}
+
+void set_friction(SolverContact& contact, const std::array<double, 3>& impulse) {
+    const double size = std::sqrt(impulse[0] * impulse[0] + impulse[1] * impulse[1] + impulse[2] * impulse[2]);
+    contact.friction_impulse = size;
+    for (std::size_t k = 0; k < 3; ++k) contact.slide[k] = size > 0 ? impulse[k] / size : 0;
 }
 
 }  // namespace floes

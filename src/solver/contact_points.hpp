@@ -1,6 +1,7 @@
 #pragma once
 // Contacts as the kernels see them, in the lanes of their rows.
 
+#include <array>
 #include <span>
 
 #include "solver/aligned_array.hpp"
@@ -16,5 +17,8 @@ void fill_points(AlignedArray<double>& points, std::span<const SolverContact> co
 /// The friction impulses that contacts bring along, world axes, N s: 3 fields by groups of `width`.
 void fill_friction_start(AlignedArray<double>& start, std::span<const SolverContact> contacts,
                          const ContactOrder& order, int width);
+
+/// The friction that a solve found, world axes, N s: its size, and its direction where there is any.
+void set_friction(SolverContact& contact, const std::array<double, 3>& impulse);
 
 }  // namespace floes

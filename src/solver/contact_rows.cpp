@@ -1,7 +1,6 @@
 #include "solver/contact_rows.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "solver/contact_points.hpp"
@@ -109,10 +108,7 @@ void ContactRows::finish(std::span<SolverContact> contacts) const {
             for (std::size_t k = 0; k < 3; ++k) {
                 friction[k] = friction[k] * frictions_.impulse[at] + second[k] * seconds_.impulse[at];
             }
-            const double size =
-                std::sqrt(friction[0] * friction[0] + friction[1] * friction[1] + friction[2] * friction[2]);
-            contacts[i].friction_impulse = size;
-            for (std::size_t k = 0; k < 3; ++k) contacts[i].slide[k] = size > 0 ? friction[k] / size : 0;
+            set_friction(contacts[i], friction);
         } else {
             const double t = frictions_.scale[at];
             contacts[i].friction_impulse = frictions_.impulse[at] * t;

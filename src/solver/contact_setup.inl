@@ -107,6 +107,12 @@ inline TangentPlane tangents(const V3& n) {
     return {{1.0 + sign * n.x * n.x * k, sign * xy, -sign * n.x}, {xy, sign + n.y * n.y * k, -n.y}};
 }
 
+/// The larger eigenvalue of the 2 x 2 block of two friction rows, `mass` added to both.
+inline Pack stiffest_direction(Pack mass, Pack one_one, Pack two_two, Pack one_two) {
+    const Pack half = 0.5 * (one_one - two_two);
+    return mass + 0.5 * (one_one + two_two) + square_root(half * half + one_two * one_two);
+}
+
 /// The two rows of the cone, which stop `velocity`, and their impulses to start from. The scale is that of the stiffest
 /// direction in the plane, which keeps the sweeps stable.
 inline void prepare_cone(const FrictionArrays& frictions, int i, const V3& n, const V3& velocity, const V3& lever_a,
@@ -115,12 +121,8 @@ inline void prepare_cone(const FrictionArrays& frictions, int i, const V3& n, co
     const TangentPlane plane = tangents(n);
     const Arm first = make_arm(plane.first, lever_a, lever_b, a, b);
     const Arm second = make_arm(plane.second, lever_a, lever_b, a, b);
-    const Pack one_one = coupling(first, first);
-    const Pack two_two = coupling(second, second);
-    const Pack one_two = coupling(first, second);
-    const Pack half = 0.5 * (one_one - two_two);
-    const Pack stiffest = a.inverse_mass + b.inverse_mass + 0.5 * (one_one + two_two) +
-                          square_root(half * half + one_two * one_two);  // the larger eigenvalue of the 2 x 2 block
+    const Pack stiffest = stiffest_direction(a.inverse_mass + b.inverse_mass, coupling(first, first),
+                                             coupling(second, second), coupling(first, second));
     const Pack s = 1.0 / square_root(stiffest);
 
     const std::size_t row = static_cast<std::size_t>(i) * (contact_field::count * lanes);

@@ -1,7 +1,5 @@
 #include "solver/direct_contacts.hpp"
 
-#include <cmath>
-
 #include "solver/contact_points.hpp"
 #include "solver/lane_slot.hpp"
 
@@ -64,10 +62,7 @@ void DirectContacts::finish(std::span<SolverContact> contacts) const {
             friction[k] =
                 (plane[k * width] * impulse_[1][at] + plane[(3 + k) * width] * impulse_[2][at]) * scale_[1][at];
         }
-        const double size =
-            std::sqrt(friction[0] * friction[0] + friction[1] * friction[1] + friction[2] * friction[2]);
-        contacts[i].friction_impulse = size;
-        for (std::size_t k = 0; k < 3; ++k) contacts[i].slide[k] = size > 0 ? friction[k] / size : 0;
+        set_friction(contacts[i], friction);
     }
 }
 

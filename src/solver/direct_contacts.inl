@@ -109,11 +109,8 @@ inline void prepare_direct_contact(const double* point, const double* friction_s
     const TangentPlane plane = tangents(n);
     const DirectArm first = direct_arm(plane.first, lever_a, lever_b, a, b);
     const DirectArm second = direct_arm(plane.second, lever_a, lever_b, a, b);
-    const Pack one_one = coupling(first, first);
-    const Pack two_two = coupling(second, second);
-    const Pack one_two = coupling(first, second);
-    const Pack half = 0.5 * (one_one - two_two);
-    const Pack stiffest = 0.5 * (one_one + two_two) + square_root(half * half + one_two * one_two);
+    const Pack stiffest =
+        stiffest_direction(Pack{}, coupling(first, first), coupling(second, second), coupling(first, second));
     const Pack t = 1.0 / square_root(stiffest);
     store_arm(row, 1, first, t);
     store_arm(row, 2, second, t);

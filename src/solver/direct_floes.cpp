@@ -1,6 +1,7 @@
 #include "solver/direct_floes.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "solver/lane_slot.hpp"
 
@@ -43,8 +44,11 @@ DirectFloes::DirectFloes(std::span<const SolverBody> bodies, std::span<const Sol
     touched_pieces_.reserve(bodies_.size());
     // One piece of everything, which then falls apart.
     Piece all;
-    for (std::uint32_t body = 0; body < bodies_.size(); ++body) all.bodies.push_back(body);
-    for (std::uint32_t joint = 0; joint < joints_.size(); ++joint) all.joints.push_back(joint);
+    all.bodies.resize(bodies_.size());
+    std::iota(all.bodies.begin(), all.bodies.end(), 0U);
+    all.joints.resize(joints_.size());
+    std::iota(all.joints.begin(), all.joints.end(), 0U);
+    within_piece_ = all.bodies;
     pieces_.push_back(std::move(all));
     split(0);
 }
@@ -104,10 +108,7 @@ void DirectFloes::answer_at_once(Piece& piece, double* delta) {
     }
     piece.response->respond(piece_impulse_.data(), piece_change_.data());
     for (std::size_t i = 0; i < piece.bodies.size(); ++i) {
-        double* to = delta + 8 * static_cast<std::size_t>(piece.slots[i]);
-        for (std::size_t k = 0; k < 8; ++k) {
-            if (k % 4 != 3) to[k] = piece_change_[8 * i + k];
-        }
+        std::copy_n(&piece_change_[8 * i], 8, delta + 8 * static_cast<std::size_t>(piece.slots[i]));
     }
 }
 
@@ -117,12 +118,7 @@ void DirectFloes::answer(Piece& piece, const std::vector<std::uint32_t>& slots,
         answer_at_once(piece, delta);
         return;
     }
-    for (const std::uint32_t slot : slots) {
-        double* to = delta + 8 * static_cast<std::size_t>(slot);
-        for (std::size_t k = 0; k < 8; ++k) {
-            if (k % 4 != 3) to[k] = 0;
-        }
-    }
+    for (const std::uint32_t slot : slots) std::fill_n(delta + 8 * static_cast<std::size_t>(slot), 8, 0.0);
     for (std::size_t i = 0; i < piece.bodies.size(); ++i) {
         const Reach reach{piece.response->column(i), nullptr, slots.data(), within.data(), slots.size()};
         kernels_->direct.spread(delta, reach, impulse_.data() + 8 * static_cast<std::size_t>(piece.slots[i]));

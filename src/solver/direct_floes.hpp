@@ -60,7 +60,7 @@ class DirectFloes {
         std::vector<Mat3> at_rest;                 ///< body -> piece where nothing strains it
         std::shared_ptr<PieceResponse> response;
         std::vector<std::uint32_t> touched_slots, touched_within;
-        bool broken = true;  ///< joints were removed since the response was made
+        bool broken = false;  ///< joints were removed since it was found
     };
 
     void split(std::size_t piece);

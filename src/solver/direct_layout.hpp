@@ -10,9 +10,7 @@ namespace floes {
 struct LaneArrays;
 struct LaneBlock;
 struct ContactPacks;
-struct ContactRowArrays;
 struct LimitArrays;
-struct ContactLaw;
 
 /// What an impulse on one body does to another, by three columns of 8 numbers, for an impulse {x, z, about y; y, about
 /// x, about z}: of its first parts the changes of {x, z, about y, 0}, of its last those of {y, about x, about z, 0}.

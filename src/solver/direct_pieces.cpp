@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "solver/direct_floes.hpp"
 #include "solver/lane_slot.hpp"
@@ -23,28 +24,25 @@ Vec3 origin_of(const SolverFrame& frame) {
 
 void DirectFloes::split(std::size_t piece) {
     const Piece whole = std::move(pieces_[piece]);
-    std::vector<std::uint32_t> first(bodies_.size());  // of the part that each body belongs to
-    for (const std::uint32_t body : whole.bodies) first[body] = body;
-    const auto root = [&](std::uint32_t body) {
-        while (first[body] != body) body = first[body] = first[first[body]];
-        return body;
+    std::vector<std::uint32_t> first(whole.bodies.size());  // of the part that each body belongs to, within the whole
+    std::iota(first.begin(), first.end(), 0U);
+    const auto root = [&](std::uint32_t i) {
+        while (first[i] != i) i = first[i] = first[first[i]];
+        return i;
     };
     for (const std::uint32_t joint : whole.joints) {
-        const std::uint32_t a = root(joints_[joint].a);
-        const std::uint32_t b = root(joints_[joint].b);
+        const std::uint32_t a = root(within_piece_[joints_[joint].a]);
+        const std::uint32_t b = root(within_piece_[joints_[joint].b]);
         first[std::max(a, b)] = std::min(a, b);
     }
-    bool replaced = false;
-    for (const std::uint32_t body : whole.bodies) {
-        if (root(body) == body) {
-            piece_of_body_[body] = static_cast<std::uint32_t>(replaced ? pieces_.size() : piece);
-            if (replaced)
-                pieces_.emplace_back();
-            else
-                pieces_[piece] = Piece{};
-            replaced = true;
+    pieces_[piece] = Piece{};
+    for (std::uint32_t i = 0; i < whole.bodies.size(); ++i) {
+        const std::uint32_t body = whole.bodies[i];
+        if (i > 0 && root(i) == i) {
+            piece_of_body_[body] = static_cast<std::uint32_t>(pieces_.size());
+            pieces_.emplace_back();
         }
-        piece_of_body_[body] = piece_of_body_[root(body)];
+        piece_of_body_[body] = piece_of_body_[whole.bodies[root(i)]];
         Piece& part = pieces_[piece_of_body_[body]];
         within_piece_[body] = static_cast<std::uint32_t>(part.bodies.size());
         part.within.push_back(within_piece_[body]);
@@ -137,7 +135,6 @@ void DirectFloes::make_response(Piece& piece) {
     find_response(piece, std::move(bodies), std::move(joints));
     piece.touched_slots.reserve(piece.bodies.size());  // so that steps need not
     piece.touched_within.reserve(piece.bodies.size());
-    piece.broken = false;
 }
 
 void DirectFloes::find_response(Piece& piece, std::vector<PieceBody> bodies, std::vector<PieceJoint> joints) {
