@@ -21,6 +21,16 @@ double shear(const JointReaction& r) {
     return std::sqrt(r.shear_vertical * r.shear_vertical + r.shear_in_plane * r.shear_in_plane);
 }
 
+/// λ/ε, in the order of FailureMode.
+std::array<double, 6> ratios_of(const JointReaction& r, const Thresholds& thresholds) {
+    return {std::abs(r.bending + thresholds.bending_arm * r.shear_vertical) / thresholds.bending,
+            shear(r) / thresholds.shear,
+            compression(r) / thresholds.compression,
+            tension(r) / thresholds.tension,
+            std::abs(r.torsion) / thresholds.torsion,
+            std::abs(r.in_plane_bending) / thresholds.in_plane_bending};
+}
+
 }  // namespace
 
 Thresholds make_thresholds(const Scenario& scenario) {
@@ -40,15 +50,12 @@ Thresholds make_thresholds(const Scenario& scenario) {
             .bending_arm = scenario.joint.moment_about == MomentAbout::element_centre ? side / 2 : 0};
 }
 
-std::optional<FailureMode> failure(const JointReaction& r, const Thresholds& thresholds) {
-    const std::array<double, 6> ratios{
-        // in the order of FailureMode
-        std::abs(r.bending + thresholds.bending_arm * r.shear_vertical) / thresholds.bending,
-        shear(r) / thresholds.shear,
-        compression(r) / thresholds.compression,
-        tension(r) / thresholds.tension,
-        std::abs(r.torsion) / thresholds.torsion,
-        std::abs(r.in_plane_bending) / thresholds.in_plane_bending};
+double utilisation(const JointReaction& reaction, const Thresholds& thresholds) {
+    return std::ranges::max(ratios_of(reaction, thresholds));
+}
+
+std::optional<FailureMode> failure(const JointReaction& reaction, const Thresholds& thresholds) {
+    const std::array<double, 6> ratios = ratios_of(reaction, thresholds);
     const auto largest = std::max_element(ratios.begin(), ratios.end());
     if (!(*largest > 1)) return std::nullopt;
     return static_cast<FailureMode>(largest - ratios.begin());

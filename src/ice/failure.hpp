@@ -37,6 +37,9 @@ struct Thresholds {
 /// The thresholds of a scenario: its strengths, element size, thickness and form of Eqs. (1)-(2).
 Thresholds make_thresholds(const Scenario& scenario);
 
+/// The largest λ/ε of a joint with this reaction: 0 unloaded, above 1 it fails.
+double utilisation(const JointReaction& reaction, const Thresholds& thresholds);
+
 /// The mode in which a joint with this reaction fails: the one with the largest λ/ε, if that exceeds 1. Among equals,
 /// the first in the order of FailureMode.
 std::optional<FailureMode> failure(const JointReaction& reaction, const Thresholds& thresholds);

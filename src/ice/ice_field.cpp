@@ -72,6 +72,18 @@ int IceField::break_joints(World& world, double time) {
     return static_cast<int>(breaks_.size() - before);
 }
 
+void IceField::read_utilisation(const World& world, std::vector<double>& worst) const {
+    worst.assign(elements_.size(), 0.0);
+    for (const Joint& joint : joints_) {
+        const double used = utilisation(world.reaction(joint.id), thresholds_);
+        const auto first = static_cast<std::size_t>(joint.floe * grid_.elements());
+        for (const int index : {joint.grid.a, joint.grid.b}) {
+            double& element = worst[first + static_cast<std::size_t>(index)];
+            element = std::max(element, used);
+        }
+    }
+}
+
 void IceField::repeat_breaks(World& world, std::span<const BreakEvent> breaks) {
     const std::size_t before = breaks_.size();
     for (const BreakEvent& event : breaks) {

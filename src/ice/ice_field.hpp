@@ -40,6 +40,10 @@ class IceField {
     /// updated. `time`: end of the step, s. Returns the number of joints that failed.
     int break_joints(World& world, double time);
 
+    /// Refills `worst` with the largest utilisation of the live joints of each element, in the order of elements(); 0
+    /// without any. Of the world's last step.
+    void read_utilisation(const World& world, std::vector<double>& worst) const;
+
     /// Repeats the breaks of another run over the same floes: removes their joints and copies them to the log
     /// unchanged.
     void repeat_breaks(World& world, std::span<const BreakEvent> breaks);

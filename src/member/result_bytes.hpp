@@ -13,7 +13,8 @@ void write(ByteWriter& out, const MemberResult& result);
 /// Restores what write() wrote, bit for bit. Throws RunError if the bytes are not a result.
 MemberResult read_member_result(ByteReader& in);
 
-/// The averaged load, which stands at the very end of a record, its peaks last: older ones end before it or before them.
+/// The averaged load, which stands at the very end of a record, its peaks last: older ones end before it or before
+/// them.
 void write_averaged(ByteWriter& out, const MemberResult& result);
 
 /// What write_averaged() wrote; nothing where the bytes end. Throws RunError when they are no such thing.

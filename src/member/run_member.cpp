@@ -78,7 +78,8 @@ void set_aside(MemberResult& result, const Scenario& scenario, const std::string
 
 }  // namespace
 
-MemberResult run_member(const Scenario& scenario, std::uint64_t seed, std::uint32_t arrangement, std::stop_token stop) {
+MemberResult run_member(const Scenario& scenario, std::uint64_t seed, std::uint32_t arrangement, std::stop_token stop,
+                        const Watcher& watch) {
     const auto start = std::chrono::steady_clock::now();
     const double cpu_start = cpu_seconds_of_this_thread();
     const Arrangement floes = make_arrangement(scenario, seed, arrangement);
@@ -87,7 +88,7 @@ MemberResult run_member(const Scenario& scenario, std::uint64_t seed, std::uint3
     result.psi4 = floes.psi4;
     Simulation simulation(scenario, floes);
     try {
-        if (!simulation.run(stop)) {
+        if (!simulation.run(stop, watch)) {
             throw Interrupted(
                 fmt::format("Arrangement {} was stopped on request at t = {:.2f} s.", arrangement, simulation.time()));
         }

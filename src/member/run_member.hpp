@@ -11,6 +11,7 @@
 
 #include "member/result.hpp"
 #include "scenario/scenario.hpp"
+#include "simulation/simulation.hpp"
 
 namespace floes {
 
@@ -24,6 +25,6 @@ class Interrupted : public std::runtime_error {
 /// histories and breaks up to then. Throws Interrupted if `stop` is requested before the end (checked every step), and
 /// InputError for a scenario that cannot be built or an arrangement that cannot be made.
 MemberResult run_member(const Scenario& scenario, std::uint64_t seed, std::uint32_t arrangement,
-                        std::stop_token stop = {});
+                        std::stop_token stop = {}, const Watcher& watch = {});
 
 }  // namespace floes

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <string>
@@ -78,12 +79,44 @@ Simulation::Simulation(const Scenario& scenario, const Arrangement& arrangement,
     sleeping_.lay_down(world_, states_, tow_.x(time()));
 }
 
-bool Simulation::run(const std::stop_token& stop) {
+bool Simulation::run(const std::stop_token& stop, const Watcher& watch) {
+    if (watch) watch(*this);
     while (steps_ < scenario_.step_count()) {
         if (stop.stop_requested()) return false;
         step();
+        if (watch) watch(*this);
     }
     return true;
+}
+
+void Simulation::read_frame(Frame& frame) const {
+    frame.step = steps_;
+    frame.time = time();
+    frame.structure = tow_.x(time());
+    frame.load = ice_load_;
+    frame.elements = states_;
+    const std::vector<IceElement>& elements = ice_.elements();
+    frame.pieces.resize(elements.size());
+    std::ranges::transform(elements, frame.pieces.begin(), &IceElement::piece);
+    ice_.read_utilisation(world_, frame.utilisation);
+    std::vector<ContactForce> contacts;
+    world_.read_contacts(contacts);
+    frame.contacts.clear();
+    for (const ContactForce& one : contacts) frame.contacts.push_back(seen(one));
+}
+
+FrameContact Simulation::seen(const ContactForce& contact) const {
+    const std::vector<IceElement>& elements = ice_.elements();
+    const std::size_t first = elements.front().body.index();  // elements were added one after another
+    const auto element = [&](BodyId body) {
+        if (body == structure_) return touches_structure;
+        const std::size_t index = body.index() - first;
+        return index < elements.size() ? static_cast<int>(index) : touches_ice_sheet;
+    };
+    const int a = element(contact.a);
+    const int b = element(contact.b);
+    if (a >= 0) return {a, b, contact.point, contact.normal, contact.friction};
+    return {b, a, contact.point, -contact.normal, -contact.friction};
 }
 
 void Simulation::step() {

@@ -7,6 +7,7 @@
 //
 // After construction nothing in the loop allocates on this side of the world: the histories are reserved.
 
+#include <functional>
 #include <stop_token>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "ice/ice_field.hpp"
 #include "scenario/scenario.hpp"
 #include "simulation/channel.hpp"
+#include "simulation/frame.hpp"
 #include "simulation/load_history.hpp"
 #include "simulation/sleeping_floes.hpp"
 #include "simulation/wellbeing.hpp"
@@ -30,6 +32,11 @@ struct SimulationState {
     std::vector<BodyState> elements;  ///< at their end, in the order of IceField::elements()
     std::vector<BreakEvent> breaks;   ///< so far, by time
 };
+
+class Simulation;
+
+/// Looks at a run at its start and after each step; the run does not depend on it.
+using Watcher = std::function<void(const Simulation&)>;
 
 class Simulation {
   public:
@@ -47,7 +54,7 @@ class Simulation {
     void step();
 
     /// Steps to the end of the analysis window. False if `stop` was requested before that.
-    bool run(const std::stop_token& stop);
+    bool run(const std::stop_token& stop, const Watcher& watch = {});
 
     double time() const { return steps_ * scenario_.general.time_step; }  ///< s, of the last completed step's end
     int steps() const { return steps_; }
@@ -56,10 +63,14 @@ class Simulation {
 
     SimulationState state() const { return {steps_, states_, ice_.breaks()}; }
 
+    /// Refills `frame` with what there is to see at time(). Vectors keep their memory.
+    void read_frame(Frame& frame) const;
+
     /// Motion of every element at time(), in the order of ice().elements().
     const std::vector<BodyState>& element_states() const { return states_; }
 
   private:
+    FrameContact seen(const ContactForce& contact) const;
     double step_end() const { return (steps_ + 1) * scenario_.general.time_step; }
     void move_structure();
     void wake_floes();

@@ -1,6 +1,7 @@
 #include "world/contact_load.hpp"
 
 #include "world/conversion.hpp"
+#include "world/piece_dispatcher.hpp"
 
 namespace floes {
 
@@ -17,6 +18,23 @@ Vec3 contact_load(std::span<btPersistentManifold* const> manifolds, const btColl
         }
     }
     return from_bullet(impulse) / time_step;
+}
+
+void read_contact_forces(std::span<btPersistentManifold* const> manifolds, double time_step,
+                         std::vector<ContactForce>& found) {
+    found.clear();
+    for (const btPersistentManifold* manifold : manifolds) {
+        for (int i = 0; i < manifold->getNumContacts(); ++i) {
+            const btManifoldPoint& point = manifold->getContactPoint(i);
+            if (point.m_appliedImpulse == 0 && point.m_appliedImpulseLateral1 == 0) continue;
+            found.push_back(
+                {.a = BodyId(static_cast<std::size_t>(body_id_of(*manifold->getBody0()))),
+                 .b = BodyId(static_cast<std::size_t>(body_id_of(*manifold->getBody1()))),
+                 .point = from_bullet((point.getPositionWorldOnA() + point.getPositionWorldOnB()) / 2),
+                 .normal = from_bullet(point.m_normalWorldOnB * (point.m_appliedImpulse / time_step)),
+                 .friction = from_bullet(point.m_lateralFrictionDir1 * (point.m_appliedImpulseLateral1 / time_step))});
+        }
+    }
 }
 
 }  // namespace floes

@@ -1,16 +1,23 @@
 #pragma once
-// The force that contacts exert on a body. Only for files inside this room.
+// The forces at contacts. Only for files inside this room.
 
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 
 #include <span>
+#include <vector>
 
 #include "core/vector.hpp"
+#include "world/state.hpp"
 
 namespace floes {
 
 /// Normal and friction force on `body` of all contacts in `manifolds` in the last solve, world axes, N; summed in the
 /// given order. Needs SOLVER_USE_WARMSTARTING (else Bullet does not keep the impulses) and one friction direction.
 Vec3 contact_load(std::span<btPersistentManifold* const> manifolds, const btCollisionObject* body, double time_step);
+
+/// Refills `found` with all contacts that exerted a force in the last solve, in the given order; needs what
+/// contact_load() needs. Positions and forces in the units that the world computes in.
+void read_contact_forces(std::span<btPersistentManifold* const> manifolds, double time_step,
+                         std::vector<ContactForce>& found);
 
 }  // namespace floes

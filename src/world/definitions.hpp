@@ -4,15 +4,12 @@
 
 #include <optional>
 
-#include "core/id.hpp"
 #include "core/vector.hpp"
 #include "solver/contact_law.hpp"
 #include "solver/joint_spring.hpp"
+#include "world/ids.hpp"
 
 namespace floes {
-
-using BodyId = Id<struct BodyTag>;    ///< in order of creation in a World
-using JointId = Id<struct JointTag>;  ///< in order of creation in a World; never used again after removal
 
 /// The constraint solver of a World.
 enum class ConstraintSolver {

@@ -30,6 +30,7 @@ class FroudeUnits {
     BodyState to_own(const BodyState& state) const;
     Wrench to_own(const Wrench& wrench) const { return {wrench.force, wrench.moment / length_}; }
 
+    Vec3 to_si(const Vec3& position) const { return position * length_; }
     BodyState to_si(const BodyState& state) const;
     JointReaction to_si(JointReaction reaction) const;
 

@@ -1,7 +1,8 @@
 #pragma once
-// What a World tells: motion of a body, reaction of a joint.
+// What a World tells: motion of a body, reaction of a joint, force at a contact.
 
 #include "core/vector.hpp"
+#include "world/ids.hpp"
 
 namespace floes {
 
@@ -22,6 +23,15 @@ struct JointReaction {
     double torsion = 0;           ///< M_x
     double in_plane_bending = 0;  ///< M_y
     double bending = 0;           ///< M_z, about the horizontal axis in the face: positive when sagging (tension below)
+};
+
+/// Where two bodies touch, and what acted there in the last step.
+struct ContactForce {
+    BodyId a;
+    BodyId b;
+    Vec3 point = Vec3::Zero();     ///< between the two surfaces, m
+    Vec3 normal = Vec3::Zero();    ///< normal force on a, N; on b the opposite
+    Vec3 friction = Vec3::Zero();  ///< likewise
 };
 
 }  // namespace floes

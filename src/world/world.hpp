@@ -73,6 +73,10 @@ class World {
     /// Force of all contacts (normal and friction) on the body in the last step, world axes, N.
     Vec3 contact_force(BodyId body) const;
 
+    /// Refills `found` with every contact that exerted a force in the last step, in the order of the solve. Points
+    /// are those that the step began with.
+    void read_contacts(std::vector<ContactForce>& found) const;
+
   private:
     class Bullet;
     std::unique_ptr<Bullet> bullet_;
