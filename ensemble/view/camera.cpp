@@ -1,0 +1,42 @@
+#include "view/camera.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace floes {
+namespace {
+
+constexpr double angle_of_view = 32 * std::numbers::pi / 180;
+
+/// A camera that sees `height` m at the target, from the direction `from`.
+Camera looking(const Vec3& target, const Vec3& from, const Vec3& up, double height) {
+    const double distance = height / (2 * std::tan(angle_of_view / 2));
+    return {target + distance * from.normalized(), target, up, angle_of_view, height};
+}
+
+}  // namespace
+
+Camera camera(View view, const RecordSubject& subject, double structure) {
+    // So much ice round the structure that floes are seen to come, to turn and to leave.
+    const double seen = 2 * subject.scenario.structure.shape.largest_radius() +
+                        3 * std::max(subject.scenario.floe.length, subject.scenario.floe.breadth);
+    switch (view) {
+        case View::above:
+            return looking({structure, 0, 0}, Vec3::UnitY(), Vec3::UnitX(), 1.3 * seen);
+        case View::below:
+            return looking({structure, 0.5 * subject.scenario.structure.shape.bottom(), 0}, {1.0, -0.55, 1.1},
+                           Vec3::UnitY(), 0.9 * seen);
+        case View::plan: {
+            const Channel channel = channel_of(subject);
+            const Vec3 middle(0.5 * (channel.begin + channel.end), 0, 0);
+            const double height = 2 * channel.outer_edge;
+            return {middle + Vec3(0, height, 0), middle, -Vec3::UnitZ(), 0, height};
+        }
+        case View::perspective:
+            break;
+    }
+    return looking({structure + 0.15 * seen, 0, 0}, {-0.75, 0.75, 1.0}, Vec3::UnitY(), 0.85 * seen);
+}
+
+}  // namespace floes

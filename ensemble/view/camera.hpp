@@ -1,0 +1,32 @@
+#pragma once
+// From where the ice is looked at: the same for the page, for pictures and for films.
+
+#include <array>
+#include <string_view>
+
+#include "core/vector.hpp"
+#include "replay/record.hpp"
+
+namespace floes {
+
+enum class View {
+    perspective,  ///< Fig. 5: from above and astern, round the structure
+    above,        ///< straight down on the structure
+    below,        ///< from under the water, where floes slide along the wall
+    plan          ///< the whole channel from above, to scale: Fig. 3
+};
+
+inline constexpr std::array<std::string_view, 4> view_names{"perspective", "above", "below", "plan"};
+
+struct Camera {
+    Vec3 eye = Vec3::Zero();     ///< m
+    Vec3 target = Vec3::Zero();  ///< m, in the middle of the picture
+    Vec3 up = Vec3::UnitY();     ///< up in the picture; not along the line of sight
+    double angle = 0;            ///< vertical angle of view, rad; 0: parallel projection
+    double height = 0;           ///< m that the picture is high at the target
+};
+
+/// How a view sees a run while the structure's axis is at x = `structure` m. All views but `plan` follow it.
+Camera camera(View view, const RecordSubject& subject, double structure);
+
+}  // namespace floes
