@@ -11,7 +11,7 @@ namespace floes {
 class Deflater::Stream {
   public:
     Stream() {
-        if (deflateInit(&state_, Z_BEST_COMPRESSION) != Z_OK) throw RunError("zlib has no memory to compress with");
+        if (deflateInit(&state_, Z_DEFAULT_COMPRESSION) != Z_OK) throw RunError("zlib has no memory to compress with");
     }
     ~Stream() { deflateEnd(&state_); }
     Stream(const Stream&) = delete;

@@ -97,7 +97,6 @@ std::size_t size_without_frames() {
 }  // namespace
 
 void write_replay_page(std::ostream& page, const Record& record, const PageOptions& options) {
-    if (record.frames() == 0) throw InputError("The replay has no frames; let its times overlap with the run.");
     const Quanta quanta = quanta_of(record);
     const std::size_t header_size = page_header(record, quanta, {}).size();
     const std::size_t fixed = size_without_frames() + header_size + 1000;

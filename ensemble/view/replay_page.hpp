@@ -17,7 +17,7 @@ struct PageOptions {
 };
 
 /// Frames are read one at a time, twice or oftener; what is kept of them is compressed, so memory is bounded by the
-/// size of the page. Throws InputError for a record without frames.
+/// size of the page. Throws InputError when even its first and last frame are larger than that.
 void write_replay_page(std::ostream& page, const Record& record, const PageOptions& options = {});
 
 /// The same to a file. Throws RunError when it cannot be written.

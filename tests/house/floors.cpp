@@ -46,6 +46,7 @@ const std::vector<Room>& rooms() {
         {11, "forecast", ""},
         {11, "findings", ""},
         {12, "page", ""},
+        {12, "view", "nlohmann json, zlib"},
         {13, "cli", "CLI11, nlohmann json, POSIX, TBB"},
     };
     return table;

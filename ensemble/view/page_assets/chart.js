@@ -117,6 +117,8 @@ class Chart {
     context.lineWidth = 1;
     this.drawAxes(y, low, high);
     this.drawFailures(history);
+    context.textAlign = 'left';
+    context.fillText('analysis window', Math.max(this.x(header.window[0]), frame.left) + 6, frame.top + 7);
     context.strokeStyle = styled(this.component);
     context.lineJoin = 'round';
     context.lineWidth = 1.2;
@@ -132,7 +134,7 @@ class Chart {
     context.fillStyle = styled('soft');
     context.textBaseline = 'middle';
     context.textAlign = 'right';
-    const many = Math.max(2, Math.floor((frame.bottom - frame.top) / 28));
+    const many = Math.max(2, Math.floor((frame.bottom - frame.top) / 20));
     for (const tick of Chart.ticks(low, high, many)) {
       const at = Math.round(y(tick)) + 0.5;
       context.beginPath();

@@ -6,7 +6,7 @@ attribute vec3 placeA, placeB, tint;
 attribute vec4 turnA, turnB, edges;
 uniform float share, quantum;
 uniform vec3 middle, size;
-varying vec3 vTint, vNormal, vLocal, vSide, vWorld;
+varying vec3 vTint, vNormal, vUp, vLocal, vSide, vWorld;
 varying vec4 vEdges;
 vec3 turned(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 void main() {
@@ -14,6 +14,7 @@ void main() {
   vWorld = middle + quantum * mix(placeA, placeB, share) + turned(turn, size * position);
   vTint = tint;
   vNormal = turned(turn, normal);
+  vUp = turned(turn, vec3(0.0, 1.0, 0.0));
   vSide = normal;
   vLocal = position;
   vEdges = edges;
@@ -23,8 +24,9 @@ void main() {
 // Lines along the four edges of upper and lower faces tell joints (faint), outlines of floes (dark), outlines of broken
 // floes and failed joints apart; faces that a failed joint left have its colour.
 const iceFragmentShader = `
-uniform vec3 sun, water, jointLine, rimLine, brokenLine, failedLine;
-varying vec3 vTint, vNormal, vLocal, vSide, vWorld;
+uniform float parallel;
+uniform vec3 sun, sight, water, jointLine, rimLine, brokenLine, failedLine;
+varying vec3 vTint, vNormal, vUp, vLocal, vSide, vWorld;
 varying vec4 vEdges;
 void line(inout vec3 colour, float edge, float distance, float pixel) {
   float failed = step(0.9, edge), broken = step(0.6, edge) - failed, rim = step(0.3, edge) - failed - broken;
@@ -38,6 +40,8 @@ void line(inout vec3 colour, float edge, float distance, float pixel) {
 }
 void main() {
   vec3 colour = vTint;
+  vec3 n = normalize(vNormal);
+  vec3 view = parallel > 0.5 ? -sight : normalize(cameraPosition - vWorld);
   if (abs(vSide.y) > 0.5) {
     vec2 pixel = fwidth(vLocal.xz);
     line(colour, vEdges.x, 0.5 - vLocal.x, pixel.x);
@@ -47,11 +51,12 @@ void main() {
   } else {
     float edge = vSide.x > 0.5 ? vEdges.x : vSide.x < -0.5 ? vEdges.y : vSide.z > 0.5 ? vEdges.z : vEdges.w;
     colour = mix(colour, failedLine, 0.5 * step(0.9, edge));
+    // Within a piece, faces show only through gaps thinner than a pixel: there they must look like what is round them.
+    if (edge < 0.3) n = vUp * sign(dot(vUp, view));
   }
-  vec3 n = normalize(vNormal);
-  float light = 0.66 + 0.16 * n.y + 0.26 * max(dot(n, sun), 0.0);
+  float light = 0.68 + 0.08 * n.y + 0.2 * max(dot(n, sun), 0.0) + 0.2 * max(dot(n, view), 0.0);
   colour *= min(light, 1.04);
-  gl_FragColor = vec4(mix(colour, water, vWorld.y < 0.0 ? 0.22 : 0.0), 1.0);
+  gl_FragColor = vec4(mix(colour, water, vWorld.y < 0.0 ? 0.15 : 0.0), 1.0);
 }`;
 
 const sunDirection = new THREE.Vector3(-0.45, 0.8, 0.5).normalize();
@@ -84,6 +89,7 @@ class Ice {
       uniforms: {
         share: {value: 0}, quantum: {value: header.quanta.length}, middle: {value: three(header.quanta.middle)},
         size: {value: three(header.element)}, sun: {value: sunDirection},
+        parallel: {value: 0}, sight: {value: new THREE.Vector3()},
         water: colour(), jointLine: colour(), rimLine: colour(), brokenLine: colour(), failedLine: colour(),
       },
     });
@@ -100,6 +106,12 @@ class Ice {
     rimLine.value.set(styled('rim'));
     brokenLine.value.set(styled('broken'));
     failedLine.value.set(styled('failed'));
+  }
+
+  lookFrom(camera) {
+    const {parallel, sight} = this.material.uniforms;
+    parallel.value = camera.isOrthographicCamera ? 1 : 0;
+    camera.getWorldDirection(sight.value);
   }
 
   refill(name, values) {

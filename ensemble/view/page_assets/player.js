@@ -176,6 +176,10 @@ class Player {
       this.redraw();
     });
     on('follow', 'change', () => this.setFollow($('follow').checked));
+    on('see-through', 'change', () => {
+      this.stage.structure.seeThrough($('see-through').checked);
+      this.redraw();
+    });
     on('colouring', 'change', () => this.setColour($('colouring').value));
     for (const id of ['load-arrows', 'contact-arrows', 'arrow-scale']) on(id, 'change', () => this.setArrows());
     on('ask', 'click', () => $('help').showModal());
@@ -194,7 +198,10 @@ class Player {
 
   key(event) {
     if (event.ctrlKey || event.metaKey || event.altKey || $('help').open) return;
-    const isTyping = event.target.matches('select');
+    // A control that was reached by keyboard keeps its own keys.
+    if (event.target.matches('select:focus-visible')) return;
+    if (event.key === ' ' && event.target.matches('button:focus-visible,summary:focus-visible,[type=checkbox]:focus-visible'))
+      return;
     const flip = id => {
       $(id).checked = !$(id).checked;
       $(id).dispatchEvent(new Event('change'));
@@ -217,6 +224,7 @@ class Player {
       c: () => cycle('colouring'),
       l: () => cycle('component'),
       s: () => flip('follow'),
+      x: () => flip('see-through'),
       f: () => {
         const both = !($('load-arrows').checked || $('contact-arrows').checked);
         $('load-arrows').checked = $('contact-arrows').checked = both;
@@ -225,7 +233,7 @@ class Player {
       '?': () => $('help').showModal(),
     };
     const act = keys[event.key] || (views[event.key - 1] && (() => this.setView(views[event.key - 1].name)));
-    if (!act || (isTyping && event.key.startsWith('Arrow'))) return;
+    if (!act) return;
     event.preventDefault();
     act();
   }

@@ -74,6 +74,7 @@ class Stage {
     this.structure.position.x = structure;
     this.arrows.show(forceArrows(replay, frame, time, this.longer / this.newtons, this.shows));
     const camera = this.orbit.camera(this.aspect, structure);
+    this.ice.lookFrom(camera);
     renderer.setClearColor(styled(camera.position.y < 0 ? 'deep' : 'far'));
     renderer.render(this.scene, camera);
   }

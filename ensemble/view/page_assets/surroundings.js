@@ -12,6 +12,11 @@ function makeStructure(header) {
   for (let i = 1; i < outline.length; ++i)
     group.add(new THREE.Mesh(new THREE.LatheBufferGeometry([outline[i - 1], outline[i]], 96), material));
   group.useTheme = () => material.color.set(styled('structure'));
+  group.seeThrough = through => {
+    material.transparent = through;
+    material.opacity = through ? 0.35 : 1;
+    material.depthWrite = !through;
+  };
   return group;
 }
 
@@ -67,7 +72,7 @@ function makeWater(header) {
     transparent: true, depthWrite: false, side: THREE.DoubleSide,
     uniforms: {
       water: colour(), background: colour(), ink: colour(), cell: {value: cellSize(header)}, reach: {value: reach},
-      opacity: {value: 0.62}, centre: {value: new THREE.Vector3()},
+      opacity: {value: 0.5}, centre: {value: new THREE.Vector3()},
     },
   });
   const plane = new THREE.Mesh(new THREE.PlaneBufferGeometry(2 * reach, 2 * reach), material);
@@ -90,8 +95,10 @@ function cellSize(header) {
 
 function makeLights() {
   const group = new THREE.Group();
-  const sun = new THREE.DirectionalLight(0xffffff, 0.55);
+  const sun = new THREE.DirectionalLight(0xffffff, 0.42);
   sun.position.copy(sunDirection);
-  group.add(sun, new THREE.HemisphereLight(0xffffff, 0x9fb4c4, 0.62));
+  const fromBelow = new THREE.DirectionalLight(0xffffff, 0.25); // else undersides would be black
+  fromBelow.position.set(0.5, -0.6, 0.8);
+  group.add(sun, fromBelow, new THREE.HemisphereLight(0xffffff, 0xc4d2dc, 0.62));
   return group;
 }
