@@ -19,9 +19,9 @@ std::vector<double> value_steps(hid_t file) {
     return steps;
 }
 
-}  // namespace
-
-void for_each_history(const std::filesystem::path& path, const std::function<void(const SurgeHistory&)>& use) {
+/// Of the members that `wanted` takes.
+void for_histories(const std::filesystem::path& path, const std::function<bool(int member)>& wanted,
+                   const std::function<void(const SurgeHistory&)>& use) {
     const hdf5::QuietErrors quiet;
     const hdf5::Handle file = hdf5::open_for_reading(path);
     const char* name = "history/surge_load";
@@ -36,7 +36,7 @@ void for_each_history(const std::filesystem::path& path, const std::function<voi
     const hdf5::Handle row_space(H5Screate_simple(1, &size[1], nullptr), H5Sclose, "H5Screate_simple", name);
     std::vector<double> row(size[1]);
     for (std::size_t member = 0; member < status.size(); ++member) {
-        if (static_cast<RowStatus>(status[member]) != RowStatus::done) continue;
+        if (static_cast<RowStatus>(status[member]) != RowStatus::done || !wanted(static_cast<int>(member))) continue;
         const std::array<hsize_t, 2> start{member, 0};
         const std::array<hsize_t, 2> count{1, size[1]};
         hdf5::check(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
@@ -49,6 +49,16 @@ void for_each_history(const std::filesystem::path& path, const std::function<voi
         const auto of_case = static_cast<std::size_t>(cases[member]);
         if (length > 0) use({static_cast<int>(member), steps.at(of_case), std::span(row).first(length)});
     }
+}
+
+}  // namespace
+
+void for_each_history(const std::filesystem::path& path, const std::function<void(const SurgeHistory&)>& use) {
+    for_histories(path, [](int) { return true; }, use);
+}
+
+void with_history(const std::filesystem::path& path, int member, const std::function<void(const SurgeHistory&)>& use) {
+    for_histories(path, [member](int one) { return one == member; }, use);
 }
 
 }  // namespace floes

@@ -17,4 +17,7 @@ struct SurgeHistory {
 /// /history/surge_load, so that who reads must say when there was none. Throws as read_campaign_file() does.
 void for_each_history(const std::filesystem::path& path, const std::function<void(const SurgeHistory&)>& use);
 
+/// The same for one member.
+void with_history(const std::filesystem::path& path, int member, const std::function<void(const SurgeHistory&)>& use);
+
 }  // namespace floes

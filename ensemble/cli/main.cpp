@@ -52,6 +52,7 @@ int main(int argc, char** argv) {
     floes::add_cantilever(program, exit_status);
     floes::add_hybrid(program, exit_status);
     floes::add_report(program, exit_status);
+    floes::add_replay(program, exit_status);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -58,12 +58,16 @@ class QuietErrors {
 /// refuse locks.
 Handle access_without_locks();
 
-/// Memory type of a double, int32, int8; text of any length in UTF-8.
+/// Memory type of a double, float, int32, int8; text of any length in UTF-8.
 template <class Value>
 hid_t native_type();
 template <>
 inline hid_t native_type<double>() {
     return H5T_NATIVE_DOUBLE;
+}
+template <>
+inline hid_t native_type<float>() {
+    return H5T_NATIVE_FLOAT;
 }
 template <>
 inline hid_t native_type<std::int32_t>() {

@@ -1,5 +1,5 @@
 #pragma once
-// Reading named datasets and attributes of an HDF5 file. For the .cpp files of this room only.
+// Reading named datasets and attributes of an HDF5 file. Only for sources of rooms with HDF5 files of their own.
 
 #include <cstdint>
 #include <filesystem>

@@ -1,6 +1,6 @@
 #pragma once
 // Writing a self-describing HDF5 file in the manner of netCDF-4: labelled datasets on named dimension scales.
-// For the .cpp files of this room only.
+// Only for sources of rooms with HDF5 files of their own.
 
 #include <cstdint>
 #include <filesystem>

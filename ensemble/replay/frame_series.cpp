@@ -1,0 +1,110 @@
+#include "replay/frame_series.hpp"
+
+#include <vector>
+
+namespace floes {
+namespace {
+
+constexpr hsize_t numbers_a_chunk = 1024;   // of frames
+constexpr hsize_t contacts_a_chunk = 4096;  // of a few frames
+
+void put(std::vector<float>& values, const Vec3& v) {
+    for (const double part : {v.x(), v.y(), v.z()}) values.push_back(static_cast<float>(part));
+}
+
+}  // namespace
+
+FrameSeries::Elements::Elements(hid_t group, const RecordScales& scales)
+    : position(group, {"position", "m", "centre of each element"}, {scales.element, scales.coordinate}, 1),
+      orientation(group, {"orientation", "1", "unit quaternion from the element's axes to world axes"},
+                  {scales.element, scales.quaternion}, 1),
+      velocity(group, {"velocity", "m s-1", "velocity of the centre"}, {scales.element, scales.coordinate}, 1),
+      piece(group, {"piece", "1", "first element of the connected piece that the element belongs to"}, {scales.element},
+            1),
+      utilisation(group, {"utilisation", "1", "largest reaction over threshold of the element's joints, 0 to 1"},
+                  {scales.element}, 1) {}
+
+FrameSeries::Numbers::Numbers(hid_t group)
+    : step(group, {"step", "1", "steps completed"}, {}, numbers_a_chunk),
+      structure(group, {"structure", "m", "x of the structure's axis"}, {}, numbers_a_chunk),
+      surge(group, {"surge_load", "N", "load of the step, positive against the tow"}, {}, numbers_a_chunk),
+      sway(group, {"sway_load", "N", "load of the step, positive towards +z"}, {}, numbers_a_chunk),
+      heave(group, {"heave_load", "N", "load of the step, positive up"}, {}, numbers_a_chunk),
+      first_contact(group, {"first_contact", "1", "row of /contacts with the frame's first contact"}, {},
+                    numbers_a_chunk),
+      contacts(group, {"contacts", "1", "number of contacts"}, {}, numbers_a_chunk) {}
+
+FrameSeries::Contacts::Contacts(hid_t group, const hdf5::Scale& coordinate)
+    : element(group, {"element", "1", "element that the forces act on"}, {}, contacts_a_chunk),
+      other(group, {"other", "1", "what touches it: an element, -1 the structure, -2 an ice sheet"}, {},
+            contacts_a_chunk),
+      point(group, {"point", "m", "point of contact"}, {coordinate}, contacts_a_chunk),
+      normal(group, {"normal_force", "N", "normal force on the element"}, {coordinate}, contacts_a_chunk),
+      friction(group, {"friction_force", "N", "friction force on the element"}, {coordinate}, contacts_a_chunk) {}
+
+FrameSeries::FrameSeries(hid_t file, const RecordScales& scales)
+    : time_(file, {"time", "s", "time of each frame"}, {}, numbers_a_chunk),
+      frames_group_(hdf5::create_group(file, "frames")),
+      contacts_group_(hdf5::create_group(file, "contacts")),
+      elements_(frames_group_.id(), scales),
+      numbers_(frames_group_.id()),
+      contacts_(contacts_group_.id(), scales.coordinate) {
+    time_.become_scale();
+    for (const hid_t dataset :
+         {elements_.position.id(), elements_.orientation.id(), elements_.velocity.id(), elements_.piece.id(),
+          elements_.utilisation.id(), numbers_.step.id(), numbers_.structure.id(), numbers_.surge.id(),
+          numbers_.sway.id(), numbers_.heave.id(), numbers_.first_contact.id(), numbers_.contacts.id()})
+        time_.scales(dataset);
+}
+
+void FrameSeries::add(const Frame& frame) {
+    time_.append(frame.time);
+    numbers_.step.append(frame.step);
+    numbers_.structure.append(frame.structure);
+    numbers_.surge.append(-frame.load.x());
+    numbers_.sway.append(frame.load.z());
+    numbers_.heave.append(frame.load.y());
+    numbers_.first_contact.append(static_cast<std::int32_t>(contacts_.element.rows()));
+    numbers_.contacts.append(static_cast<std::int32_t>(frame.contacts.size()));
+    add_elements(frame);
+    add_contacts(frame.contacts);
+}
+
+void FrameSeries::add_elements(const Frame& frame) {
+    std::vector<float> position;
+    std::vector<float> orientation;
+    std::vector<float> velocity;
+    for (const BodyState& element : frame.elements) {
+        const Quat q(element.rotation);
+        put(position, element.position);
+        for (const double part : {q.w(), q.x(), q.y(), q.z()}) orientation.push_back(static_cast<float>(part));
+        put(velocity, element.velocity);
+    }
+    elements_.position.append(position);
+    elements_.orientation.append(orientation);
+    elements_.velocity.append(velocity);
+    elements_.piece.append(std::vector<std::int32_t>(frame.pieces.begin(), frame.pieces.end()));
+    elements_.utilisation.append(std::vector<float>(frame.utilisation.begin(), frame.utilisation.end()));
+}
+
+void FrameSeries::add_contacts(const std::vector<FrameContact>& contacts) {
+    std::vector<std::int32_t> element;
+    std::vector<std::int32_t> other;
+    std::vector<float> point;
+    std::vector<float> normal;
+    std::vector<float> friction;
+    for (const FrameContact& contact : contacts) {
+        element.push_back(contact.element);
+        other.push_back(contact.other);
+        put(point, contact.point);
+        put(normal, contact.normal);
+        put(friction, contact.friction);
+    }
+    contacts_.element.append(element);
+    contacts_.other.append(other);
+    contacts_.point.append(point);
+    contacts_.normal.append(normal);
+    contacts_.friction.append(friction);
+}
+
+}  // namespace floes

@@ -1,0 +1,65 @@
+#pragma once
+// The part of a record that grows: what each frame adds to the file. For this room only.
+
+#include <cstdint>
+
+#include "hdf5/series.hpp"
+#include "simulation/frame.hpp"
+
+namespace floes {
+
+/// Scales of a record's frames.
+struct RecordScales {
+    hdf5::Scale coordinate;
+    hdf5::Scale quaternion;
+    hdf5::Scale element;
+};
+
+class FrameSeries {
+  public:
+    FrameSeries(hid_t file, const RecordScales& scales);
+
+    void add(const Frame& frame);
+
+  private:
+    void add_elements(const Frame& frame);
+    void add_contacts(const std::vector<FrameContact>& contacts);
+
+    struct Elements {
+        Elements(hid_t group, const RecordScales& scales);
+        hdf5::Series<float> position;
+        hdf5::Series<float> orientation;
+        hdf5::Series<float> velocity;
+        hdf5::Series<std::int32_t> piece;
+        hdf5::Series<float> utilisation;
+    };
+
+    struct Numbers {
+        explicit Numbers(hid_t group);
+        hdf5::Series<std::int32_t> step;
+        hdf5::Series<double> structure;
+        hdf5::Series<double> surge;
+        hdf5::Series<double> sway;
+        hdf5::Series<double> heave;
+        hdf5::Series<std::int32_t> first_contact;
+        hdf5::Series<std::int32_t> contacts;
+    };
+
+    struct Contacts {
+        Contacts(hid_t group, const hdf5::Scale& coordinate);
+        hdf5::Series<std::int32_t> element;
+        hdf5::Series<std::int32_t> other;
+        hdf5::Series<float> point;
+        hdf5::Series<float> normal;
+        hdf5::Series<float> friction;
+    };
+
+    hdf5::Series<double> time_;
+    hdf5::Handle frames_group_;
+    hdf5::Handle contacts_group_;
+    Elements elements_;
+    Numbers numbers_;
+    Contacts contacts_;
+};
+
+}  // namespace floes

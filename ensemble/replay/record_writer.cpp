@@ -1,0 +1,202 @@
+#include <fcntl.h>
+#include <fmt/format.h>
+
+#include <numeric>
+#include <optional>
+#include <system_error>
+
+#include "core/error.hpp"
+#include "records/build_info.hpp"
+#include "records/file_calls.hpp"
+#include "replay/frame_series.hpp"
+#include "replay/record.hpp"
+
+namespace floes {
+namespace {
+
+using hdf5::Handle;
+using hdf5::Scale;
+
+Scale index_scale(hid_t parent, const char* name, const char* long_name, std::size_t count) {
+    std::vector<std::int32_t> numbers(count);
+    std::iota(numbers.begin(), numbers.end(), 0);
+    return hdf5::write_scale(parent, {name, "1", long_name}, numbers);
+}
+
+Scale words_scale(hid_t parent, const char* name, const char* long_name, const std::vector<std::string>& words) {
+    return hdf5::write_scale(parent, {name, "1", long_name}, words);
+}
+
+void write_root(hid_t file, const RecordSubject& subject) {
+    const auto write_number = [file](const char* name, std::int32_t value) {
+        hdf5::write_attribute(file, name, std::span<const std::int32_t>(&value, 1));
+    };
+    const std::vector<std::int32_t> version(record_version.begin(), record_version.end());
+    hdf5::write_attribute(file, "title",
+                          fmt::format("{}: member {}, case {}, arrangement {}", subject.campaign, subject.member,
+                                      subject.case_name, subject.arrangement));
+    hdf5::write_attribute(file, "Conventions", std::string("CF-1.8"));
+    hdf5::write_attribute(file, "filetype", std::string(record_filetype));
+    hdf5::write_attribute(file, "version", version);
+    hdf5::write_attribute(file, "software", std::string("floes"));
+    hdf5::write_attribute(file, "softwareVersion", floes_version());
+    hdf5::write_attribute(file, "campaign", subject.campaign);
+    hdf5::write_attribute(file, "fingerprint", subject.fingerprint);
+    hdf5::write_attribute(file, "case", subject.case_name);
+    write_number("member", subject.member);
+    write_number("arrangement", subject.arrangement);
+    hdf5::write_attribute(file, "time_step", subject.scenario.general.time_step);
+}
+
+void write_ice(hid_t file, const RecordSubject& subject, int floes, const Scale& element) {
+    std::vector<std::int32_t> floe;
+    const int each = elements_of_a_floe(subject);
+    for (int k = 0; k < floes * each; ++k) floe.push_back(k / each);
+    const Handle group = hdf5::create_group(file, "ice");
+    hdf5::write_attribute(group.id(), "element_side", subject.scenario.floe.element);
+    hdf5::write_attribute(group.id(), "thickness", subject.scenario.ice.thickness);
+    hdf5::write_values(group.id(), {"floe", "1", "floe of each element"}, {element}, floe);
+}
+
+void write_structure(hid_t file, const Shape& shape) {
+    const Handle group = hdf5::create_group(file, "structure");
+    const std::vector<std::vector<double>> rows = shape.rows();
+    const Scale point =
+        index_scale(group.id(), "profile_point", "point of the profile, from the bottom up", rows.size());
+    for (std::size_t k = 0; k < Shape::columns.size(); ++k) {
+        std::vector<double> column;
+        for (const std::vector<double>& row : rows) column.push_back(row[k]);
+        const ShapeColumn& about = Shape::columns[k];
+        hdf5::write_values(group.id(), {std::string(about.name), std::string(about.unit), std::string(about.text)},
+                           {point}, column);
+    }
+}
+
+void write_sheets(hid_t file, const std::vector<IceSheet>& all, const Scale& coordinate) {
+    const Handle group = hdf5::create_group(file, "ice_sheets");
+    const Scale sheet = index_scale(group.id(), "sheet", "fixed box of ice along the channel", all.size());
+    std::vector<double> centres;
+    std::vector<double> sides;
+    for (const IceSheet& one : all) {
+        const Vec3 whole = 2 * one.half_extents;
+        centres.insert(centres.end(), one.centre.begin(), one.centre.end());
+        sides.insert(sides.end(), whole.begin(), whole.end());
+    }
+    hdf5::write_values(group.id(), {"centre", "m", "middle of each sheet"}, {sheet, coordinate}, centres);
+    hdf5::write_values(group.id(), {"sides", "m", "length of its sides"}, {sheet, coordinate}, sides);
+}
+
+void write_joints(hid_t file, const RecordSubject& subject, int floes, const std::vector<BreakEvent>& breaks) {
+    const std::vector<RecordJoint> joints = joints_of(subject, floes);
+    const std::size_t each = joints.size() / static_cast<std::size_t>(std::max(floes, 1));
+    std::vector<std::int32_t> a;
+    std::vector<std::int32_t> b;
+    for (const RecordJoint& joint : joints) {
+        a.push_back(joint.a);
+        b.push_back(joint.b);
+    }
+    std::vector<double> time(joints.size(), std::numeric_limits<double>::quiet_NaN());
+    std::vector<std::int8_t> mode(joints.size(), -1);
+    for (const BreakEvent& event : breaks) {
+        const std::size_t joint = static_cast<std::size_t>(event.floe) * each + static_cast<std::size_t>(event.joint);
+        time[joint] = event.time;
+        mode[joint] = static_cast<std::int8_t>(event.mode);
+    }
+    hdf5::Flags modes{.values = {}, .meanings = {}, .missing = std::int8_t{-1}};
+    for (std::size_t k = 0; k < failure_mode_names.size(); ++k) {
+        modes.values.push_back(static_cast<std::int8_t>(k));
+        modes.meanings += (k > 0 ? " " : "") + std::string(failure_mode_names[k]);
+    }
+    const Handle group = hdf5::create_group(file, "joints");
+    const Scale joint = index_scale(file, "joint", "joint, floe by floe", joints.size());
+    hdf5::write_values(group.id(), {"a", "1", "element that the joint connects with b"}, {joint}, a);
+    hdf5::write_values(group.id(), {"b", "1", "element that the joint connects with a"}, {joint}, b);
+    hdf5::write_values(group.id(), {"failure_time", "s", "when it failed; NaN: it did not"}, {joint}, time);
+    hdf5::write_values(group.id(), {"failure_mode", "1", "how it failed"}, {joint}, mode, modes);
+}
+
+void write_history(hid_t file, const LoadHistory& history, double time_step) {
+    std::vector<double> end;
+    for (std::size_t k = 0; k < history.surge.size(); ++k) end.push_back(static_cast<double>(k + 1) * time_step);
+    const Handle group = hdf5::create_group(file, "history");
+    const Scale step = hdf5::write_scale(file, {"step_end", "s", "end of each time step"}, end);
+    hdf5::write_values(group.id(), {"surge_load", "N", "positive against the tow"}, {step}, history.surge);
+    hdf5::write_values(group.id(), {"sway_load", "N", "positive towards +z"}, {step}, history.sway);
+    hdf5::write_values(group.id(), {"heave_load", "N", "positive up"}, {step}, history.heave);
+}
+
+}  // namespace
+
+class RecordWriter::File {
+  public:
+    File(std::filesystem::path path, const RecordSubject& subject, int floes)
+        : path_(std::move(path)), aside_(path_.string() + ".tmp"), subject_(subject), floes_(floes) {
+        file_.emplace(hdf5::create_file(aside_));
+        open_.emplace(file_->id(), subject_, floes_);
+    }
+    File(const File&) = delete;
+    File& operator=(const File&) = delete;
+    ~File() {
+        if (file_) drop();
+    }
+
+    void add(const Frame& frame) { open_->series.add(frame); }
+
+    void finish(const RecordOutcome& outcome) {
+        write_joints(file_->id(), subject_, floes_, outcome.breaks);
+        write_history(file_->id(), outcome.history, subject_.scenario.general.time_step);
+        open_.reset();  // only then does closing the file write everything
+        file_->close("H5Fclose", path_.string());
+        file_.reset();
+        sync_data(open_file(aside_, O_RDWR), aside_);
+        std::filesystem::rename(aside_, path_);
+    }
+
+  private:
+    struct Open {
+        Open(hid_t file, const RecordSubject& subject, int floes)
+            : scales{words_scale(file, "coordinate", "axis of a vector", {"x", "y", "z"}),
+                     words_scale(file, "quaternion", "part of a quaternion", {"w", "x", "y", "z"}),
+                     index_scale(file, "element", "element, floe by floe",
+                                 static_cast<std::size_t>(floes * elements_of_a_floe(subject)))},
+              series(file, scales) {
+            write_root(file, subject);
+            hdf5::write_text(file, {"configuration", "1", "the member's case as a campaign, TOML"},
+                             subject.configuration);
+            write_ice(file, subject, floes, scales.element);
+            write_structure(file, subject.scenario.structure.shape);
+            write_sheets(file, channel_of(subject).sheets, scales.coordinate);
+        }
+        RecordScales scales;
+        FrameSeries series;
+    };
+
+    void drop() {
+        open_.reset();
+        file_.reset();
+        std::error_code ignored;
+        std::filesystem::remove(aside_, ignored);
+    }
+
+    std::filesystem::path path_;
+    std::filesystem::path aside_;
+    RecordSubject subject_;
+    int floes_;
+    hdf5::QuietErrors quiet_;
+    std::optional<Handle> file_;
+    std::optional<Open> open_;
+};
+
+RecordWriter::RecordWriter(const std::filesystem::path& path, const RecordSubject& subject, int floes)
+    : file_(std::make_unique<File>(path, subject, floes)) {}
+RecordWriter::~RecordWriter() = default;
+
+void RecordWriter::add(const Frame& frame) {
+    file_->add(frame);
+}
+
+void RecordWriter::finish(const RecordOutcome& outcome) {
+    file_->finish(outcome);
+}
+
+}  // namespace floes

@@ -1,0 +1,176 @@
+#include "replay/replay_member.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "campaign/identity.hpp"
+#include "campaign/write.hpp"
+#include "campaign_file/measure_anew.hpp"
+#include "campaign_file/read_details.hpp"
+#include "campaign_file/read_history.hpp"
+#include "core/error.hpp"
+#include "core/wording.hpp"
+#include "member/run_member.hpp"
+#include "quantities/quantity.hpp"
+
+namespace floes {
+namespace {
+
+bool same_bits(double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (std::isnan(a) && std::isnan(b));
+}
+
+void compare_quantities(const MemberRow& stored, const MemberResult& now, std::vector<std::string>& found) {
+    for (const Quantity& one : quantities) {
+        const double there = one.of(stored);
+        if (std::isnan(there) && one.since > 0) continue;  // older files do not have it
+        const double here = one.of(now);
+        if (!same_bits(there, here))
+            found.push_back(fmt::format("{} is {:.17g} in the file and {:.17g} now.", one.key, there, here));
+    }
+}
+
+void compare_histories(const ReplaySubject& subject, const MemberResult& now, std::vector<std::string>& found) {
+    with_history(subject.file, subject.about.member, [&](const SurgeHistory& stored) {
+        const std::vector<double>& surge = now.history.surge;
+        const auto [there, here] = std::ranges::mismatch(stored.surge, surge, same_bits);
+        if (there == stored.surge.end() && here == surge.end()) return;
+        found.push_back(fmt::format("the surge load differs from t = {:.2f} s on.",
+                                    stored.step * static_cast<double>(here - surge.begin() + 1)));
+    });
+}
+
+void compare_breaks(const ReplaySubject& subject, const MemberResult& now, std::vector<std::string>& found) {
+    std::vector<BreakRow> stored = read_breaks(subject.file);
+    std::erase_if(stored, [&](const BreakRow& row) { return row.member != subject.about.member; });
+    const bool same = std::ranges::equal(stored, now.breaks, [](const BreakRow& there, const BreakEvent& here) {
+        return same_bits(there.time, here.time) && there.floe == here.floe && there.mode == static_cast<int>(here.mode);
+    });
+    if (same) return;
+    found.push_back(fmt::format("{} failed in the file and {} now, or others did.",
+                                counted(static_cast<int>(stored.size()), "joint"), now.breaks.size()));
+}
+
+/// Adds the last step of a run to a history of its own, which is kept whole where the member's is thinned.
+void add_last(const LoadHistory& of_run, LoadHistory& history) {
+    history.surge.push_back(of_run.surge.back());
+    history.sway.push_back(of_run.sway.back());
+    history.heave.push_back(of_run.heave.back());
+}
+
+/// A campaign of the one case, whose Σ is what the file says it was found to be.
+Campaign with_case(const Campaign& whole, int case_index, const CaseRow& stored) {
+    Campaign campaign = whole;
+    Case one = whole.cases.at(static_cast<std::size_t>(case_index));
+    if (one.calibrate) one.scenario.joint.cfm = stored.cfm;
+    one.calibrate = false;
+    one.base.clear();
+    one.point = -1;
+    campaign.cases = {std::move(one)};
+    campaign.design = {};
+    campaign.stop = {};
+    return campaign;
+}
+
+}  // namespace
+
+FrameSteps frame_steps(const FrameTimes& times, const Scenario& scenario) {
+    const double step = scenario.general.time_step;
+    const double end = step * scenario.step_count();
+    if (!(times.from <= times.to) || times.to < 0 || times.from > end + step / 2)
+        throw InputError(
+            fmt::format("There are no frames from {:g} s to {:g} s: the run goes from 0 s to {:g} s; give --from and "
+                        "--to within it.",
+                        times.from, times.to, end));
+    const auto nearest = [&](double time) { return static_cast<int>(std::llround(std::clamp(time, 0.0, end) / step)); };
+    FrameSteps steps{nearest(times.from), nearest(times.to), std::max(1, nearest(times.every))};
+    const int through = nearest(times.through);
+    if (through >= steps.first && through <= steps.last) steps.first += (through - steps.first) % steps.stride;
+    return steps;
+}
+
+ReplaySubject replay_subject(const std::filesystem::path& file, const CampaignTable& table, int member) {
+    const CampaignOrigin origin = read_origin(file);
+    const Campaign campaign = campaign_of(origin, file);
+    if (member < 0 || member >= static_cast<int>(table.members.size()))
+        throw InputError(fmt::format("{} has no member {}: its members are 0 to {}.", file.string(), member,
+                                     static_cast<int>(table.members.size()) - 1));
+    const MemberKey key = member_key(campaign, member);
+    const auto row = static_cast<std::size_t>(key.case_index);
+    ReplaySubject subject;
+    subject.file = file;
+    subject.stored = table.members[static_cast<std::size_t>(member)];
+    subject.seed = arrangement_seed(campaign, key.case_index);
+    const Campaign one = with_case(campaign, key.case_index, table.cases.at(row));
+    subject.about = {.campaign = campaign.name,
+                     .fingerprint = fingerprint(campaign),
+                     .configuration = write_campaign(one),
+                     .case_name = campaign.cases[row].name,
+                     .member = member,
+                     .arrangement = key.arrangement,
+                     .scenario = one.cases.front().scenario};
+    return subject;
+}
+
+double time_of_largest_load(const ReplaySubject& subject) {
+    double time = std::numeric_limits<double>::quiet_NaN();
+    with_history(subject.file, subject.about.member, [&](const SurgeHistory& history) {
+        const std::span<const double> window = in_window(history, subject.about.scenario.analysis);
+        if (window.empty()) return;
+        const auto largest = std::ranges::max_element(window);
+        const auto before = history.surge.size() - window.size();
+        time = history.step * static_cast<double>(before + static_cast<std::size_t>(largest - window.begin()) + 1);
+    });
+    return time;
+}
+
+std::vector<std::string> differences(const ReplaySubject& subject, const MemberResult& result) {
+    std::vector<std::string> found;
+    const bool failed = result.status == MemberStatus::failed;
+    if (subject.stored.status == RowStatus::missing) return {"the file does not have the member yet."};
+    if (failed != (subject.stored.status == RowStatus::failed)) {
+        return {fmt::format("the member {} in the file and {} now.", failed ? "ended" : "failed",
+                            failed ? "fails: " + result.reason : "ends")};
+    }
+    if (failed) return {};
+    compare_quantities(subject.stored, result, found);
+    compare_histories(subject, result, found);
+    compare_breaks(subject, result, found);
+    return found;
+}
+
+MemberResult replay(const ReplaySubject& subject, const FrameSteps& steps, const std::filesystem::path& path,
+                    const std::stop_token& stop, const ReplayProgress& progress) {
+    const RecordSubject& about = subject.about;
+    RecordWriter record(path, about, about.scenario.field.floes);
+    Frame frame;
+    LoadHistory history;
+    const Watcher watch = [&](const Simulation& run) {
+        if (steps.has(run.steps())) {
+            run.read_frame(frame);
+            record.add(frame);
+        }
+        if (run.steps() > 0) add_last(run.loads(), history);
+        if (progress) progress(run.time());
+    };
+    MemberResult result =
+        run_member(about.scenario, subject.seed, static_cast<std::uint32_t>(about.arrangement), stop, watch);
+    record.finish({std::move(history), result.breaks});
+    return result;
+}
+
+std::vector<Frame> frames_at(const ReplaySubject& subject, const std::vector<int>& steps, const std::stop_token& stop) {
+    std::vector<Frame> frames;
+    const Watcher watch = [&](const Simulation& run) {
+        if (std::ranges::binary_search(steps, run.steps())) run.read_frame(frames.emplace_back());
+    };
+    run_member(subject.about.scenario, subject.seed, static_cast<std::uint32_t>(subject.about.arrangement), stop,
+               watch);
+    return frames;
+}
+
+}  // namespace floes

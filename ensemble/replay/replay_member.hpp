@@ -1,0 +1,72 @@
+#pragma once
+// Computes a member of a campaign file again and keeps frames of it.
+//
+//   const Subject subject(path, member)  ->  replay(subject, frames, record)  ->  a record, and what differs from the
+//   file
+
+#include <filesystem>
+#include <functional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "campaign_file/campaign_table.hpp"
+#include "member/result.hpp"
+#include "replay/record.hpp"
+
+namespace floes {
+
+/// The steps of a run of which frames are kept: every `stride`-th one from `first` to `last`.
+struct FrameSteps {
+    int first = 0;
+    int last = 0;
+    int stride = 1;
+
+    bool has(int step) const { return step >= first && step <= last && (step - first) % stride == 0; }
+    int count() const { return (last - first) / stride + 1; }
+};
+
+/// Which times are wanted, s.
+struct FrameTimes {
+    double from = 0;
+    double to = 0;
+    double every = 0;
+    double through = 0;  ///< a time that a frame must have, if it lies between the two
+};
+
+/// The steps nearest to these times; the stride is at least one. Throws InputError where there are none in the run.
+FrameSteps frame_steps(const FrameTimes& times, const Scenario& scenario);
+
+/// A member of a campaign file, with all that is needed to compute it again.
+struct ReplaySubject {
+    RecordSubject about;
+    MemberRow stored;        ///< as the file has it
+    std::uint64_t seed = 0;  ///< of the streams that its arrangement is drawn from
+    std::filesystem::path file;
+};
+
+/// Throws InputError when the file has no such member, or its configuration is not that of its members.
+ReplaySubject replay_subject(const std::filesystem::path& file, const CampaignTable& table, int member);
+
+/// When the surge load of the member is largest in its window, s: in the histories of the file. NaN where it keeps
+/// none.
+double time_of_largest_load(const ReplaySubject& subject);
+
+/// What differs between the result and what the file has of the member, a sentence each: quantities, breaks and load
+/// history, to the bit. Empty for the same member.
+std::vector<std::string> differences(const ReplaySubject& subject, const MemberResult& result);
+
+/// Called after each step with the time, s, that the run has come to.
+using ReplayProgress = std::function<void(double time)>;
+
+/// Computes the member, writes frames of `steps` and what is known at the end to a record at `path`, and returns the
+/// result. Costs the member's time and that of the frames. A member that fails has a record up to there. Throws
+/// Interrupted on a stop, and then leaves no record.
+MemberResult replay(const ReplaySubject& subject, const FrameSteps& steps, const std::filesystem::path& path,
+                    const std::stop_token& stop = {}, const ReplayProgress& progress = {});
+
+/// The same without a record: frames of these steps, rising, in memory.
+std::vector<Frame> frames_at(const ReplaySubject& subject, const std::vector<int>& steps,
+                             const std::stop_token& stop = {});
+
+}  // namespace floes
