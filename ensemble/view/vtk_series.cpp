@@ -2,15 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <fstream>
 #include <system_error>
-#include <utility>
 
 #include "core/error.hpp"
 #include "simulation/channel.hpp"
 #include "tables/table.hpp"
-#include "view/vtk_state.hpp"
 
 namespace floes {
 namespace {
@@ -37,7 +34,11 @@ void write_vtk_series(const std::filesystem::path& path, const Record& record) {
 
 VtkSeries::VtkSeries(const std::filesystem::path& path, const RecordSubject& subject, int floes,
                      const std::vector<BreakEvent>& breaks)
-    : path_(path), folder_(std::filesystem::path(path).replace_extension()), subject_(subject), broken_(breaks, floes) {
+    : path_(path),
+      folder_(std::filesystem::path(path).replace_extension()),
+      subject_(subject),
+      broken_(breaks, floes),
+      state_{.collection = path.filename().string()} {
     if (path.extension() != ".pvd")
         throw InputError(
             fmt::format("A series for ParaView is named NAME.pvd; '{}' does not end in .pvd.", path.string()));
@@ -57,9 +58,12 @@ void VtkSeries::add(const Frame& frame) {
     write("contacts", 3, contacts_part(frame), frame.time);
     list("ice_sheets", 4, sheets_, frame.time);
 
-    if (frames_ == 0) first_axis_ = frame.structure;
-    last_axis_ = frame.structure;
-    largest_load_ = std::max(largest_load_, frame.load.norm());
+    if (frames_ == 0) state_.first_axis = frame.structure;
+    state_.last_axis = frame.structure;
+    if (frames_ == 0 || frame.load.norm() > state_.largest_load) {
+        state_.largest_load = frame.load.norm();
+        state_.time_of_largest_load = frame.time;
+    }
     ++frames_;
 }
 
@@ -76,12 +80,7 @@ void VtkSeries::list(const std::string& part, int number, const std::string& fil
 }
 
 void VtkSeries::finish() {
-    write_text(std::filesystem::path(path_).replace_extension(".py"),
-               vtk_state({.collection = path_.filename().string(),
-                          .first_axis = first_axis_,
-                          .last_axis = last_axis_,
-                          .largest_load = largest_load_},
-                         subject_));
+    write_text(std::filesystem::path(path_).replace_extension(".py"), vtk_state(state_, subject_));
     write_text(path_, fmt::format("<?xml version=\"1.0\"?>\n"
                                   "<VTKFile type=\"Collection\" version=\"1.0\">\n<Collection>\n{}"
                                   "</Collection>\n</VTKFile>\n",

@@ -15,6 +15,7 @@
 #include "replay/record.hpp"
 #include "simulation/frame.hpp"
 #include "view/vtk_parts.hpp"
+#include "view/vtk_state.hpp"
 
 namespace floes {
 
@@ -44,9 +45,7 @@ class VtkSeries {
     std::string sheets_;
     std::string datasets_;  // lines of NAME.pvd
     int frames_ = 0;
-    double first_axis_ = 0;  // x of the structure's axis in the first frame and the last, m
-    double last_axis_ = 0;
-    double largest_load_ = 0;  // N
+    VtkStateOf state_;
 };
 
 }  // namespace floes

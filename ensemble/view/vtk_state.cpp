@@ -17,7 +17,7 @@ constexpr const char* opening = R"PY(# A run of floes as Fig. 5 shows it. Writte
 #   pvpython {name}.py --screenshot out.png [--time SECONDS]
 #                                                   draws it; without a display: xvfb-run -a pvpython ...
 #
-# White: floes. Yellow: the structure. From its deck: the ice load along x (red), y (green) and z (blue), and the whole
+# White: floes. Yellow: the structure. From its deck: the ice load along x (red), y (green) and z (blue), and their sum
 # (white). At the contacts: normal force (red) and friction (green) on the ice. All forces to the same scale.
 
 collection = {collection}
@@ -27,6 +27,7 @@ eye, target = {eye}, {target}  # of the camera while the structure is at x = 0, 
 angle = {angle}  # of view, degrees
 metres_per_newton = {metres_per_newton}
 water = {water}  # x and z of its corners, m
+time_shown = {time_shown}  # s: the frame with the largest load, {largest_load} N
 )PY";
 
 constexpr const char* body = R"PY(
@@ -35,11 +36,17 @@ import os
 
 from paraview.simple import *
 
+paraview.simple._DisableFirstRenderCameraReset()
 folder = os.path.dirname(os.path.abspath(__file__))
 run = PVDReader(registrationName=collection, FileName=os.path.join(folder, collection))
 scene = GetAnimationScene()
 scene.UpdateAnimationUsingDataTimeSteps()
 view = GetActiveViewOrCreate('RenderView')
+view.UseColorPaletteForBackground = 0
+view.Background = [0.75, 0.82, 0.88]
+view.KeyLightWarmth = view.FillLightWarmth = view.HeadLightWarmth = view.BackLightWarmth = 0.5  # white light
+view.KeyLightIntensity = 0.85
+view.OrientationAxesVisibility = 0  # its colours are not those of the load
 
 
 def part(name):
@@ -60,7 +67,7 @@ def forces(name, source, array, colour, width):
                   ScaleArray=['POINTS', array], VectorScaleMode='Scale by Magnitude', ScaleFactor=metres_per_newton,
                   GlyphMode='All Points')
     lines.GlyphTransform.Translate = [0.5, 0, 0]  # lines begin at the point
-    return show(lines, colour, LineWidth=width, RenderLinesAsTubes=1, Ambient=0.6)
+    return show(lines, colour, LineWidth=width, Ambient=0.6)
 
 
 show(part('ice'), [1, 1, 1], Representation='Surface With Edges', EdgeColor=[0.55, 0.62, 0.68], Specular=0)
@@ -75,15 +82,23 @@ forces('normal forces', contacts, 'normal', [0.9, 0.1, 0.1], 3)
 forces('friction', contacts, 'friction', [0.1, 0.7, 0.2], 3)
 
 load = Transform(registrationName='load, from the deck', Input=part('load'))
-load.Transform.Translate = [0, deck, 0]
+load.Transform.Translate = [0, deck + 0.02, 0]
 shown = forces('load', load, 'force', [1, 1, 1], 7)
 ColorBy(shown, ('POINTS', 'component'))
 colours = GetColorTransferFunction('component')
 colours.InterpretValuesAsCategories = 1
-colours.Annotations = ['0', 'x', '1', 'y', '2', 'z', '3', 'sum']
+colours.Annotations = ['0', 'surge', '1', 'heave', '2', 'sway', '3', 'sum']
 colours.IndexedColors = [0.9, 0.1, 0.1, 0.1, 0.7, 0.2, 0.15, 0.3, 1, 1, 1, 1]
+legend = GetScalarBar(colours, view)
+legend.Title, legend.ComponentTitle = 'ice load', ''
+legend.TitleColor = legend.LabelColor = [0, 0, 0]
+legend.TitleFontSize = legend.LabelFontSize = 10
+legend.ScalarBarThickness, legend.ScalarBarLength = 10, 0.16
+legend.WindowLocation, legend.Position = 'Any Location', [0.01, 0.76]
+legend.Visibility = 1
 
-show(AnnotateTimeFilter(registrationName='time', Input=run, Format='t = {time:.2f} s'), [0, 0, 0])
+Show(AnnotateTimeFilter(registrationName='time', Input=run, Format='t = {time:.2f} s'), view, Color=[0, 0, 0],
+     FontSize=10)
 
 # The camera goes with the structure. Delete its track in the Animation View to look from elsewhere while it plays.
 view.CameraViewUp = [0, 1, 0]
@@ -104,7 +119,7 @@ track.KeyFrames = [place(CameraKeyFrame(KeyTime=0), first_axis), place(CameraKey
 
 arguments = argparse.ArgumentParser()
 arguments.add_argument('--screenshot')
-arguments.add_argument('--time', type=float, default=scene.StartTime)
+arguments.add_argument('--time', type=float, default=time_shown)
 wanted = arguments.parse_known_args()[0]
 scene.AnimationTime = min(max(wanted.time, scene.StartTime), scene.EndTime)
 Render()
@@ -131,8 +146,7 @@ std::string vtk_state(const VtkStateOf& series, const RecordSubject& subject) {
     const Camera seen = camera(View::perspective, subject, 0);
     const Channel channel = make_channel(subject.scenario);
     const Shape& shape = subject.scenario.structure.shape;
-    // The largest load is as long as the structure is broad.
-    const double scale = 2 * shape.largest_radius() / std::max(series.largest_load, 1e-9);
+    const double scale = 1.5 * shape.largest_radius() / std::max(series.largest_load, 1e-9);
     const std::string name = series.collection.substr(0, series.collection.rfind('.'));
     return fmt::format(fmt::runtime(opening), fmt::arg("name", name), fmt::arg("collection", quoted(series.collection)),
                        fmt::arg("first_axis", series.first_axis), fmt::arg("last_axis", series.last_axis),
@@ -140,6 +154,8 @@ std::string vtk_state(const VtkStateOf& series, const RecordSubject& subject) {
                        fmt::arg("target", python(seen.target)),
                        fmt::arg("angle", fmt::format("{:.4g}", seen.angle / unit::degree)),
                        fmt::arg("metres_per_newton", fmt::format("{:.4g}", scale)),
+                       fmt::arg("time_shown", series.time_of_largest_load),
+                       fmt::arg("largest_load", fmt::format("{:.4g}", series.largest_load)),
                        fmt::arg("water", fmt::format("[{:.6g}, {:.6g}, {:.6g}, {:.6g}]", channel.begin, channel.end,
                                                      -channel.outer_edge, channel.outer_edge))) +
            body;

@@ -9,10 +9,11 @@ namespace floes {
 
 /// What a state needs to know of the series.
 struct VtkStateOf {
-    std::string collection;   ///< name of the .pvd file beside which the state will stand
-    double first_axis = 0;    ///< x of the structure's axis in the first frame, m
-    double last_axis = 0;     ///< in the last frame
-    double largest_load = 0;  ///< on the structure in any frame, N
+    std::string collection;           ///< name of the .pvd file beside which the state will stand
+    double first_axis = 0;            ///< x of the structure's axis in the first frame, m
+    double last_axis = 0;             ///< in the last frame
+    double largest_load = 0;          ///< on the structure in any frame, N
+    double time_of_largest_load = 0;  ///< s
 };
 
 /// The text of NAME.py. The camera is that of View::perspective.
