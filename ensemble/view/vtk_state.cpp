@@ -15,7 +15,7 @@ constexpr const char* opening = R"PY(# A run of floes as Fig. 5 shows it. Writte
 #
 #   paraview --state={name}.py                      opens it; in ParaView: File, Load State
 #   pvpython {name}.py --screenshot out.png [--time SECONDS]
-#                                                   draws it; without a display: xvfb-run -a pvpython ...
+#                                                   draws it; without a display: xvfb-run -a -s -noreset pvpython ...
 #
 # White: floes. Yellow: the structure. From its deck: the ice load along x (red), y (green) and z (blue), and their sum
 # (white). At the contacts: normal force (red) and friction (green) on the ice. All forces to the same scale.
@@ -94,34 +94,33 @@ legend.Title, legend.ComponentTitle = 'ice load', ''
 legend.TitleColor = legend.LabelColor = [0, 0, 0]
 legend.TitleFontSize = legend.LabelFontSize = 10
 legend.ScalarBarThickness, legend.ScalarBarLength = 10, 0.16
-legend.WindowLocation, legend.Position = 'Any Location', [0.01, 0.76]
+legend.WindowLocation, legend.Position = 'Any Location', [0.03, 0.74]
+legend.TextPosition = 'Ticks left/bottom, annotations right/top'
 legend.Visibility = 1
 
 Show(AnnotateTimeFilter(registrationName='time', Input=run, Format='t = {time:.2f} s'), view, Color=[0, 0, 0],
      FontSize=10)
 
-# The camera goes with the structure. Delete its track in the Animation View to look from elsewhere while it plays.
-view.CameraViewUp = [0, 1, 0]
-view.CameraViewAngle = angle
-track = GetCameraTrack(view=view)
-track.Mode = 'Interpolate Camera'
-
-
-def place(camera, axis):
-    camera.Position = [eye[0] + axis, eye[1], eye[2]]
-    camera.FocalPoint = [target[0] + axis, target[1], target[2]]
-    camera.ViewUp = [0, 1, 0]
-    camera.ViewAngle = angle
-    return camera
-
-
-track.KeyFrames = [place(CameraKeyFrame(KeyTime=0), first_axis), place(CameraKeyFrame(KeyTime=1), last_axis)]
-
 arguments = argparse.ArgumentParser()
 arguments.add_argument('--screenshot')
 arguments.add_argument('--time', type=float, default=time_shown)
 wanted = arguments.parse_known_args()[0]
-scene.AnimationTime = min(max(wanted.time, scene.StartTime), scene.EndTime)
+shown_at = min(max(wanted.time, scene.StartTime), scene.EndTime)
+
+
+def point(seen, axis):
+    return [seen[0] + axis, seen[1], seen[2]]
+
+
+# The camera goes with the structure. Delete its track in the Animation View to look from elsewhere while it plays.
+track = GetCameraTrack(view=view)
+track.Mode = 'Interpolate Camera'
+track.KeyFrames = [CameraKeyFrame(KeyTime=key, Position=point(eye, axis), FocalPoint=point(target, axis),
+                                  ViewUp=[0, 1, 0], ViewAngle=angle) for key, axis in enumerate((first_axis, last_axis))]
+axis = first_axis + (last_axis - first_axis) * (shown_at - scene.StartTime) / max(scene.EndTime - scene.StartTime, 1e-9)
+view.CameraPosition, view.CameraFocalPoint = point(eye, axis), point(target, axis)
+view.CameraViewUp, view.CameraViewAngle = [0, 1, 0], angle
+scene.AnimationTime = shown_at
 Render()
 if wanted.screenshot:
     SaveScreenshot(wanted.screenshot, view, ImageResolution=[1600, 1000])
