@@ -14,6 +14,7 @@ find_package(ZLIB REQUIRED)
 pkg_check_modules(bullet REQUIRED IMPORTED_TARGET bullet-float64)
 pkg_check_modules(hdf5 REQUIRED IMPORTED_TARGET hdf5-serial)
 pkg_check_modules(gsl REQUIRED IMPORTED_TARGET gsl)
+pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
 
 # Dimension scales live in HDF5's high-level library, which its pkg-config file leaves out.

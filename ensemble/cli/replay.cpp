@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -18,6 +19,8 @@
 #include "core/error.hpp"
 #include "driver/signals.hpp"
 #include "replay/replay_member.hpp"
+#include "view/film.hpp"
+#include "view/replay_page.hpp"
 
 namespace floes {
 namespace {
@@ -38,7 +41,28 @@ struct ReplayOptions {
     double to = not_given;
     double every = not_given;
     std::vector<std::string> outputs;
+    double at = not_given;
+    std::string view = "perspective";
+    std::string colours = "ice";
+    std::string size = "1280x800";
 };
+
+/// What is made, by the ending of its name.
+enum class Output { record, page, picture, film };
+
+Output kind_of(const std::filesystem::path& path) {
+    const std::string ending = path.extension().string();
+    if (ending == ".h5") return Output::record;
+    if (ending == ".html") return Output::page;
+    if (ending == ".png" || ending == ".svg") return Output::picture;
+    for (const char* film : {".mp4", ".webm", ".webp", ".gif", ".apng"})
+        if (ending == film) return Output::film;
+    throw InputError(
+        fmt::format("What is {} to be? Its ending says: .h5 a record, .html a page that plays it, .png or .svg a "
+                    "picture, .mp4, .webm, .webp, .gif or .apng a "
+                    "film.",
+                    path.string()));
+}
 
 bool done(const MemberRow& row) {
     return row.status == RowStatus::done;
@@ -134,6 +158,108 @@ bool compute(const ReplayOptions& options, const std::filesystem::path& path) {
     return false;
 }
 
+template <class Kind, std::size_t count>
+Kind kind_named(const std::array<std::string_view, count>& names, const std::string& name) {
+    return static_cast<Kind>(std::ranges::find(names, name) - names.begin());
+}
+
+PictureStyle style_of(const ReplayOptions& options, const Record& record) {
+    PictureStyle style;
+    style.view = kind_named<View>(view_names, options.view);
+    style.colouring = kind_named<Colouring>(colouring_names, options.colours);
+    if (std::sscanf(options.size.c_str(), "%dx%d", &style.width, &style.height) != 2 || style.width < 200 ||
+        style.height < 150 || style.width > 8000 || style.height > 8000)
+        throw InputError(
+            fmt::format("--size {} is no size; give width x height in pixels, as 1280x800.", options.size));
+    style.width += style.width % 2;
+    style.from = record.time(0);
+    style.to = record.time(record.frames() - 1);
+    return style;
+}
+
+/// The frame of a picture: the one nearest to --at, else the one with the largest surge load.
+int pictured_frame(const ReplayOptions& options, const Record& record) {
+    if (!std::isnan(options.at)) return record.nearest(options.at);
+    const std::vector<double>& surge = record.outcome().history.surge;
+    const double step = record.subject().scenario.general.time_step;
+    int largest = 0;
+    double load = -std::numeric_limits<double>::infinity();
+    for (int k = 0; k < record.frames(); ++k) {
+        const auto end = static_cast<std::size_t>(std::llround(record.time(k) / step));
+        if (end == 0 || end > surge.size() || surge[end - 1] <= load) continue;
+        load = surge[end - 1];
+        largest = k;
+    }
+    return largest;
+}
+
+void write_picture(const std::filesystem::path& path, const Record& record, const ReplayOptions& options) {
+    const PictureStyle style = style_of(options, record);
+    const Stage stage(record.subject(), record.outcome(), record.floes());
+    const Frame frame = record.read(pictured_frame(options, record));
+    const int height = picture_height(style, record.subject());
+    const bool vectors = path.extension() == ".svg";
+    Canvas canvas = vectors ? Canvas(path, style.width, height) : Canvas(style.width, height);
+    draw_picture(canvas, stage, frame, style);
+    if (vectors) {
+        canvas.finish();
+    } else {
+        canvas.write_png(path);
+    }
+}
+
+void write_output(const std::filesystem::path& path, const Record& record, const ReplayOptions& options) {
+    if (kind_of(path) == Output::page) write_replay_page(path, record);
+    if (kind_of(path) == Output::picture) write_picture(path, record, options);
+    if (kind_of(path) == Output::film) {
+        ProgressLine line(fmt::format("drawing {}", path.string()));
+        write_film(path, record, style_of(options, record), [&](double done) { line.show(done); });
+    }
+    std::printf("%s\n", path.c_str());
+}
+
+/// A record for the time of the program, beside what is made of it.
+class PassingRecord {
+  public:
+    explicit PassingRecord(const std::filesystem::path& beside) : path_(beside.string() + ".record.h5") {}
+    PassingRecord(const PassingRecord&) = delete;
+    PassingRecord& operator=(const PassingRecord&) = delete;
+    ~PassingRecord() {
+        std::error_code ignored;
+        std::filesystem::remove(path_, ignored);
+    }
+    const std::filesystem::path& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+};
+
+void write_outputs(const std::filesystem::path& record_path, const ReplayOptions& options) {
+    const Record record(record_path);
+    for (const std::string& output : options.outputs)
+        if (output != record_path) write_output(output, record, options);
+}
+
+/// Whether the member computed is the one in the file.
+bool run(const ReplayOptions& options) {
+    for (const std::string& output : options.outputs) kind_of(output);
+    if (is_record(options.file)) {
+        write_outputs(options.file, options);
+        return true;
+    }
+    const auto kept = std::ranges::find(options.outputs, Output::record, kind_of);
+    if (kept != options.outputs.end()) {
+        const bool same = compute(options, *kept);
+        std::printf("%s\n", kept->c_str());
+        write_outputs(*kept, options);
+        return same;
+    }
+    const PassingRecord passing(options.outputs.front());
+    const bool same = compute(options, passing.path());
+    write_outputs(passing.path(), options);
+    return same;
+}
+
 }  // namespace
 
 void add_replay(CLI::App& program, int& exit_status) {
@@ -144,7 +270,7 @@ void add_replay(CLI::App& program, int& exit_status) {
     verb->add_option("member", options->member, "The member's number")->check(CLI::NonNegativeNumber);
     verb->callback([options, &exit_status] {
         const LeaveOnSignals leave;
-        exit_status = compute(*options, options->outputs.at(0)) ? 0 : 1;
+        exit_status = run(*options) ? 0 : 1;
     });
     verb->add_option("--case", options->case_name, "The member of this case ...");
     verb->add_option("--arrangement", options->arrangement, "... and of this arrangement")
@@ -156,7 +282,21 @@ void add_replay(CLI::App& program, int& exit_status) {
     verb->add_option("--every", options->every,
                      "Time from frame to frame, s; default: 0.1 s, over more than a minute 0.2 s")
         ->check(CLI::PositiveNumber);
-    verb->add_option("-o,--output", options->outputs, "What to write")->type_size(1)->allow_extra_args(false);
+    verb->add_option("-o,--output", options->outputs,
+                     "What to make, by its ending; may be repeated: .h5 the record, .html a page that plays it, .png "
+                     "or .svg a picture, .mp4, "
+                     ".webm, .webp, .gif or .apng a film")
+        ->type_size(1)
+        ->allow_extra_args(false)
+        ->required();
+    verb->add_option("--at", options->at, "Time of pictures, s; default: of the largest load among the frames");
+    verb->add_option("--view", options->view, "Of pictures and films: perspective, above, below or plan")
+        ->check(CLI::IsMember({"perspective", "above", "below", "plan"}))
+        ->capture_default_str();
+    verb->add_option("--colours", options->colours, "Of pictures and films: ice, piece, speed or utilisation")
+        ->check(CLI::IsMember({"ice", "piece", "speed", "utilisation"}))
+        ->capture_default_str();
+    verb->add_option("--size", options->size, "Of pictures and films, pixels")->capture_default_str();
 }
 
 }  // namespace floes

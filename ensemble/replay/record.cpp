@@ -9,7 +9,6 @@
 #include "core/error.hpp"
 #include "hdf5/read.hpp"
 #include "hdf5/series.hpp"
-#include "ice/floe_grid.hpp"
 
 namespace floes {
 namespace {
@@ -19,8 +18,12 @@ FloeGrid grid_of(const RecordSubject& subject) {
     return {floe.elements_long(), floe.elements_broad(), floe.element};
 }
 
+bool has_filetype(hid_t file) {
+    return hdf5::has_attribute(file, "filetype") && hdf5::read_text_attribute(file, "filetype") == record_filetype;
+}
+
 void check_kind(hid_t file, const std::filesystem::path& path) {
-    if (!hdf5::has_attribute(file, "filetype") || hdf5::read_text_attribute(file, "filetype") != record_filetype)
+    if (!has_filetype(file))
         throw InputError(fmt::format("{} is an HDF5 file, but no record of floes replay.", path.string()));
     const std::vector<std::int32_t> version = hdf5::read_int_attribute(file, "version");
     if (version.size() != record_version.size() || version[0] != record_version[0])
@@ -65,6 +68,12 @@ Vec3 vector_at(const std::vector<float>& values, std::size_t index) {
 
 }  // namespace
 
+bool is_record(const std::filesystem::path& path) {
+    if (!std::filesystem::exists(path)) return false;
+    const hdf5::QuietErrors quiet;
+    return has_filetype(hdf5::open_for_reading(path).id());
+}
+
 Channel channel_of(const RecordSubject& subject) {
     return make_channel(subject.scenario);
 }
@@ -79,7 +88,7 @@ std::vector<RecordJoint> joints_of(const RecordSubject& subject, int floes) {
     std::vector<RecordJoint> joints;
     for (int floe = 0; floe < floes; ++floe) {
         const int first = floe * grid.elements();
-        for (const GridJoint& joint : order) joints.push_back({first + joint.a, first + joint.b});
+        for (const GridJoint& joint : order) joints.push_back({first + joint.a, first + joint.b, joint.axis});
     }
     return joints;
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "ice/failure_mode.hpp"
+#include "ice/floe_grid.hpp"
 #include "scenario/scenario.hpp"
 #include "simulation/channel.hpp"
 #include "simulation/frame.hpp"
@@ -26,7 +27,11 @@ inline constexpr const char* record_filetype = "floes replay";
 struct RecordJoint {
     int a = 0;
     int b = 0;
+    JointAxis axis = JointAxis::x;  ///< of the floe, from a to b
 };
+
+/// Whether the file is there and is a record, whatever its version.
+bool is_record(const std::filesystem::path& path);
 
 /// What does not change during a run.
 struct RecordSubject {

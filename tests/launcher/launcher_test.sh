@@ -31,6 +31,7 @@ machine() {
     cp "$project/floes" "$home/floes"
     printf '# why\nalpha   # because\n\nbeta\n' >"$home/packages.txt"
     printf 'gamma\n' >"$home/packages-test.txt"
+    printf 'epsilon\n' >"$home/packages-slow.txt"
     printf 'alpha\nbeta\ngamma\n' >"$stage/installed"
     echo 1000 >"$stage/uid"
     : >"$stage/calls"
@@ -235,6 +236,9 @@ launch test
 check "test" "ctest in $home: --preset ci -j2 -LE slow" "$out"
 check "test builds the ci preset" "cmake --preset ci
 cmake --build $home/build/ci" "$(calls)"
+launch test --slow -R wire
+check_has "slow tests need their packages too" "missing: epsilon" "$err"
+echo epsilon >>"$stage/installed"
 launch test --slow -R wire
 check "test --slow" "ctest in $home: --preset ci -j2 -R wire" "$out"
 

@@ -1,0 +1,64 @@
+#pragma once
+// A drawing, in pixels or as vectors: the only door to cairo. x to the right and y down, in pixels from the upper left.
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/vector.hpp"
+
+namespace floes {
+
+struct Colour {
+    double red = 0;  ///< 0-1, as the others
+    double green = 0;
+    double blue = 0;
+    double opacity = 1;
+
+    Colour faded(double by) const { return {red, green, blue, opacity * by}; }
+};
+
+/// From `a` at 0 to `b` at 1.
+Colour between(const Colour& a, const Colour& b, double share);
+
+enum class Align { left, middle, right };
+
+class Canvas {
+  public:
+    /// In pixels.
+    Canvas(int width, int height);
+    /// As vectors, in an SVG file that finish() completes. Throws RunError when it cannot be written.
+    Canvas(const std::filesystem::path& svg, int width, int height);
+    Canvas(Canvas&&) noexcept;
+    ~Canvas();
+
+    int width() const;
+    int height() const;
+
+    void fill_all(const Colour& colour);
+    /// `seam`: width of a line of the same colour round it, so that faces side by side leave no gap.
+    void fill(std::span<const Vec2> polygon, const Colour& colour, double seam = 0);
+    void line(const Vec2& from, const Vec2& to, const Colour& colour, double width);
+    void path(std::span<const Vec2> points, const Colour& colour, double width);
+    void arrow(const Vec2& from, const Vec2& to, const Colour& colour, double width);
+    /// `at`: where the base line begins, has its middle or ends. Returns its width.
+    double text(const Vec2& at, const std::string& text, const Colour& colour, double size, Align align = Align::left,
+                bool bold = false);
+
+    /// Throws RunError when it cannot be written. Not for SVG.
+    void write_png(const std::filesystem::path& path) const;
+    std::string png() const;
+    /// Rows from above, four bytes a pixel: blue, green, red, unused. Not for SVG.
+    std::span<const std::uint8_t> pixels() const;
+    /// Completes an SVG file. Throws RunError when that fails.
+    void finish();
+
+  private:
+    class Surface;
+    std::unique_ptr<Surface> surface_;
+};
+
+}  // namespace floes

@@ -1,0 +1,48 @@
+#pragma once
+// The colours of pictures and films.
+
+#include <array>
+#include <string_view>
+
+#include "core/vector.hpp"
+#include "view/canvas.hpp"
+
+namespace floes {
+
+/// What the colour of an element says.
+enum class Colouring {
+    ice,         ///< white; floes with a failed joint are warm
+    piece,       ///< a colour for each piece
+    speed,       ///< from 0 to the tow's
+    utilisation  ///< of its worst joint, from 0 to 1
+};
+
+inline constexpr std::array<std::string_view, 4> colouring_names{"ice", "piece", "speed", "utilisation"};
+
+inline constexpr Colour white_ice{0.95, 0.97, 0.98};
+inline constexpr Colour broken_ice{1.0, 0.80, 0.58};
+inline constexpr Colour sheet_ice{0.78, 0.85, 0.89};
+inline constexpr Colour structure_yellow{0.98, 0.80, 0.16};
+inline constexpr Colour sea{0.13, 0.31, 0.43};
+inline constexpr Colour ink{0.10, 0.15, 0.20};
+inline constexpr Colour paper{1, 1, 1};
+
+// Fig. 5: components of the load on the structure, and forces at contacts.
+inline constexpr Colour surge_red{0.90, 0.16, 0.16};
+inline constexpr Colour heave_green{0.16, 0.70, 0.30};
+inline constexpr Colour sway_blue{0.25, 0.50, 1.0};
+inline constexpr Colour sum_white{1, 1, 1};
+
+/// Of a number from 0 to 1: dark blue, green, yellow.
+Colour scale_colour(double share);
+
+/// Of a piece: neighbouring numbers differ well.
+Colour piece_colour(int piece);
+
+/// Of a face with this outward normal in the light of the pictures' sun.
+Colour lit(const Colour& colour, const Vec3& normal);
+
+/// What is left of it below `depth` m of water, seen from above; `clear`, m: where nearly all is gone.
+Colour through_water(const Colour& colour, double depth, double clear);
+
+}  // namespace floes

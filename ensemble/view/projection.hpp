@@ -1,0 +1,36 @@
+#pragma once
+// From a point of the world to a point of a picture.
+
+#include "core/vector.hpp"
+#include "view/camera.hpp"
+
+namespace floes {
+
+class Projection {
+  public:
+    /// Of a picture of this size, pixels.
+    Projection(const Camera& camera, double width, double height);
+
+    /// x to the right and y down, pixels from the upper left. The point must lie before the eye.
+    Vec2 at(const Vec3& point) const;
+    /// How far the point lies from the eye, m; with parallel projection from its plane.
+    double distance(const Vec3& point) const;
+    /// Whether it lies before the eye.
+    bool before(const Vec3& point) const { return parallel_ || (point - eye_).dot(forward_) > 0.01 * depth_; }
+    /// From the point to the eye, of length 1.
+    Vec3 to_eye(const Vec3& point) const { return parallel_ ? -forward_ : Vec3((eye_ - point).normalized()); }
+    /// Pixels a metre at the target.
+    double scale() const { return scale_; }
+
+  private:
+    Vec3 eye_;
+    Vec3 forward_;
+    Vec3 right_;
+    Vec3 up_;
+    Vec2 middle_;
+    double depth_;  ///< of the target
+    double scale_;
+    bool parallel_;
+};
+
+}  // namespace floes

@@ -1,0 +1,48 @@
+#pragma once
+// The ice and the structure of one frame as coloured faces of a picture, the farthest first.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "replay/record.hpp"
+#include "view/canvas.hpp"
+#include "view/colours.hpp"
+#include "view/projection.hpp"
+
+namespace floes {
+
+struct Face {
+    std::vector<Vec2> corners;  ///< in the picture
+    Colour colour;
+    std::uint8_t edges = 0;  ///< bit k: a line from corner k to the next one
+    double distance = 0;     ///< from the eye to its middle, m
+};
+
+/// A part, of the floes' size, of an ice sheet.
+struct SheetPart {
+    IceSheet box;
+    std::uint8_t exposed = 0;  ///< sides that are the sheet's own, bits of Edge
+};
+
+/// A run on which frames are drawn: all that does not change from one to the next.
+class Stage {
+  public:
+    Stage(RecordSubject subject, RecordOutcome outcome, int floes);
+
+    /// What of the frame is seen in a picture of `size` pixels.
+    std::vector<Face> faces(const Frame& frame, const Projection& projection, const Vec2& size,
+                            Colouring colouring) const;
+
+    int broken_floes(double time) const;
+    const RecordSubject& subject() const { return subject_; }
+    const RecordOutcome& outcome() const { return outcome_; }
+
+  private:
+    RecordSubject subject_;
+    RecordOutcome outcome_;
+    std::vector<RecordJoint> joints_;
+    std::vector<SheetPart> sheets_;
+};
+
+}  // namespace floes

@@ -1,0 +1,163 @@
+#include "view/vtk_state.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/units.hpp"
+#include "simulation/channel.hpp"
+#include "view/camera.hpp"
+
+namespace floes {
+namespace {
+
+constexpr const char* opening = R"PY(# A run of floes as Fig. 5 shows it. Written for ParaView 5.11.
+#
+#   paraview --state={name}.py                      opens it; in ParaView: File, Load State
+#   pvpython {name}.py --screenshot out.png [--time SECONDS]
+#                                                   draws it; without a display: xvfb-run -a -s -noreset pvpython ...
+#
+# White: floes. Yellow: the structure. From its deck: the ice load along x (red), y (green) and z (blue), and their sum
+# (white). At the contacts: normal force (red) and friction (green) on the ice. All forces to the same scale.
+
+collection = {collection}
+first_axis, last_axis = {first_axis}, {last_axis}  # x of the structure in the first frame and the last, m
+deck = {deck}  # height of the structure above the water, m
+eye, target = {eye}, {target}  # of the camera while the structure is at x = 0, m
+angle = {angle}  # of view, degrees
+metres_per_newton = {metres_per_newton}
+water = {water}  # x and z of its corners, m
+time_shown = {time_shown}  # s: the frame with the largest load, {largest_load} N
+)PY";
+
+constexpr const char* body = R"PY(
+import argparse
+import os
+
+from paraview.simple import *
+
+paraview.simple._DisableFirstRenderCameraReset()
+folder = os.path.dirname(os.path.abspath(__file__))
+run = PVDReader(registrationName=collection, FileName=os.path.join(folder, collection))
+scene = GetAnimationScene()
+scene.UpdateAnimationUsingDataTimeSteps()
+view = GetActiveViewOrCreate('RenderView')
+view.UseColorPaletteForBackground = 0
+view.Background = [0.75, 0.82, 0.88]
+view.KeyLightWarmth = view.FillLightWarmth = view.HeadLightWarmth = view.BackLightWarmth = 0.5  # white light
+view.KeyLightIntensity = 0.85
+view.OrientationAxesVisibility = 0  # its colours are not those of the load
+
+
+def part(name):
+    return ExtractBlock(registrationName=name, Input=run, Selectors=['/Root/' + name])
+
+
+def show(source, colour, **properties):
+    shown = Show(source, view)
+    shown.ColorArrayName = [None, '']
+    shown.AmbientColor = shown.DiffuseColor = colour
+    for name, value in properties.items():
+        setattr(shown, name, value)
+    return shown
+
+
+def forces(name, source, array, colour, width):
+    lines = Glyph(registrationName=name, Input=source, GlyphType='Line', OrientationArray=['POINTS', array],
+                  ScaleArray=['POINTS', array], VectorScaleMode='Scale by Magnitude', ScaleFactor=metres_per_newton,
+                  GlyphMode='All Points')
+    lines.GlyphTransform.Translate = [0.5, 0, 0]  # lines begin at the point
+    return show(lines, colour, LineWidth=width, Ambient=0.6)
+
+
+show(part('ice'), [1, 1, 1], Representation='Surface With Edges', EdgeColor=[0.55, 0.62, 0.68], Specular=0)
+show(part('ice_sheets'), [0.82, 0.88, 0.92])
+show(part('structure'), [1, 0.8, 0.1])
+x_low, x_high, z_low, z_high = water
+show(Plane(registrationName='water', Origin=[x_low, 0, z_low], Point1=[x_high, 0, z_low], Point2=[x_low, 0, z_high]),
+     [0.1, 0.35, 0.55], Opacity=0.55)
+
+contacts = part('contacts')
+forces('normal forces', contacts, 'normal', [0.9, 0.1, 0.1], 3)
+forces('friction', contacts, 'friction', [0.1, 0.7, 0.2], 3)
+
+load = Transform(registrationName='load, from the deck', Input=part('load'))
+load.Transform.Translate = [0, deck + 0.02, 0]
+shown = forces('load', load, 'force', [1, 1, 1], 7)
+ColorBy(shown, ('POINTS', 'component'))
+colours = GetColorTransferFunction('component')
+colours.InterpretValuesAsCategories = 1
+colours.Annotations = ['0', 'surge', '1', 'heave', '2', 'sway', '3', 'sum']
+colours.IndexedColors = [0.9, 0.1, 0.1, 0.1, 0.7, 0.2, 0.15, 0.3, 1, 1, 1, 1]
+legend = GetScalarBar(colours, view)
+legend.Title, legend.ComponentTitle = 'ice load', ''
+legend.TitleColor = legend.LabelColor = [0, 0, 0]
+legend.TitleFontSize = legend.LabelFontSize = 10
+legend.ScalarBarThickness, legend.ScalarBarLength = 10, 0.16
+legend.WindowLocation, legend.Position = 'Any Location', [0.03, 0.74]
+legend.TextPosition = 'Ticks left/bottom, annotations right/top'
+legend.Visibility = 1
+
+Show(AnnotateTimeFilter(registrationName='time', Input=run, Format='t = {time:.2f} s'), view, Color=[0, 0, 0],
+     FontSize=10)
+
+arguments = argparse.ArgumentParser()
+arguments.add_argument('--screenshot')
+arguments.add_argument('--time', type=float, default=time_shown)
+wanted = arguments.parse_known_args()[0]
+shown_at = min(max(wanted.time, scene.StartTime), scene.EndTime)
+
+
+def point(seen, axis):
+    return [seen[0] + axis, seen[1], seen[2]]
+
+
+# The camera goes with the structure. Delete its track in the Animation View to look from elsewhere while it plays.
+track = GetCameraTrack(view=view)
+track.Mode = 'Interpolate Camera'
+track.KeyFrames = [CameraKeyFrame(KeyTime=key, Position=point(eye, axis), FocalPoint=point(target, axis),
+                                  ViewUp=[0, 1, 0], ViewAngle=angle) for key, axis in enumerate((first_axis, last_axis))]
+axis = first_axis + (last_axis - first_axis) * (shown_at - scene.StartTime) / max(scene.EndTime - scene.StartTime, 1e-9)
+view.CameraPosition, view.CameraFocalPoint = point(eye, axis), point(target, axis)
+view.CameraViewUp, view.CameraViewAngle = [0, 1, 0], angle
+scene.AnimationTime = shown_at
+Render()
+if wanted.screenshot:
+    SaveScreenshot(wanted.screenshot, view, ImageResolution=[1600, 1000])
+)PY";
+
+std::string python(const Vec3& v) {
+    return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", v.x(), v.y(), v.z());
+}
+
+std::string quoted(const std::string& text) {
+    std::string quoted = "'";
+    for (const char c : text) {
+        if (c == '\'' || c == '\\') quoted += '\\';
+        quoted += c;
+    }
+    return quoted + "'";
+}
+
+}  // namespace
+
+std::string vtk_state(const VtkStateOf& series, const RecordSubject& subject) {
+    const Camera seen = camera(View::perspective, subject, 0);
+    const Channel channel = make_channel(subject.scenario);
+    const Shape& shape = subject.scenario.structure.shape;
+    const double scale = 1.5 * shape.largest_radius() / std::max(series.largest_load, 1e-9);
+    const std::string name = series.collection.substr(0, series.collection.rfind('.'));
+    return fmt::format(fmt::runtime(opening), fmt::arg("name", name), fmt::arg("collection", quoted(series.collection)),
+                       fmt::arg("first_axis", series.first_axis), fmt::arg("last_axis", series.last_axis),
+                       fmt::arg("deck", shape.top()), fmt::arg("eye", python(seen.eye)),
+                       fmt::arg("target", python(seen.target)),
+                       fmt::arg("angle", fmt::format("{:.4g}", seen.angle / unit::degree)),
+                       fmt::arg("metres_per_newton", fmt::format("{:.4g}", scale)),
+                       fmt::arg("time_shown", series.time_of_largest_load),
+                       fmt::arg("largest_load", fmt::format("{:.4g}", series.largest_load)),
+                       fmt::arg("water", fmt::format("[{:.6g}, {:.6g}, {:.6g}, {:.6g}]", channel.begin, channel.end,
+                                                     -channel.outer_edge, channel.outer_edge))) +
+           body;
+}
+
+}  // namespace floes

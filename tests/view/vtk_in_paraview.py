@@ -1,0 +1,159 @@
+#!/usr/bin/python3
+"""The series of a replayed member, opened in ParaView by its default reader: every time step and part is there, the ice
+lies where the record has it, and the state beside it draws a picture of ice, structure and forces whose camera follows
+the structure. Neither says a word on standard error.
+
+Usage: vtk_in_paraview.py FLOES RECORD_AS_VTK CONFIG.toml
+"""
+import runpy
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+PARTS = ["ice", "structure", "load", "contacts", "ice_sheets"]
+
+
+def said(*command):
+    """What a command wrote; an error if it failed or wrote on standard error."""
+    run = subprocess.run([str(part) for part in command], capture_output=True, text=True, timeout=500)
+    assert run.returncode == 0 and not run.stderr, f"{command}: status {run.returncode}\n{run.stderr}"
+    return run.stdout
+
+
+def corners(record, frame):
+    """x, y, z of all eight corners of all elements."""
+    half = np.array([record["ice"].attrs["element_side"], record["ice"].attrs["thickness"],
+                     record["ice"].attrs["element_side"]]) / 2
+    w, x, y, z = record["frames/orientation"][frame].T.astype(float)
+    rotation = np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                         [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                         [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
+    signs = np.array(np.meshgrid([-1, 1], [-1, 1], [-1, 1])).reshape(3, -1)
+    own = half[:, None] * signs
+    return record["frames/position"][frame][:, :, None] + np.einsum("ije,jc->eic", rotation, own)
+
+
+def leaves(source):
+    """The data set of each part by its name."""
+    data = source.GetClientSideObject().GetOutputDataObject(0)
+    found = {}
+    for i in range(data.GetNumberOfBlocks()):
+        block = data.GetBlock(i)
+        while hasattr(block, "GetBlock"):
+            block = block.GetBlock(0)
+        found[data.GetMetaData(i).Get(data.NAME())] = block
+    return found
+
+
+def check_data(series, record):
+    from paraview.simple import OpenDataFile
+    from vtk.util.numpy_support import vtk_to_numpy
+
+    source = OpenDataFile(str(series))
+    times = record["time"][:]
+    assert np.array_equal(list(source.TimestepValues), times), (list(source.TimestepValues), times)
+    radius = None
+    for frame, time in enumerate(times):
+        source.UpdatePipeline(time)
+        parts = leaves(source)
+        assert sorted(parts) == sorted(PARTS), list(parts)
+        for name, part in parts.items():
+            assert name == "ice_sheets" or part.GetFieldData().GetArray("TimeValue").GetValue(0) == time, name
+
+        there = corners(record, frame)
+        ice = parts["ice"]
+        assert ice.GetNumberOfCells() == len(there)
+        bounds = np.array(ice.GetBounds()).reshape(3, 2)
+        assert np.allclose(bounds, np.stack([there.min((0, 2)), there.max((0, 2))], 1), atol=1e-5), (frame, bounds)
+        for i in (0, len(there) - 1):
+            box = np.stack([there[i].min(1), there[i].max(1)], 1)
+            assert np.allclose(np.array(ice.GetCell(i).GetBounds()).reshape(3, 2), box, atol=1e-5), (frame, i)
+        cells = {name: vtk_to_numpy(ice.GetCellData().GetArray(name))
+                 for name in ["floe", "piece", "broken", "utilisation", "velocity"]}
+        assert np.array_equal(cells["floe"], record["ice/floe"][:])
+        assert np.array_equal(cells["piece"], record["frames/piece"][frame])
+        assert np.allclose(cells["velocity"], record["frames/velocity"][frame])
+        assert np.allclose(cells["utilisation"], record["frames/utilisation"][frame])
+
+        first, count = record["frames/first_contact"][frame], record["frames/contacts"][frame]
+        contacts = parts["contacts"]
+        assert contacts.GetNumberOfPoints() == count
+        if count:
+            force = vtk_to_numpy(contacts.GetPointData().GetArray("force"))
+            rows = slice(first, first + count)
+            whole = record["contacts/normal_force"][rows] + record["contacts/friction_force"][rows]
+            assert np.allclose(force, whole, rtol=1e-5, atol=1e-3)
+        load = vtk_to_numpy(parts["load"].GetPointData().GetArray("force"))
+        assert np.allclose(load[3], [-record["frames/surge_load"][frame], record["frames/heave_load"][frame],
+                                     record["frames/sway_load"][frame]], rtol=1e-5)
+        assert np.allclose(load[:3].sum(0), load[3])
+        west, east = parts["structure"].GetBounds()[:2]
+        assert np.isclose((west + east) / 2, record["frames/structure"][frame], atol=1e-5)
+        radius = radius or (east - west) / 2
+        assert np.isclose((east - west) / 2, radius, atol=1e-5) and radius > 0
+    floes = vtk_to_numpy(leaves(source)["ice"].GetCellData().GetArray("broken")).reshape(
+        -1, np.count_nonzero(record["ice/floe"][:] == 0))
+    assert 0 < floes[:, 0].sum() < len(floes) and (floes == floes[:, :1]).all(), "floes broken at the end"
+
+
+def check_camera(state, record):
+    from paraview.simple import GetActiveView, GetAnimationScene
+
+    times = record["time"][:]
+    sys.argv = [str(state), "--time", str(times[0])]
+    runpy.run_path(str(state))
+    ahead = []
+    for frame in (0, len(times) // 2, len(times) - 1):
+        GetAnimationScene().AnimationTime = times[frame]
+        ahead.append(GetActiveView().CameraPosition[0] - record["frames/structure"][frame])
+    assert np.ptp(ahead) < 1e-3, ahead
+
+
+def check_picture(path):
+    from vtk.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkIOImage import vtkPNGReader
+
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].astype(int)
+    red, green, blue = pixels.T
+    shares = {"white ice": (pixels.min(1) > 235).mean(),
+              "yellow structure": ((red > 180) & (green > 130) & (blue < 90)).mean(),
+              "blue water": ((blue > red + 40) & (blue > green + 15)).mean(),
+              "red forces": ((red > 180) & (green < 80) & (blue < 80)).mean()}
+    least = {"white ice": 0.05, "yellow structure": 0.02, "blue water": 0.05, "red forces": 1e-4}
+    assert all(shares[name] > least[name] for name in least), shares
+
+
+def inside(folder):
+    """What is checked in ParaView's own Python."""
+    with h5py.File(folder / "record.h5") as record:
+        check_data(folder / "series.pvd", record)
+        check_camera(folder / "series.py", record)
+    check_picture(folder / "picture.png")
+
+
+def main(floes, record_as_vtk, config):
+    with tempfile.TemporaryDirectory() as folder:
+        folder = Path(folder)
+        subprocess.run([floes, "run", config, "-o", folder / "c.h5", "--set", "campaign.arrangements=1"], check=True,
+                       capture_output=True)
+        subprocess.run([floes, "replay", folder / "c.h5", "--case", "E60", "--from", "4", "--every", "1", "-o",
+                        folder / "record.h5"], check=True, capture_output=True)
+        said(record_as_vtk, folder / "record.h5", folder / "series.pvd")
+        # Without -noreset the display starts anew whenever its last window closes, and may not be there for the next.
+        pvpython = ["xvfb-run", "-a", "-s", "-noreset", "pvpython"]
+        said(*pvpython, folder / "series.py", "--screenshot", folder / "picture.png")
+        said(*pvpython, __file__, "--inside", folder)
+
+
+if __name__ == "__main__":
+    if sys.argv[1] == "--inside":
+        inside(Path(sys.argv[2]))
+    else:
+        main(*sys.argv[1:])
