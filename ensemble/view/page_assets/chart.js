@@ -134,6 +134,7 @@ class Chart {
     context.fillStyle = styled('soft');
     context.textBaseline = 'middle';
     context.textAlign = 'right';
+    const [name, unit] = forceUnit(Math.max(-low, high));
     const many = Math.max(2, Math.floor((frame.bottom - frame.top) / 20));
     for (const tick of Chart.ticks(low, high, many)) {
       const at = Math.round(y(tick)) + 0.5;
@@ -141,7 +142,7 @@ class Chart {
       context.moveTo(frame.left, at);
       context.lineTo(frame.right, at);
       context.stroke();
-      context.fillText(`${+tick.toPrecision(6)} N`, frame.left - 6, at);
+      context.fillText(`${+(tick / unit).toPrecision(6)} ${name}`, frame.left - 6, at);
     }
     context.textAlign = 'center';
     const times = Chart.ticks(history.from, history.to, Math.max(2, (frame.right - frame.left) / 80));

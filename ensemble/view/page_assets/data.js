@@ -67,13 +67,19 @@ async function readReplay() {
   };
 }
 
+// The unit in which forces up to `largest` N are written: [its name, N].
+function forceUnit(largest) {
+  return largest < 5e3 ? ['N', 1] : largest < 5e6 ? ['kN', 1e3] : ['MN', 1e6];
+}
+
 class Replay {
   constructor(data) {
     Object.assign(this, data);
     this.pieces = new Int32Array(this.elements);
     this.begin = this.times[0];
     this.end = this.times[this.frames - 1];
-    this.bounds = this.strongestLoad();
+    this.sums = Array.from(this.times, (_, f) => this.loadAt(f).sum);
+    this.unit = forceUnit(Math.max(...this.sums));
   }
 
   // The last frame at or before a time.
@@ -100,11 +106,13 @@ class Replay {
   }
 
   // A load that few frames exceed, N: it sets how long arrows are.
-  strongestLoad() {
-    const sums = [];
-    for (let f = 0; f < this.frames; ++f) sums.push(this.loadAt(f).sum);
-    sums.sort((a, b) => a - b);
-    return sums[Math.floor(0.99 * (sums.length - 1))] || 1;
+  strongLoad() {
+    const sorted = [...this.sums].sort((a, b) => a - b);
+    return sorted[Math.floor(0.99 * (sorted.length - 1))] || 1;
+  }
+
+  frameOfLargestLoad() {
+    return this.sums.indexOf(Math.max(...this.sums));
   }
 
   // The piece of each element, by the number of its first element.

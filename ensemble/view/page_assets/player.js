@@ -46,19 +46,22 @@ class Player {
   showLegend() {
     const {shows, newtons, longer, colouring} = this.stage;
     const line = (colour, words) => `<li><span class="line" style="background:var(--${colour})"></span>${words}</li>`;
-    const metres = 1; // of ice that the arrow is as long as
-    const scale = `<li>${metres} m of arrow: ${+(newtons / longer).toPrecision(3)} N</li>`;
+    const [unit, size] = this.replay.unit;
+    const scale = `<li>1 m of arrow: ${+(newtons / longer / size).toPrecision(3)} ${unit}</li>`;
     const load = shows.load ? line('surge', 'surge') + line('sway', 'sway') + line('heave', 'heave') +
       line('ink', 'sum') : '';
     const contacts = shows.contacts ? line('normal', 'normal force on ice') + line('friction', 'friction') : '';
-    $('legend').innerHTML = colouring.legend() + (load || contacts ? `<ul>${load}${contacts}${scale}</ul>` : '');
+    const grid = `<li>water: lines ${cellSize(this.replay.header)} m apart</li>`;
+    $('legend').innerHTML = colouring.legend() +
+      `<ul>${load}${contacts}${load || contacts ? scale : ''}${grid}</ul>`;
   }
 
   showValues(frame) {
     const {replay, time} = this;
     const load = replay.loadAt(frame);
-    const newtons = value => `${value.toFixed(Math.abs(value) < 100 ? 1 : 0)} N`.replace(/^-(0\.0 N)$/, '$1');
-    for (const name of ['surge', 'sway', 'heave', 'sum']) $(name).textContent = newtons(load[name]);
+    const [unit, size] = replay.unit;
+    for (const name of ['surge', 'sway', 'heave', 'sum'])
+      $(name).textContent = `${(load[name] / size || 0).toFixed(1).replace(/^-0.0$/, '0.0')} ${unit}`;
     const floes = replay.header.floes;
     const broken = this.stage.brokenFloes(time).size;
     $('broken').textContent = `${broken} of ${floes}`;
@@ -117,6 +120,11 @@ class Player {
     this.go(times[Math.min(Math.max(at + frames, 0), all - 1)]);
   }
 
+  goToLargestLoad() {
+    this.play(false);
+    this.go(this.replay.times[this.replay.frameOfLargestLoad()]);
+  }
+
   // -- what is shown
 
   setView(name) {
@@ -168,6 +176,7 @@ class Player {
     on('back', 'click', () => this.step(-1));
     on('ahead', 'click', () => this.step(1));
     on('scrub', 'input', () => this.go(Number($('scrub').value)));
+    on('largest', 'click', () => this.goToLargestLoad());
     on('speed', 'change', () => { this.speed = Number($('speed').value); });
     on('component', 'change', () => this.setComponent());
     on('span', 'click', () => {
@@ -223,6 +232,7 @@ class Player {
       End: () => this.go(this.replay.end),
       c: () => cycle('colouring'),
       l: () => cycle('component'),
+      m: () => this.goToLargestLoad(),
       s: () => flip('follow'),
       x: () => flip('see-through'),
       f: () => {
