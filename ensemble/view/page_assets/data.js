@@ -67,9 +67,11 @@ async function readReplay() {
   };
 }
 
-// The unit in which forces up to `largest` N are written: [its name, N].
+// How forces up to `largest` N are written.
 function forceUnit(largest) {
-  return largest < 5e3 ? ['N', 1] : largest < 5e6 ? ['kN', 1e3] : ['MN', 1e6];
+  const [name, newtons] = largest < 5e3 ? ['N', 1] : largest < 1e6 ? ['kN', 1e3] : ['MN', 1e6];
+  const decimals = largest < 10 * newtons ? 2 : 1;
+  return {name, newtons, text: force => `${(force / newtons).toFixed(decimals).replace(/^-(0\.0+)$/, '$1')} ${name}`};
 }
 
 class Replay {

@@ -11,7 +11,7 @@ class Player {
     this.playing = false;
     this.view = '';
     this.stage = new Stage($('scene'), replay, () => this.redraw());
-    this.chart = new Chart($('chart'), replay.header, time => this.go(time));
+    this.chart = new Chart($('chart'), replay, time => this.go(time));
     this.fillWords();
     this.connect();
     this.setView('perspective');
@@ -46,8 +46,8 @@ class Player {
   showLegend() {
     const {shows, newtons, longer, colouring} = this.stage;
     const line = (colour, words) => `<li><span class="line" style="background:var(--${colour})"></span>${words}</li>`;
-    const [unit, size] = this.replay.unit;
-    const scale = `<li>1 m of arrow: ${+(newtons / longer / size).toPrecision(3)} ${unit}</li>`;
+    const {unit} = this.replay;
+    const scale = `<li>1 m of arrow: ${+(newtons / longer / unit.newtons).toPrecision(3)} ${unit.name}</li>`;
     const load = shows.load ? line('surge', 'surge') + line('sway', 'sway') + line('heave', 'heave') +
       line('ink', 'sum') : '';
     const contacts = shows.contacts ? line('normal', 'normal force on ice') + line('friction', 'friction') : '';
@@ -59,9 +59,7 @@ class Player {
   showValues(frame) {
     const {replay, time} = this;
     const load = replay.loadAt(frame);
-    const [unit, size] = replay.unit;
-    for (const name of ['surge', 'sway', 'heave', 'sum'])
-      $(name).textContent = `${(load[name] / size || 0).toFixed(1).replace(/^-0.0$/, '0.0')} ${unit}`;
+    for (const name of ['surge', 'sway', 'heave', 'sum']) $(name).textContent = replay.unit.text(load[name]);
     const floes = replay.header.floes;
     const broken = this.stage.brokenFloes(time).size;
     $('broken').textContent = `${broken} of ${floes}`;
