@@ -9,7 +9,7 @@ class Chart {
     this.component = 'surge';
     this.whole = false;
     const [run, part] = header.histories;
-    this.hasPart = part.to - part.from < 0.95 * (run.to - run.from);
+    this.hasPart = part.to > part.from && part.to - part.from < 0.95 * (run.to - run.from);
     const drag = event => {
       if (event.type === 'pointerdown') canvas.setPointerCapture(event.pointerId);
       if (event.buttons === 0) return;

@@ -109,12 +109,12 @@ class Orbit {
 
   zoom(factor) {
     this.height *= factor;
+    this.moved = true;
   }
 
   wheel(event) {
     event.preventDefault();
     this.zoom(Math.exp((event.deltaMode === 1 ? 30 : 1) * event.deltaY * 0.001));
-    this.moved = true;
     this.changed();
   }
 }

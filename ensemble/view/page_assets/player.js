@@ -1,7 +1,5 @@
 'use strict';
-// Time and controls: everything that a person does with the page ends here, and every picture begins here.
-
-const $ = id => document.getElementById(id);
+// What is shown at which time. Every picture begins here.
 
 class Player {
   constructor(replay) {
@@ -13,7 +11,7 @@ class Player {
     this.stage = new Stage($('scene'), replay, () => this.redraw());
     this.chart = new Chart($('chart'), replay, time => this.go(time));
     this.fillWords();
-    this.connect();
+    this.controls = new Controls(this);
     this.setView('perspective');
     this.readHash();
   }
@@ -23,7 +21,7 @@ class Player {
   fillWords() {
     const {header, frames, begin, end} = this.replay;
     const apart = frames > 1 ? (end - begin) / (frames - 1) : 0;
-    const rows = [...header.conditions, ['Frames', `${frames}, ${+apart.toPrecision(2)} s apart`],
+    const rows = [['Arrangement', header.arrangement], ...header.conditions, ['Frames', `${frames}, ${+apart.toPrecision(2)} s apart`],
       ['Fingerprint', header.fingerprint]];
     $('conditions').replaceChildren(...rows.flatMap(([name, value]) => {
       const [dt, dd] = ['dt', 'dd'].map(tag => document.createElement(tag));
@@ -31,6 +29,7 @@ class Player {
       dd.textContent = value;
       return [dt, dd];
     }));
+    $('configuration').textContent = header.configuration;
     $('scrub').min = begin;
     $('scrub').max = end;
     header.views.forEach((view, i) => {
@@ -60,9 +59,11 @@ class Player {
     const {replay, time} = this;
     const load = replay.loadAt(frame);
     for (const name of ['surge', 'sway', 'heave', 'sum']) $(name).textContent = replay.unit.text(load[name]);
-    const floes = replay.header.floes;
-    const broken = this.stage.brokenFloes(time).size;
-    $('broken').textContent = `${broken} of ${floes}`;
+    $('broken').textContent = `${this.stage.brokenFloes(time).size} of ${replay.header.floes}`;
+    const failures = replay.failuresUntil(time);
+    $('failed').textContent = failures.length;
+    $('failed').title = replay.header.modes.map((mode, i) => [failures.filter(one => one[1] === i).length, mode])
+      .filter(([count]) => count > 0).map(([count, mode]) => `${count} by ${mode.replace(/_/g, ' ')}`).join(', ');
     $('touching').textContent = replay.firstContact[frame + 1] - replay.firstContact[frame];
     $('time').textContent = `${time.toFixed(2)} s`;
     $('scrub').value = time;
@@ -126,10 +127,15 @@ class Player {
   // -- what is shown
 
   setView(name) {
-    if (!this.stage.look(name, this.time)) return;
+    if (!this.stage.look(name)) return;
     this.view = name;
     $('follow').checked = this.stage.orbit.follows;
     for (const button of $('views').children) button.setAttribute('aria-pressed', button.textContent === name);
+    this.redraw();
+  }
+
+  zoom(factor) {
+    this.stage.orbit.zoom(factor);
     this.redraw();
   }
 
@@ -164,86 +170,6 @@ class Player {
     this.setColour(asked.get('colour') || this.stage.colouring.kind);
     const time = parseFloat(asked.get('t'));
     if (Number.isFinite(time)) this.go(time);
-  }
-
-  // -- controls
-
-  connect() {
-    const on = (id, name, listener) => $(id).addEventListener(name, listener);
-    on('play', 'click', () => this.play(!this.playing));
-    on('back', 'click', () => this.step(-1));
-    on('ahead', 'click', () => this.step(1));
-    on('scrub', 'input', () => this.go(Number($('scrub').value)));
-    on('largest', 'click', () => this.goToLargestLoad());
-    on('speed', 'change', () => { this.speed = Number($('speed').value); });
-    on('component', 'change', () => this.setComponent());
-    on('span', 'click', () => {
-      this.chart.whole = !this.chart.whole;
-      $('span').textContent = this.chart.whole ? 'Frames only' : 'Whole run';
-      this.redraw();
-    });
-    on('follow', 'change', () => this.setFollow($('follow').checked));
-    on('see-through', 'change', () => {
-      this.stage.structure.seeThrough($('see-through').checked);
-      this.redraw();
-    });
-    on('colouring', 'change', () => this.setColour($('colouring').value));
-    for (const id of ['load-arrows', 'contact-arrows', 'arrow-scale']) on(id, 'change', () => this.setArrows());
-    on('ask', 'click', () => $('help').showModal());
-    window.addEventListener('keydown', event => this.key(event));
-    window.addEventListener('hashchange', () => this.readHash());
-    window.addEventListener('resize', () => {
-      if (!this.stage.orbit.moved) this.setView(this.view);
-      this.redraw();
-    });
-    dark.addEventListener('change', () => {
-      this.stage.useTheme();
-      this.showLegend();
-      this.redraw();
-    });
-  }
-
-  key(event) {
-    if (event.ctrlKey || event.metaKey || event.altKey || $('help').open) return;
-    // A control that was reached by keyboard keeps its own keys.
-    if (event.target.matches('select:focus-visible')) return;
-    if (event.key === ' ' && event.target.matches('button:focus-visible,summary:focus-visible,[type=checkbox]:focus-visible'))
-      return;
-    const flip = id => {
-      $(id).checked = !$(id).checked;
-      $(id).dispatchEvent(new Event('change'));
-    };
-    const next = (id, by = 1) => {
-      const list = $(id);
-      list.selectedIndex = Math.min(Math.max(list.selectedIndex + by, 0), list.length - 1);
-      list.dispatchEvent(new Event('change'));
-    };
-    const cycle = id => next(id, $(id).selectedIndex === $(id).length - 1 ? -$(id).length : 1);
-    const views = this.replay.header.views;
-    const keys = {
-      ' ': () => this.play(!this.playing),
-      ArrowLeft: () => this.step(event.shiftKey ? -10 : -1),
-      ArrowRight: () => this.step(event.shiftKey ? 10 : 1),
-      ArrowUp: () => next('speed'),
-      ArrowDown: () => next('speed', -1),
-      Home: () => this.go(this.replay.begin),
-      End: () => this.go(this.replay.end),
-      c: () => cycle('colouring'),
-      l: () => cycle('component'),
-      m: () => this.goToLargestLoad(),
-      s: () => flip('follow'),
-      x: () => flip('see-through'),
-      f: () => {
-        const both = !($('load-arrows').checked || $('contact-arrows').checked);
-        $('load-arrows').checked = $('contact-arrows').checked = both;
-        this.setArrows();
-      },
-      '?': () => $('help').showModal(),
-    };
-    const act = keys[event.key] || (views[event.key - 1] && (() => this.setView(views[event.key - 1].name)));
-    if (!act) return;
-    event.preventDefault();
-    act();
   }
 }
 

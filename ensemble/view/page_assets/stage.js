@@ -34,7 +34,7 @@ class Stage {
     return this.canvas.clientWidth / Math.max(this.canvas.clientHeight, 1);
   }
 
-  look(name, time) {
+  look(name) {
     const {views, channel} = this.replay.header;
     const view = views.find(one => one.name === name);
     if (!view) return false;
