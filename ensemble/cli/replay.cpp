@@ -21,6 +21,7 @@
 #include "replay/replay_member.hpp"
 #include "view/film.hpp"
 #include "view/replay_page.hpp"
+#include "view/vtk_series.hpp"
 
 namespace floes {
 namespace {
@@ -48,20 +49,20 @@ struct ReplayOptions {
 };
 
 /// What is made, by the ending of its name.
-enum class Output { record, page, picture, film };
+enum class Output { record, page, picture, film, vtk };
 
 Output kind_of(const std::filesystem::path& path) {
     const std::string ending = path.extension().string();
     if (ending == ".h5") return Output::record;
     if (ending == ".html") return Output::page;
+    if (ending == ".pvd") return Output::vtk;
     if (ending == ".png" || ending == ".svg") return Output::picture;
     for (const char* film : {".mp4", ".webm", ".webp", ".gif", ".apng"})
         if (ending == film) return Output::film;
-    throw InputError(
-        fmt::format("What is {} to be? Its ending says: .h5 a record, .html a page that plays it, .png or .svg a "
-                    "picture, .mp4, .webm, .webp, .gif or .apng a "
-                    "film.",
-                    path.string()));
+    throw InputError(fmt::format(
+        "What is {} to be? Its ending says: .html a page that plays, .png or .svg a picture, .mp4, .webm, .webp, .gif "
+        "or .apng a film, .pvd a series for ParaView, .h5 the record itself.",
+        path.string()));
 }
 
 bool done(const MemberRow& row) {
@@ -210,6 +211,7 @@ void write_picture(const std::filesystem::path& path, const Record& record, cons
 
 void write_output(const std::filesystem::path& path, const Record& record, const ReplayOptions& options) {
     if (kind_of(path) == Output::page) write_replay_page(path, record);
+    if (kind_of(path) == Output::vtk) write_vtk_series(path, record);
     if (kind_of(path) == Output::picture) write_picture(path, record, options);
     if (kind_of(path) == Output::film) {
         ProgressLine line(fmt::format("drawing {}", path.string()));
