@@ -7,6 +7,7 @@
 
 #include "core/units.hpp"
 #include "ice/floe_grid.hpp"
+#include "scenario/scenario.hpp"
 #include "view/camera.hpp"
 #include "view/thinned_history.hpp"
 

@@ -50,7 +50,7 @@ class Player {
     const load = shows.load ? line('surge', 'surge') + line('sway', 'sway') + line('heave', 'heave') +
       line('ink', 'sum') : '';
     const contacts = shows.contacts ? line('normal', 'normal force on ice') + line('friction', 'friction') : '';
-    const grid = `<li>water: lines ${cellSize(this.replay.header)} m apart</li>`;
+    const grid = `<li>water: lines ${cellSize(this.replay.header)} m apart</li><li>▸ on the structure: tow</li>`;
     $('legend').innerHTML = colouring.legend() +
       `<ul>${load}${contacts}${load || contacts ? scale : ''}${grid}</ul>`;
   }

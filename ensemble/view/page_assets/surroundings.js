@@ -11,13 +11,29 @@ function makeStructure(header) {
   const outline = [bottom, ...profile, top];
   for (let i = 1; i < outline.length; ++i)
     group.add(new THREE.Mesh(new THREE.LatheBufferGeometry([outline[i - 1], outline[i]], 96), material));
-  group.useTheme = () => material.color.set(styled('structure'));
+  const mark = towMark(header);
+  group.add(mark);
+  group.useTheme = () => {
+    material.color.set(styled('structure'));
+    mark.material.color.set(styled('mark'));
+  };
   group.seeThrough = through => {
     material.transparent = through;
     material.opacity = through ? 0.35 : 1;
     material.depthWrite = !through;
   };
   return group;
+}
+
+// A triangle on top that points where the tow goes.
+function towMark(header) {
+  const [height, radius] = header.profile[header.profile.length - 1];
+  const ahead = Math.sign(header.tow.speed) || 1;
+  const corners = [[0.9, 0], [0.68, -0.16], [0.68, 0.16]];
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute('position', new THREE.Float32BufferAttribute(
+    corners.flatMap(([x, z]) => [ahead * x * radius, height + 0.003 * radius, z * radius]), 3));
+  return new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({side: THREE.DoubleSide}));
 }
 
 function makeSheets(header) {
