@@ -1,5 +1,5 @@
 'use strict';
-// Many arrows in one draw call. They lie over everything else: forces act where bodies hide each other.
+// Many arrows in one draw call. The stage draws them over everything else: forces act where bodies hide each other.
 
 const arrowVertexShader = `
 attribute vec3 start, along, paint;
@@ -29,7 +29,7 @@ void main() { gl_FragColor = vec4(vPaint * vLight, 1.0); }`;
 
 // A shaft and a head of so many sides.
 function arrowGeometry(sides) {
-  const rings = [[0, 1], [1, 1], [1, 2.4], [2, 0]]; // where along the arrow, radius
+  const rings = [[0, 0], [0, 1], [1, 1], [1, 2.4], [2, 0]]; // where along the arrow, radius
   const position = [];
   const radius = [];
   const index = [];
@@ -62,12 +62,10 @@ class Arrows {
       this.geometry.setAttribute(name, attribute);
     }
     const material = new THREE.ShaderMaterial({
-      vertexShader: arrowVertexShader, fragmentShader: arrowFragmentShader, depthTest: false, depthWrite: false,
-      side: THREE.DoubleSide, transparent: true, // drawn after the water
+      vertexShader: arrowVertexShader, fragmentShader: arrowFragmentShader,
     });
     this.mesh = new THREE.Mesh(this.geometry, material);
     this.mesh.frustumCulled = false;
-    this.mesh.renderOrder = 1;
   }
 
   // Each {start, along, thick} in metres, and colour.

@@ -16,7 +16,9 @@ class Stage {
     const contacts = Math.max(...Array.from({length: replay.frames},
       (_, f) => replay.firstContact[f + 1] - replay.firstContact[f]));
     this.arrows = new Arrows(2 * contacts + 4);
-    this.scene.add(makeLights(), this.ice.mesh, this.structure, this.sheets, this.water, this.arrows.mesh);
+    this.scene.add(makeLights(), this.ice.mesh, this.structure, this.sheets, this.water);
+    this.overlay = new THREE.Scene().add(this.arrows.mesh);
+    this.renderer.autoClear = false;
     this.orbit = new Orbit(canvas, changed);
     this.shows = {load: true, contacts: true};
     const radius = Math.max(...header.profile.map(([, r]) => r));
@@ -76,6 +78,9 @@ class Stage {
     const camera = this.orbit.camera(this.aspect, structure);
     this.ice.lookFrom(camera);
     renderer.setClearColor(styled(camera.position.y < 0 ? 'deep' : 'far'));
+    renderer.clear();
     renderer.render(this.scene, camera);
+    renderer.clearDepth();
+    renderer.render(this.overlay, camera);
   }
 }
