@@ -122,7 +122,7 @@ def check_picture(path):
     reader.Update()
     pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].astype(int)
     red, green, blue = pixels.T
-    shares = {"white ice": (pixels.min(1) > 235).mean(),
+    shares = {"white ice": (pixels.min(1) > 220).mean(),
               "yellow structure": ((red > 180) & (green > 130) & (blue < 90)).mean(),
               "blue water": ((blue > red + 40) & (blue > green + 15)).mean(),
               "red forces": ((red > 180) & (green < 80) & (blue < 80)).mean()}
