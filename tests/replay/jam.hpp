@@ -1,0 +1,50 @@
+#pragma once
+// A campaign of two cases, small and short, in which floes jam and break; and its campaign file.
+
+#include <filesystem>
+#include <vector>
+
+#include "attempt/member_function.hpp"
+#include "campaign/campaign.hpp"
+#include "campaign/identity.hpp"
+#include "campaign_file/publish.hpp"
+#include "records/member_record.hpp"
+
+namespace floes::jam {
+
+inline Campaign campaign() {
+    Scenario scenario;
+    scenario.ice.bending_strength = 10e3;
+    scenario.field.floes = 12;
+    scenario.field.begin = 2.0;
+    scenario.field.half_width = 1.25;
+    scenario.arrangement.sweeps = 200;
+    scenario.structure.start = 1.38;
+    scenario.structure.speed = 0.1;
+    scenario.analysis.steady_start = 1.0;
+    scenario.analysis.window = 5.0;
+    scenario.analysis.segments = 5;
+    Campaign made;
+    made.name = "jam";
+    made.seed = 7;
+    made.arrangements = 2;
+    made.cases.push_back({"soft", scenario});
+    scenario.joint.cfm = 1e-10;
+    made.cases.push_back({"stiff", scenario});
+    return made;
+}
+
+inline std::vector<MemberRecord> records(const Campaign& campaign) {
+    std::vector<MemberRecord> made;
+    for (int number = 0; number < member_count(campaign); ++number) {
+        const MemberKey key = member_key(campaign, number);
+        MemberRecord& record = made.emplace_back();
+        record.case_key = case_fingerprint(campaign, key.case_index);
+        record.arrangement = key.arrangement;
+        record.result = compute_member(campaign, number, {});
+        record.history = pack(record.result.history);
+    }
+    return made;
+}
+
+}  // namespace floes::jam
