@@ -163,14 +163,28 @@ MemberResult replay(const ReplaySubject& subject, const FrameSteps& steps, const
     return result;
 }
 
-std::vector<Frame> frames_at(const ReplaySubject& subject, const std::vector<int>& steps, const std::stop_token& stop) {
-    std::vector<Frame> frames;
+KeyFrames key_frames(const ReplaySubject& subject, const std::stop_token& stop) {
+    const Scenario& scenario = subject.about.scenario;
+    KeyFrames kept;
+    double largest = -std::numeric_limits<double>::infinity();
     const Watcher watch = [&](const Simulation& run) {
-        if (std::ranges::binary_search(steps, run.steps())) run.read_frame(frames.emplace_back());
+        if (run.steps() == 0) {
+            run.read_frame(kept.start);
+            return;
+        }
+        add_last(run.loads(), kept.outcome.history);
+        const double load = run.loads().surge.back();
+        if (run.steps() > scenario.first_window_step() && load > largest) {
+            largest = load;
+            run.read_frame(kept.worst);
+        }
+        if (run.steps() == scenario.step_count()) run.read_frame(kept.end);
     };
-    run_member(subject.about.scenario, subject.seed, static_cast<std::uint32_t>(subject.about.arrangement), stop,
-               watch);
-    return frames;
+    MemberResult result =
+        run_member(scenario, subject.seed, static_cast<std::uint32_t>(subject.about.arrangement), stop, watch);
+    kept.differences = differences(subject, result);
+    kept.outcome.breaks = std::move(result.breaks);
+    return kept;
 }
 
 }  // namespace floes

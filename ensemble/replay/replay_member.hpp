@@ -65,8 +65,16 @@ using ReplayProgress = std::function<void(double time)>;
 MemberResult replay(const ReplaySubject& subject, const FrameSteps& steps, const std::filesystem::path& path,
                     const std::stop_token& stop = {}, const ReplayProgress& progress = {});
 
-/// The same without a record: frames of these steps, rising, in memory.
-std::vector<Frame> frames_at(const ReplaySubject& subject, const std::vector<int>& steps,
-                             const std::stop_token& stop = {});
+/// What a report shows of a member, in memory.
+struct KeyFrames {
+    Frame start;
+    Frame worst;  ///< of the largest surge load in the window
+    Frame end;
+    RecordOutcome outcome;
+    std::vector<std::string> differences;  ///< from the file, as differences()
+};
+
+/// Computes the member and keeps these frames. Throws Interrupted on a stop.
+KeyFrames key_frames(const ReplaySubject& subject, const std::stop_token& stop = {});
 
 }  // namespace floes

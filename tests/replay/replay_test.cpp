@@ -108,14 +108,18 @@ TEST_F(Replay, HasContactsThatAddUpToTheLoad) {
     EXPECT_GT(touched, 100);
 }
 
-TEST_F(Replay, HasUtilisationsBelowOneAndPiecesThatBreak) {
+TEST_F(Replay, KeepsTheStartTheWorstMomentAndTheEnd) {
     const ReplaySubject again = subject(0);
-    const std::vector<Frame> frames = frames_at(again, {0, 300});
-    ASSERT_EQ(frames.size(), 2u);
-    EXPECT_THAT(frames[0].utilisation, testing::Each(0.0));
-    EXPECT_THAT(frames[1].utilisation, testing::Each(testing::Le(1.0)));
-    EXPECT_GT(std::ranges::max(frames[1].utilisation), 0.01);
-    std::vector<int> pieces = frames[1].pieces;
+    const KeyFrames frames = key_frames(again);
+    EXPECT_THAT(frames.differences, IsEmpty());
+    EXPECT_EQ(frames.start.step, 0);
+    EXPECT_EQ(frames.end.step, 300);
+    EXPECT_NEAR(frames.worst.time, time_of_largest_load(again), 1e-12);
+    EXPECT_EQ(-frames.worst.load.x(), again.stored.load.maximum);
+    EXPECT_THAT(frames.start.utilisation, testing::Each(0.0));
+    EXPECT_THAT(frames.worst.utilisation, testing::Each(testing::Le(1.0)));
+    EXPECT_GT(std::ranges::max(frames.worst.utilisation), 0.01);
+    std::vector<int> pieces = frames.end.pieces;
     std::ranges::sort(pieces);
     pieces.erase(std::ranges::unique(pieces).begin(), pieces.end());
     EXPECT_GT(pieces.size(), 12u);

@@ -39,7 +39,11 @@ RecordOutcome outcome() {
 }
 
 Frame frame(double time) {
-    Frame made{.step = static_cast<int>(std::lround(time / 0.02)), .time = time, .structure = 2, .load = {-10, 5, 0}};
+    Frame made;
+    made.step = static_cast<int>(std::lround(time / 0.02));
+    made.time = time;
+    made.structure = 2;
+    made.load = {-10, 5, 0};
     for (int k = 0; k < 9; ++k) {
         made.elements.push_back({.position = {3.5 + 0.2 * (k % 3), 0.0, 0.2 * (k / 3) - 0.2}});
         made.pieces.push_back(0);
@@ -97,7 +101,7 @@ TEST(Picture, HasIceStructureAndSeaInTheirColours) {
     Canvas canvas(style.width, picture_height(style, subject()));
     const double drawn = canvas.height() - std::round(0.17 * style.height);
     const Projection projection(camera(style.view, subject(), 2), style.width, drawn);
-    const Vec2 floe = projection.at({3.6, 0.0165, 0.05});
+    const Vec2 floe = projection.at({3.7, 0.0165, 0.03});
     draw_picture(canvas, stage, frame(1), style);
     expect_colour(pixel(canvas, floe), lit(white_ice, Vec3::UnitY()));
     expect_colour(pixel(canvas, projection.at({2.0, 0.122, 0.4})), lit(structure_yellow, Vec3::UnitY()));
@@ -108,8 +112,8 @@ TEST(Picture, HasIceStructureAndSeaInTheirColours) {
     EXPECT_EQ(stage.broken_floes(4), 1);
     style.colouring = Colouring::utilisation;
     draw_picture(canvas, stage, frame(4), style);
-    expect_colour(pixel(canvas, projection.at({3.65, 0.0165, 0.05})), lit(scale_colour(1), Vec3::UnitY()));
-    expect_colour(pixel(canvas, projection.at({3.45, 0.0165, 0.25})), lit(scale_colour(0), Vec3::UnitY()));
+    expect_colour(pixel(canvas, projection.at({3.7, 0.0165, 0.03})), lit(scale_colour(1), Vec3::UnitY()));
+    expect_colour(pixel(canvas, projection.at({3.5, 0.0165, 0.17})), lit(scale_colour(0), Vec3::UnitY()));
 }
 
 // What is nearer hides what is behind it.
@@ -148,7 +152,9 @@ TEST(Picture, IsAFileOfVectorsToo) {
 /// A record of `frames` frames at `path`.
 void write_record(const std::filesystem::path& path, int frames) {
     RecordSubject about = subject();
-    about.configuration = "[field]\nfloes = 1\n[[case]]\nname = \"one\"\n";
+    about.configuration =
+        "[field]\nfloes = 24\nconcentration_percent = 50.0\n[analysis]\nsteady_start_s = 30.0\nwindow_s = "
+        "30.0\n[[case]]\nname = \"one\"\n";
     RecordWriter writer(path, about, 1);
     for (int k = 0; k < frames; ++k) writer.add(frame(k + 1));
     writer.finish(outcome());
