@@ -100,8 +100,9 @@ def check_data(series, record):
     assert 0 < floes[:, 0].sum() < len(floes) and (floes == floes[:, :1]).all(), "floes broken at the end"
 
 
-def check_camera(state, record):
-    from paraview.simple import GetActiveView, GetAnimationScene
+def check_state(state, record):
+    """The camera goes with the structure, and forces are drawn where there are contacts."""
+    from paraview.simple import FindSource, GetActiveView, GetAnimationScene, GetDisplayProperties
 
     times = record["time"][:]
     sys.argv = [str(state), "--time", str(times[0])]
@@ -111,6 +112,11 @@ def check_camera(state, record):
         GetAnimationScene().AnimationTime = times[frame]
         ahead.append(GetActiveView().CameraPosition[0] - record["frames/structure"][frame])
     assert np.ptp(ahead) < 1e-3, ahead
+    for name, each in {"normal forces": record["frames/contacts"][-1], "friction": record["frames/contacts"][-1],
+                       "load": 4}.items():
+        lines = FindSource(name)
+        assert lines and GetDisplayProperties(lines).Visibility, name
+        assert lines.GetDataInformation().GetNumberOfCells() == each > 0, name
 
 
 def check_picture(path):
@@ -134,7 +140,7 @@ def inside(folder):
     """What is checked in ParaView's own Python."""
     with h5py.File(folder / "record.h5") as record:
         check_data(folder / "series.pvd", record)
-        check_camera(folder / "series.py", record)
+        check_state(folder / "series.py", record)
     check_picture(folder / "picture.png")
 
 
