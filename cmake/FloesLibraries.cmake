@@ -20,3 +20,10 @@ pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
 # Dimension scales live in HDF5's high-level library, which its pkg-config file leaves out.
 find_library(FLOES_HDF5_HL NAMES hdf5_serial_hl hdf5_hl HINTS ${hdf5_LIBRARY_DIRS} REQUIRED)
 target_link_libraries(PkgConfig::hdf5 INTERFACE ${FLOES_HDF5_HL})
+
+# Not compiled: it becomes part of the pages that play replays.
+find_file(FLOES_THREE three.min.js PATHS /usr/share/javascript/three NO_DEFAULT_PATH)
+if(NOT FLOES_THREE)
+  message(FATAL_ERROR "three.min.js is missing, which draws replays; install Debian's package libjs-three, or give its "
+                      "place with -D FLOES_THREE=FILE.")
+endif()

@@ -20,6 +20,8 @@
 #include "driver/signals.hpp"
 #include "replay/replay_member.hpp"
 #include "view/film.hpp"
+#include "view/replay_page.hpp"
+#include "view/vtk_series.hpp"
 
 namespace floes {
 namespace {
@@ -47,11 +49,13 @@ struct ReplayOptions {
 };
 
 /// What is made, by the ending of its name.
-enum class Output { record, picture, film };
+enum class Output { record, page, picture, film, vtk };
 
 Output kind_of(const std::filesystem::path& path) {
     const std::string ending = path.extension().string();
     if (ending == ".h5") return Output::record;
+    if (ending == ".html") return Output::page;
+    if (ending == ".pvd") return Output::vtk;
     if (ending == ".png" || ending == ".svg") return Output::picture;
     for (const char* film : {".mp4", ".webm", ".webp", ".gif", ".apng"})
         if (ending == film) return Output::film;
@@ -206,6 +210,8 @@ void write_picture(const std::filesystem::path& path, const Record& record, cons
 }
 
 void write_output(const std::filesystem::path& path, const Record& record, const ReplayOptions& options) {
+    if (kind_of(path) == Output::page) write_replay_page(path, record);
+    if (kind_of(path) == Output::vtk) write_vtk_series(path, record);
     if (kind_of(path) == Output::picture) write_picture(path, record, options);
     if (kind_of(path) == Output::film) {
         ProgressLine line(fmt::format("drawing {}", path.string()));

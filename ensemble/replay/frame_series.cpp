@@ -44,6 +44,7 @@ FrameSeries::Contacts::Contacts(hid_t group, const hdf5::Scale& coordinate)
 
 FrameSeries::FrameSeries(hid_t file, const RecordScales& scales)
     : time_(file, {"time", "s", "time of each frame"}, {}, numbers_a_chunk),
+      contact_(file, {"contact", "1", "contact, frame by frame"}, {}, contacts_a_chunk),
       frames_group_(hdf5::create_group(file, "frames")),
       contacts_group_(hdf5::create_group(file, "contacts")),
       elements_(frames_group_.id(), scales),
@@ -55,6 +56,10 @@ FrameSeries::FrameSeries(hid_t file, const RecordScales& scales)
           elements_.utilisation.id(), numbers_.step.id(), numbers_.structure.id(), numbers_.surge.id(),
           numbers_.sway.id(), numbers_.heave.id(), numbers_.first_contact.id(), numbers_.contacts.id()})
         time_.scales(dataset);
+    contact_.become_scale();
+    for (const hid_t dataset : {contacts_.element.id(), contacts_.other.id(), contacts_.point.id(),
+                                contacts_.normal.id(), contacts_.friction.id()})
+        contact_.scales(dataset);
 }
 
 void FrameSeries::add(const Frame& frame) {
@@ -88,18 +93,21 @@ void FrameSeries::add_elements(const Frame& frame) {
 }
 
 void FrameSeries::add_contacts(const std::vector<FrameContact>& contacts) {
+    std::vector<std::int32_t> numbers;
     std::vector<std::int32_t> element;
     std::vector<std::int32_t> other;
     std::vector<float> point;
     std::vector<float> normal;
     std::vector<float> friction;
     for (const FrameContact& contact : contacts) {
+        numbers.push_back(static_cast<std::int32_t>(contact_.rows() + numbers.size()));
         element.push_back(contact.element);
         other.push_back(contact.other);
         put(point, contact.point);
         put(normal, contact.normal);
         put(friction, contact.friction);
     }
+    contact_.append(numbers);
     contacts_.element.append(element);
     contacts_.other.append(other);
     contacts_.point.append(point);

@@ -55,6 +55,7 @@ class FrameSeries {
     };
 
     hdf5::Series<double> time_;
+    hdf5::Series<std::int32_t> contact_;
     hdf5::Handle frames_group_;
     hdf5::Handle contacts_group_;
     Elements elements_;

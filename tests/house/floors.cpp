@@ -47,6 +47,7 @@ const std::vector<Room>& rooms() {
         {11, "findings", ""},
         {12, "view", "zlib"},
         {12, "page", ""},
+        {12, "view", "nlohmann json, zlib"},
         {13, "cli", "CLI11, nlohmann json, POSIX, TBB"},
     };
     return table;

@@ -1,0 +1,23 @@
+# floes_assets(TARGET files…): puts files into a room, which reads them by name (view/assets.hpp). A change of a file
+# builds its object again.
+function(floes_assets target)
+  if(NOT TARGET ${target})
+    return()
+  endif()
+  set(number 0)
+  foreach(file ${ARGN})
+    get_filename_component(path ${file} ABSOLUTE)
+    get_filename_component(name ${file} NAME)
+    list(APPEND paths ${path})
+    string(APPEND FLOES_ASSET_TEXTS
+      "asm(\".section .rodata\\n.balign 16\\nfloes_asset_${number}:\\n.incbin \\\"${path}\\\"\\nfloes_asset_${number}_end:\\n.previous\");\n")
+    string(APPEND FLOES_ASSET_SYMBOLS "extern const char floes_asset_${number}[], floes_asset_${number}_end[];\n")
+    string(APPEND FLOES_ASSET_LINES
+      "    if (name == \"${name}\") return text(floes_asset_${number}, floes_asset_${number}_end);\n")
+    math(EXPR number "${number} + 1")
+  endforeach()
+  set(source ${PROJECT_BINARY_DIR}/generated/${target}_assets.cpp)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/assets.cpp.in ${source} @ONLY)
+  set_source_files_properties(${source} PROPERTIES OBJECT_DEPENDS "${paths}")
+  target_sources(${target} PRIVATE ${source})
+endfunction()

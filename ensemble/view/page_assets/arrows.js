@@ -1,0 +1,112 @@
+'use strict';
+// Many arrows in one draw call. They lie over everything else: forces act where bodies hide each other.
+
+const arrowVertexShader = `
+attribute vec3 start, along, paint;
+attribute float thick;
+varying vec3 vPaint;
+varying float vLight;
+void main() {
+  float len = max(length(along), 1e-9);
+  vec3 axis = along / len;
+  vec3 side = normalize(abs(axis.y) < 0.9 ? cross(axis, vec3(0.0, 1.0, 0.0)) : cross(axis, vec3(1.0, 0.0, 0.0)));
+  vec3 other = cross(axis, side);
+  float head = min(6.0 * thick, 0.5 * len);
+  float width = min(thick, head / 6.0);
+  // position: direction round the axis, and 0 at the tail, 1 at the neck, 2 at the tip; normal.x: radius in widths.
+  float at = position.z < 0.5 ? 0.0 : position.z < 1.5 ? len - head : len;
+  vec3 round = position.x * side + position.y * other;
+  vec3 place = start + at * axis + normal.x * width * round;
+  vLight = 0.84 + 0.16 * dot(normalize(round + vec3(1e-6)), normalize(vec3(-0.4, 0.8, 0.5)));
+  vPaint = paint;
+  gl_Position = projectionMatrix * viewMatrix * vec4(place, 1.0);
+}`;
+
+const arrowFragmentShader = `
+varying vec3 vPaint;
+varying float vLight;
+void main() { gl_FragColor = vec4(vPaint * vLight, 1.0); }`;
+
+// A shaft and a head of so many sides.
+function arrowGeometry(sides) {
+  const rings = [[0, 1], [1, 1], [1, 2.4], [2, 0]]; // where along the arrow, radius
+  const position = [];
+  const radius = [];
+  const index = [];
+  for (const [along, r] of rings)
+    for (let i = 0; i < sides; ++i) {
+      const angle = 2 * Math.PI * i / sides;
+      position.push(Math.cos(angle), Math.sin(angle), along);
+      radius.push(r, 0, 0);
+    }
+  for (let ring = 0; ring + 1 < rings.length; ++ring)
+    for (let i = 0; i < sides; ++i) {
+      const a = ring * sides + i;
+      const b = ring * sides + (i + 1) % sides;
+      index.push(a, b, a + sides, b, b + sides, a + sides);
+    }
+  const geometry = new THREE.InstancedBufferGeometry();
+  geometry.setIndex(index);
+  geometry.setAttribute('position', new THREE.Float32BufferAttribute(position, 3));
+  geometry.setAttribute('normal', new THREE.Float32BufferAttribute(radius, 3));
+  return geometry;
+}
+
+class Arrows {
+  constructor(most) {
+    this.geometry = arrowGeometry(12);
+    this.most = most;
+    for (const [name, each] of [['start', 3], ['along', 3], ['paint', 3], ['thick', 1]]) {
+      const attribute = new THREE.InstancedBufferAttribute(new Float32Array(each * most), each);
+      attribute.setUsage(THREE.DynamicDrawUsage);
+      this.geometry.setAttribute(name, attribute);
+    }
+    const material = new THREE.ShaderMaterial({
+      vertexShader: arrowVertexShader, fragmentShader: arrowFragmentShader, depthTest: false, depthWrite: false,
+      side: THREE.DoubleSide, transparent: true, // drawn after the water
+    });
+    this.mesh = new THREE.Mesh(this.geometry, material);
+    this.mesh.frustumCulled = false;
+    this.mesh.renderOrder = 1;
+  }
+
+  // Each {start, along, thick} in metres, and colour.
+  show(list) {
+    const {start, along, paint, thick} = this.geometry.attributes;
+    list.slice(0, this.most).forEach((arrow, i) => {
+      start.array.set(arrow.start, 3 * i);
+      along.array.set(arrow.along, 3 * i);
+      paint.array.set(arrow.colour, 3 * i);
+      thick.array[i] = arrow.thick;
+    });
+    for (const attribute of [start, along, paint, thick]) attribute.needsUpdate = true;
+    this.geometry.maxInstancedCount = Math.min(list.length, this.most);
+    this.mesh.visible = list.length > 0;
+  }
+}
+
+// The arrows of the paper's Fig. 5 at a frame. `metres` is the length of 1 N.
+function forceArrows(replay, frame, time, metres, {load, contacts}) {
+  const {profile} = replay.header;
+  const radius = Math.max(...profile.map(([, r]) => r));
+  const colour = name => new THREE.Color(styled(name)).toArray();
+  const arrows = [];
+  const add = (start, force, name, thick) => {
+    const along = force.map(part => part * metres);
+    if (Math.hypot(...along) > 0.01 * radius) arrows.push({start, along, colour: colour(name), thick});
+  };
+  if (contacts)
+    for (const [point, normal, friction] of replay.contactsAt(frame)) {
+      add(point, friction, 'friction', 0.012 * radius);
+      add(point, normal, 'normal', 0.012 * radius);
+    }
+  if (load) {
+    const axis = [replay.structureAt(time), profile[profile.length - 1][0], 0];
+    const {x, y, z} = replay.loadAt(frame);
+    add(axis, [x, y, z], 'ink', 0.035 * radius);
+    add(axis, [x, 0, 0], 'surge', 0.025 * radius);
+    add(axis, [0, 0, z], 'sway', 0.025 * radius);
+    add(axis, [0, y, 0], 'heave', 0.025 * radius);
+  }
+  return arrows;
+}

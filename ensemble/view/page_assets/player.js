@@ -1,0 +1,258 @@
+'use strict';
+// Time and controls: everything that a person does with the page ends here, and every picture begins here.
+
+const $ = id => document.getElementById(id);
+
+class Player {
+  constructor(replay) {
+    this.replay = replay;
+    this.time = replay.begin;
+    this.speed = 1;
+    this.playing = false;
+    this.view = '';
+    this.stage = new Stage($('scene'), replay, () => this.redraw());
+    this.chart = new Chart($('chart'), replay.header, time => this.go(time));
+    this.fillWords();
+    this.connect();
+    this.setView('perspective');
+    this.readHash();
+  }
+
+  // -- what the page says
+
+  fillWords() {
+    const {header, frames, begin, end} = this.replay;
+    const apart = frames > 1 ? (end - begin) / (frames - 1) : 0;
+    const rows = [...header.conditions, ['Frames', `${frames}, ${+apart.toPrecision(2)} s apart`],
+      ['Fingerprint', header.fingerprint]];
+    $('conditions').replaceChildren(...rows.flatMap(([name, value]) => {
+      const [dt, dd] = ['dt', 'dd'].map(tag => document.createElement(tag));
+      dt.textContent = name;
+      dd.textContent = value;
+      return [dt, dd];
+    }));
+    $('scrub').min = begin;
+    $('scrub').max = end;
+    header.views.forEach((view, i) => {
+      const button = document.createElement('button');
+      button.textContent = view.name;
+      button.title = `View ${view.name} (${i + 1})`;
+      button.addEventListener('click', () => this.setView(view.name));
+      $('views').append(button);
+    });
+    $('span').hidden = !this.chart.hasPart;
+  }
+
+  showLegend() {
+    const {shows, newtons, longer, colouring} = this.stage;
+    const line = (colour, words) => `<li><span class="line" style="background:var(--${colour})"></span>${words}</li>`;
+    const metres = 1; // of ice that the arrow is as long as
+    const scale = `<li>${metres} m of arrow: ${+(newtons / longer).toPrecision(3)} N</li>`;
+    const load = shows.load ? line('surge', 'surge') + line('sway', 'sway') + line('heave', 'heave') +
+      line('ink', 'sum') : '';
+    const contacts = shows.contacts ? line('normal', 'normal force on ice') + line('friction', 'friction') : '';
+    $('legend').innerHTML = colouring.legend() + (load || contacts ? `<ul>${load}${contacts}${scale}</ul>` : '');
+  }
+
+  showValues(frame) {
+    const {replay, time} = this;
+    const load = replay.loadAt(frame);
+    const newtons = value => `${value.toFixed(Math.abs(value) < 100 ? 1 : 0)} N`.replace(/^-(0\.0 N)$/, '$1');
+    for (const name of ['surge', 'sway', 'heave', 'sum']) $(name).textContent = newtons(load[name]);
+    const floes = replay.header.floes;
+    const broken = this.stage.brokenFloes(time).size;
+    $('broken').textContent = `${broken} of ${floes}`;
+    $('touching').textContent = replay.firstContact[frame + 1] - replay.firstContact[frame];
+    $('time').textContent = `${time.toFixed(2)} s`;
+    $('scrub').value = time;
+    $('scrub').setAttribute('aria-valuetext', `${time.toFixed(2)} seconds`);
+  }
+
+  // -- drawing
+
+  redraw() {
+    if (this.asked) return;
+    this.asked = requestAnimationFrame(now => {
+      this.asked = 0;
+      this.advance(now);
+      this.draw();
+      if (this.playing) this.redraw();
+    });
+  }
+
+  draw() {
+    this.stage.draw(this.time);
+    this.chart.draw(this.time);
+    this.showValues(this.replay.nearestFrame(this.time));
+  }
+
+  advance(now) {
+    if (!this.playing) return;
+    const seconds = this.before === undefined ? 0 : Math.min((now - this.before) / 1000, 0.1);
+    this.before = now;
+    this.time = Math.min(this.time + seconds * this.speed, this.replay.end);
+    if (this.time >= this.replay.end) this.play(false);
+  }
+
+  // -- time
+
+  go(time) {
+    this.time = Math.min(Math.max(time, this.replay.begin), this.replay.end);
+    this.redraw();
+  }
+
+  play(playing) {
+    if (playing && this.time >= this.replay.end) this.time = this.replay.begin;
+    this.playing = playing;
+    this.before = undefined;
+    $('play').textContent = playing ? '❚❚' : '▶';
+    $('play').setAttribute('aria-label', playing ? 'Pause' : 'Play');
+    this.redraw();
+  }
+
+  step(frames) {
+    this.play(false);
+    const {times, frames: all} = this.replay;
+    const at = this.replay.nearestFrame(this.time);
+    this.go(times[Math.min(Math.max(at + frames, 0), all - 1)]);
+  }
+
+  // -- what is shown
+
+  setView(name) {
+    if (!this.stage.look(name, this.time)) return;
+    this.view = name;
+    $('follow').checked = this.stage.orbit.follows;
+    for (const button of $('views').children) button.setAttribute('aria-pressed', button.textContent === name);
+    this.redraw();
+  }
+
+  setFollow(follows) {
+    this.stage.orbit.follow(follows, this.replay.structureAt(this.time));
+    this.redraw();
+  }
+
+  setColour(kind) {
+    $('colouring').value = kind;
+    this.stage.colouring.kind = $('colouring').value || 'piece';
+    this.showLegend();
+    this.redraw();
+  }
+
+  setArrows() {
+    this.stage.shows = {load: $('load-arrows').checked, contacts: $('contact-arrows').checked};
+    this.stage.longer = Number($('arrow-scale').value);
+    this.showLegend();
+    this.redraw();
+  }
+
+  setComponent() {
+    this.chart.component = $('component').value;
+    this.redraw();
+  }
+
+  // #t=142.3&view=above&colour=speed
+  readHash() {
+    const asked = new URLSearchParams(location.hash.slice(1));
+    if (asked.has('view')) this.setView(asked.get('view'));
+    this.setColour(asked.get('colour') || this.stage.colouring.kind);
+    const time = parseFloat(asked.get('t'));
+    if (Number.isFinite(time)) this.go(time);
+  }
+
+  // -- controls
+
+  connect() {
+    const on = (id, name, listener) => $(id).addEventListener(name, listener);
+    on('play', 'click', () => this.play(!this.playing));
+    on('back', 'click', () => this.step(-1));
+    on('ahead', 'click', () => this.step(1));
+    on('scrub', 'input', () => this.go(Number($('scrub').value)));
+    on('speed', 'change', () => { this.speed = Number($('speed').value); });
+    on('component', 'change', () => this.setComponent());
+    on('span', 'click', () => {
+      this.chart.whole = !this.chart.whole;
+      $('span').textContent = this.chart.whole ? 'Frames only' : 'Whole run';
+      this.redraw();
+    });
+    on('follow', 'change', () => this.setFollow($('follow').checked));
+    on('see-through', 'change', () => {
+      this.stage.structure.seeThrough($('see-through').checked);
+      this.redraw();
+    });
+    on('colouring', 'change', () => this.setColour($('colouring').value));
+    for (const id of ['load-arrows', 'contact-arrows', 'arrow-scale']) on(id, 'change', () => this.setArrows());
+    on('ask', 'click', () => $('help').showModal());
+    window.addEventListener('keydown', event => this.key(event));
+    window.addEventListener('hashchange', () => this.readHash());
+    window.addEventListener('resize', () => {
+      if (!this.stage.orbit.moved) this.setView(this.view);
+      this.redraw();
+    });
+    dark.addEventListener('change', () => {
+      this.stage.useTheme();
+      this.showLegend();
+      this.redraw();
+    });
+  }
+
+  key(event) {
+    if (event.ctrlKey || event.metaKey || event.altKey || $('help').open) return;
+    // A control that was reached by keyboard keeps its own keys.
+    if (event.target.matches('select:focus-visible')) return;
+    if (event.key === ' ' && event.target.matches('button:focus-visible,summary:focus-visible,[type=checkbox]:focus-visible'))
+      return;
+    const flip = id => {
+      $(id).checked = !$(id).checked;
+      $(id).dispatchEvent(new Event('change'));
+    };
+    const next = (id, by = 1) => {
+      const list = $(id);
+      list.selectedIndex = Math.min(Math.max(list.selectedIndex + by, 0), list.length - 1);
+      list.dispatchEvent(new Event('change'));
+    };
+    const cycle = id => next(id, $(id).selectedIndex === $(id).length - 1 ? -$(id).length : 1);
+    const views = this.replay.header.views;
+    const keys = {
+      ' ': () => this.play(!this.playing),
+      ArrowLeft: () => this.step(event.shiftKey ? -10 : -1),
+      ArrowRight: () => this.step(event.shiftKey ? 10 : 1),
+      ArrowUp: () => next('speed'),
+      ArrowDown: () => next('speed', -1),
+      Home: () => this.go(this.replay.begin),
+      End: () => this.go(this.replay.end),
+      c: () => cycle('colouring'),
+      l: () => cycle('component'),
+      s: () => flip('follow'),
+      x: () => flip('see-through'),
+      f: () => {
+        const both = !($('load-arrows').checked || $('contact-arrows').checked);
+        $('load-arrows').checked = $('contact-arrows').checked = both;
+        this.setArrows();
+      },
+      '?': () => $('help').showModal(),
+    };
+    const act = keys[event.key] || (views[event.key - 1] && (() => this.setView(views[event.key - 1].name)));
+    if (!act) return;
+    event.preventDefault();
+    act();
+  }
+}
+
+// The page's one player, once the replay is unpacked; for whoever looks at the page from outside as well.
+let player = null;
+
+async function start() {
+  try {
+    if (!window.DecompressionStream) throw new Error('This browser is too old to unpack the replay; use one of 2023 or later.');
+    player = new Player(new Replay(await readReplay()));
+    $('notice').textContent = '';
+    player.draw();
+    document.body.dataset.ready = 'true';
+  } catch (error) {
+    $('notice').textContent = /WebGL/.test(error.message)
+      ? 'This browser cannot draw in three dimensions (WebGL is off or missing).' : error.message;
+  }
+}
+
+start();

@@ -1,0 +1,81 @@
+'use strict';
+// The scene as a whole: everything that is drawn in three dimensions, at a time.
+
+class Stage {
+  constructor(canvas, replay, changed) {
+    this.replay = replay;
+    this.canvas = canvas;
+    const {header} = replay;
+    this.renderer = new THREE.WebGLRenderer({canvas, antialias: true});
+    this.scene = new THREE.Scene();
+    this.ice = new Ice(replay);
+    this.colouring = new Colouring(replay);
+    this.structure = makeStructure(header);
+    this.sheets = makeSheets(header);
+    this.water = makeWater(header);
+    const contacts = Math.max(...Array.from({length: replay.frames},
+      (_, f) => replay.firstContact[f + 1] - replay.firstContact[f]));
+    this.arrows = new Arrows(2 * contacts + 4);
+    this.scene.add(makeLights(), this.ice.mesh, this.structure, this.sheets, this.water, this.arrows.mesh);
+    this.orbit = new Orbit(canvas, changed);
+    this.shows = {load: true, contacts: true};
+    const radius = Math.max(...header.profile.map(([, r]) => r));
+    this.newtons = roundNumber(replay.bounds / (1.6 * radius)); // that an arrow of 1 m stands for
+    this.longer = 1;
+    this.useTheme();
+  }
+
+  useTheme() {
+    for (const part of [this.ice, this.structure, this.sheets, this.water]) part.useTheme();
+    this.coloured = null;
+  }
+
+  get aspect() {
+    return this.canvas.clientWidth / Math.max(this.canvas.clientHeight, 1);
+  }
+
+  look(name, time) {
+    const {views, channel} = this.replay.header;
+    const view = views.find(one => one.name === name);
+    if (!view) return false;
+    this.orbit.look(view, this.aspect, channel.end - channel.begin);
+    this.orbit.follows = view.follows;
+    return true;
+  }
+
+  // Floes with a failed joint.
+  brokenFloes(time) {
+    return new Set(this.replay.failuresUntil(time).map(failure => failure[2]));
+  }
+
+  colour(frame, broken) {
+    const key = [frame, this.colouring.kind, broken.size].join();
+    if (key === this.coloured) return;
+    this.coloured = key;
+    this.ice.refill('tint', this.colouring.at(frame, broken));
+  }
+
+  draw(time) {
+    const {replay, renderer, canvas} = this;
+    const scale = Math.min(window.devicePixelRatio || 1, 2);
+    const width = canvas.clientWidth;
+    const height = canvas.clientHeight;
+    if (canvas.width !== Math.floor(width * scale) || canvas.height !== Math.floor(height * scale)) {
+      renderer.setPixelRatio(scale);
+      renderer.setSize(width, height, false);
+    }
+    const frame = replay.nearestFrame(time);
+    const failures = replay.failuresUntil(time);
+    const broken = this.brokenFloes(time);
+    this.ice.moveTo(time);
+    this.ice.markFailures(failures, broken);
+    this.colour(frame, broken);
+    const structure = replay.structureAt(time);
+    this.structure.position.x = structure;
+    this.arrows.show(forceArrows(replay, frame, time, this.longer / this.newtons, this.shows));
+    const camera = this.orbit.camera(this.aspect, structure);
+    this.ice.lookFrom(camera);
+    renderer.setClearColor(styled(camera.position.y < 0 ? 'deep' : 'far'));
+    renderer.render(this.scene, camera);
+  }
+}

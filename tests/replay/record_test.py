@@ -1,0 +1,101 @@
+#!/usr/bin/python3
+"""record_test.py FLOES CONFIG PAGE: what h5py and xarray make of a record of floes replay, and whether the page that
+describes it names every dataset with its unit and dimensions."""
+
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import h5py
+import numpy
+import xarray
+
+FLOES, CONFIG, PAGE = sys.argv[1:4]
+
+
+def datasets_of(file):
+    found = {}
+    file.visititems(lambda name, item: found.update({name: item}) if isinstance(item, h5py.Dataset) else None)
+    return found
+
+
+class Record(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        folder = pathlib.Path(cls.folder.name)
+        cls.campaign, cls.path = folder / "short.h5", folder / "record.h5"
+        subprocess.run([FLOES, "run", CONFIG, "-o", cls.campaign, "--set", "campaign.arrangements=1", "--set",
+                        "analysis.window_s=6.0"], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        run = subprocess.run([FLOES, "replay", cls.campaign, "--worst", "--case", "E60", "--every", "0.2", "-o", cls.path],
+                             capture_output=True, text=True)
+        if run.returncode != 0 or run.stdout.strip() != str(cls.path):
+            sys.exit(f"floes replay says: {run.stdout} {run.stderr}")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_has_the_load_of_the_campaign_file(self):
+        with h5py.File(self.campaign) as campaign, h5py.File(self.path) as record:
+            stored = campaign["history/surge_load"][record.attrs["member"][0]]
+            self.assertTrue((record["history/surge_load"][:] == stored).all())
+            steps = record["frames/step"][:]
+            self.assertTrue((record["frames/surge_load"][:] == stored[steps - 1]).all())
+            worst = campaign["members/maximum_load"][record.attrs["member"][0]]
+            self.assertIn(worst, record["frames/surge_load"][:])
+            failed = record["joints/failure_time"][:]
+            breaks = campaign["breaks/time"][:][campaign["breaks/member"][:] == record.attrs["member"][0]]
+            self.assertEqual(sorted(failed[~numpy.isnan(failed)]), sorted(breaks))
+
+    def test_forces_of_contacts_add_up(self):
+        with h5py.File(self.path) as record:
+            first, count = record["frames/first_contact"][:], record["frames/contacts"][:]
+            for frame in range(len(first)):
+                rows = slice(first[frame], first[frame] + count[frame])
+                on_structure = record["contacts/other"][rows] == -1
+                force = record["contacts/normal_force"][rows] + record["contacts/friction_force"][rows]
+                load = [record[f"frames/{name}_load"][frame] for name in ("surge", "heave", "sway")]
+                numpy.testing.assert_allclose(-force[on_structure].sum(0) * [-1, 1, 1], load, atol=1e-3)
+
+    def test_orientations_are_rotations(self):
+        with h5py.File(self.path) as record:
+            numpy.testing.assert_allclose(numpy.linalg.norm(record["frames/orientation"][:], axis=2), 1, atol=1e-6)
+
+    def test_xarray_opens_every_group_with_named_dimensions(self):
+        for engine in ("netcdf4", "h5netcdf"):
+            for group in ("frames", "contacts", "ice", "joints", "history", "structure", "ice_sheets"):
+                with self.subTest(engine=engine, group=group):
+                    with xarray.open_dataset(self.path, group=group, engine=engine) as data:
+                        self.assertFalse([name for name in data.sizes if "phony" in name])
+                        data.load()
+            with xarray.open_dataset(self.path, group="frames", engine=engine) as frames:
+                self.assertEqual(frames["position"].dims, ("time", "element", "coordinate"))
+
+    def test_page_and_file_agree(self):
+        text = pathlib.Path(PAGE).read_text(encoding="utf-8")
+        rows = re.findall(r"^\| `(/[a-z0-9_/]+)` \| ([^|]+) \| ([^|]*)\|", text, re.M)
+        described = {name: (unit.strip(), dimensions.strip()) for name, unit, dimensions in rows}
+        self.assertEqual(len(described), len(rows), "a dataset is described twice")
+        with h5py.File(self.path) as file:
+            stored = {}
+            for name, dataset in datasets_of(file).items():
+                self.assertTrue(dataset.attrs["long_name"] and dataset.attrs["units"], name)
+                scales = [next(iter(dimension.values())).name for dimension in dataset.dims if len(dimension)]
+                names = [pathlib.PurePath(scale).name for scale in scales] or (
+                    [name.split("/")[-1]] if h5py.h5ds.is_scale(dataset.id) else [])
+                self.assertEqual(len(names), dataset.ndim, name)
+                stored["/" + name] = (dataset.attrs["units"], ", ".join(names))
+            for name in [*file.attrs, *file["ice"].attrs]:
+                self.assertIn(f"`{name}`", text, "an attribute is not described")
+            version = ".".join(str(part) for part in file.attrs["version"])
+        self.maxDiff = None
+        self.assertEqual(described, stored)
+        self.assertIn(f"layout version {version}", text)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

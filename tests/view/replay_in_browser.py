@@ -1,0 +1,222 @@
+#!/usr/bin/python3
+"""The page of a real replay, opened in headless Chromium: ice, water, structure and arrows are drawn, time moves them,
+values are those of the record, controls work, no word on the console, and nothing is asked of the network.
+
+Usage: replay_in_browser.py FLOES CONFIG.toml
+"""
+import html
+import json
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import h5py
+import numpy
+
+# Runs in the page. Colours of the scene are counted on a copy of the picture.
+PROBE = """
+<script>
+const notes = {};
+const wait = () => new Promise(done => setTimeout(done, 20));
+function picture() {
+  player.draw();
+  const scene = document.getElementById('scene');
+  const copy = document.createElement('canvas');
+  copy.width = 320;
+  copy.height = 200;
+  const context = copy.getContext('2d');
+  context.drawImage(scene, 0, 0, 320, 200);
+  return context.getImageData(0, 0, 320, 200).data;
+}
+function counts(pixels) {
+  const found = {ice: 0, structure: 0, water: 0, red: 0};
+  for (let i = 0; i < pixels.length; i += 4) {
+    const [r, g, b] = pixels.subarray(i, i + 3);
+    if (r > 200 && g > 210 && b > 215) ++found.ice;
+    if (r > 150 && g > 100 && b < 90 && r > g + 20 && g > b + 40) ++found.structure;
+    if (b > r + 15 && g > r) ++found.water;
+    if (r > 170 && g < 70 && b < 70) ++found.red;
+  }
+  return found;
+}
+function change(a, b) {
+  let pixels = 0;
+  for (let i = 0; i < a.length; i += 4)
+    if (Math.abs(a[i] - b[i]) + Math.abs(a[i + 1] - b[i + 1]) + Math.abs(a[i + 2] - b[i + 2]) > 24) ++pixels;
+  return pixels;
+}
+const words = id => document.getElementById(id).textContent;
+function key(name) {
+  document.body.dispatchEvent(new KeyboardEvent('keydown', {key: name, bubbles: true}));
+}
+function set(id, value, event) {
+  document.getElementById(id).value = value;
+  document.getElementById(id).dispatchEvent(new Event(event));
+}
+async function probe() {
+  for (let i = 0; i < 500 && !document.body.dataset.ready; ++i) await wait();
+  notes.notice = words('notice');
+  notes.hash = [words('time'), player.view];
+  player.setView('perspective');
+  const first = picture();
+  notes.first = counts(first);
+  notes.same = change(first, picture());
+  set('scrub', TIME, 'input');
+  const later = picture();
+  notes.scrubbed = change(first, later);
+  notes.time = words('time');
+  notes.values = ['surge', 'sway', 'heave', 'sum', 'broken', 'touching'].map(words);
+  notes.places = [0, 1, 2].map(k => player.replay.header.quanta.middle[k] + player.replay.header.quanta.length *
+    player.replay.places[3 * player.replay.nearestFrame(player.time) * player.replay.elements + 3 * ELEMENT + k]);
+  notes.views = {};
+  for (const [number, name] of ['perspective', 'above', 'below', 'plan'].entries()) {
+    key(String(number + 1));
+    notes.views[name] = [player.view, counts(picture())];
+  }
+  notes.apart = {};
+  key('1');
+  for (const colour of ['piece', 'speed', 'utilisation']) {
+    set('colouring', colour, 'change');
+    notes.apart[colour] = [change(later, picture()), words('legend')];
+  }
+  set('colouring', 'piece', 'change');
+  key('f');
+  notes.withoutArrows = change(later, picture());
+  key('f');
+  notes.withArrows = change(later, picture());
+  key('ArrowRight');
+  player.draw();
+  notes.step = words('time');
+  key('Home');
+  player.draw();
+  notes.home = words('time');
+  key(' ');
+  for (let i = 0; i < 200 && player.time < 0.05; ++i) await wait();
+  key(' ');
+  notes.played = player.time;
+  const chart = document.getElementById('chart').getBoundingClientRect();
+  const middle = {clientX: chart.left + 58 + (chart.width - 70) / 2, clientY: chart.top + 30, buttons: 1, pointerId: 1};
+  document.getElementById('chart').setPointerCapture = () => {};
+  document.getElementById('chart').dispatchEvent(new PointerEvent('pointerdown', middle));
+  player.draw();
+  notes.clicked = player.time;
+  key('?');
+  notes.help = document.getElementById('help').open;
+  notes.requests = performance.getEntriesByType('resource').map(entry => entry.name);
+  notes.width = [document.documentElement.scrollWidth, innerWidth];
+  notes.unlabelled = [...document.querySelectorAll('button,input,select')].filter(one =>
+    !one.getAttribute('aria-label') && !one.textContent.trim() && !one.closest('label')).map(one => one.id);
+}
+probe().catch(error => { notes.error = String(error.stack || error); })
+       .then(() => { document.body.dataset.notes = JSON.stringify(notes); });
+</script>
+"""
+
+
+def opened(page, fragment, size):
+    """What the probe in the page found, and what the browser wrote on its console."""
+    with tempfile.TemporaryDirectory() as profile:
+        run = subprocess.run(
+            ["chromium", "--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--use-gl=angle",
+             "--use-angle=swiftshader", "--enable-unsafe-swiftshader", f"--window-size={size}",
+             f"--user-data-dir={profile}", "--enable-logging=stderr", "--virtual-time-budget=30000", "--dump-dom",
+             page.as_uri() + fragment], capture_output=True, text=True, timeout=200, check=True)
+    found = re.search(r"data-notes=\"([^\"]*)\"", run.stdout)
+    if not found:
+        sys.exit("the page was not ready in time")
+    # WebGL in software says so on the console; that is not the page's doing.
+    console = [line for line in run.stderr.splitlines() if "CONSOLE" in line and "GPU stall" not in line]
+    return json.loads(html.unescape(found[1])), console
+
+
+def newtons(words):
+    return float(words.removesuffix(" N"))
+
+
+def expect(holds, words):
+    if not holds:
+        sys.exit(words)
+
+
+def check(notes, record):
+    """`record`: what the HDF5 file says at the same time."""
+    expect("error" not in notes, f"the page fails: {notes.get('error')}")
+    expect(not notes["notice"], f"the page says: {notes['notice']}")
+    expect(notes["hash"] == [f"{record['hash']:.2f} s", "above"], f"its address asked for another view: {notes['hash']}")
+    for what in ("ice", "structure", "water"):
+        expect(notes["first"][what] > 600, f"no {what} in the picture: {notes['first']}")
+    expect(notes["same"] < 20, f"the picture changes by itself: {notes['same']} pixels")
+    expect(notes["scrubbed"] > 1500, f"time moves nothing: {notes['scrubbed']} pixels")
+    expect(notes["time"] == f"{record['time']:.2f} s", f"wrong time: {notes['time']}")
+    for word, value in zip(notes["values"][:4], record["loads"]):
+        expect(abs(newtons(word) - value) <= 0.51 * (0.1 if abs(value) < 100 else 1),
+               f"loads {notes['values']} are not {record['loads']}")
+    expect(notes["values"][4] == record["broken"], f"broken floes: {notes['values'][4]}, not {record['broken']}")
+    expect(notes["values"][5] == str(record["contacts"]), f"contacts: {notes['values'][5]}, not {record['contacts']}")
+    expect(numpy.allclose(notes["places"], record["place"], atol=1e-3),
+           f"an element stands at {notes['places']}, not at {record['place']}")
+    for name, (view, seen) in notes["views"].items():
+        expect(view == name and seen["structure"] > 100 and seen["ice"] + seen["water"] > 3000,
+               f"view {name}: {view}, {seen}")
+    expect(notes["apart"]["piece"][0] < 20, f"colours do not come back: {notes['apart']}")
+    for colour, unit in (("speed", "m/s"), ("utilisation", "%")):
+        expect(notes["apart"][colour][0] > 1500 and unit in notes["apart"][colour][1],
+               f"colouring by {colour} shows nothing: {notes['apart'][colour]}")
+    expect(notes["withoutArrows"] > 30, f"no arrows are drawn: {notes['withoutArrows']} pixels")
+    expect(notes["withArrows"] < 20, f"arrows do not come back: {notes['withArrows']} pixels")
+    expect(notes["step"] == f"{record['next']:.2f} s", f"a step leads to {notes['step']}, not {record['next']} s")
+    expect(notes["home"] == "0.00 s", f"home is {notes['home']}")
+    expect(notes["played"] >= 0.05, f"playing does not move the time: {notes['played']} s")
+    expect(abs(notes["clicked"] - record["end"] / 2) < 0.01 * record["end"], f"a click led to {notes['clicked']} s")
+    expect(notes["help"], "? does not open the help")
+    expect(not notes["requests"], f"the page asks for {notes['requests']}")
+    expect(notes["width"][0] <= notes["width"][1], f"the page is wider than the window: {notes['width']}")
+    expect(not notes["unlabelled"], f"controls without a name: {notes['unlabelled']}")
+
+
+def read_record(path, frame, element):
+    with h5py.File(path) as file:
+        frames = file["frames"]
+        surge, sway, heave = (float(frames[f"{name}_load"][frame]) for name in ("surge", "sway", "heave"))
+        first, count = int(frames["first_contact"][frame]), int(frames["contacts"][frame])
+        failed = file["joints/failure_time"][:]
+        floe = file["ice/floe"][:][file["joints/a"][:]]
+        times = file["time"][:]
+        broken = len(set(floe[failed <= times[frame] + 1e-9]))
+        return {"time": times[frame], "next": times[frame + 1], "hash": 5.0, "end": times[-1],
+                "loads": [surge, sway, heave, float(numpy.hypot(numpy.hypot(surge, sway), heave))],
+                "broken": f"{broken} of {floe.max() + 1}",
+                "contacts": int((file["contacts/other"][first:first + count] == -1).sum()),
+                "place": frames["position"][frame, element].tolist()}
+
+
+def main(floes, config):
+    element = 100
+    with tempfile.TemporaryDirectory() as folder:
+        folder = Path(folder)
+        campaign, kept, page = (folder / name for name in ("smoke.h5", "record.h5", "replay.html"))
+        subprocess.run([floes, "run", config, "-o", campaign, "--set", "campaign.arrangements=1"], check=True,
+                       stdout=subprocess.DEVNULL)
+        subprocess.run([floes, "replay", campaign, "0", "-o", kept, "-o", page], check=True)
+        with h5py.File(kept) as file:
+            # Where a floe has failed and the load is not small.
+            loads = file["frames/surge_load"][:]
+            after = file["time"][:] >= numpy.nanmin(file["joints/failure_time"][:])
+            frame = int(numpy.argmax(numpy.where(after, loads, 0)[:-1]))
+        record = read_record(kept, frame, element)
+        text = page.read_text().replace("</body>", PROBE.replace("TIME", str(record["time"])).replace(
+            "ELEMENT", str(element)) + "</body>")
+        page.write_text(text)
+        for size in ("1200,900", "500,900"):
+            notes, console = opened(page, "#t=5&view=above", size)
+            expect(not console, "the browser's console says:\n" + "\n".join(console))
+            check(notes, record)
+    print(f"drawn, moved and read at {record['time']:.2f} s: {notes['first']}")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    main(sys.argv[1], sys.argv[2])
