@@ -125,8 +125,9 @@ def point(seen, axis):
 # The camera goes with the structure. Delete its track in the Animation View to look from elsewhere while it plays.
 track = GetCameraTrack(view=view)
 track.Mode = 'Interpolate Camera'
-track.KeyFrames = [CameraKeyFrame(KeyTime=key, Position=point(eye, axis), FocalPoint=point(target, axis),
-                                  ViewUp=[0, 1, 0], ViewAngle=angle) for key, axis in enumerate((first_axis, last_axis))]
+track.KeyFrames = [CameraKeyFrame(KeyTime=time, Position=point(eye, axis), FocalPoint=point(target, axis),
+                                  ViewUp=[0, 1, 0], ViewAngle=angle)
+                   for time, axis in ((0, first_axis), (1, last_axis))]
 axis = first_axis + (last_axis - first_axis) * (shown_at - scene.StartTime) / max(scene.EndTime - scene.StartTime, 1e-9)
 view.CameraPosition, view.CameraFocalPoint = point(eye, axis), point(target, axis)
 view.CameraViewUp, view.CameraViewAngle = [0, 1, 0], angle

@@ -3,7 +3,7 @@
 lies where the record has it, and the state beside it draws a picture of ice, structure and forces whose camera follows
 the structure. Neither says a word on standard error.
 
-Usage: vtk_in_paraview.py FLOES RECORD_AS_VTK CONFIG.toml
+Usage: vtk_in_paraview.py FLOES CONFIG.toml
 """
 import runpy
 import subprocess
@@ -144,14 +144,13 @@ def inside(folder):
     check_picture(folder / "picture.png")
 
 
-def main(floes, record_as_vtk, config):
+def main(floes, config):
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(folder)
         subprocess.run([floes, "run", config, "-o", folder / "c.h5", "--set", "campaign.arrangements=1"], check=True,
                        capture_output=True)
         subprocess.run([floes, "replay", folder / "c.h5", "--case", "E60", "--from", "4", "--every", "1", "-o",
-                        folder / "record.h5"], check=True, capture_output=True)
-        said(record_as_vtk, folder / "record.h5", folder / "series.pvd")
+                        folder / "record.h5", "-o", folder / "series.pvd"], check=True, capture_output=True)
         # Without -noreset the display starts anew whenever its last window closes, and may not be there for the next.
         pvpython = ["xvfb-run", "-a", "-s", "-noreset", "pvpython"]
         said(*pvpython, folder / "series.py", "--screenshot", folder / "picture.png")
