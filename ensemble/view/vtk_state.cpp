@@ -118,18 +118,14 @@ wanted = arguments.parse_known_args()[0]
 shown_at = min(max(wanted.time, scene.StartTime), scene.EndTime)
 
 
-def point(seen, axis):
-    return [seen[0] + axis, seen[1], seen[2]]
-
-
-# The camera goes with the structure. Delete its track in the Animation View to look from elsewhere while it plays.
-track = GetCameraTrack(view=view)
-track.Mode = 'Interpolate Camera'
-track.KeyFrames = [CameraKeyFrame(KeyTime=time, Position=point(eye, axis), FocalPoint=point(target, axis),
-                                  ViewUp=[0, 1, 0], ViewAngle=angle)
-                   for time, axis in ((0, first_axis), (1, last_axis))]
-axis = first_axis + (last_axis - first_axis) * (shown_at - scene.StartTime) / max(scene.EndTime - scene.StartTime, 1e-9)
-view.CameraPosition, view.CameraFocalPoint = point(eye, axis), point(target, axis)
+# The camera goes with the structure. Delete its tracks in the Animation View to look from elsewhere while it plays.
+for name, seen in (('CameraPosition', eye), ('CameraFocalPoint', target)):
+    GetAnimationTrack(name, 0, view).KeyFrames = [CompositeKeyFrame(KeyTime=0, KeyValues=[seen[0] + first_axis]),
+                                                  CompositeKeyFrame(KeyTime=1, KeyValues=[seen[0] + last_axis])]
+share = (shown_at - scene.StartTime) / max(scene.EndTime - scene.StartTime, 1e-9)
+axis = first_axis + (last_axis - first_axis) * share
+view.CameraPosition = [eye[0] + axis, eye[1], eye[2]]
+view.CameraFocalPoint = [target[0] + axis, target[1], target[2]]
 view.CameraViewUp, view.CameraViewAngle = [0, 1, 0], angle
 scene.AnimationTime = shown_at
 Render()
@@ -160,7 +156,7 @@ std::string vtk_state(const VtkStateOf& series, const RecordSubject& subject) {
     const Camera seen = camera(View::perspective, subject, 0);
     const Channel channel = make_channel(subject.scenario);
     const Shape& shape = subject.scenario.structure.shape;
-    const double scale = 1.5 * shape.largest_radius() / std::max(series.largest_load, 1e-9);
+    const double scale = 1.5 * shape.largest_radius() / (series.largest_force > 0 ? series.largest_force : 1);
     const std::string name = series.collection.substr(0, series.collection.rfind('.'));
     return fmt::format(fmt::runtime(opening), fmt::arg("name", name), fmt::arg("collection", quoted(series.collection)),
                        fmt::arg("first_axis", series.first_axis), fmt::arg("last_axis", series.last_axis),

@@ -1,5 +1,6 @@
 // The files for ParaView, decoded again: boxes where the frames have them, arrays as they were, every file listed.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -195,6 +196,8 @@ TEST_F(Vtk, ASeriesOfARecordHasEveryPartAtEveryTime) {
     const std::string state = text_of(folder / "a & b.py");
     EXPECT_THAT(state, HasSubstr("collection = 'a & b.pvd'"));
     EXPECT_THAT(state, HasSubstr("time_shown = 1 "));
+    // The largest force of all, the load of the second frame, is one and a half radii long.
+    EXPECT_THAT(state, HasSubstr(fmt::format("metres_per_newton = {:.4g}", 1.5 * 0.736 / std::hypot(30, 5, 2))));
 }
 
 TEST_F(Vtk, SaysWhyASeriesCannotBeWritten) {
