@@ -60,8 +60,8 @@ Output kind_of(const std::filesystem::path& path) {
     for (const char* film : {".mp4", ".webm", ".webp", ".gif", ".apng"})
         if (ending == film) return Output::film;
     throw InputError(fmt::format(
-        "What is {} to be? Its ending says: .h5 a record, .png or .svg a picture, .mp4, .webm, .webp, .gif or .apng a "
-        "film.",
+        "What is {} to be? Its ending says: .html a page that plays, .png or .svg a picture, .mp4, .webm, .webp, .gif "
+        "or .apng a film, .pvd a series for ParaView, .h5 the record itself.",
         path.string()));
 }
 
