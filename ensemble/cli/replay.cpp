@@ -285,7 +285,8 @@ void add_replay(CLI::App& program, int& exit_status) {
                      "Time from frame to frame, s; default: 0.1 s, over more than a minute 0.2 s")
         ->check(CLI::PositiveNumber);
     verb->add_option("-o,--output", options->outputs,
-                     "What to make, by its ending; may be repeated: .h5 the record, .png or .svg a picture, .mp4, "
+                     "What to make, by its ending; may be repeated: .h5 the record, .html a page that plays it, .png "
+                     "or .svg a picture, .mp4, "
                      ".webm, .webp, .gif or .apng a film")
         ->type_size(1)
         ->allow_extra_args(false)

@@ -74,13 +74,13 @@ json outline(const FloeGrid& grid) {
 }
 
 /// [time, mode, floe, element a, its edge, element b, its edge]; edges as bits of Edge.
-json failures(const Record& record, const FloeGrid& grid) {
-    const std::vector<GridJoint> order = joint_order(grid);
+json failures(const Record& record) {
+    const std::vector<RecordJoint> joints = joints_of(record.subject(), 1);
     json all = json::array();
     for (const BreakEvent& event : record.outcome().breaks) {
-        const GridJoint& joint = order.at(static_cast<std::size_t>(event.joint));
+        const RecordJoint& joint = joints.at(static_cast<std::size_t>(event.joint));
         const bool along_x = joint.axis == JointAxis::x;
-        const int first = event.floe * grid.elements();
+        const int first = event.floe * elements_of_a_floe(record.subject());
         all.push_back({event.time, event.mode, event.floe, first + joint.a, along_x ? edge_plus_x : edge_plus_z,
                        first + joint.b, along_x ? edge_minus_x : edge_minus_z});
     }
@@ -142,7 +142,7 @@ std::string page_header(const Record& record, const Quanta& quanta, const Packed
           {"force", quanta.force},
           {"orientation", quanta.orientation}}},
         {"modes", failure_mode_names},
-        {"failures", failures(record, grid)},
+        {"failures", failures(record)},
         {"step", scenario.general.time_step},
         {"histories", {history(record, 0, run), history(record, begin, end)}}};
     return header.dump(-1, ' ', false, json::error_handler_t::replace);

@@ -45,9 +45,8 @@ const std::vector<Room>& rooms() {
         {11, "driver", "POSIX, TBB"},
         {11, "forecast", ""},
         {11, "findings", ""},
-        {12, "view", "zlib"},
-        {12, "page", ""},
         {12, "view", "nlohmann json, zlib"},
+        {12, "page", ""},
         {13, "cli", "CLI11, nlohmann json, POSIX, TBB"},
     };
     return table;

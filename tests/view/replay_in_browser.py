@@ -151,7 +151,7 @@ def check(notes, record):
     expect(notes["scrubbed"] > 1500, f"time moves nothing: {notes['scrubbed']} pixels")
     expect(notes["time"] == f"{record['time']:.2f} s", f"wrong time: {notes['time']}")
     for word, value in zip(notes["values"][:4], record["loads"]):
-        expect(abs(newtons(word) - value) <= 0.51 * (0.1 if abs(value) < 100 else 1),
+        expect(abs(newtons(word) - value) <= 0.051,
                f"loads {notes['values']} are not {record['loads']}")
     expect(notes["values"][4] == record["broken"], f"broken floes: {notes['values'][4]}, not {record['broken']}")
     expect(notes["values"][5] == str(record["contacts"]), f"contacts: {notes['values'][5]}, not {record['contacts']}")

@@ -93,7 +93,7 @@ function forceArrows(replay, frame, time, metres, {load, contacts}) {
   const arrows = [];
   const add = (start, force, name, thick) => {
     const along = force.map(part => part * metres);
-    if (Math.hypot(...along) > 0.01 * radius) arrows.push({start, along, colour: colour(name), thick});
+    if (Math.hypot(...along) > 0.02 * radius) arrows.push({start, along, colour: colour(name), thick});
   };
   if (contacts)
     for (const [point, normal, friction] of replay.contactsAt(frame)) {

@@ -2,9 +2,10 @@
 // The load over time, with a cursor that follows the ice and sets its time.
 
 class Chart {
-  constructor(canvas, header, go) {
+  constructor(canvas, {header, unit}, go) {
     this.canvas = canvas;
     this.header = header;
+    this.unit = unit;
     this.component = 'surge';
     this.whole = false;
     const [run, part] = header.histories;
@@ -134,6 +135,7 @@ class Chart {
     context.fillStyle = styled('soft');
     context.textBaseline = 'middle';
     context.textAlign = 'right';
+    const {name, newtons} = this.unit;
     const many = Math.max(2, Math.floor((frame.bottom - frame.top) / 20));
     for (const tick of Chart.ticks(low, high, many)) {
       const at = Math.round(y(tick)) + 0.5;
@@ -141,7 +143,7 @@ class Chart {
       context.moveTo(frame.left, at);
       context.lineTo(frame.right, at);
       context.stroke();
-      context.fillText(`${+tick.toPrecision(6)} N`, frame.left - 6, at);
+      context.fillText(`${+(tick / newtons).toPrecision(6)} ${name}`, frame.left - 6, at);
     }
     context.textAlign = 'center';
     const times = Chart.ticks(history.from, history.to, Math.max(2, (frame.right - frame.left) / 80));

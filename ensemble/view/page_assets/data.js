@@ -67,13 +67,21 @@ async function readReplay() {
   };
 }
 
+// How forces up to `largest` N are written.
+function forceUnit(largest) {
+  const [name, newtons] = largest < 5e3 ? ['N', 1] : largest < 1e6 ? ['kN', 1e3] : ['MN', 1e6];
+  const decimals = largest < 10 * newtons ? 2 : 1;
+  return {name, newtons, text: force => `${(force / newtons).toFixed(decimals).replace(/^-(0\.0+)$/, '$1')} ${name}`};
+}
+
 class Replay {
   constructor(data) {
     Object.assign(this, data);
     this.pieces = new Int32Array(this.elements);
     this.begin = this.times[0];
     this.end = this.times[this.frames - 1];
-    this.bounds = this.strongestLoad();
+    this.sums = Array.from(this.times, (_, f) => this.loadAt(f).sum);
+    this.unit = forceUnit(Math.max(...this.sums));
   }
 
   // The last frame at or before a time.
@@ -100,11 +108,13 @@ class Replay {
   }
 
   // A load that few frames exceed, N: it sets how long arrows are.
-  strongestLoad() {
-    const sums = [];
-    for (let f = 0; f < this.frames; ++f) sums.push(this.loadAt(f).sum);
-    sums.sort((a, b) => a - b);
-    return sums[Math.floor(0.99 * (sums.length - 1))] || 1;
+  strongLoad() {
+    const sorted = [...this.sums].sort((a, b) => a - b);
+    return sorted[Math.floor(0.99 * (sorted.length - 1))] || 1;
+  }
+
+  frameOfLargestLoad() {
+    return this.sums.indexOf(Math.max(...this.sums));
   }
 
   // The piece of each element, by the number of its first element.

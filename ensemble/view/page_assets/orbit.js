@@ -38,6 +38,7 @@ class Orbit {
     if (follows === this.follows) return;
     this.target.x += follows ? -structure : structure;
     this.follows = follows;
+    this.moved = true;
   }
 
   // The camera for a picture of this aspect while the structure is at x = `structure`.

@@ -11,7 +11,7 @@ class Player {
     this.playing = false;
     this.view = '';
     this.stage = new Stage($('scene'), replay, () => this.redraw());
-    this.chart = new Chart($('chart'), replay.header, time => this.go(time));
+    this.chart = new Chart($('chart'), replay, time => this.go(time));
     this.fillWords();
     this.connect();
     this.setView('perspective');
@@ -46,19 +46,20 @@ class Player {
   showLegend() {
     const {shows, newtons, longer, colouring} = this.stage;
     const line = (colour, words) => `<li><span class="line" style="background:var(--${colour})"></span>${words}</li>`;
-    const metres = 1; // of ice that the arrow is as long as
-    const scale = `<li>${metres} m of arrow: ${+(newtons / longer).toPrecision(3)} N</li>`;
+    const {unit} = this.replay;
+    const scale = `<li>1 m of arrow: ${+(newtons / longer / unit.newtons).toPrecision(3)} ${unit.name}</li>`;
     const load = shows.load ? line('surge', 'surge') + line('sway', 'sway') + line('heave', 'heave') +
       line('ink', 'sum') : '';
     const contacts = shows.contacts ? line('normal', 'normal force on ice') + line('friction', 'friction') : '';
-    $('legend').innerHTML = colouring.legend() + (load || contacts ? `<ul>${load}${contacts}${scale}</ul>` : '');
+    const grid = `<li>water: lines ${cellSize(this.replay.header)} m apart</li>`;
+    $('legend').innerHTML = colouring.legend() +
+      `<ul>${load}${contacts}${load || contacts ? scale : ''}${grid}</ul>`;
   }
 
   showValues(frame) {
     const {replay, time} = this;
     const load = replay.loadAt(frame);
-    const newtons = value => `${value.toFixed(Math.abs(value) < 100 ? 1 : 0)} N`.replace(/^-(0\.0 N)$/, '$1');
-    for (const name of ['surge', 'sway', 'heave', 'sum']) $(name).textContent = newtons(load[name]);
+    for (const name of ['surge', 'sway', 'heave', 'sum']) $(name).textContent = replay.unit.text(load[name]);
     const floes = replay.header.floes;
     const broken = this.stage.brokenFloes(time).size;
     $('broken').textContent = `${broken} of ${floes}`;
@@ -117,6 +118,11 @@ class Player {
     this.go(times[Math.min(Math.max(at + frames, 0), all - 1)]);
   }
 
+  goToLargestLoad() {
+    this.play(false);
+    this.go(this.replay.times[this.replay.frameOfLargestLoad()]);
+  }
+
   // -- what is shown
 
   setView(name) {
@@ -168,6 +174,7 @@ class Player {
     on('back', 'click', () => this.step(-1));
     on('ahead', 'click', () => this.step(1));
     on('scrub', 'input', () => this.go(Number($('scrub').value)));
+    on('largest', 'click', () => this.goToLargestLoad());
     on('speed', 'change', () => { this.speed = Number($('speed').value); });
     on('component', 'change', () => this.setComponent());
     on('span', 'click', () => {
@@ -223,6 +230,7 @@ class Player {
       End: () => this.go(this.replay.end),
       c: () => cycle('colouring'),
       l: () => cycle('component'),
+      m: () => this.goToLargestLoad(),
       s: () => flip('follow'),
       x: () => flip('see-through'),
       f: () => {

@@ -20,7 +20,7 @@ class Stage {
     this.orbit = new Orbit(canvas, changed);
     this.shows = {load: true, contacts: true};
     const radius = Math.max(...header.profile.map(([, r]) => r));
-    this.newtons = roundNumber(replay.bounds / (1.6 * radius)); // that an arrow of 1 m stands for
+    this.newtons = roundNumber(replay.strongLoad() / (2.2 * radius)); // that an arrow of 1 m stands for
     this.longer = 1;
     this.useTheme();
   }

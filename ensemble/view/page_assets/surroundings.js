@@ -95,10 +95,10 @@ function cellSize(header) {
 
 function makeLights() {
   const group = new THREE.Group();
-  const sun = new THREE.DirectionalLight(0xffffff, 0.42);
+  const sun = new THREE.DirectionalLight(0xffffff, 0.5);
   sun.position.copy(sunDirection);
   const fromBelow = new THREE.DirectionalLight(0xffffff, 0.25); // else undersides would be black
   fromBelow.position.set(0.5, -0.6, 0.8);
-  group.add(sun, fromBelow, new THREE.HemisphereLight(0xffffff, 0xc4d2dc, 0.62));
+  group.add(sun, fromBelow, new THREE.HemisphereLight(0xffffff, 0xc4d2dc, 0.66));
   return group;
 }
