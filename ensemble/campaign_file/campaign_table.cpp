@@ -90,4 +90,16 @@ CampaignTable campaign_table(const Campaign& campaign, std::span<const MemberRec
     return table;
 }
 
+std::optional<int> member_with_largest_load(const CampaignTable& table,
+                                            const std::function<bool(const MemberRow&)>& counts) {
+    std::optional<int> largest;
+    for (std::size_t k = 0; k < table.members.size(); ++k) {
+        const MemberRow& row = table.members[k];
+        if (!row.done() || !counts(row)) continue;
+        if (!largest || row.load.maximum > table.members[static_cast<std::size_t>(*largest)].load.maximum)
+            largest = static_cast<int>(k);
+    }
+    return largest;
+}
+
 }  // namespace floes

@@ -3,6 +3,8 @@
 // docs/campaign_file.md.
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -60,6 +62,11 @@ struct CampaignTable {
     /// The list of quantities, with those of the averaged load.
     std::vector<Quantity> quantities() const { return quantities_with(averaging_times); }
 };
+
+/// The number of the done member with the largest surge load in a step of its window, of those that `counts` takes;
+/// none where there is none.
+std::optional<int> member_with_largest_load(const CampaignTable& table,
+                                            const std::function<bool(const MemberRow&)>& counts);
 
 /// The table that read_campaign_file() gives after publish() of the same members.
 CampaignTable campaign_table(const Campaign& campaign, std::span<const MemberRecord> records);

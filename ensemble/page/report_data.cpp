@@ -42,17 +42,6 @@ int common_arrangement(const CampaignTable& table) {
     return found == done.end() ? -1 : static_cast<int>(found - done.begin());
 }
 
-int member_with_largest_load(const CampaignTable& table) {
-    int largest = -1;
-    for (std::size_t i = 0; i < table.members.size(); ++i) {
-        if (table.members[i].status != RowStatus::done) continue;
-        if (largest < 0 ||
-            table.members[i].load.maximum > table.members[static_cast<std::size_t>(largest)].load.maximum)
-            largest = static_cast<int>(i);
-    }
-    return largest;
-}
-
 std::optional<HybridCurve> hybrid_of(const Scenario& scenario) {
     std::vector<double> moduli;
     for (const double modulus : drawn_moduli) moduli.push_back(modulus * unit::megapascal);
@@ -101,7 +90,7 @@ ReportData read_report_data(const std::filesystem::path& path) {
         if (member.arrangement == arrangement) data.histories.push_back({member.case_index, thinned(history)});
     });
     data.breaks = read_breaks(path);
-    data.largest_member = member_with_largest_load(data.table);
+    data.largest_member = member_with_largest_load(data.table, [](const MemberRow&) { return true; }).value_or(-1);
     if (data.largest_member >= 0)
         data.largest_poses =
             read_poses(path, data.table.members[static_cast<std::size_t>(data.largest_member)].arrangement);

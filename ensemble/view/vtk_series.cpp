@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <system_error>
 
@@ -64,6 +65,9 @@ void VtkSeries::add(const Frame& frame) {
         state_.largest_load = frame.load.norm();
         state_.time_of_largest_load = frame.time;
     }
+    state_.largest_force = std::max(state_.largest_force, frame.load.norm());
+    for (const FrameContact& contact : frame.contacts)
+        state_.largest_force = std::max(state_.largest_force, (contact.normal + contact.friction).norm());
     ++frames_;
 }
 

@@ -2,11 +2,11 @@
 // A run for ParaView and for whatever else reads VTK's files. Beside NAME.pvd, which names every file with its time,
 // stand a folder NAME of data sets and NAME.py, a state for ParaView that shows the run as Fig. 5 does.
 //
-// Why a series of files: ParaView 5.11 (Debian 12) opens it by double click, and every element is a cell of eight
-// points with its own numbers, so that a histogram counts an element once, a threshold takes whole elements, and a
-// slice cuts ice. The record's own arrays behind an XDMF file would cost no further space, but they hold poses, and
-// XDMF has nothing that turns a pose into a box: one would see points, and boxes only through a glyph that no filter
-// looks into. VTKHDF files that change in time are read from VTK 9.3 on, two years after Debian's.
+// Why a series of files: ParaView 5.11 (Debian 12) opens it with the reader that it picks by itself, and every element
+// is a cell of eight points with its own numbers, so that a histogram counts an element once, a threshold takes whole
+// elements, and a slice cuts ice. XDMF over the record's own arrays would cost no further space, but they hold poses,
+// and XDMF has nothing that turns a pose into a box: one would see points, and boxes only through a glyph that no
+// filter looks into. VTKHDF files that change in time are read from ParaView 5.12 on.
 
 #include <filesystem>
 #include <string>

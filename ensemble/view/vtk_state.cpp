@@ -7,6 +7,7 @@
 #include "core/units.hpp"
 #include "simulation/channel.hpp"
 #include "view/camera.hpp"
+#include "view/colours.hpp"
 
 namespace floes {
 namespace {
@@ -17,8 +18,9 @@ constexpr const char* opening = R"PY(# A run of floes as Fig. 5 shows it. Writte
 #   pvpython {name}.py --screenshot out.png [--time SECONDS]
 #                                                   draws it; without a display: xvfb-run -a -s -noreset pvpython ...
 #
-# White: floes. Yellow: the structure. From its deck: the ice load along x (red), y (green) and z (blue), and their sum
-# (white). At the contacts: normal force (red) and friction (green) on the ice. All forces to the same scale.
+# White: floes, warm those with a failed joint. Yellow: the structure. From its deck: the ice load along x (red),
+# y (green) and z (blue), and their sum (white). At contacts: normal force (red) and friction (green) on the ice. All
+# forces to the same scale.
 
 collection = {collection}
 first_axis, last_axis = {first_axis}, {last_axis}  # x of the structure in the first frame and the last, m
@@ -28,6 +30,8 @@ angle = {angle}  # of view, degrees
 metres_per_newton = {metres_per_newton}
 water = {water}  # x and z of its corners, m
 time_shown = {time_shown}  # s: the frame with the largest load, {largest_load} N
+white, warm, sheet, yellow = {white}, {warm}, {sheet}, {yellow}
+red, green, blue, sea, ink = {red}, {green}, {blue}, {sea}, {ink}
 )PY";
 
 constexpr const char* body = R"PY(
@@ -62,43 +66,49 @@ def show(source, colour, **properties):
     return shown
 
 
+def by_kind(shown, where, array, kinds):
+    ColorBy(shown, (where, array))
+    colours = GetColorTransferFunction(array)
+    colours.InterpretValuesAsCategories = 1
+    colours.Annotations = [word for number, kind in enumerate(kinds) for word in (str(number), kind)]
+    colours.IndexedColors = [share for colour in kinds.values() for share in colour]
+    return colours
+
+
 def forces(name, source, array, colour, width):
     lines = Glyph(registrationName=name, Input=source, GlyphType='Line', OrientationArray=['POINTS', array],
                   ScaleArray=['POINTS', array], VectorScaleMode='Scale by Magnitude', ScaleFactor=metres_per_newton,
                   GlyphMode='All Points')
     lines.GlyphTransform.Translate = [0.5, 0, 0]  # lines begin at the point
-    return show(lines, colour, LineWidth=width, Ambient=0.6)
+    return show(lines, colour, LineWidth=width, Ambient=1, Diffuse=0)
 
 
-show(part('ice'), [1, 1, 1], Representation='Surface With Edges', EdgeColor=[0.55, 0.62, 0.68], Specular=0)
-show(part('ice_sheets'), [0.82, 0.88, 0.92])
-show(part('structure'), [1, 0.8, 0.1])
+ice = show(part('ice'), white, Representation='Surface With Edges', EdgeColor=[0.55, 0.62, 0.68])
+by_kind(ice, 'CELLS', 'broken', {'whole': white, 'broken': warm})
+show(part('ice_sheets'), sheet)
+show(part('structure'), yellow)
 x_low, x_high, z_low, z_high = water
 show(Plane(registrationName='water', Origin=[x_low, 0, z_low], Point1=[x_high, 0, z_low], Point2=[x_low, 0, z_high]),
-     [0.1, 0.35, 0.55], Opacity=0.55)
+     sea, Opacity=0.55)
 
 contacts = part('contacts')
-forces('normal forces', contacts, 'normal', [0.9, 0.1, 0.1], 3)
-forces('friction', contacts, 'friction', [0.1, 0.7, 0.2], 3)
+forces('normal forces', contacts, 'normal', red, 3)
+forces('friction', contacts, 'friction', green, 3)
 
 load = Transform(registrationName='load, from the deck', Input=part('load'))
 load.Transform.Translate = [0, deck + 0.02, 0]
-shown = forces('load', load, 'force', [1, 1, 1], 7)
-ColorBy(shown, ('POINTS', 'component'))
-colours = GetColorTransferFunction('component')
-colours.InterpretValuesAsCategories = 1
-colours.Annotations = ['0', 'surge', '1', 'heave', '2', 'sway', '3', 'sum']
-colours.IndexedColors = [0.9, 0.1, 0.1, 0.1, 0.7, 0.2, 0.15, 0.3, 1, 1, 1, 1]
+lines = forces('load', load, 'force', white, 7)
+colours = by_kind(lines, 'POINTS', 'component', {'surge': red, 'heave': green, 'sway': blue, 'sum': [1, 1, 1]})
 legend = GetScalarBar(colours, view)
 legend.Title, legend.ComponentTitle = 'ice load', ''
-legend.TitleColor = legend.LabelColor = [0, 0, 0]
+legend.TitleColor = legend.LabelColor = ink
 legend.TitleFontSize = legend.LabelFontSize = 10
 legend.ScalarBarThickness, legend.ScalarBarLength = 10, 0.16
-legend.WindowLocation, legend.Position = 'Any Location', [0.03, 0.74]
+legend.WindowLocation, legend.Position = 'Any Location', [0.05, 0.74]
 legend.TextPosition = 'Ticks left/bottom, annotations right/top'
 legend.Visibility = 1
 
-Show(AnnotateTimeFilter(registrationName='time', Input=run, Format='t = {time:.2f} s'), view, Color=[0, 0, 0],
+Show(AnnotateTimeFilter(registrationName='time', Input=run, Format='t = {time:.2f} s'), view, Color=ink,
      FontSize=10)
 
 arguments = argparse.ArgumentParser()
@@ -108,17 +118,14 @@ wanted = arguments.parse_known_args()[0]
 shown_at = min(max(wanted.time, scene.StartTime), scene.EndTime)
 
 
-def point(seen, axis):
-    return [seen[0] + axis, seen[1], seen[2]]
-
-
-# The camera goes with the structure. Delete its track in the Animation View to look from elsewhere while it plays.
-track = GetCameraTrack(view=view)
-track.Mode = 'Interpolate Camera'
-track.KeyFrames = [CameraKeyFrame(KeyTime=key, Position=point(eye, axis), FocalPoint=point(target, axis),
-                                  ViewUp=[0, 1, 0], ViewAngle=angle) for key, axis in enumerate((first_axis, last_axis))]
-axis = first_axis + (last_axis - first_axis) * (shown_at - scene.StartTime) / max(scene.EndTime - scene.StartTime, 1e-9)
-view.CameraPosition, view.CameraFocalPoint = point(eye, axis), point(target, axis)
+# The camera goes with the structure. Delete its tracks in the Animation View to look from elsewhere while it plays.
+for name, seen in (('CameraPosition', eye), ('CameraFocalPoint', target)):
+    GetAnimationTrack(name, 0, view).KeyFrames = [CompositeKeyFrame(KeyTime=0, KeyValues=[seen[0] + first_axis]),
+                                                  CompositeKeyFrame(KeyTime=1, KeyValues=[seen[0] + last_axis])]
+share = (shown_at - scene.StartTime) / max(scene.EndTime - scene.StartTime, 1e-9)
+axis = first_axis + (last_axis - first_axis) * share
+view.CameraPosition = [eye[0] + axis, eye[1], eye[2]]
+view.CameraFocalPoint = [target[0] + axis, target[1], target[2]]
 view.CameraViewUp, view.CameraViewAngle = [0, 1, 0], angle
 scene.AnimationTime = shown_at
 Render()
@@ -128,6 +135,10 @@ if wanted.screenshot:
 
 std::string python(const Vec3& v) {
     return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", v.x(), v.y(), v.z());
+}
+
+std::string python(const Colour& colour) {
+    return python(Vec3(colour.red, colour.green, colour.blue));
 }
 
 std::string quoted(const std::string& text) {
@@ -145,7 +156,7 @@ std::string vtk_state(const VtkStateOf& series, const RecordSubject& subject) {
     const Camera seen = camera(View::perspective, subject, 0);
     const Channel channel = make_channel(subject.scenario);
     const Shape& shape = subject.scenario.structure.shape;
-    const double scale = 1.5 * shape.largest_radius() / std::max(series.largest_load, 1e-9);
+    const double scale = 1.5 * shape.largest_radius() / (series.largest_force > 0 ? series.largest_force : 1);
     const std::string name = series.collection.substr(0, series.collection.rfind('.'));
     return fmt::format(fmt::runtime(opening), fmt::arg("name", name), fmt::arg("collection", quoted(series.collection)),
                        fmt::arg("first_axis", series.first_axis), fmt::arg("last_axis", series.last_axis),
@@ -155,6 +166,11 @@ std::string vtk_state(const VtkStateOf& series, const RecordSubject& subject) {
                        fmt::arg("metres_per_newton", fmt::format("{:.4g}", scale)),
                        fmt::arg("time_shown", series.time_of_largest_load),
                        fmt::arg("largest_load", fmt::format("{:.4g}", series.largest_load)),
+                       fmt::arg("white", python(white_ice)), fmt::arg("warm", python(broken_ice)),
+                       fmt::arg("sheet", python(sheet_ice)), fmt::arg("yellow", python(structure_yellow)),
+                       fmt::arg("sea", python(sea)), fmt::arg("red", python(surge_red)),
+                       fmt::arg("green", python(heave_green)), fmt::arg("blue", python(sway_blue)),
+                       fmt::arg("ink", python(ink)),
                        fmt::arg("water", fmt::format("[{:.6g}, {:.6g}, {:.6g}, {:.6g}]", channel.begin, channel.end,
                                                      -channel.outer_edge, channel.outer_edge))) +
            body;

@@ -14,6 +14,7 @@ struct VtkStateOf {
     double last_axis = 0;             ///< in the last frame
     double largest_load = 0;          ///< on the structure in any frame, N
     double time_of_largest_load = 0;  ///< s
+    double largest_force = 0;         ///< on the structure or at a contact, N
 };
 
 /// The text of NAME.py. The camera is that of View::perspective.

@@ -1,5 +1,6 @@
 // The files for ParaView, decoded again: boxes where the frames have them, arrays as they were, every file listed.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -83,7 +84,8 @@ TEST_F(Vtk, IceIsABoxForEachElementWhereTheFrameHasIt) {
         // VTK's order: the fifth point stands on the side that the first four turn round, so the volume is positive.
         const double volume = (corner(1) - corner(0)).cross(corner(3) - corner(0)).dot(corner(4) - corner(0));
         EXPECT_NEAR(volume, 8 * half.prod(), 1e-6);
-        EXPECT_LT((corner(6) - corner(4) - corner(2) + corner(0)).norm(), 1e-5);
+        EXPECT_LT((corner(0) - corner(1) + corner(2) - corner(3)).norm(), 1e-5);
+        for (std::size_t i = 1; i < 4; ++i) EXPECT_LT((corner(4 + i) - corner(i) - corner(4) + corner(0)).norm(), 1e-5);
     }
     EXPECT_EQ(file.values<std::uint8_t>("types"), std::vector<std::uint8_t>(18, 12));
 }
@@ -194,6 +196,8 @@ TEST_F(Vtk, ASeriesOfARecordHasEveryPartAtEveryTime) {
     const std::string state = text_of(folder / "a & b.py");
     EXPECT_THAT(state, HasSubstr("collection = 'a & b.pvd'"));
     EXPECT_THAT(state, HasSubstr("time_shown = 1 "));
+    // The largest force of all, the load of the second frame, is one and a half radii long.
+    EXPECT_THAT(state, HasSubstr(fmt::format("metres_per_newton = {:.4g}", 1.5 * 0.736 / std::hypot(30, 5, 2))));
 }
 
 TEST_F(Vtk, SaysWhyASeriesCannotBeWritten) {

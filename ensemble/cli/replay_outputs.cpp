@@ -1,0 +1,113 @@
+#include "cli/replay_outputs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <system_error>
+
+#include "cli/progress_line.hpp"
+#include "core/error.hpp"
+#include "view/film.hpp"
+#include "view/replay_page.hpp"
+#include "view/vtk_series.hpp"
+
+namespace floes {
+namespace {
+
+template <class Kind, std::size_t count>
+Kind kind_named(const std::array<std::string_view, count>& names, const std::string& name) {
+    return static_cast<Kind>(std::ranges::find(names, name) - names.begin());
+}
+
+PictureStyle style_of(const ReplayLook& look, const Record& record) {
+    PictureStyle style;
+    style.view = kind_named<View>(view_names, look.view);
+    style.colouring = kind_named<Colouring>(colouring_names, look.colours);
+    char rest = 0;
+    if (std::sscanf(look.size.c_str(), "%dx%d%c", &style.width, &style.height, &rest) != 2 || style.width < 200 ||
+        style.height < 150 || style.width > 8000 || style.height > 8000)
+        throw InputError(fmt::format(
+            "--size {} is no size; give width x height in pixels, as 1280x800, from 200x150 to 8000x8000.", look.size));
+    style.width += style.width % 2;  // films want even numbers
+    style.from = record.time(0);
+    style.to = record.time(record.frames() - 1);
+    return style;
+}
+
+int frame_of_largest_load(const Record& record) {
+    const std::vector<double>& surge = record.outcome().history.surge;
+    const double step = record.subject().scenario.general.time_step;
+    int largest = 0;
+    double load = -std::numeric_limits<double>::infinity();
+    for (int k = 0; k < record.frames(); ++k) {
+        const auto steps = static_cast<std::size_t>(std::llround(record.time(k) / step));
+        if (steps == 0 || steps > surge.size() || surge[steps - 1] <= load) continue;
+        load = surge[steps - 1];
+        largest = k;
+    }
+    return largest;
+}
+
+void write_picture(const std::filesystem::path& path, const Record& record, const ReplayLook& look) {
+    const PictureStyle style = style_of(look, record);
+    const Stage stage(record.subject(), record.outcome(), record.floes());
+    const Frame frame = record.read(look.at ? record.nearest(*look.at) : frame_of_largest_load(record));
+    const int height = picture_height(style, record.subject());
+    const bool vectors = path.extension() == ".svg";
+    Canvas canvas = vectors ? Canvas(path, style.width, height) : Canvas(style.width, height);
+    draw_picture(canvas, stage, frame, style);
+    if (vectors) {
+        canvas.finish();
+    } else {
+        canvas.write_png(path);
+    }
+}
+
+void write(const std::filesystem::path& path, const Record& record, const ReplayLook& look) {
+    switch (kind_of(path)) {
+        case ReplayOutput::page:
+            return write_replay_page(path, record);
+        case ReplayOutput::vtk:
+            return write_vtk_series(path, record);
+        case ReplayOutput::picture:
+            return write_picture(path, record, look);
+        case ReplayOutput::film: {
+            ProgressLine line(fmt::format("drawing {}", path.string()));
+            return write_film(path, record, style_of(look, record), [&](double done) { line.show(done); });
+        }
+        case ReplayOutput::record:
+            break;
+    }
+}
+
+}  // namespace
+
+ReplayOutput kind_of(const std::filesystem::path& path) {
+    const std::string ending = path.extension().string();
+    if (ending == ".h5") return ReplayOutput::record;
+    if (ending == ".html") return ReplayOutput::page;
+    if (ending == ".pvd") return ReplayOutput::vtk;
+    if (ending == ".png" || ending == ".svg") return ReplayOutput::picture;
+    for (const char* film : {".mp4", ".webm", ".webp", ".gif", ".apng"})
+        if (ending == film) return ReplayOutput::film;
+    throw InputError(fmt::format(
+        "What is {} to be? Its ending says: .html a page that plays, .png or .svg a picture, .mp4, .webm, .webp, .gif "
+        "or .apng a film, .pvd a series for ParaView, .h5 the record itself.",
+        path.string()));
+}
+
+void write_replay_output(const std::filesystem::path& path, const Record& record, const ReplayLook& look) {
+    try {
+        write(path, record, look);
+    } catch (...) {
+        std::error_code ignored;
+        std::filesystem::remove(path, ignored);
+        throw;
+    }
+}
+
+}  // namespace floes

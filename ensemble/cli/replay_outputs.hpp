@@ -1,0 +1,27 @@
+#pragma once
+// What floes replay makes of a record, by the ending of each file's name.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "replay/record.hpp"
+
+namespace floes {
+
+enum class ReplayOutput { record, page, picture, film, vtk };
+
+/// Throws InputError, with all endings, for any other.
+ReplayOutput kind_of(const std::filesystem::path& path);
+
+struct ReplayLook {
+    std::optional<double> at = {};  ///< s, of pictures; not given: the largest load among the frames
+    std::string view = "perspective";
+    std::string colours = "ice";
+    std::string size = "1280x800";
+};
+
+/// Makes the file, with progress on standard error; one that fails leaves nothing. Not for ReplayOutput::record.
+void write_replay_output(const std::filesystem::path& path, const Record& record, const ReplayLook& look);
+
+}  // namespace floes
