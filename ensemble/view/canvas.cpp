@@ -75,22 +75,21 @@ int Canvas::height() const {
     return surface_->high;
 }
 
-void Canvas::fill_all(const Colour& colour) {
-    surface_->use(colour);
+void Canvas::image(const Vec2& at, int width, int height, std::vector<std::uint8_t> pixels) {
+    const int stride = cairo_format_stride_for_width(CAIRO_FORMAT_RGB24, width);  // 4 bytes a pixel, without a gap
+    cairo_surface_t* picture =
+        cairo_image_surface_create_for_data(pixels.data(), CAIRO_FORMAT_RGB24, width, height, stride);
+    cairo_set_source_surface(surface_->context, picture, at.x(), at.y());
     cairo_paint(surface_->context);
+    cairo_surface_finish(picture);  // an SVG keeps its pixels from here on
+    cairo_surface_destroy(picture);
 }
 
-void Canvas::fill(std::span<const Vec2> polygon, const Colour& colour, double seam) {
+void Canvas::fill(std::span<const Vec2> polygon, const Colour& colour) {
     surface_->trace(polygon);
     cairo_close_path(surface_->context);
     surface_->use(colour);
-    if (seam <= 0) {
-        cairo_fill(surface_->context);
-        return;
-    }
-    cairo_fill_preserve(surface_->context);
-    cairo_set_line_width(surface_->context, seam);
-    cairo_stroke(surface_->context);
+    cairo_fill(surface_->context);
 }
 
 void Canvas::line(const Vec2& from, const Vec2& to, const Colour& colour, double width) {

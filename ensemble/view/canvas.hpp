@@ -38,9 +38,9 @@ class Canvas {
     int width() const;
     int height() const;
 
-    void fill_all(const Colour& colour);
-    /// `seam`: width of a line of the same colour round it, so that faces side by side leave no gap.
-    void fill(std::span<const Vec2> polygon, const Colour& colour, double seam = 0);
+    /// Pixels with their upper left corner there: rows from above, four bytes each, blue, green, red, 255.
+    void image(const Vec2& at, int width, int height, std::vector<std::uint8_t> pixels);
+    void fill(std::span<const Vec2> polygon, const Colour& colour);
     void line(const Vec2& from, const Vec2& to, const Colour& colour, double width);
     void path(std::span<const Vec2> points, const Colour& colour, double width);
     void arrow(const Vec2& from, const Vec2& to, const Colour& colour, double width);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "view/depth_buffer.hpp"
+
 namespace floes {
 namespace {
 
@@ -32,15 +34,17 @@ double largest_load(const LoadHistory& history) {
     return largest;
 }
 
-void draw_faces(Canvas& canvas, const std::vector<Face>& faces, double unit) {
+void draw_faces(Canvas& canvas, const std::vector<Face>& faces, const Vec2& size, double unit) {
+    DepthBuffer drawn(static_cast<int>(size.x()), static_cast<int>(size.y()), sea);
     for (const Face& face : faces) {
-        canvas.fill(face.corners, face.colour, 0.6 * unit);
+        drawn.fill(face.corners, face.colour);
         const Colour dark = between(face.colour, ink, 0.55);
         for (std::size_t k = 0; k < face.corners.size(); ++k) {
             if ((face.edges >> k & 1u) == 0) continue;
-            canvas.line(face.corners[k], face.corners[(k + 1) % face.corners.size()], dark, 0.7 * unit);
+            drawn.line(face.corners[k], face.corners[(k + 1) % face.corners.size()], dark, unit);
         }
     }
+    canvas.image(Vec2::Zero(), drawn.width(), drawn.height(), drawn.pixels());
 }
 
 /// Forces as lines of Fig. 5: the load in the middle of the structure, normal and friction forces where floes touch.
@@ -198,8 +202,7 @@ int picture_height(const PictureStyle& style, const RecordSubject& subject) {
 void draw_picture(Canvas& canvas, const Stage& stage, const Frame& frame, const PictureStyle& style) {
     const Vec2 size(canvas.width(), canvas.height() - strip_height(style));
     const Projection projection(camera(style.view, stage.subject(), frame.structure), size.x(), size.y());
-    canvas.fill_all(sea);
-    draw_faces(canvas, stage.faces(frame, projection, size, style.colouring), unit_of(style));
+    draw_faces(canvas, stage.faces(frame, projection, size, style.colouring), size, unit_of(style));
     if (style.view != View::plan) draw_forces(canvas, stage, frame, projection, unit_of(style));
     draw_words(canvas, stage, frame, style);
     draw_legend(canvas, style, size.y(), stage.subject().scenario.structure.speed);

@@ -18,8 +18,10 @@ Vec2 Projection::at(const Vec3& point) const {
     return middle_ + scale * Vec2(from_eye.dot(right_), -from_eye.dot(up_));
 }
 
-double Projection::distance(const Vec3& point) const {
-    return parallel_ ? (point - eye_).dot(forward_) : (point - eye_).norm();
+Vec3 Projection::seen(const Vec3& point) const {
+    const Vec2 on_picture = at(point);
+    const double depth = (point - eye_).dot(forward_);
+    return {on_picture.x(), on_picture.y(), parallel_ ? 1 - depth / (2 * depth_) : depth_ / depth};
 }
 
 }  // namespace floes

@@ -13,8 +13,8 @@ class Projection {
 
     /// x to the right and y down, pixels from the upper left. The point must lie before the eye.
     Vec2 at(const Vec3& point) const;
-    /// How far the point lies from the eye, m; with parallel projection from its plane.
-    double distance(const Vec3& point) const;
+    /// The same with how near the point is: larger is nearer, and it is linear along lines of the picture.
+    Vec3 seen(const Vec3& point) const;
     /// Whether it lies before the eye.
     bool before(const Vec3& point) const { return parallel_ || (point - eye_).dot(forward_) > 0.01 * depth_; }
     /// From the point to the eye, of length 1.

@@ -54,37 +54,33 @@ class Faces {
         const double margin = 0.1 * size_.maxCoeff();
         for (const Vec3& corner : corners) {
             if (!projection_.before(corner)) return;
-            const Vec2 at = projection_.at(corner);
+            const Vec3 at = projection_.seen(corner);
             inside |=
                 at.x() > -margin && at.y() > -margin && at.x() < size_.x() + margin && at.y() < size_.y() + margin;
             face.corners.push_back(at);
         }
         if (!inside) return;
         if (projection_.to_eye(middle).y() > 0) face.colour = through_water(face.colour, -middle.y(), clear_water);
-        face.distance = projection_.distance(middle);
         faces_.push_back(std::move(face));
     }
 
-    /// exposed: bits of Edge; sides without theirs are not drawn.
+    /// exposed: bits of Edge; other sides have no lines. They are drawn all the same: they close the gaps between
+    /// elements.
     void add(const Box& box, std::uint8_t exposed, const Colour& colour, double clear_water) {
         for (const Side& side : sides()) {
-            if (side.edge != 0 && (exposed & side.edge) == 0) continue;
             const auto corner = [&](double a, double b) {
                 const Vec3 at = side.normal + a * side.first + b * side.second;
                 return Vec3(box.centre + box.rotation * at.cwiseProduct(box.half));
             };
             const std::array<Vec3, 4> corners{corner(1, 1), corner(-1, 1), corner(-1, -1), corner(1, -1)};
-            std::uint8_t edges = side.edge != 0 ? all_edges : 0;
+            std::uint8_t edges = side.edge != 0 && (exposed & side.edge) != 0 ? all_edges : 0;
             for (unsigned k = 0; side.edge == 0 && k < flat_edges.size(); ++k)
                 if ((exposed & flat_edges[k]) != 0) edges = static_cast<std::uint8_t>(edges | (1u << k));
             add(corners, box.rotation * side.normal, colour, edges, clear_water);
         }
     }
 
-    std::vector<Face> farthest_first() && {
-        std::ranges::stable_sort(faces_, std::ranges::greater{}, &Face::distance);
-        return std::move(faces_);
-    }
+    std::vector<Face> found() && { return std::move(faces_); }
 
   private:
     const Projection& projection_;
@@ -92,7 +88,7 @@ class Faces {
     std::vector<Face> faces_;
 };
 
-/// Faces are drawn in the order of their middles, so none may be much longer than the others.
+/// A face that reaches behind the eye is left out, so none may be long.
 std::vector<SheetPart> in_parts(const std::vector<IceSheet>& sheets, double longest) {
     std::vector<SheetPart> parts;
     for (const IceSheet& sheet : sheets) {
@@ -214,7 +210,7 @@ std::vector<Face> Stage::faces(const Frame& frame, const Projection& projection,
     for (std::size_t k = 0; k < frame.elements.size(); ++k)
         faces.add(Box{frame.elements[k].position, frame.elements[k].rotation, half}, exposed[k], colour(k), clear);
     add_structure(faces, scenario.structure.shape, frame.structure, side / 2, clear);
-    return std::move(faces).farthest_first();
+    return std::move(faces).found();
 }
 
 }  // namespace floes

@@ -1,5 +1,5 @@
 #pragma once
-// The ice and the structure of one frame as coloured faces of a picture, the farthest first.
+// The ice and the structure of one frame as coloured faces of a picture.
 
 #include <cstdint>
 #include <span>
@@ -13,10 +13,9 @@
 namespace floes {
 
 struct Face {
-    std::vector<Vec2> corners;  ///< in the picture
+    std::vector<Vec3> corners;  ///< Projection::seen
     Colour colour;
     std::uint8_t edges = 0;  ///< bit k: a line from corner k to the next one
-    double distance = 0;     ///< from the eye to its middle, m
 };
 
 /// A part, of the floes' size, of an ice sheet.
