@@ -1,4 +1,4 @@
-# floes_assets(TARGET files…): puts files into a room, which reads them by name (view/assets.hpp). A change of a file
+# floes_assets(TARGET files…): puts files into a room, which reads them by name (player/assets.hpp). A change of a file
 # builds its object again.
 function(floes_assets target)
   if(NOT TARGET ${target})

@@ -11,9 +11,9 @@
 
 #include "cli/progress_line.hpp"
 #include "core/error.hpp"
-#include "view/film.hpp"
-#include "view/replay_page.hpp"
-#include "view/vtk_series.hpp"
+#include "picture/film.hpp"
+#include "player/replay_page.hpp"
+#include "vtk/vtk_series.hpp"
 
 namespace floes {
 namespace {

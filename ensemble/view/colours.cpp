@@ -12,6 +12,11 @@ constexpr double golden_share = 0.61803398875;
 
 }  // namespace
 
+Colour between(const Colour& a, const Colour& b, double share) {
+    const auto mix = [share](double from, double to) { return from + share * (to - from); };
+    return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue), mix(a.opacity, b.opacity)};
+}
+
 Colour scale_colour(double share) {
     constexpr std::array<Colour, 5> stops{
         {{0.27, 0.22, 0.55}, {0.19, 0.44, 0.62}, {0.13, 0.64, 0.58}, {0.45, 0.80, 0.34}, {0.99, 0.90, 0.15}}};

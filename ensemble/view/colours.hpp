@@ -5,9 +5,20 @@
 #include <string_view>
 
 #include "core/vector.hpp"
-#include "view/canvas.hpp"
 
 namespace floes {
+
+struct Colour {
+    double red = 0;  ///< 0-1, as the others
+    double green = 0;
+    double blue = 0;
+    double opacity = 1;
+
+    Colour faded(double by) const { return {red, green, blue, opacity * by}; }
+};
+
+/// From `a` at 0 to `b` at 1.
+Colour between(const Colour& a, const Colour& b, double share);
 
 /// What the colour of an element says.
 enum class Colouring {
@@ -25,7 +36,7 @@ inline constexpr Colour sheet_ice{0.78, 0.85, 0.89};
 inline constexpr Colour structure_yellow{0.98, 0.80, 0.16};
 inline constexpr Colour sea{0.13, 0.31, 0.43};
 inline constexpr Colour ink{0.10, 0.15, 0.20};
-inline constexpr Colour paper{1, 1, 1};
+inline constexpr Colour bright{1, 1, 1};
 
 // Fig. 5: components of the load on the structure, and forces at contacts.
 inline constexpr Colour surge_red{0.90, 0.16, 0.16};

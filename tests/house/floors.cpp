@@ -45,9 +45,13 @@ const std::vector<Room>& rooms() {
         {11, "driver", "POSIX, TBB"},
         {11, "forecast", ""},
         {11, "findings", ""},
-        {12, "view", "nlohmann json, zlib"},
+        {11, "replay", "POSIX"},
+        {12, "view", ""},
         {12, "page", ""},
-        {13, "cli", "CLI11, nlohmann json, POSIX, TBB"},
+        {13, "picture", "cairo, POSIX, zlib"},
+        {13, "player", "nlohmann json, zlib"},
+        {13, "vtk", "zlib"},
+        {14, "cli", "CLI11, nlohmann json, POSIX, TBB"},
     };
     return table;
 }
@@ -61,6 +65,7 @@ const std::vector<Library>& libraries() {
     static const std::vector<Library> all{
         {"Boost", std::regex{R"(boost/.*)"}},
         {"Bullet", std::regex{R"((bt[A-Z]|Bullet|LinearMath/).*)"}},
+        {"cairo", std::regex{R"((cairo/)?cairo.*\.h)"}},
         {"CLI11", std::regex{R"(CLI/.*)"}},
         {"Eigen", std::regex{R"((unsupported/)?Eigen/.*)"}},
         {"fmt", std::regex{R"(fmt/.*)"}},
@@ -68,7 +73,7 @@ const std::vector<Library>& libraries() {
         {"HDF5", std::regex{R"(hdf5(_hl)?\.h|hdf5/serial/.*|H5.*)"}},
         {"MPI", std::regex{R"((mpi|openmpi/).*)"}},
         {"nlohmann json", std::regex{R"(nlohmann/.*)"}},
-        {"POSIX", std::regex{R"((sys/.*|gnu/libc-version|fcntl|poll|sched|signal|time|unistd)(\.h))"}},
+        {"POSIX", std::regex{R"((sys/.*|gnu/libc-version|fcntl|poll|sched|signal|spawn|time|unistd)(\.h))"}},
         {"Random123", std::regex{R"(Random123/.*)"}},
         {"TBB", std::regex{R"((oneapi/)?tbb/.*)"}},
         {"toml++", std::regex{R"(toml(\+\+|\.hpp).*)"}},

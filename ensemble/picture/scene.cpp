@@ -1,0 +1,216 @@
+#include "picture/scene.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace floes {
+namespace {
+
+constexpr int directions = 48;  // of the structure's wall
+constexpr std::uint8_t all_edges = 0b1111;
+
+struct Box {
+    Vec3 centre;
+    Mat3 rotation;
+    Vec3 half;
+};
+
+/// A side of a box by its outward normal and two of its axes, and the bit of Edge that it has.
+struct Side {
+    Vec3 normal;
+    Vec3 first;
+    Vec3 second;
+    std::uint8_t edge;
+};
+
+/// The top comes last; its corners follow each other so that edge k lies on the side of top_edges[k].
+const std::array<Side, 6>& sides() {
+    static const std::array<Side, 6> all{{{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ(), edge_plus_x},
+                                          {-Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ(), edge_minus_x},
+                                          {Vec3::UnitZ(), Vec3::UnitX(), Vec3::UnitY(), edge_plus_z},
+                                          {-Vec3::UnitZ(), Vec3::UnitX(), Vec3::UnitY(), edge_minus_z},
+                                          {-Vec3::UnitY(), Vec3::UnitX(), Vec3::UnitZ(), 0},
+                                          {Vec3::UnitY(), Vec3::UnitX(), Vec3::UnitZ(), 0}}};
+    return all;
+}
+constexpr std::array<std::uint8_t, 4> flat_edges{edge_plus_z, edge_minus_x, edge_minus_z, edge_plus_x};
+
+/// Collects faces that a picture shows.
+class Faces {
+  public:
+    Faces(const Projection& projection, const Vec2& size) : projection_(projection), size_(size) {}
+
+    /// Looks outward along `normal`; left out where the eye is behind it or the picture elsewhere.
+    void add(std::span<const Vec3> corners, const Vec3& normal, const Colour& colour, std::uint8_t edges,
+             double clear_water) {
+        Vec3 middle = Vec3::Zero();
+        for (const Vec3& corner : corners) middle += corner / static_cast<double>(corners.size());
+        if (normal.dot(projection_.to_eye(middle)) <= 0) return;
+        Face face{.corners = {}, .colour = lit(colour, normal), .edges = edges};
+        bool inside = false;
+        const double margin = 0.1 * size_.maxCoeff();
+        for (const Vec3& corner : corners) {
+            if (!projection_.before(corner)) return;
+            const Vec3 at = projection_.seen(corner);
+            inside |=
+                at.x() > -margin && at.y() > -margin && at.x() < size_.x() + margin && at.y() < size_.y() + margin;
+            face.corners.push_back(at);
+        }
+        if (!inside) return;
+        if (projection_.to_eye(middle).y() > 0) face.colour = through_water(face.colour, -middle.y(), clear_water);
+        faces_.push_back(std::move(face));
+    }
+
+    /// exposed: bits of Edge; other sides have no lines. They are drawn all the same: they close the gaps between
+    /// elements.
+    void add(const Box& box, std::uint8_t exposed, const Colour& colour, double clear_water) {
+        for (const Side& side : sides()) {
+            const auto corner = [&](double a, double b) {
+                const Vec3 at = side.normal + a * side.first + b * side.second;
+                return Vec3(box.centre + box.rotation * at.cwiseProduct(box.half));
+            };
+            const std::array<Vec3, 4> corners{corner(1, 1), corner(-1, 1), corner(-1, -1), corner(1, -1)};
+            std::uint8_t edges = side.edge != 0 && (exposed & side.edge) != 0 ? all_edges : 0;
+            for (unsigned k = 0; side.edge == 0 && k < flat_edges.size(); ++k)
+                if ((exposed & flat_edges[k]) != 0) edges = static_cast<std::uint8_t>(edges | (1u << k));
+            add(corners, box.rotation * side.normal, colour, edges, clear_water);
+        }
+    }
+
+    std::vector<Face> found() && { return std::move(faces_); }
+
+  private:
+    const Projection& projection_;
+    Vec2 size_;
+    std::vector<Face> faces_;
+};
+
+/// A face that reaches behind the eye is left out, so none may be long.
+std::vector<SheetPart> in_parts(const std::vector<IceSheet>& sheets, double longest) {
+    std::vector<SheetPart> parts;
+    for (const IceSheet& sheet : sheets) {
+        const auto count = [&](double half) { return std::max(1, static_cast<int>(std::lround(2 * half / longest))); };
+        const int along = count(sheet.half_extents.x());
+        const int across = count(sheet.half_extents.z());
+        for (int n = 0; n < along * across; ++n) {
+            const int i = n % along;
+            const int k = n / along;
+            IceSheet box = sheet;
+            box.half_extents.x() /= along;
+            box.half_extents.z() /= across;
+            box.centre.x() += (2 * i + 1 - along) * box.half_extents.x();
+            box.centre.z() += (2 * k + 1 - across) * box.half_extents.z();
+            const int exposed = (i == 0 ? edge_minus_x : 0) | (i == along - 1 ? edge_plus_x : 0) |
+                                (k == 0 ? edge_minus_z : 0) | (k == across - 1 ? edge_plus_z : 0);
+            parts.push_back({box, static_cast<std::uint8_t>(exposed)});
+        }
+    }
+    return parts;
+}
+
+/// Of each element the sides without a joint at that time, bits of Edge.
+std::vector<std::uint8_t> exposed_sides(std::size_t elements, const std::vector<RecordJoint>& joints,
+                                        const std::vector<bool>& failed) {
+    std::vector<std::uint8_t> exposed(elements, every_edge);
+    for (std::size_t k = 0; k < joints.size(); ++k) {
+        if (failed[k]) continue;
+        const bool along = joints[k].axis == JointAxis::x;
+        std::uint8_t& a = exposed[static_cast<std::size_t>(joints[k].a)];
+        std::uint8_t& b = exposed[static_cast<std::size_t>(joints[k].b)];
+        a = static_cast<std::uint8_t>(a & ~(along ? edge_plus_x : edge_plus_z));
+        b = static_cast<std::uint8_t>(b & ~(along ? edge_minus_x : edge_minus_z));
+    }
+    return exposed;
+}
+
+void add_structure(Faces& faces, const Shape& shape, double x, double height, double clear_water) {
+    const std::vector<std::vector<double>> profile = shape.rows();  // height and radius, from the bottom up
+    const auto at = [x](double angle, double radius, double y) {
+        return Vec3(x + radius * std::cos(angle), y, radius * std::sin(angle));
+    };
+    constexpr double turn = 2 * std::numbers::pi / directions;
+    for (int k = 0; k < directions; ++k) {
+        const double from = k * turn;
+        const double to = (k + 1) * turn;
+        for (std::size_t p = 0; p + 1 < profile.size(); ++p) {
+            const Vec2 low(profile[p][1], profile[p][0]);
+            const Vec2 high(profile[p + 1][1], profile[p + 1][0]);
+            const int parts = std::max(1, static_cast<int>(std::ceil((high - low).norm() / height)));
+            const Vec2 wall = (high - low).normalized();
+            const double middle = from + turn / 2;
+            const Vec3 normal(wall.y() * std::cos(middle), -wall.x(), wall.y() * std::sin(middle));
+            for (int part = 0; part < parts; ++part) {
+                const Vec2 lower = low + (high - low) * part / parts;
+                const Vec2 upper = low + (high - low) * (part + 1) / parts;
+                faces.add(std::array<Vec3, 4>{at(from, lower.x(), lower.y()), at(to, lower.x(), lower.y()),
+                                              at(to, upper.x(), upper.y()), at(from, upper.x(), upper.y())},
+                          normal, structure_yellow, 0, clear_water);
+            }
+        }
+    }
+    for (const bool top : {false, true}) {
+        const std::vector<double>& rim = top ? profile.back() : profile.front();
+        std::vector<Vec3> corners;
+        for (int k = 0; k < directions; ++k) corners.push_back(at(k * turn, rim[1], rim[0]));
+        faces.add(corners, top ? Vec3(Vec3::UnitY()) : Vec3(-Vec3::UnitY()), structure_yellow, 0, clear_water);
+    }
+}
+
+}  // namespace
+
+Stage::Stage(RecordSubject subject, RecordOutcome outcome, int floes)
+    : subject_(std::move(subject)),
+      outcome_(std::move(outcome)),
+      joints_(joints_of(subject_, floes)),
+      sheets_(in_parts(channel_of(subject_).sheets, subject_.scenario.floe.length)) {}
+
+int Stage::broken_floes(double time) const {
+    std::vector<int> floes;
+    for (const BreakEvent& event : outcome_.breaks)
+        if (event.time <= time) floes.push_back(event.floe);
+    std::ranges::sort(floes);
+    return static_cast<int>(std::ranges::unique(floes).begin() - floes.begin());
+}
+
+std::vector<Face> Stage::faces(const Frame& frame, const Projection& projection, const Vec2& size,
+                               Colouring colouring) const {
+    const Scenario& scenario = subject_.scenario;
+    const double clear = scenario.structure.shape.draught();
+    const auto each = static_cast<std::size_t>(elements_of_a_floe(subject_));
+    const std::size_t joints_each = joints_of(subject_, 1).size();
+    std::vector<bool> failed(joints_.size(), false);
+    std::vector<bool> broken(frame.elements.size() / each, false);
+    for (const BreakEvent& event : outcome_.breaks) {
+        if (event.time > frame.time) break;
+        failed[static_cast<std::size_t>(event.floe) * joints_each + static_cast<std::size_t>(event.joint)] = true;
+        broken[static_cast<std::size_t>(event.floe)] = true;
+    }
+    const auto colour = [&](std::size_t k) {
+        switch (colouring) {
+            case Colouring::piece:
+                return piece_colour(frame.pieces[k]);
+            case Colouring::speed:
+                return scale_colour(frame.elements[k].velocity.norm() / scenario.structure.speed);
+            case Colouring::utilisation:
+                return scale_colour(frame.utilisation[k]);
+            case Colouring::ice:
+                break;
+        }
+        return broken[k / each] ? broken_ice : white_ice;
+    };
+    const double side = scenario.floe.element;
+    const Vec3 half = Vec3(side, scenario.ice.thickness, side) / 2;
+    Faces faces(projection, size);
+    for (const auto& [box, exposed] : sheets_)
+        faces.add(Box{box.centre, Mat3::Identity(), box.half_extents}, exposed, sheet_ice, clear);
+    const std::vector<std::uint8_t> exposed = exposed_sides(frame.elements.size(), joints_, failed);
+    for (std::size_t k = 0; k < frame.elements.size(); ++k)
+        faces.add(Box{frame.elements[k].position, frame.elements[k].rotation, half}, exposed[k], colour(k), clear);
+    add_structure(faces, scenario.structure.shape, frame.structure, side / 2, clear);
+    return std::move(faces).found();
+}
+
+}  // namespace floes

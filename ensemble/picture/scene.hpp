@@ -1,0 +1,47 @@
+#pragma once
+// The ice and the structure of one frame as coloured faces of a picture.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "picture/canvas.hpp"
+#include "replay/record.hpp"
+#include "view/colours.hpp"
+#include "view/projection.hpp"
+
+namespace floes {
+
+struct Face {
+    std::vector<Vec3> corners;  ///< Projection::seen
+    Colour colour;
+    std::uint8_t edges = 0;  ///< bit k: a line from corner k to the next one
+};
+
+/// A part, of the floes' size, of an ice sheet.
+struct SheetPart {
+    IceSheet box;
+    std::uint8_t exposed = 0;  ///< sides that are the sheet's own, bits of Edge
+};
+
+/// A run on which frames are drawn: all that does not change from one to the next.
+class Stage {
+  public:
+    Stage(RecordSubject subject, RecordOutcome outcome, int floes);
+
+    /// What of the frame is seen in a picture of `size` pixels.
+    std::vector<Face> faces(const Frame& frame, const Projection& projection, const Vec2& size,
+                            Colouring colouring) const;
+
+    int broken_floes(double time) const;
+    const RecordSubject& subject() const { return subject_; }
+    const RecordOutcome& outcome() const { return outcome_; }
+
+  private:
+    RecordSubject subject_;
+    RecordOutcome outcome_;
+    std::vector<RecordJoint> joints_;
+    std::vector<SheetPart> sheets_;
+};
+
+}  // namespace floes

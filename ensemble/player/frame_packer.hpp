@@ -1,0 +1,82 @@
+#pragma once
+// Frames of a replay as few bytes: numbers in whole quanta, each frame as its difference from the one before, and
+// compressed. A whole member of the paper's tank
+// (1701 elements, 1351 frames) takes 4 MB.
+//
+// Six streams, little endian; e elements, in the order of IceField::elements():
+//   low, high    a frame: lower and upper bytes of 7 e int16 differences; x of all elements, then y, z, and w, x, y, z
+//   of
+//                their unit quaternions, whose signs are such that neighbouring frames are near each other
+//   utilisation  a frame: e bytes of differences, %
+//   numbers      a frame: 5 float32: time (s), load x, y, z (N), number of its contacts
+//   contacts     a contact of the structure: 9 int16: point, normal force, friction on the ice
+//   pieces       a change: 3 int32: frame, element, the piece that it then belongs to; frame 0 sets all
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/vector.hpp"
+#include "player/deflater.hpp"
+#include "replay/record.hpp"
+#include "simulation/frame.hpp"
+
+namespace floes {
+
+/// What a whole number stands for.
+struct Quanta {
+    Vec3 middle = Vec3::Zero();       ///< where positions are 0, m
+    double length = 1;                ///< m
+    double force = 1;                 ///< N
+    double orientation = 1.0 / 4096;  ///< of a quaternion's part
+};
+
+/// Such that every position and every force of the structure's contacts fits into an int16. Reads all frames.
+Quanta quanta_of(const Record& record);
+
+struct PackedFrames {
+    int frames = 0;
+    Bytes low, high, utilisation, numbers, contacts, pieces;
+};
+
+/// The streams by the names that they have in the page.
+inline std::array<std::pair<const char*, const Bytes*>, 6> streams_of(const PackedFrames& frames) {
+    return {{{"low", &frames.low},
+             {"high", &frames.high},
+             {"utilisation", &frames.utilisation},
+             {"numbers", &frames.numbers},
+             {"contacts", &frames.contacts},
+             {"pieces", &frames.pieces}}};
+}
+
+class FramePacker {
+  public:
+    FramePacker(const Quanta& quanta, int elements);
+
+    /// Frames in order of time; all of them with the packer's number of elements.
+    void add(const Frame& frame);
+    int frames() const { return frames_; }
+    /// Bytes so far, less what zlib still holds back.
+    std::size_t size() const;
+    /// The last call.
+    PackedFrames finish();
+
+  private:
+    void add_states(const Frame& frame);
+    void add_utilisation(const Frame& frame);
+    void add_contacts(const Frame& frame);
+    void add_pieces(const Frame& frame);
+    std::int16_t part_of_position(double value, int axis) const;
+
+    Quanta quanta_;
+    std::size_t elements_;
+    int frames_ = 0;
+    std::vector<std::int16_t> states_;  // of the frame before
+    std::vector<std::uint8_t> percent_;
+    std::vector<int> pieces_;
+    Bytes low_, high_;  // of the frame; they keep their memory
+    Deflater packed_low_, packed_high_, packed_utilisation_, packed_numbers_, packed_contacts_, packed_pieces_;
+};
+
+}  // namespace floes

@@ -1,0 +1,131 @@
+#include "vtk/vtk_parts.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace floes {
+namespace {
+
+void append(std::vector<float>& values, const Vec3& vector) {
+    for (const double value : vector) values.push_back(static_cast<float>(value));
+}
+
+void append_box(VtkMesh& mesh, const Vec3& centre, const Mat3& rotation, const Vec3& half_extents) {
+    // In VTK's order: round the lower face, then round the upper one above it.
+    for (const double y : {-1.0, 1.0})
+        for (const Vec2& corner : {Vec2(-1, -1), Vec2(-1, 1), Vec2(1, 1), Vec2(1, -1)})
+            append(mesh.points, centre + rotation * half_extents.cwiseProduct(Vec3(corner.x(), y, corner.y())));
+    for (int i = 0; i < 8; ++i) mesh.connectivity.push_back(static_cast<std::int32_t>(mesh.connectivity.size()));
+    mesh.offsets.push_back(static_cast<std::int32_t>(mesh.connectivity.size()));
+}
+
+/// The mesh of these points, a vertex at each.
+VtkMesh vertices(std::vector<float> points) {
+    VtkMesh mesh{.kind = VtkCells::points, .points = std::move(points)};
+    for (std::size_t i = 0; i < mesh.points.size() / 3; ++i) {
+        mesh.connectivity.push_back(static_cast<std::int32_t>(i));
+        mesh.offsets.push_back(static_cast<std::int32_t>(i + 1));
+    }
+    return mesh;
+}
+
+template <class Items, class Read>
+std::vector<float> vectors(const Items& items, Read read) {
+    std::vector<float> values;
+    values.reserve(3 * items.size());
+    for (const auto& item : items) append(values, read(item));
+    return values;
+}
+
+}  // namespace
+
+VtkMesh ice_part(const Frame& frame, const Scenario& scenario, std::span<const std::uint8_t> broken) {
+    const Vec3 half_extents = Vec3(scenario.floe.element, scenario.ice.thickness, scenario.floe.element) / 2;
+    const std::size_t elements = frame.elements.size();
+    const std::size_t of_a_floe = elements / broken.size();
+    VtkMesh mesh{.kind = VtkCells::hexahedra};
+    mesh.points.reserve(24 * elements);
+    std::vector<std::int32_t> floe(elements);
+    std::vector<std::uint8_t> is_broken(elements);
+    for (std::size_t i = 0; i < elements; ++i) {
+        append_box(mesh, frame.elements[i].position, frame.elements[i].rotation, half_extents);
+        floe[i] = static_cast<std::int32_t>(i / of_a_floe);
+        is_broken[i] = broken[i / of_a_floe];
+    }
+    mesh.cell_data = {
+        vtk_array("floe", floe), vtk_array("piece", frame.pieces), vtk_array("broken", is_broken),
+        vtk_array("utilisation", std::vector<float>(frame.utilisation.begin(), frame.utilisation.end())),
+        vtk_array("velocity", vectors(frame.elements, [](const BodyState& one) { return one.velocity; }), 3)};
+    return mesh;
+}
+
+VtkMesh contacts_part(const Frame& frame) {
+    const auto read = [&](auto of) { return vectors(frame.contacts, of); };
+    std::vector<std::int32_t> element;
+    std::vector<std::int32_t> other;
+    for (const FrameContact& contact : frame.contacts) {
+        element.push_back(contact.element);
+        other.push_back(contact.other);
+    }
+    VtkMesh mesh = vertices(read([](const FrameContact& one) { return one.point; }));
+    mesh.point_data = {
+        vtk_array("normal", read([](const FrameContact& one) { return one.normal; }), 3),
+        vtk_array("friction", read([](const FrameContact& one) { return one.friction; }), 3),
+        vtk_array("force", read([](const FrameContact& one) -> Vec3 { return one.normal + one.friction; }), 3),
+        vtk_array("element", element), vtk_array("other", other)};
+    return mesh;
+}
+
+VtkMesh load_part(const Frame& frame) {
+    std::vector<float> force;
+    for (int i = 0; i < 3; ++i) append(force, frame.load[i] * Vec3::Unit(i));
+    append(force, frame.load);
+    std::vector<float> points;
+    for (int i = 0; i < 4; ++i) append(points, {frame.structure, 0, 0});
+    VtkMesh mesh = vertices(std::move(points));
+    mesh.point_data = {vtk_array("force", force, 3), vtk_array("component", std::vector<std::int32_t>{0, 1, 2, 3})};
+    return mesh;
+}
+
+VtkMesh structure_part(const Shape& shape, double axis) {
+    constexpr int sides = 96;
+    const std::vector<std::vector<double>> profile = shape.rows();  // height, radius
+    const int rings = static_cast<int>(profile.size());
+    VtkMesh mesh{.kind = VtkCells::polygons};
+    for (const std::vector<double>& row : profile)
+        for (int side = 0; side < sides; ++side) {
+            const double angle = 2 * std::numbers::pi * side / sides;
+            append(mesh.points, {axis + row[1] * std::cos(angle), row[0], row[1] * std::sin(angle)});
+        }
+    const auto close = [&] { mesh.offsets.push_back(static_cast<std::int32_t>(mesh.connectivity.size())); };
+    // Points run from x to z, clockwise when seen from above; polygons run counter-clockwise when seen from outside.
+    for (int side = 0; side < sides; ++side) mesh.connectivity.push_back(side);
+    close();
+    for (int side = 0; side < sides; ++side) mesh.connectivity.push_back(rings * sides - 1 - side);
+    close();
+    for (int ring = 0; ring + 1 < rings; ++ring)
+        for (int side = 0; side < sides; ++side) {
+            const int low = ring * sides;
+            const int next = (side + 1) % sides;
+            for (const int point : {side, side + sides, next + sides, next}) mesh.connectivity.push_back(low + point);
+            close();
+        }
+    return mesh;
+}
+
+VtkMesh ice_sheets_part(const Channel& channel) {
+    VtkMesh mesh{.kind = VtkCells::hexahedra};
+    for (const IceSheet& sheet : channel.sheets) append_box(mesh, sheet.centre, Mat3::Identity(), sheet.half_extents);
+    return mesh;
+}
+
+std::span<const std::uint8_t> BrokenFloes::at(double time) {
+    while (!breaks_.empty() && breaks_.front().time <= time) {
+        broken_[breaks_.front().floe] = 1;
+        breaks_ = breaks_.subspan(1);
+    }
+    return broken_;
+}
+
+}  // namespace floes

@@ -1,0 +1,45 @@
+#pragma once
+// What ParaView shows of a run, part by part. World axes and SI throughout; forces in N, velocities in m/s.
+
+#include <span>
+
+#include "replay/record.hpp"
+#include "simulation/channel.hpp"
+#include "simulation/frame.hpp"
+#include "structure/shape.hpp"
+#include "vtk/vtk_file.hpp"
+
+namespace floes {
+
+/// A hexahedron for each element. Cells have floe, piece (the first element of the piece), broken (1: a joint of its
+/// floe has failed), utilisation (0-1) and velocity. `broken`: of each floe.
+VtkMesh ice_part(const Frame& frame, const Scenario& scenario, std::span<const std::uint8_t> broken);
+
+/// A point for each contact that exerts a force. Points have normal, friction and force (their sum) on the element, the
+/// element, and the other element or touches_structure or touches_ice_sheet.
+VtkMesh contacts_part(const Frame& frame);
+
+/// Four points on the structure's axis at the waterline. Points have the force on the structure and which one it is,
+/// component: 0 surge, 1 heave, 2 sway (along x, y, z), 3 their sum.
+VtkMesh load_part(const Frame& frame);
+
+/// The surface of the structure while its axis is at x = `axis` m.
+VtkMesh structure_part(const Shape& shape, double axis);
+
+/// A hexahedron for each sheet of fixed ice.
+VtkMesh ice_sheets_part(const Channel& channel);
+
+/// Follows which floes are broken from frame to frame.
+class BrokenFloes {
+  public:
+    BrokenFloes(const std::vector<BreakEvent>& breaks, int floes) : breaks_(breaks), broken_(floes, 0) {}
+
+    /// Of each floe, whether a joint of it has failed by `time`, s, which never falls from call to call.
+    std::span<const std::uint8_t> at(double time);
+
+  private:
+    std::span<const BreakEvent> breaks_;  // in order of time; those to come
+    std::vector<std::uint8_t> broken_;
+};
+
+}  // namespace floes

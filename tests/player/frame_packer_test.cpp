@@ -1,0 +1,143 @@
+#include "player/frame_packer.hpp"
+
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <cstring>
+
+#include "player/synthetic_record.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace floes {
+namespace {
+
+template <typename Value>
+std::vector<Value> inflated(const Bytes& packed) {
+    Bytes plain(1 << 22);
+    uLongf size = plain.size();
+    EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(plain.data()), &size, reinterpret_cast<const Bytef*>(packed.data()),
+                         packed.size()),
+              Z_OK);
+    std::vector<Value> values(size / sizeof(Value));
+    std::memcpy(values.data(), plain.data(), values.size() * sizeof(Value));
+    return values;
+}
+
+/// What the page reads from the streams, as its data.js does.
+class Unpacked {
+  public:
+    Unpacked(const PackedFrames& packed, std::size_t elements)
+        : numbers(inflated<float>(packed.numbers)),
+          contacts(inflated<std::int16_t>(packed.contacts)),
+          pieces(inflated<std::int32_t>(packed.pieces)),
+          elements_(elements) {
+        const auto low = inflated<std::uint8_t>(packed.low);
+        const auto high = inflated<std::uint8_t>(packed.high);
+        states_.resize(low.size());
+        for (std::size_t i = 0; i < low.size(); ++i) {
+            const int before = i < 7 * elements ? 0 : states_[i - 7 * elements];
+            states_[i] = static_cast<std::int16_t>(before + (low[i] | high[i] << 8));
+        }
+        percent = inflated<std::uint8_t>(packed.utilisation);
+        for (std::size_t i = elements; i < percent.size(); ++i)
+            percent[i] = static_cast<std::uint8_t>(percent[i] + percent[i - elements]);
+    }
+
+    double part(int frame, int part, std::size_t element) const {
+        return states_.at(static_cast<std::size_t>(7 * frame + part) * elements_ + element);
+    }
+
+    std::vector<float> numbers;
+    std::vector<std::int16_t> contacts;
+    std::vector<std::int32_t> pieces;
+    std::vector<std::uint8_t> percent;
+
+  private:
+    std::size_t elements_;
+    std::vector<std::int16_t> states_;
+};
+
+class PackedReplay : public testing::Test {
+  protected:
+    static constexpr int frames = 40;
+
+    PackedReplay() : record_(written()), quanta_(quanta_of(record_)) {
+        FramePacker packer(quanta_, record_.elements());
+        for (int i = 0; i < frames; ++i) packer.add(record_.read(i));
+        packed_ = packer.finish();
+    }
+
+    std::filesystem::path written() {
+        synthetic::write_record(folder_ / "record.h5", frames);
+        return folder_ / "record.h5";
+    }
+
+    TemporaryFolder folder_;
+    Record record_;
+    Quanta quanta_;
+    PackedFrames packed_;
+};
+
+TEST_F(PackedReplay, KeepsPosesToHalfAQuantum) {
+    const auto elements = static_cast<std::size_t>(record_.elements());
+    const Unpacked page(packed_, elements);
+    std::vector<Quat> before(elements, Quat(0, 0, 0, 0));
+    for (int i = 0; i < frames; ++i) {
+        const Frame frame = record_.read(i);
+        for (std::size_t e = 0; e < elements; ++e) {
+            const BodyState& state = frame.elements[e];
+            for (int axis = 0; axis < 3; ++axis)
+                EXPECT_NEAR(quanta_.middle[axis] + quanta_.length * page.part(i, axis, e), state.position[axis],
+                            0.501 * quanta_.length);
+            const Quat q(page.part(i, 3, e), page.part(i, 4, e), page.part(i, 5, e), page.part(i, 6, e));
+            EXPECT_LT(Quat(state.rotation).angularDistance(q.normalized()), 2.2 * quanta_.orientation);
+            // The page goes straight from one frame to the next.
+            EXPECT_GE(q.dot(before[e]), 0) << "frame " << i << ", element " << e;
+            before[e] = q;
+        }
+    }
+    EXPECT_LT(quanta_.length, 11.0 / 65000);  // the field is 11 m long
+}
+
+TEST_F(PackedReplay, KeepsLoadsUtilisationAndPieces) {
+    const auto elements = static_cast<std::size_t>(record_.elements());
+    const Unpacked page(packed_, elements);
+    std::vector<int> pieces(elements, -1);
+    std::size_t change = 0;
+    for (int i = 0; i < frames; ++i) {
+        const Frame frame = record_.read(i);
+        const float* number = &page.numbers.at(5 * static_cast<std::size_t>(i));
+        EXPECT_FLOAT_EQ(number[0], static_cast<float>(frame.time));
+        for (int axis = 0; axis < 3; ++axis) EXPECT_FLOAT_EQ(number[1 + axis], static_cast<float>(frame.load[axis]));
+        for (; change < page.pieces.size() && page.pieces[change] == i; change += 3)
+            pieces[static_cast<std::size_t>(page.pieces[change + 1])] = page.pieces[change + 2];
+        EXPECT_EQ(pieces, frame.pieces);
+        for (std::size_t e = 0; e < elements; ++e)
+            EXPECT_NEAR(page.percent.at(static_cast<std::size_t>(i) * elements + e), 100 * frame.utilisation[e], 0.501);
+    }
+    EXPECT_EQ(change, page.pieces.size());
+}
+
+TEST_F(PackedReplay, KeepsContactsOfTheStructureAlone) {
+    const Unpacked page(packed_, static_cast<std::size_t>(record_.elements()));
+    std::size_t at = 0;
+    for (int i = 0; i < frames; ++i) {
+        int kept = 0;
+        for (const FrameContact& contact : record_.read(i).contacts) {
+            if (contact.other != touches_structure) continue;
+            ++kept;
+            for (int axis = 0; axis < 3; ++axis, ++at) {
+                EXPECT_NEAR(quanta_.middle[axis] + quanta_.length * page.contacts.at(at), contact.point[axis],
+                            0.501 * quanta_.length);
+                EXPECT_NEAR(quanta_.force * page.contacts.at(at + 3), contact.normal[axis], 0.501 * quanta_.force);
+                EXPECT_NEAR(quanta_.force * page.contacts.at(at + 6), contact.friction[axis], 0.501 * quanta_.force);
+            }
+            at += 6;
+        }
+        EXPECT_EQ(page.numbers.at(5 * static_cast<std::size_t>(i) + 4), kept);
+    }
+    EXPECT_EQ(at, page.contacts.size());
+}
+
+}  // namespace
+}  // namespace floes
