@@ -13,6 +13,7 @@ namespace floes {
 namespace {
 
 constexpr std::size_t drawn_columns = 700;
+constexpr std::size_t most_drawn_cases = 6;
 constexpr double drawn_moduli[]{3, 5, 7, 10, 14, 20, 30, 45, 60, 90, 130, 200, 300, 450, 700, 1000};  // MPa
 constexpr double crossing_of_the_paper = 10 * unit::megapascal;                                       // Fig. 8
 
@@ -76,6 +77,18 @@ void take_designs(const std::filesystem::path& path, ReportData& data) {
     }
 }
 
+/// In file order.
+std::vector<std::size_t> most_loaded_cases(const Summary& summary) {
+    const auto load = [&](std::size_t k) { return summary.cases[k].of(quantity("mean_load")).estimate; };
+    std::vector<std::size_t> cases;
+    for (std::size_t k = 0; k < summary.cases.size(); ++k)
+        if (summary.cases[k].done > 0) cases.push_back(k);
+    std::ranges::stable_sort(cases, std::ranges::greater{}, load);
+    cases.resize(std::min(cases.size(), most_drawn_cases));
+    std::ranges::sort(cases);
+    return cases;
+}
+
 }  // namespace
 
 ReportData read_report_data(const std::filesystem::path& path) {
@@ -99,6 +112,11 @@ ReportData read_report_data(const std::filesystem::path& path) {
     for_each_history(path, [&](const SurgeHistory& history) {
         const MemberRow& member = data.table.members[static_cast<std::size_t>(history.member)];
         if (member.arrangement == arrangement) data.histories.push_back({member.case_index, thinned(history)});
+    });
+    data.drawn_cases = most_loaded_cases(data.summary);
+    data.load_maps = find_load_maps(path, data.table);
+    std::erase_if(data.load_maps, [&](const CaseLoadMap& found) {
+        return !std::ranges::binary_search(data.drawn_cases, found.case_index);
     });
     data.breaks = read_breaks(path);
     data.largest_member = member_with_largest_load(data.table);

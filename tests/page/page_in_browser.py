@@ -60,6 +60,9 @@ def main(floes, config):
     if data["width"][0] > data["width"][1]:
         sys.exit(f"the page is wider than the window: {data['width']}")
     figures = data["found"]
+    for wanted in ("by angle and height", "by height on", "along the tow", "seen from above", "each joint of a floe"):
+        if not any(wanted in figure["name"] for figure in figures):
+            sys.exit(f"no figure of the load {wanted}: {[figure['name'] for figure in figures]}")
     if len(figures) < 12:
         sys.exit(f"only {len(figures)} figures: {[figure['name'] for figure in figures]}")
     for figure in figures:
