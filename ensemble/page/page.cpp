@@ -21,15 +21,6 @@
 namespace floes {
 namespace {
 
-std::string answer(const ReportData& data) {
-    std::string body;
-    for (const std::string& one : answer_sentences(data))
-        body += fmt::format("<p class=\"answer\">{}</p>\n", html_escaped(one));
-    if (body.empty()) body = paragraph("No member is done yet.");
-    return body + "<h3>What it rests on</h3>\n" + listed(basis_sentences(data)) + "<h3>What would change it</h3>\n" +
-           listed(change_sentences(data));
-}
-
 std::string what_was_run(const ReportData& data) {
     const Summary& summary = data.summary;
     int done = 0;
@@ -220,7 +211,7 @@ std::string report_page(const ReportData& data) {
     const std::string title = "Loads of managed ice floes: " + data.summary.title;
     return html_page(
         data.summary.title + ": loads of managed ice floes", "",
-        fmt::format("<h1>{}</h1>\n", html_escaped(title)) + section("The answer", answer(data)) +
+        fmt::format("<h1>{}</h1>\n", html_escaped(title)) + answer_section("The answer", data) +
             section("Loads", loads(data)) + "<h1 class=\"appendix\">Appendix</h1>\n" +
             section("What was run", what_was_run(data)) + sensitivity(data) + comparisons(data) + over_time(data) +
             where_the_load_acts(data) + design_loads(data) + extremes(data) + further_parts(data) +

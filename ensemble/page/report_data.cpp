@@ -66,15 +66,21 @@ std::optional<HybridCurve> hybrid_of(const Scenario& scenario) {
 
 /// The design load of every case over 1 s, or over the longest time that members averaged over if they did not take
 /// that.
-void take_designs(const std::filesystem::path& path, ReportData& data) {
+void take_designs(ReportData& data) {
     const std::vector<double>& times = data.table.averaging_times;
     if (times.empty()) return;
     if (std::ranges::find(times, data.asked.averaging) == times.end()) data.asked.averaging = times.back();
     try {
-        data.designs = find_design(with_peaks(path, data.table), data.asked);
+        data.designs = find_design(with_peaks(data.file, data.table), data.asked);
     } catch (const InputError&) {
         data.designs.clear();  // an older file without histories, or with thinned ones
     }
+}
+
+/// What the answer needs beside the evidence.
+void take_answer(ReportData& data) {
+    if (data.campaign.design.active()) data.sensitivity = find_sensitivity(data.campaign, data.table);
+    if (in_detail(data.campaign)) take_designs(data);
 }
 
 /// In file order.
@@ -91,18 +97,24 @@ std::vector<std::size_t> most_loaded_cases(const Summary& summary) {
 
 }  // namespace
 
+ReportData answer_data(Campaign campaign, CampaignTable table) {
+    ReportData data;
+    data.campaign = std::move(campaign);
+    data.table = std::move(table);
+    data.summary = summarise(data.table);
+    take_answer(data);
+    return data;
+}
+
 ReportData read_report_data(const std::filesystem::path& path) {
     ReportData data;
     static_cast<Evidence&>(data) = read_evidence(path);
     data.origin = read_origin(path);
-    if (data.campaign.design.active()) {
-        data.points = find_points(data.campaign);
-        data.sensitivity = find_sensitivity(data.campaign, data.table);
-    }
+    take_answer(data);
+    if (data.campaign.design.active()) data.points = find_points(data.campaign);
     if (in_detail(data.campaign)) {
         data.pairs = compare_pairs(data.table, {});
         data.extremes = find_extremes(data.table);
-        take_designs(path, data);
     }
     data.levels = find_levels(data.table);
     for (const Part& part : parts())

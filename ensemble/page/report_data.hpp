@@ -47,6 +47,9 @@ struct ReportData : Evidence {
     std::string command;                ///< that repeats the campaign
 };
 
+/// What the first section of the page needs, of a table without a file: summary, sensitivity, design loads.
+ReportData answer_data(Campaign campaign, CampaignTable table);
+
 /// Reads everything but `curve` and `command` from the file. Throws InputError as read_campaign_file() does.
 ReportData read_report_data(const std::filesystem::path& path);
 

@@ -41,6 +41,7 @@ std::string left_out(const ReportData& data) {
 }  // namespace
 
 std::string where_the_load_acts(const ReportData& data) {
+    if (data.drawn_cases.empty()) return "";
     const std::string title = "Where the load acts";
     if (data.load_maps.empty())
         return section(title, paragraph("No figure: members computed before layout 1.7 do not say it."));
