@@ -9,12 +9,14 @@
 #include "page/case_colours.hpp"
 #include "page/plot.hpp"
 #include "page/where_section.hpp"
+#include "statistics/load_map.hpp"
 
 namespace floes {
 namespace {
 
 constexpr double angle_width = 360.0 / LoadMap::angles;  // degrees
 constexpr Size panel{404, 250};
+constexpr int least_for_interval = 4;  // members; those of fewer would fill the figure
 
 const Scenario& scenario_of(const ReportData& data, std::size_t of_case) {
     return data.campaign.cases[of_case].scenario;
@@ -149,7 +151,10 @@ std::string load_along_tow_figure(const ReportData& data) {
         return scenario.structure.speed * (scenario.analysis.steady_start + share * scenario.analysis.window);
     };
     for (const CaseLoadMap& found : data.load_maps) {
-        for (const Interval& part : found.along_tow) loads.insert(loads.end(), {part.estimate, part.low, part.high});
+        for (const Interval& part : found.along_tow) {
+            loads.push_back(part.estimate);
+            if (found.members >= least_for_interval) loads.insert(loads.end(), {part.low, part.high});
+        }
         for (const double share : {0.0, 1.0}) distances.push_back(distance(found.case_index, share));
     }
     const auto [first, last] = std::ranges::minmax(distances);
@@ -166,7 +171,7 @@ std::string load_along_tow_figure(const ReportData& data) {
             high.emplace_back(x, found.along_tow[part].high);
         }
         high.insert(high.end(), low.rbegin(), low.rend());
-        if (found.members > 1) plot.area(high, colour(found.case_index) + " veil");
+        if (found.members >= least_for_interval) plot.area(high, colour(found.case_index) + " veil");
         plot.line(mean, colour(found.case_index));
     }
     plot.legend(mapped_legend(data));

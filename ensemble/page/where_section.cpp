@@ -57,7 +57,9 @@ std::string where_the_load_acts(const ReportData& data) {
             panels({load_rose_figure(data), load_profile_figure(data)},
                    "The same by angle, seen from above with the tow to the right, and by height.") +
             figure(load_along_tow_figure(data),
-                   "Mean surge load in 24 equal parts of the window, mean over arrangements with its 95 % interval."));
+                   "Mean surge load in 24 equal parts of the window, mean over arrangements with its 95 % interval, "
+                   "where there "
+                   "are four or more."));
 }
 
 std::string where_floes_fail(const ReportData& data) {
