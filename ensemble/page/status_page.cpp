@@ -14,6 +14,8 @@
 namespace floes {
 namespace {
 
+constexpr std::size_t few_cases = 12;
+
 /// Done members and, behind them, failed ones; in the next cell how much that is.
 std::string bar(const CaseStatus& one) {
     const double all = std::max(1, members_of(one));
@@ -24,16 +26,29 @@ std::string bar(const CaseStatus& one) {
         one.done / all / unit::percent, one.failed / all / unit::percent);
 }
 
-std::string counts(const CampaignStatus& status) {
+std::string counts_of(const std::vector<CaseStatus>& cases) {
     std::string rows =
         "<tr><th>case</th><th></th><th></th><th>done</th><th>failed</th><th>to do</th><th>members</th></tr>\n";
-    const auto row = [&](const CaseStatus& one) {
+    for (const CaseStatus& one : cases)
         rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
                             html_escaped(one.name), bar(one), one.done, one.failed, one.missing, members_of(one));
-    };
-    for (const CaseStatus& one : status.cases) row(one);
-    if (status.cases.size() > 1) row(total_of(status));
     return "<div class=\"wide\"><table>" + rows + "</table></div>\n";
+}
+
+/// Tables of many cases are closed at first.
+std::string folded(std::size_t cases, const std::string& table) {
+    if (cases <= few_cases) return table;
+    return fmt::format("<details><summary>All {} cases</summary>{}</details>\n", cases, table);
+}
+
+/// All together, then each.
+std::string counts(const CampaignStatus& status) {
+    if (status.cases.size() == 1) return counts_of(status.cases);
+    if (status.cases.size() > few_cases)
+        return counts_of({total_of(status)}) + folded(status.cases.size(), counts_of(status.cases));
+    std::vector<CaseStatus> rows{total_of(status)};
+    rows.insert(rows.end(), status.cases.begin(), status.cases.end());
+    return counts_of(rows);
 }
 
 /// "23.4 ± 2.1" and the second over the first.
