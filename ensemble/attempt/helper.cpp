@@ -98,6 +98,7 @@ MemberResult understand(std::span<const std::byte> written, const Ending& ending
     }
     MemberResult result = read_member_result(in);
     read_averaged(in, result);
+    read_load_map(in, result);
     return result;
 }
 

@@ -61,6 +61,7 @@ void write_levels(hid_t file, const CampaignContent& content, const CampaignScal
 void write_averaged(hid_t file, const CampaignContent& content, const CampaignScales& scales);
 void write_cases(hid_t file, const CampaignContent& content, const CampaignScales& scales);
 void write_arrangements(hid_t file, const CampaignContent& content, const CampaignScales& scales);
+/// With /load_map, which a record has beside its history.
 void write_history(hid_t file, const CampaignContent& content, const CampaignScales& scales,
                    const HistoryOf& history_of);
 void write_breaks(hid_t file, const CampaignContent& content, const CampaignScales& scales);

@@ -65,9 +65,11 @@ std::vector<BreakRow> read_breaks(const std::filesystem::path& path) {
     const auto member = hdf5::read_values<std::int32_t>(file.id(), "breaks/member");
     const auto time = hdf5::read_values<double>(file.id(), "breaks/time");
     const auto floe = hdf5::read_values<std::int32_t>(file.id(), "breaks/floe");
+    const auto joint = hdf5::read_values<std::int32_t>(file.id(), "breaks/joint");
     const auto mode = hdf5::read_values<std::int32_t>(file.id(), "breaks/mode");
     std::vector<BreakRow> rows;
-    for (std::size_t i = 0; i < member.size(); ++i) rows.push_back({member[i], time.at(i), floe.at(i), mode.at(i)});
+    for (std::size_t i = 0; i < member.size(); ++i)
+        rows.push_back({member[i], time.at(i), floe.at(i), joint.at(i), mode.at(i)});
     return rows;
 }
 

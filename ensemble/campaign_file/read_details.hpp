@@ -33,7 +33,8 @@ struct BreakRow {
     int member = 0;
     double time = 0;  ///< s
     int floe = 0;
-    int mode = 0;  ///< as /breaks/mode: 0 bending, 1 shear, 2 compression, …
+    int joint = 0;  ///< within the floe, in joint_order()
+    int mode = 0;   ///< as /breaks/mode: 0 bending, 1 shear, 2 compression, …
 };
 
 /// All breaks of done members in order of member and time; empty where the file keeps none.

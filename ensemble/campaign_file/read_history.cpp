@@ -1,6 +1,5 @@
 #include "campaign_file/read_history.hpp"
 
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -29,25 +28,14 @@ void for_histories(const std::filesystem::path& path, const std::function<bool(i
     const std::vector<double> steps = value_steps(file.id());
     const auto cases = hdf5::read_values<std::int32_t>(file.id(), "members/case");
     const auto status = hdf5::read_values<std::int8_t>(file.id(), "members/status");
-    const hdf5::Handle dataset(H5Dopen2(file.id(), name, H5P_DEFAULT), H5Dclose, "H5Dopen", name);
-    const hdf5::Handle space(H5Dget_space(dataset.id()), H5Sclose, "H5Dget_space", name);
-    std::array<hsize_t, 2> size{};
-    hdf5::check(H5Sget_simple_extent_dims(space.id(), size.data(), nullptr), "H5Sget_simple_extent_dims", name);
-    const hdf5::Handle row_space(H5Screate_simple(1, &size[1], nullptr), H5Sclose, "H5Screate_simple", name);
-    std::vector<double> row(size[1]);
+    hdf5::RowReader rows(file.id(), name);
     for (std::size_t member = 0; member < status.size(); ++member) {
         if (static_cast<RowStatus>(status[member]) != RowStatus::done || !wanted(static_cast<int>(member))) continue;
-        const std::array<hsize_t, 2> start{member, 0};
-        const std::array<hsize_t, 2> count{1, size[1]};
-        hdf5::check(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
-                    "H5Sselect_hyperslab", name);
-        hdf5::check(
-            H5Dread(dataset.id(), hdf5::native_type<double>(), row_space.id(), space.id(), H5P_DEFAULT, row.data()),
-            "H5Dread", name);
+        const std::span<const double> row = rows.read(member);
         std::size_t length = row.size();
         while (length > 0 && std::isnan(row[length - 1])) --length;  // rows are as long as the longest case
         const auto of_case = static_cast<std::size_t>(cases[member]);
-        if (length > 0) use({static_cast<int>(member), steps.at(of_case), std::span(row).first(length)});
+        if (length > 0) use({static_cast<int>(member), steps.at(of_case), row.first(length)});
     }
 }
 

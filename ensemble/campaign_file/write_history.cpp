@@ -1,4 +1,5 @@
 #include "campaign_file/campaign_content.hpp"
+#include "campaign_file/load_map_tables.hpp"
 
 namespace floes {
 
@@ -6,17 +7,19 @@ void write_history(hid_t file, const CampaignContent& content, const CampaignSca
                    const HistoryOf& history_of) {
     const hdf5::Handle group = hdf5::create_group(file, "history");
     const auto table = [&](const char* name, const char* long_name) {
-        return hdf5::Rows(group.id(), {name, "N", long_name}, scales.member, scales.time);
+        return hdf5::Rows(group.id(), {name, "N", long_name}, scales.member, {scales.time});
     };
     hdf5::Rows surge = table("surge_load", "contact force on the structure against the tow");
     hdf5::Rows sway = table("sway_load", "contact force on the structure towards +z");
     hdf5::Rows heave = table("heave_load", "contact force on the structure upwards");
+    LoadMapTables maps(file, scales);
     for (std::size_t member = 0; member < content.records.size(); ++member) {
         if (content.done(member) == nullptr) continue;
         const PackedHistory history = history_of(*content.records[member]);
         surge.write(member, history.surge);
         sway.write(member, history.sway);
         heave.write(member, history.heave);
+        if (!history.map.empty()) maps.write(member, history.map);
     }
 }
 

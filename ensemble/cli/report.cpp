@@ -2,16 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <string>
 
 #include "cli/commands.hpp"
-#include "core/error.hpp"
+#include "cli/write_page.hpp"
 #include "driver/measure_curve.hpp"
 #include "page/page.hpp"
 
@@ -23,15 +20,6 @@ struct ReportOptions {
     std::string output;
     bool skip_plate_tests = false;
 };
-
-void write_page(const std::filesystem::path& path, const std::string& page) {
-    std::ofstream file(path, std::ios::binary);
-    file << page;
-    file.close();
-    if (!file)
-        throw RunError(fmt::format("{} cannot be written ({}); does the folder exist, and has it free space?",
-                                   path.string(), std::strerror(errno)));
-}
 
 void report(const ReportOptions& options) {
     const std::filesystem::path file = options.file;

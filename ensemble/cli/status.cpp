@@ -1,5 +1,5 @@
 // floes status: the members of a campaign that are done, failed and still to do. Works during a run and changes
-// nothing.
+// nothing but a page of it, on request.
 
 #include <unistd.h>
 
@@ -12,6 +12,9 @@
 
 #include "cli/commands.hpp"
 #include "cli/status_text.hpp"
+#include "cli/write_page.hpp"
+#include "page/status_page.hpp"
+#include "records/session.hpp"
 
 namespace floes {
 
@@ -20,15 +23,22 @@ namespace {
 struct StatusOptions {
     std::string file;
     std::string format = "table";
+    std::string page;
     bool watch = false;
 };
 
 constexpr const char* clear_screen = "\033[H\033[2J";
 constexpr std::chrono::seconds watch_interval{2};
+constexpr std::chrono::seconds page_interval{status_page_seconds};
 constexpr int least_pause_per_look = 10;  // reading a large campaign takes seconds
 
-/// Shows the status. Returns whether a run is active.
+/// Shows the status, or writes the page of it. Returns whether a run is active.
 bool show(const StatusOptions& options) {
+    if (!options.page.empty()) {
+        const CampaignSnapshot snapshot = read_snapshot(options.file);
+        write_page(options.page, status_page(snapshot, options.file, utc_now()));
+        return snapshot.status.at_work;
+    }
     const CampaignStatus status = read_status(options.file);
     if (options.watch && options.format == "table" && ::isatty(STDOUT_FILENO) == 1) std::fputs(clear_screen, stdout);
     std::fputs((options.format == "json" ? status_json(status) : status_table(status)).c_str(), stdout);
@@ -38,11 +48,11 @@ bool show(const StatusOptions& options) {
 
 void watch(const StatusOptions& options) {
     using Clock = std::chrono::steady_clock;
+    const Clock::duration interval = options.page.empty() ? watch_interval : page_interval;
     while (true) {
         const auto begin = Clock::now();
         if (!show(options)) return;
-        std::this_thread::sleep_for(
-            std::max<Clock::duration>(watch_interval, least_pause_per_look * (Clock::now() - begin)));
+        std::this_thread::sleep_for(std::max(interval, least_pause_per_look * (Clock::now() - begin)));
     }
 }
 
@@ -55,9 +65,12 @@ void add_status(CLI::App& program, int& exit_status) {
     verb->add_option("campaign", options->file,
                      "The campaign file (CAMPAIGN.h5); its journal is read from the same folder")
         ->required();
-    verb->add_option("--format", options->format, "table or json")
-        ->check(CLI::IsMember({"table", "json"}))
-        ->capture_default_str();
+    CLI::Option* format = verb->add_option("--format", options->format, "table or json");
+    format->check(CLI::IsMember({"table", "json"}))->capture_default_str();
+    verb->add_option("--html", options->page,
+                     "Write one HTML page instead, with the report's first section as far as members are done; with "
+                     "--watch anew every 30 s, and the page loads itself again")
+        ->excludes(format);
     verb->add_flag("--watch", options->watch, "Repeat every few seconds until no run is active");
     verb->callback([options, &exit_status] {
         if (options->watch) {
@@ -65,6 +78,7 @@ void add_status(CLI::App& program, int& exit_status) {
         } else {
             show(*options);
         }
+        if (!options->page.empty()) std::printf("%s\n", options->page.c_str());
         exit_status = 0;
     });
 }

@@ -101,14 +101,14 @@ void add_heartbeat(CampaignStatus& status, const Campaign& campaign, std::option
     status.heartbeat = std::move(heartbeat);
 }
 
-CampaignStatus status_of_journal(const std::filesystem::path& path) {
+CampaignSnapshot snapshot_of_journal(const std::filesystem::path& path) {
     const JournalContents contents = read_journal(path, Histories::leave);
     const Campaign whole = read_stored_campaign(contents, path);
-    const CampaignTable table = campaign_table(whole, contents.members);
+    CampaignTable table = campaign_table(whole, contents.members);
     const std::optional<StopStatus> stop = stop_status(whole, table);
-    const Campaign campaign = wanted(whole, table, stop);
-    const bool cut = campaign.arrangements < whole.arrangements;
-    CampaignStatus status = status_of(cut ? campaign_table(campaign, contents.members) : table);
+    Campaign campaign = wanted(whole, table, stop);
+    if (campaign.arrangements < whole.arrangements) table = campaign_table(campaign, contents.members);
+    CampaignStatus status = status_of(table);
     status.stop = stop;
     status.sessions = contents.sessions;
     const std::vector<const MemberRecord*> records = match_records(campaign, contents.members);
@@ -117,24 +117,29 @@ CampaignStatus status_of_journal(const std::filesystem::path& path) {
     const int threads = contents.sessions.empty() ? 0 : contents.sessions.back().threads;
     add_heartbeat(status, campaign, read_heartbeat(heartbeat_path(path)));
     if (!status.seconds_left) status.seconds_left = seconds_left(campaign, status, records, threads);
-    return status;
+    return {std::move(status), std::move(campaign), std::move(table)};
 }
 
-CampaignStatus status_of_file(const std::filesystem::path& path) {
-    const CampaignTable table = read_campaign_file(path);
+CampaignSnapshot snapshot_of_file(const std::filesystem::path& path) {
+    CampaignTable table = read_campaign_file(path);
+    Campaign campaign = campaign_of(read_origin(path), path);
     CampaignStatus status = status_of(table);
-    status.stop = stop_status(read_campaign({read_origin(path).configuration, path.string(), {}}, nullptr), table);
-    return status;
+    status.stop = stop_status(campaign, table);
+    return {std::move(status), std::move(campaign), std::move(table)};
 }
 
 }  // namespace
 
-CampaignStatus read_status(const std::filesystem::path& campaign_file) {
+CampaignSnapshot read_snapshot(const std::filesystem::path& campaign_file) {
     const std::filesystem::path journal = journal_path(campaign_file);
-    if (std::filesystem::exists(journal)) return status_of_journal(journal);
-    if (std::filesystem::exists(campaign_file)) return status_of_file(campaign_file);
+    if (std::filesystem::exists(journal)) return snapshot_of_journal(journal);
+    if (std::filesystem::exists(campaign_file)) return snapshot_of_file(campaign_file);
     throw InputError(fmt::format("there is neither {} nor its journal {}. Give the output file of floes run.",
                                  campaign_file.string(), journal.string()));
+}
+
+CampaignStatus read_status(const std::filesystem::path& campaign_file) {
+    return read_snapshot(campaign_file).status;
 }
 
 }  // namespace floes

@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "campaign/rules.hpp"
+#include "campaign/campaign.hpp"
+#include "campaign_file/campaign_table.hpp"
 #include "driver/heartbeat.hpp"
 #include "records/session.hpp"
 
@@ -60,7 +61,17 @@ struct CampaignStatus {
     std::optional<double> seconds_left;
 };
 
+/// A status with the results that there are so far.
+struct CampaignSnapshot {
+    CampaignStatus status;
+    Campaign campaign;    ///< as its stop rule wants it
+    CampaignTable table;  ///< of its members
+};
+
 /// Throws InputError when neither the campaign file nor its journal can be read.
+CampaignSnapshot read_snapshot(const std::filesystem::path& campaign_file);
+
+/// The same without the results.
 CampaignStatus read_status(const std::filesystem::path& campaign_file);
 
 }  // namespace floes

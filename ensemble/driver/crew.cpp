@@ -81,7 +81,7 @@ Outcome Crew::execute(Assignment assignment) {
     if (!made.result) return {assignment, std::nullopt, made.peak_memory};
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     made.result->wall_time = taken.count();
-    PackedHistory history = pack(std::exchange(made.result->history, {}));
+    PackedHistory history = pack(std::exchange(made.result->history, {}), std::exchange(made.result->load_map, {}));
     return {assignment, std::move(made.result), made.peak_memory, std::move(history)};
 }
 

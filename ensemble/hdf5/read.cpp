@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <functional>
+#include <numeric>
+
 #include "core/error.hpp"
 
 namespace floes::hdf5 {
@@ -75,6 +78,28 @@ std::vector<Value> read_values(hid_t parent, const std::string& name) {
 template std::vector<double> read_values<double>(hid_t, const std::string&);
 template std::vector<std::int32_t> read_values<std::int32_t>(hid_t, const std::string&);
 template std::vector<std::int8_t> read_values<std::int8_t>(hid_t, const std::string&);
+
+RowReader::RowReader(hid_t parent, const std::string& name)
+    : name_(name), dataset_(open_dataset(parent, name)), space_(space_of(dataset_, name)) {
+    const int dimensions = check(H5Sget_simple_extent_ndims(space_.id()), "H5Sget_simple_extent_ndims", name_);
+    sizes_.resize(static_cast<std::size_t>(dimensions));
+    check(H5Sget_simple_extent_dims(space_.id(), sizes_.data(), nullptr), "H5Sget_simple_extent_dims", name_);
+    row_.resize(std::accumulate(sizes_.begin() + 1, sizes_.end(), hsize_t{1}, std::multiplies{}));
+}
+
+std::span<const double> RowReader::read(std::size_t row) {
+    std::vector<hsize_t> first(sizes_.size(), 0);
+    std::vector<hsize_t> count = sizes_;
+    first[0] = row;
+    count[0] = 1;
+    check(H5Sselect_hyperslab(space_.id(), H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr),
+          "H5Sselect_hyperslab", name_);
+    const hsize_t length = row_.size();
+    const Handle memory(H5Screate_simple(1, &length, nullptr), H5Sclose, "H5Screate_simple", name_);
+    check(H5Dread(dataset_.id(), native_type<double>(), memory.id(), space_.id(), H5P_DEFAULT, row_.data()), "H5Dread",
+          name_);
+    return row_;
+}
 
 std::vector<std::string> read_texts(hid_t parent, const std::string& name) {
     const Handle dataset = open_dataset(parent, name);

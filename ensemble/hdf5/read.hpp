@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,22 @@ std::vector<Value> read_values(hid_t parent, const std::string& name);
 extern template std::vector<double> read_values<double>(hid_t, const std::string&);
 extern template std::vector<std::int32_t> read_values<std::int32_t>(hid_t, const std::string&);
 extern template std::vector<std::int8_t> read_values<std::int8_t>(hid_t, const std::string&);
+/// Rows of a table of doubles, read one at a time.
+class RowReader {
+  public:
+    /// Throws RunError where there is no such dataset; `name` may be a path.
+    RowReader(hid_t parent, const std::string& name);
+    /// The values of a row, row-major; valid until the next call.
+    std::span<const double> read(std::size_t row);
+
+  private:
+    std::string name_;
+    Handle dataset_;
+    Handle space_;
+    std::vector<hsize_t> sizes_;
+    std::vector<double> row_;
+};
+
 std::vector<std::string> read_texts(hid_t parent, const std::string& name);
 
 }  // namespace floes::hdf5

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 namespace floes::hdf5 {
@@ -81,6 +83,12 @@ std::vector<hsize_t> sizes_of(const Dimensions& dimensions) {
 void attach(const Handle& dataset, const Dimensions& dimensions, const std::string& name) {
     for (unsigned k = 0; k < dimensions.size(); ++k)
         check(H5DSattach_scale(dataset.id(), dimensions[k].get().id(), k), "H5DSattach_scale", name);
+}
+
+std::vector<hsize_t> sizes_of(const Scale& rows, const Dimensions& columns) {
+    std::vector<hsize_t> sizes = sizes_of(columns);
+    sizes.insert(sizes.begin(), rows.size());
+    return sizes;
 }
 
 std::vector<const char*> pointers_to(std::span<const std::string> texts) {
@@ -204,10 +212,11 @@ void write_text(hid_t parent, const Label& label, const std::string& text) {
 
 namespace {
 
-Handle create_rows(hid_t parent, const Label& label, const std::array<hsize_t, 2>& sizes) {
-    const std::array<hsize_t, 2> chunk{1, std::max<hsize_t>(sizes[1], 1)};
+Handle create_rows(hid_t parent, const Label& label, std::span<const hsize_t> sizes) {
+    std::vector<hsize_t> chunk{1};
+    for (const hsize_t size : sizes.subspan(1)) chunk.push_back(std::max<hsize_t>(size, 1));
     const Handle properties = creation_properties(H5P_DATASET_CREATE);
-    check(H5Pset_chunk(properties.id(), 2, chunk.data()), "H5Pset_chunk", label.name);
+    check(H5Pset_chunk(properties.id(), static_cast<int>(chunk.size()), chunk.data()), "H5Pset_chunk", label.name);
     check(H5Pset_shuffle(properties.id()), "H5Pset_shuffle", label.name);
     check(H5Pset_deflate(properties.id(), static_cast<unsigned>(compression_level)), "H5Pset_deflate", label.name);
     check(H5Pset_fill_value(properties.id(), native_type<double>(), &nan), "H5Pset_fill_value", label.name);
@@ -219,28 +228,36 @@ Handle create_rows(hid_t parent, const Label& label, const std::array<hsize_t, 2
 
 }  // namespace
 
-Rows::Rows(hid_t parent, const Label& label, const Scale& rows, const Scale& columns)
+Rows::Rows(hid_t parent, const Label& label, const Scale& rows, const Dimensions& columns)
     : name_(label.name),
-      width_(columns.size()),
-      dataset_(create_rows(parent, label, {rows.size(), columns.size()})),
-      space_(simple_space(std::array{rows.size(), columns.size()})) {
-    attach(dataset_, {rows, columns}, name_);
+      sizes_(sizes_of(rows, columns)),
+      width_(std::accumulate(sizes_.begin() + 1, sizes_.end(), hsize_t{1}, std::multiplies{})),
+      dataset_(create_rows(parent, label, sizes_)),
+      space_(simple_space(sizes_)) {
+    Dimensions all{rows};
+    all.insert(all.end(), columns.begin(), columns.end());
+    attach(dataset_, all, name_);
 }
 
 void Rows::write(std::size_t row, std::span<const double> values) {
-    const std::array<hsize_t, 2> first{row, 0};
-    const std::array<hsize_t, 2> count{1, std::min<hsize_t>(values.size(), width_)};
-    if (count[1] == 0) return;
+    std::vector<hsize_t> first(sizes_.size(), 0);
+    std::vector<hsize_t> count = sizes_;
+    first[0] = row;
+    count[0] = 1;
+    if (count.size() == 2) count[1] = std::min<hsize_t>(values.size(), width_);
+    const std::array<hsize_t, 1> length{std::min<hsize_t>(values.size(), width_)};
+    if (length[0] == 0) return;
     check(H5Sselect_hyperslab(space_.id(), H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr),
           "H5Sselect_hyperslab", name_);
-    const Handle memory = simple_space(std::span(count).last(1));
+    const Handle memory = simple_space(length);
     check(H5Dwrite(dataset_.id(), native_type<double>(), memory.id(), space_.id(), H5P_DEFAULT, values.data()),
           "H5Dwrite", name_);
 }
 
 void Rows::write(std::size_t row, const PackedNumbers& values) {
     if (values.count != width_) return write(row, unpack(values));
-    const std::array<hsize_t, 2> first{row, 0};
+    std::vector<hsize_t> first(sizes_.size(), 0);
+    first[0] = row;
     const std::uint32_t left_out = values.deflated() ? 0 : 0b11;  // of the two filters
     check(H5Dwrite_chunk(dataset_.id(), H5P_DEFAULT, left_out, first.data(), values.chunk.size(), values.chunk.data()),
           "H5Dwrite_chunk", name_);
@@ -248,7 +265,7 @@ void Rows::write(std::size_t row, const PackedNumbers& values) {
 
 void write_rows(hid_t parent, const Label& label, const Scale& rows, const Scale& columns,
                 const std::function<std::span<const double>(std::size_t)>& row_values) {
-    Rows table(parent, label, rows, columns);
+    Rows table(parent, label, rows, {columns});
     for (std::size_t row = 0; row < rows.size(); ++row) table.write(row, row_values(row));
 }
 

@@ -9,6 +9,7 @@
 #include "core/units.hpp"
 #include "core/wording.hpp"
 #include "findings/conditions.hpp"
+#include "page/html_parts.hpp"
 
 namespace floes {
 namespace {
@@ -127,6 +128,15 @@ std::vector<std::string> change_sentences(const ReportData& data) {
     if (sentences.empty())
         sentences.push_back("No key was varied in a design, so this campaign does not say what would change the load.");
     return sentences;
+}
+
+std::string answer_section(const std::string& title, const ReportData& data) {
+    std::string body;
+    for (const std::string& one : answer_sentences(data))
+        body += fmt::format("<p class=\"answer\">{}</p>\n", html_escaped(one));
+    if (body.empty()) body = paragraph("No member is done yet.");
+    return section(title, body + "<h3>What it rests on</h3>\n" + listed(basis_sentences(data)) +
+                              "<h3>What would change it</h3>\n" + listed(change_sentences(data)));
 }
 
 }  // namespace floes

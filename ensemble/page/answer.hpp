@@ -19,4 +19,7 @@ std::vector<std::string> basis_sentences(const ReportData& data);
 /// The axes of a design that change the mean load most; one sentence if nothing was varied.
 std::vector<std::string> change_sentences(const ReportData& data);
 
+/// All of it as a section of a page.
+std::string answer_section(const std::string& title, const ReportData& data);
+
 }  // namespace floes

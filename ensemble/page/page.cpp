@@ -14,44 +14,12 @@
 #include "findings/paper_table3.hpp"
 #include "findings/sensitivity_section.hpp"
 #include "page/answer.hpp"
-#include "page/page_style.hpp"
-#include "page/plot.hpp"
+#include "page/html_parts.hpp"
 #include "page/report_figures.hpp"
+#include "page/where_section.hpp"
 
 namespace floes {
 namespace {
-
-std::string section(const std::string& title, const std::string& body) {
-    return fmt::format("<section><h2>{}</h2>\n{}</section>\n", html_escaped(title), body);
-}
-
-std::string figure(const std::string& svg, const std::string& caption) {
-    if (svg.empty()) return "";
-    return fmt::format("<figure>\n{}<figcaption>{}</figcaption></figure>\n", svg, html_escaped(caption));
-}
-
-std::string paragraph(const std::string& text) {
-    return fmt::format("<p>{}</p>\n", html_escaped(text));
-}
-
-std::string note(const std::string& text) {
-    return fmt::format("<p class=\"note\">{}</p>\n", html_escaped(text));
-}
-
-std::string listed(const std::vector<std::string>& sentences) {
-    std::string items;
-    for (const std::string& one : sentences) items += fmt::format("<li>{}</li>\n", html_escaped(one));
-    return "<ul>\n" + items + "</ul>\n";
-}
-
-std::string answer(const ReportData& data) {
-    std::string body;
-    for (const std::string& one : answer_sentences(data))
-        body += fmt::format("<p class=\"answer\">{}</p>\n", html_escaped(one));
-    if (body.empty()) body = paragraph("No member is done yet.");
-    return body + "<h3>What it rests on</h3>\n" + listed(basis_sentences(data)) + "<h3>What would change it</h3>\n" +
-           listed(change_sentences(data));
-}
 
 std::string what_was_run(const ReportData& data) {
     const Summary& summary = data.summary;
@@ -240,20 +208,16 @@ std::string provenance(const ReportData& data) {
 }  // namespace
 
 std::string report_page(const ReportData& data) {
-    const std::string title = html_escaped(data.summary.title);
-    return fmt::format(
-               "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
-               "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n"
-               "<link rel=\"icon\" href=\"data:,\">\n<title>{0}: loads of managed ice "
-               "floes</title>\n<style>{1}</style></head>\n"
-               "<body>\n<h1>Loads of managed ice floes: {0}</h1>\n",
-               title, page_style) +
-           section("The answer", answer(data)) + section("Loads", loads(data)) +
-           "<h1 class=\"appendix\">Appendix</h1>\n" + section("What was run", what_was_run(data)) + sensitivity(data) +
-           comparisons(data) + over_time(data) + design_loads(data) + extremes(data) + further_parts(data) +
-           section("Uncertainty of the mean",
-                   figure(convergence_figure(data), "Mean load of the first n arrangements with its 95 % interval.")) +
-           failures(data) + largest(data) + theory(data) + provenance(data) + "</body></html>\n";
+    const std::string title = "Loads of managed ice floes: " + data.summary.title;
+    return html_page(
+        data.summary.title + ": loads of managed ice floes", "",
+        fmt::format("<h1>{}</h1>\n", html_escaped(title)) + answer_section("The answer", data) +
+            section("Loads", loads(data)) + "<h1 class=\"appendix\">Appendix</h1>\n" +
+            section("What was run", what_was_run(data)) + sensitivity(data) + comparisons(data) + over_time(data) +
+            where_the_load_acts(data) + design_loads(data) + extremes(data) + further_parts(data) +
+            section("Uncertainty of the mean",
+                    figure(convergence_figure(data), "Mean load of the first n arrangements with its 95 % interval.")) +
+            failures(data) + where_floes_fail(data) + largest(data) + theory(data) + provenance(data));
 }
 
 }  // namespace floes

@@ -62,6 +62,7 @@ std::vector<double> ticks(const Axis& axis, int most) {
             break;
         }
     }
+    if (axis.step > 0) step = axis.step;
     const double slack = 1e-9 * (axis.high - axis.low);
     for (double i = std::ceil((axis.low - slack) / step); i * step <= axis.high + slack; ++i) found.push_back(i * step);
     return found;
@@ -151,6 +152,23 @@ void Plot::text(double x, double y, std::string_view words, std::string_view anc
     if (!std::isfinite(at_x(x)) || !std::isfinite(at_y(y))) return;
     body_ += fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>", style, at_x(x),
                          at_y(y), anchor, html_escaped(words));
+}
+
+void Plot::cell(double x, double y, double width, double height, double share, std::string_view style) {
+    if (!(share > 0)) return;
+    body_ += fmt::format(
+        "<rect class=\"area {}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
+        "fill-opacity=\"{:.2f}\"/>",
+        style, at_x(x), at_y(y + height), at_x(x + width) - at_x(x), at_y(y) - at_y(y + height), share);
+}
+
+void Plot::colour_bar(std::string_view style, std::string_view words) {
+    constexpr int steps = 10;
+    for (int k = 1; k <= steps; ++k)
+        body_ += fmt::format(
+            "<rect class=\"area {}\" x=\"{:.1f}\" y=\"6\" width=\"9\" height=\"11\" fill-opacity=\"{:.2f}\"/>", style,
+            left_ + 9 * (k - 1), 1.0 * k / steps);
+    body_ += fmt::format("<text x=\"{:.1f}\" y=\"16\">{}</text>", left_ + 9 * steps + 6, html_escaped(words));
 }
 
 void Plot::upright(double x, std::string_view style) {

@@ -17,12 +17,14 @@ struct Axis {
     double high = 1;
     bool logarithmic = false;
     std::vector<std::string> names = {};  ///< on a vertical axis, instead of numbers: name i is at i + 0.5
+    double step = 0;                      ///< from tick to tick; 0: a round one
 };
 
 /// An axis with a margin around the finite `values`; `with_zero`: the range includes 0.
 Axis axis_around(std::string label, std::span<const double> values, bool with_zero);
 
-/// 1, 2 or 5 times a power of ten from low to high, at most about `most` of them; decades on a logarithmic axis.
+/// Multiples of the axis's step, or of 1, 2 or 5 times a power of ten, from low to high, at most about `most` of them;
+/// decades on a logarithmic axis.
 std::vector<double> ticks(const Axis& axis, int most);
 
 struct Size {
@@ -43,11 +45,16 @@ class Plot {
     void dot(double x, double y, std::string_view style, double radius = 3.5);
     void cross(double x, double y, std::string_view style, double radius = 4);
     void text(double x, double y, std::string_view words, std::string_view anchor, std::string_view style = {});
+    /// A box from (x, y) on, filled by `share`, 0 to 1: 0 is not drawn.
+    void cell(double x, double y, double width, double height, double share, std::string_view style);
     void upright(double x, std::string_view style);  ///< a vertical line over the whole diagram
     void level(double y, std::string_view style);
 
     /// Coloured names in a row above the diagram.
     void legend(const std::vector<std::pair<std::string, std::string>>& style_and_name);
+
+    /// In place of the legend: the colours of cells from 0 to 1, and words beside them.
+    void colour_bar(std::string_view style, std::string_view words);
 
     std::string svg() const;
 

@@ -13,6 +13,7 @@ namespace floes {
 namespace {
 
 constexpr std::size_t drawn_columns = 700;
+constexpr std::size_t most_drawn_cases = 6;
 constexpr double drawn_moduli[]{3, 5, 7, 10, 14, 20, 30, 45, 60, 90, 130, 200, 300, 450, 700, 1000};  // MPa
 constexpr double crossing_of_the_paper = 10 * unit::megapascal;                                       // Fig. 8
 
@@ -54,31 +55,55 @@ std::optional<HybridCurve> hybrid_of(const Scenario& scenario) {
 
 /// The design load of every case over 1 s, or over the longest time that members averaged over if they did not take
 /// that.
-void take_designs(const std::filesystem::path& path, ReportData& data) {
+void take_designs(ReportData& data) {
     const std::vector<double>& times = data.table.averaging_times;
     if (times.empty()) return;
     if (std::ranges::find(times, data.asked.averaging) == times.end()) data.asked.averaging = times.back();
     try {
-        data.designs = find_design(with_peaks(path, data.table), data.asked);
+        data.designs = find_design(with_peaks(data.file, data.table), data.asked);
     } catch (const InputError&) {
         data.designs.clear();  // an older file without histories, or with thinned ones
     }
 }
 
+/// What the answer needs beside the evidence.
+void take_answer(ReportData& data) {
+    if (data.campaign.design.active()) data.sensitivity = find_sensitivity(data.campaign, data.table);
+    if (in_detail(data.campaign)) take_designs(data);
+}
+
+/// In file order.
+std::vector<std::size_t> most_loaded_cases(const Summary& summary) {
+    const auto load = [&](std::size_t k) { return summary.cases[k].of(quantity("mean_load")).estimate; };
+    std::vector<std::size_t> cases;
+    for (std::size_t k = 0; k < summary.cases.size(); ++k)
+        if (summary.cases[k].done > 0) cases.push_back(k);
+    std::ranges::stable_sort(cases, std::ranges::greater{}, load);
+    cases.resize(std::min(cases.size(), most_drawn_cases));
+    std::ranges::sort(cases);
+    return cases;
+}
+
 }  // namespace
+
+ReportData answer_data(Campaign campaign, CampaignTable table) {
+    ReportData data;
+    data.campaign = std::move(campaign);
+    data.table = std::move(table);
+    data.summary = summarise(data.table);
+    take_answer(data);
+    return data;
+}
 
 ReportData read_report_data(const std::filesystem::path& path) {
     ReportData data;
     static_cast<Evidence&>(data) = read_evidence(path);
     data.origin = read_origin(path);
-    if (data.campaign.design.active()) {
-        data.points = find_points(data.campaign);
-        data.sensitivity = find_sensitivity(data.campaign, data.table);
-    }
+    take_answer(data);
+    if (data.campaign.design.active()) data.points = find_points(data.campaign);
     if (in_detail(data.campaign)) {
         data.pairs = compare_pairs(data.table, {});
         data.extremes = find_extremes(data.table);
-        take_designs(path, data);
     }
     data.levels = find_levels(data.table);
     for (const Part& part : parts())
@@ -88,6 +113,11 @@ ReportData read_report_data(const std::filesystem::path& path) {
     for_each_history(path, [&](const SurgeHistory& history) {
         const MemberRow& member = data.table.members[static_cast<std::size_t>(history.member)];
         if (member.arrangement == arrangement) data.histories.push_back({member.case_index, thinned(history)});
+    });
+    data.drawn_cases = most_loaded_cases(data.summary);
+    data.load_maps = find_load_maps(path, data.table);
+    std::erase_if(data.load_maps, [&](const CaseLoadMap& found) {
+        return !std::ranges::binary_search(data.drawn_cases, found.case_index);
     });
     data.breaks = read_breaks(path);
     data.largest_member = member_with_largest_load(data.table, [](const MemberRow&) { return true; }).value_or(-1);

@@ -10,6 +10,7 @@
 #include "findings/design_load.hpp"
 #include "findings/extremes.hpp"
 #include "findings/levels.hpp"
+#include "findings/load_maps.hpp"
 #include "findings/pairs.hpp"
 #include "findings/parts.hpp"
 #include "findings/points.hpp"
@@ -35,7 +36,9 @@ struct ReportData : Evidence {
     std::vector<CaseDesign> designs;            ///< where in_detail() and the members averaged their load
     std::vector<LevelRow> levels;
     std::vector<std::pair<std::string, Section>> further;  ///< parts with a title for the page, with that title
-    std::vector<DrawnHistory> histories;  ///< of the first arrangement that every case has done; empty: none is kept
+    std::vector<DrawnHistory> histories;   ///< of the first arrangement that every case has done; empty: none is kept
+    std::vector<std::size_t> drawn_cases;  ///< by themselves: at most six that have members done, the most loaded
+    std::vector<CaseLoadMap> load_maps;    ///< of these; of files before layout 1.7 none
     std::vector<BreakRow> breaks;
     int largest_member = -1;  ///< the done member with the largest load; -1: none is done
     std::vector<PlanarPose> largest_poses;
@@ -43,6 +46,9 @@ struct ReportData : Evidence {
     std::optional<HybridCurve> hybrid;  ///< none where the formulas have no load for this structure
     std::string command;                ///< that repeats the campaign
 };
+
+/// What the first section of the page needs, of a table without a file: summary, sensitivity, design loads.
+ReportData answer_data(Campaign campaign, CampaignTable table);
 
 /// Reads everything but `curve` and `command` from the file. Throws InputError as read_campaign_file() does.
 ReportData read_report_data(const std::filesystem::path& path);

@@ -1,6 +1,7 @@
 #include "records/member_record.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <utility>
 
@@ -35,6 +36,11 @@ PackedNumbers read_numbers(ByteReader& in) {
     return {count, in.blob()};
 }
 
+/// In the order in which they stand at the end of a record; older ones end before them.
+auto parts_of(auto& map) {
+    return std::array{&map.surge, &map.normal, &map.along_tow};
+}
+
 MemberRecord read_head(ByteReader& in) {
     MemberRecord record;
     record.case_key = in.text();
@@ -51,6 +57,9 @@ void read_history(ByteReader& in, MemberRecord& record) {
     record.history.sway = read_numbers(in);
     record.history.heave = read_numbers(in);
     read_averaged(in, record.result);
+    if (in.left() > 0) {
+        for (PackedNumbers* part : parts_of(record.history.map)) *part = read_numbers(in);
+    }
     if (in.left() != 0) throw RunError("a stored member is longer than expected; it was written by another version");
 }
 
@@ -73,6 +82,9 @@ Bytes encode(const MemberRecord& record) {
     write(out, record.history.sway);
     write(out, record.history.heave);
     write_averaged(out, record.result);
+    if (!record.history.map.empty()) {
+        for (const PackedNumbers* part : parts_of(record.history.map)) write(out, *part);
+    }
     return out.take();
 }
 

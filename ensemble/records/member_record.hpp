@@ -24,11 +24,11 @@ struct MemberRecord {
     int rank = 0;          ///< of the computing process
     std::string host;
     std::uint64_t peak_memory = 0;  ///< largest resident set of the computing process so far, bytes
-    MemberResult result;            ///< with an empty history; the packed one is in
+    MemberResult result;            ///< with an empty history and load map; the packed ones are in
     PackedHistory history;          ///< of the load
 };
 
-/// Gives the load history of a record whose own was left in the journal.
+/// Gives the load history (and map) of a record whose own was left in the journal.
 using HistoryOf = std::function<PackedHistory(const MemberRecord&)>;
 
 inline PackedHistory own_history(const MemberRecord& record) {

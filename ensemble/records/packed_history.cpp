@@ -81,8 +81,11 @@ std::vector<double> unpack(const PackedNumbers& packed) {
     return numbers_of(packed.deflated() ? inflated(packed.chunk, width * packed.count) : packed.chunk, at);
 }
 
-PackedHistory pack(const LoadHistory& history) {
-    return {pack(history.surge), pack(history.sway), pack(history.heave)};
+PackedHistory pack(const LoadHistory& history, const LoadMap& map) {
+    return {pack(history.surge),
+            pack(history.sway),
+            pack(history.heave),
+            {pack(map.surge), pack(map.normal), pack(map.along_tow)}};
 }
 
 LoadHistory unpack(const PackedHistory& packed) {

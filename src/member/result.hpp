@@ -10,6 +10,7 @@
 #include "quantities/member_outputs.hpp"
 #include "simulation/load_history.hpp"
 #include "statistics/level_counts.hpp"
+#include "statistics/load_map.hpp"
 
 namespace floes {
 
@@ -23,6 +24,7 @@ struct MemberResult : MemberOutputs {
     MemberStatus status = MemberStatus::done;
     std::string reason;              ///< of a failure, a sentence; empty when done
     std::vector<LevelCount> levels;  ///< of the surge load in the window, in the order of analysis.exceedance_levels
+    LoadMap load_map;                ///< empty: of an earlier version
     LoadHistory history;             ///< from t = 0 to the end of the run, as analysis keeps it
     std::vector<BreakEvent> breaks;  ///< in order of time, then floe, then joint
     std::vector<PlanarPose> arrangement;  ///< floe poses at t = 0

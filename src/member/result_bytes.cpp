@@ -136,6 +136,16 @@ void read_averaged(ByteReader& in, MemberResult& result) {
     for (AveragedLoad& one : result.averaged) one.peaks = in.doubles();
 }
 
+void write_load_map(ByteWriter& out, const MemberResult& result) {
+    for (const auto* part : {&result.load_map.surge, &result.load_map.normal, &result.load_map.along_tow})
+        out.doubles(*part);
+}
+
+void read_load_map(ByteReader& in, MemberResult& result) {
+    for (auto* part : {&result.load_map.surge, &result.load_map.normal, &result.load_map.along_tow})
+        *part = in.doubles();
+}
+
 MemberResult read_older_member_result(ByteReader& in) {
     MemberResult result;
     static_cast<MemberOutputs&>(result) = unmeasured(0);

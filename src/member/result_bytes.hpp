@@ -20,6 +20,12 @@ void write_averaged(ByteWriter& out, const MemberResult& result);
 /// What write_averaged() wrote; nothing where the bytes end. Throws RunError when they are no such thing.
 void read_averaged(ByteReader& in, MemberResult& result);
 
+/// The load map, which a result from a process of its own has behind the averaged load; journals have it packed.
+void write_load_map(ByteWriter& out, const MemberResult& result);
+
+/// What write_load_map() wrote. Throws RunError when it is no such thing.
+void read_load_map(ByteReader& in, MemberResult& result);
+
 /// The same for results without keys of quantities (journals of schema 1 and 2). Even older versions are read if the
 /// result is the last thing in the bytes.
 MemberResult read_older_member_result(ByteReader& in);

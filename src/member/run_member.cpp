@@ -57,6 +57,8 @@ void take_statistics(MemberResult& result, const Scenario& scenario, const Simul
                                                         .times = times,
                                                         .peak_separation = scenario.analysis.peak_separation});
     result.levels = count_levels(in_window(result.history.surge), scenario.analysis.exceedance_levels);
+    result.load_map = simulation.load_map();
+    result.load_map.along_tow = part_means(in_window(result.history.surge), LoadMap::parts);
     result.mean_sway = mean_of(in_window(result.history.sway));
     result.mean_heave = mean_of(in_window(result.history.heave));
     result.failure_ratio = simulation.ice().failure_ratio();

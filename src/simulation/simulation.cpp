@@ -27,6 +27,9 @@ void add_sheets(World& world, const Channel& channel) {
     }
 }
 
+/// Of the structure in one step. More than the tank's ever are, and no bound: with more the memory grows.
+constexpr std::size_t most_contacts = 1024;
+
 WaterModel make_water(const Scenario& scenario) {
     const double side = scenario.floe.element;
     const double thickness = scenario.ice.thickness;
@@ -49,12 +52,14 @@ Simulation::Simulation(const Scenario& scenario, const Arrangement& arrangement)
       structure_(add_structure(world_, scenario)),
       ice_(world_, scenario, arrangement.poses),
       water_(make_water(scenario), ice_.elements().size(), lane_widths().back()),
-      sleeping_(scenario.field.wake_radius, ice_.elements()) {
+      sleeping_(scenario.field.wake_radius, ice_.elements()),
+      contact_bins_(scenario.structure.shape.bottom(), scenario.structure.shape.top()) {
     add_sheets(world_, channel_);
     const auto steps = static_cast<std::size_t>(scenario.step_count());
     loads_.surge.reserve(steps);
     loads_.sway.reserve(steps);
     loads_.heave.reserve(steps);
+    structure_contacts_.reserve(most_contacts);
     states_.resize(ice_.elements().size());
     read_states();
     sleeping_.lay_down(world_, states_, tow_.x(0));
@@ -127,6 +132,7 @@ void Simulation::step() {
     read_states();
     check_wellbeing();
     read_ice_load();
+    if (steps_ >= scenario_.first_window_step()) map_contacts();
     break_joints();
     record();
 }
@@ -172,6 +178,17 @@ void Simulation::read_ice_load() {
     if (!ice_load_.allFinite()) {
         throw MemberFailure(fmt::format("The load on the structure is not a number (t = {:.2f} s).", step_end()));
     }
+}
+
+void Simulation::map_contacts() {
+    world_.read_contacts(structure_contacts_, structure_);
+    const double axis = tow_.x(step_end());  // where contacts were looked for
+    for (const ContactForce& one : structure_contacts_) {
+        const double surge = -(one.normal.x() + one.friction.x());  // of a; on b the opposite
+        contact_bins_.add(one.point.x() - axis, one.point.y(), one.point.z(), one.a == structure_ ? surge : -surge,
+                          one.normal.norm());
+    }
+    ++steps_in_window_;
 }
 
 void Simulation::break_joints() {

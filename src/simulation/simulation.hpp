@@ -5,7 +5,7 @@
 //   if (simulation.run(stop)) use(simulation.loads(), simulation.ice());   // throws MemberFailure when the run leaves
 //   all sense
 //
-// After construction nothing in the loop allocates on this side of the world: the histories are reserved.
+// After construction nothing in the loop allocates on this side of the world: histories and contacts are reserved.
 
 #include <functional>
 #include <stop_token>
@@ -20,6 +20,7 @@
 #include "simulation/load_history.hpp"
 #include "simulation/sleeping_floes.hpp"
 #include "simulation/wellbeing.hpp"
+#include "statistics/load_map.hpp"
 #include "structure/tow.hpp"
 #include "water/water_lanes.hpp"
 #include "world/state.hpp"
@@ -61,6 +62,9 @@ class Simulation {
     const LoadHistory& loads() const { return loads_; }
     const IceField& ice() const { return ice_; }  ///< breaks, broken floes, peak reactions
 
+    /// Where on the structure the load acted, over the steps of the analysis window so far; at least one.
+    LoadMap load_map() const { return contact_bins_.means(static_cast<std::size_t>(steps_in_window_)); }
+
     SimulationState state() const { return {steps_, states_, ice_.breaks()}; }
 
     /// Refills `frame` with what there is to see at time(). Vectors keep their memory.
@@ -78,6 +82,7 @@ class Simulation {
     void read_states();
     void check_wellbeing() const;
     void read_ice_load();
+    void map_contacts();
     void break_joints();
     void record();
 
@@ -93,6 +98,9 @@ class Simulation {
     SleepingFloes sleeping_;
     Vec3 ice_load_ = Vec3::Zero();
     LoadHistory loads_;
+    std::vector<ContactForce> structure_contacts_;  ///< of the last step in the window
+    ContactBins contact_bins_;
+    int steps_in_window_ = 0;
     int steps_ = 0;
 };
 

@@ -1,5 +1,6 @@
 #include "statistics/means.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -22,6 +23,18 @@ std::size_t part_begin(std::size_t count, std::size_t index, std::size_t parts) 
 std::vector<double> batch_means(std::span<const double> values, std::size_t batch) {
     std::vector<double> means(values.size() / batch);
     for (std::size_t k = 0; k < means.size(); ++k) means[k] = mean_of(values.subspan(k * batch, batch));
+    return means;
+}
+
+std::vector<double> part_means(std::span<const double> values, std::size_t parts) {
+    std::vector<double> means(parts, 0.0);
+    const std::size_t length = values.size();  // of a part, where a value has the length `parts`
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        for (std::size_t k = i * parts / length; k * length < (i + 1) * parts; ++k) {
+            const std::size_t common = std::min((i + 1) * parts, (k + 1) * length) - std::max(i * parts, k * length);
+            means[k] += values[i] * static_cast<double>(common) / static_cast<double>(length);
+        }
+    }
     return means;
 }
 

@@ -21,4 +21,8 @@ std::size_t part_begin(std::size_t count, std::size_t index, std::size_t parts);
 /// `batch` at least 1.
 std::vector<double> batch_means(std::span<const double> values, std::size_t batch);
 
+/// Mean of each of `parts` equal parts of the values, of which there is at least one. A value across an edge counts on
+/// both sides by its share there, so the mean of the parts is the mean of all.
+std::vector<double> part_means(std::span<const double> values, std::size_t parts);
+
 }  // namespace floes

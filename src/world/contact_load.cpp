@@ -20,10 +20,11 @@ Vec3 contact_load(std::span<btPersistentManifold* const> manifolds, const btColl
     return from_bullet(impulse) / time_step;
 }
 
-void read_contact_forces(std::span<btPersistentManifold* const> manifolds, double time_step,
-                         std::vector<ContactForce>& found) {
+void read_contact_forces(std::span<btPersistentManifold* const> manifolds, const btCollisionObject* body,
+                         double time_step, std::vector<ContactForce>& found) {
     found.clear();
     for (const btPersistentManifold* manifold : manifolds) {
+        if (body != nullptr && manifold->getBody0() != body && manifold->getBody1() != body) continue;
         for (int i = 0; i < manifold->getNumContacts(); ++i) {
             const btManifoldPoint& point = manifold->getContactPoint(i);
             if (point.m_appliedImpulse == 0 && point.m_appliedImpulseLateral1 == 0) continue;

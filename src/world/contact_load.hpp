@@ -15,9 +15,9 @@ namespace floes {
 /// given order. Needs SOLVER_USE_WARMSTARTING (else Bullet does not keep the impulses) and one friction direction.
 Vec3 contact_load(std::span<btPersistentManifold* const> manifolds, const btCollisionObject* body, double time_step);
 
-/// Refills `found` with all contacts that exerted a force in the last solve, in the given order; needs what
-/// contact_load() needs. Positions and forces in the units that the world computes in.
-void read_contact_forces(std::span<btPersistentManifold* const> manifolds, double time_step,
-                         std::vector<ContactForce>& found);
+/// Refills `found` with the contacts of `body`, or nullptr: of all, that exerted a force in the last solve, in the
+/// given order; needs what contact_load() needs. Positions and forces in the units that the world computes in.
+void read_contact_forces(std::span<btPersistentManifold* const> manifolds, const btCollisionObject* body,
+                         double time_step, std::vector<ContactForce>& found);
 
 }  // namespace floes

@@ -268,8 +268,9 @@ Vec3 World::contact_force(BodyId body) const {
     return contact_load(bullet_->world.solved_manifolds(), &bullet_->body(body), bullet_->definition.time_step);
 }
 
-void World::read_contacts(std::vector<ContactForce>& found) const {
-    read_contact_forces(bullet_->world.solved_manifolds(), bullet_->definition.time_step, found);
+void World::read_contacts(std::vector<ContactForce>& found, std::optional<BodyId> of) const {
+    read_contact_forces(bullet_->world.solved_manifolds(), of ? &bullet_->body(*of) : nullptr,
+                        bullet_->definition.time_step, found);
     for (ContactForce& one : found) one.point = bullet_->units.to_si(one.point);
 }
 

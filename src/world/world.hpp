@@ -11,6 +11,7 @@
 // its bodies and by the order of its joints. Different Worlds may be used in different threads at the same time.
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -73,9 +74,9 @@ class World {
     /// Force of all contacts (normal and friction) on the body in the last step, world axes, N.
     Vec3 contact_force(BodyId body) const;
 
-    /// Refills `found` with every contact that exerted a force in the last step, in the order of the solve. Points
-    /// are those that the step began with.
-    void read_contacts(std::vector<ContactForce>& found) const;
+    /// Refills `found` with every contact that exerted a force in the last step, or with those of one body, in the
+    /// order of the solve. Points are those that the step began with.
+    void read_contacts(std::vector<ContactForce>& found, std::optional<BodyId> of = {}) const;
 
   private:
     class Bullet;

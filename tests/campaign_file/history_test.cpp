@@ -8,6 +8,7 @@
 #include "campaign_file/publish.hpp"
 #include "campaign_file/read_campaign_file.hpp"
 #include "campaign_file/read_history.hpp"
+#include "campaign_file/read_load_map.hpp"
 #include "hdf5/read.hpp"
 #include "hdf5/write.hpp"
 #include "support/synthetic.hpp"
@@ -111,6 +112,22 @@ TEST(Levels, AreNotMissedInOlderFiles) {
     EXPECT_TRUE(table.members[0].steps_above.empty());
     EXPECT_TRUE(std::isnan(table.members[0].load.skewness));
     EXPECT_EQ(table.members[0].load.excess_kurtosis, 100.8);
+}
+
+TEST(LoadMaps, AreReadAsTheyWereWritten) {
+    const TemporaryFolder folder;
+    const auto path = folder / "a.h5";
+    const Campaign campaign = synthetic::campaign();
+    auto records = synthetic::records(campaign);
+    records[3].history.map = {};  // as of an earlier version
+    publish(path, campaign, records, {});
+    std::vector<int> members;
+    for_each_load_map(path, [&](int member, const LoadMap& map) {
+        members.push_back(member);
+        EXPECT_EQ(PackedLoadMap({pack(map.surge), pack(map.normal), pack(map.along_tow)}),
+                  synthetic::record(campaign, member).history.map);
+    });
+    EXPECT_THAT(members, testing::ElementsAre(0, 1, 2, 5, 6, 8, 9, 10, 11));  // 4 failed, and 7 is missing
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ import numpy
 import pandas
 import xarray
 
-GROUPS = ["members", "cases", "arrangements", "exceedance", "averaged", "history", "breaks", "provenance"]  # of every file
+GROUPS = ["members", "cases", "arrangements", "exceedance", "averaged", "history", "load_map", "breaks", "provenance"]  # of every file
 CALIBRATION = {"calibration": {"calibration_point": 6}}  # of one with calibrated cases
 ENGINES = ["netcdf4", "h5netcdf"]
 DONE, MISSING, FAILED = 0, -1, 1
@@ -48,6 +48,7 @@ class Readers(unittest.TestCase):
             "cases": {"case": 3, "profile_point": 3},
             "arrangements": {"arrangement": 8, "floe": 6, "coordinate": 3},
             "history": {"member": 12, "time": 110},
+            "load_map": {"member": 12, "height": 12, "angle": 36, "tow": 24},
             "breaks": {"break": 15},
             "exceedance": {"member": 12, "level": 3},
             "averaged": {"member": 12, "averaging_time": 3, "segment": 3, "peak": 3},
@@ -132,6 +133,19 @@ class Readers(unittest.TestCase):
         with xarray.open_dataset(self.path) as root:
             self.assertEqual(list(root["level"].values), [100, 300, 500])
             self.assertEqual(root["level"].attrs["units"], "N")
+
+    def test_load_map(self):
+        with h5py.File(self.path) as file:
+            found = {name: column[:] for name, column in file["load_map"].items()}
+            self.assertEqual([file[name].shape[0] for name in ("height", "angle", "tow")], [12, 36, 24])
+            numpy.testing.assert_allclose(file["height"][[0, 11]], [0.5 / 12, 11.5 / 12])
+            numpy.testing.assert_allclose(file["angle"][[0, 17, 18, 35]], [-175, -5, 5, 175])
+            numpy.testing.assert_allclose(file["tow"][[0, 23]], [0.5 / 24, 23.5 / 24])
+        self.assertEqual(found["surge_load"][8, 2, 3], 900 + 0.001 * (2 * 36 + 3))
+        self.assertEqual(found["normal_force"][8, 11, 35], 1800 + 0.001 * 431)
+        self.assertEqual(found["surge_load_along_tow"][3, 23], 400 + 0.1 * 23)
+        for column in found.values():
+            self.assertEqual(list(numpy.flatnonzero(numpy.isnan(column).all(axis=tuple(range(1, column.ndim))))), [4, 7])
 
     def test_averaged(self):
         with h5py.File(self.path) as file:

@@ -3,13 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
 #include <string>
 
 #include "campaign_file/publish.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
+#include "support/file_bytes.hpp"
 #include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -18,11 +17,6 @@ namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-std::string content(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 class Report : public testing::Test {
   protected:
@@ -40,7 +34,7 @@ TEST_F(Report, TellsOfEveryCaseAndHowToRepeatIt) {
     const std::vector<Session> sessions{synthetic::session()};
     publish(file_, campaign, synthetic::records(campaign), sessions);
     run(file_.string() + " -o " + page_.string());
-    const std::string page = content(page_);
+    const std::string page = file_text(page_);
     for (const Case& one : campaign.cases) EXPECT_THAT(page, HasSubstr("<td>" + one.name + "</td>"));
     EXPECT_THAT(page, HasSubstr("./floes run synthetic.toml -o synthetic.h5"));
     EXPECT_THAT(page, HasSubstr("name = &quot;stiff&quot;"));  // the configuration
@@ -55,8 +49,8 @@ TEST_F(Report, SaysWhenThereAreNoHistoriesAndDrawsTheLevelsCounted) {
     for (MemberRecord& record : records) record.history = {};
     publish(file_, campaign, records, sessions);
     run(file_.string() + " --no-plate-tests -o " + page_.string());
-    EXPECT_THAT(content(page_), HasSubstr("the file has no load histories"));
-    EXPECT_THAT(content(page_), HasSubstr("Share of the time with a surge load above a level"));
+    EXPECT_THAT(file_text(page_), HasSubstr("the file has no load histories"));
+    EXPECT_THAT(file_text(page_), HasSubstr("Share of the time with a surge load above a level"));
 }
 
 TEST_F(Report, TellsOfACampaignWithoutAnyResult) {
@@ -64,7 +58,7 @@ TEST_F(Report, TellsOfACampaignWithoutAnyResult) {
     const std::vector<Session> sessions{synthetic::session()};
     publish(file_, campaign, {}, sessions);
     run(file_.string() + " --no-plate-tests -o " + page_.string());
-    EXPECT_THAT(content(page_), HasSubstr("0 simulations done"));
+    EXPECT_THAT(file_text(page_), HasSubstr("0 simulations done"));
 }
 
 TEST_F(Report, TellsWhatDecidesTheLoadOfADesign) {
@@ -72,11 +66,11 @@ TEST_F(Report, TellsWhatDecidesTheLoadOfADesign) {
     const std::vector<Session> sessions{synthetic::session()};
     publish(file_, campaign, {}, sessions);
     run(file_.string() + " --no-plate-tests -o " + page_.string());
-    EXPECT_THAT(content(page_), HasSubstr("no plane"));
+    EXPECT_THAT(file_text(page_), HasSubstr("no plane"));
     publish(file_, campaign, std::vector{synthetic::record(campaign, 0)}, sessions);
     run(file_.string() + " --no-plate-tests -o " + page_.string());
-    EXPECT_THAT(content(page_), HasSubstr("<h2>What decides the load?</h2>"));
-    EXPECT_THAT(content(page_), HasSubstr("<td>soft+0.05_0.1</td><td>0.05</td><td>0.1</td>"));
+    EXPECT_THAT(file_text(page_), HasSubstr("<h2>What decides the load?</h2>"));
+    EXPECT_THAT(file_text(page_), HasSubstr("<td>soft+0.05_0.1</td><td>0.05</td><td>0.1</td>"));
 }
 
 TEST_F(Report, SaysWhatItCannotReadOrWrite) {

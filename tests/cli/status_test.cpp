@@ -6,8 +6,10 @@
 
 #include "campaign_file/publish.hpp"
 #include "cli/status_text.hpp"
+#include "cli/verb_output.hpp"
 #include "core/error.hpp"
 #include "journal/journal.hpp"
+#include "support/file_bytes.hpp"
 #include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -111,6 +113,19 @@ TEST(Status, IsReadFromTheCampaignFileAlone) {
     const Campaign campaign = synthetic::campaign();
     publish(folder / "a.h5", campaign, some_records(campaign), {});
     expect_counts(read_status(folder / "a.h5"));
+}
+
+TEST(Status, WritesAPageOnRequest) {
+    const TemporaryFolder folder;
+    const std::string file = folder / "a.h5";
+    const std::string page = folder / "a.html";
+    const Campaign campaign = synthetic::campaign();
+    publish(file, campaign, some_records(campaign), {});
+    EXPECT_EQ(verb_output(add_status, "status " + file + " --html " + page + " --watch"), page + "\n") << "no run";
+    EXPECT_THAT(file_text(page), HasSubstr("<h1>synthetic: 8 of 12 members done, 1 failed, 3 to do</h1>"));
+    EXPECT_FALSE(std::filesystem::exists(page + ".tmp"));
+    EXPECT_THROW(verb_output(add_status, "status " + file + " --html " + page + " --format json"), CLI::Error);
+    EXPECT_THROW(verb_output(add_status, "status " + file + " --html " + (folder / "no/such.html").string()), RunError);
 }
 
 TEST(Status, OfNothingIsRefused) {

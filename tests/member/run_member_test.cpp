@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <thread>
 
 #include "arrangement/arrangement.hpp"
@@ -32,6 +33,7 @@ Scenario jam(double cfm = 0.016) {
 }
 
 void expect_same_bits(const MemberResult& a, const MemberResult& b) {
+    EXPECT_EQ(a.load_map, b.load_map);
     EXPECT_EQ(a.status, b.status);
     EXPECT_EQ(a.history.surge, b.history.surge);
     EXPECT_EQ(a.history.sway, b.history.sway);
@@ -63,6 +65,29 @@ TEST(RunMember, FillsARowFromItsHistories) {
     EXPECT_LE(result.cpu_time, result.wall_time + 0.02);  // clocks of different grain
     EXPECT_GT(result.peaks.compression, 0);
     EXPECT_GT(result.peaks.shear, 0);
+}
+
+double sum_of(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+TEST(RunMember, MapsItsLoadToTheStructure) {
+    const MemberResult result = run_member(jam(), 7, 0);
+    const LoadMap& map = result.load_map;
+    ASSERT_EQ(map.surge.size(), 12u * 36u);
+    ASSERT_EQ(map.normal.size(), map.surge.size());
+    EXPECT_NEAR(sum_of(map.surge), result.load.mean, 1e-12 * result.load.mean);
+    EXPECT_NEAR(sum_of(map.along_tow) / 24, result.load.mean, 1e-12 * result.load.mean);
+    EXPECT_GT(sum_of(map.normal), sum_of(map.surge));
+    double ahead = 0;
+    double at_the_waterline = 0;  // -0.08 to 0.03 m
+    for (std::size_t bin = 0; bin < map.surge.size(); ++bin) {
+        if (std::abs(middle_angle(bin % 36)) < 90) ahead += map.surge[bin];
+        if (bin / 36 >= 7 && bin / 36 <= 9) at_the_waterline += map.surge[bin];
+        EXPECT_GE(map.normal[bin], 0);
+    }
+    EXPECT_GT(ahead, 0.95 * result.load.mean);
+    EXPECT_GT(at_the_waterline, 0.5 * result.load.mean) << "within 5 s little is pushed under";
 }
 
 TEST(RunMember, LogsTheBreaksThatItsCountsAndRatioCount) {

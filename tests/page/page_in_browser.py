@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""The report of a real campaign, opened in headless Chromium: no word on the console, nothing asked of the network,
-every figure has a size, axes and words, and nothing sticks out of it.
+"""The report and the status of a real campaign, opened in headless Chromium: no word on the console, nothing asked of
+the network, every figure has a size, axes and words, and nothing sticks out of it.
 
 Usage: page_in_browser.py FLOES CONFIG.toml
 """
@@ -40,26 +40,35 @@ def opened(page):
     return run.stdout, [line for line in run.stderr.splitlines() if "CONSOLE" in line]
 
 
+def looked_at(page):
+    """What the probe found on a page that asks for nothing, says nothing and fits into the window."""
+    text = page.read_text()
+    for foreign in re.findall(r"(?:src|href)=\"(?!data:)[^\"]*\"|url\([^)]*\)|@import|<script", text):
+        sys.exit(f"{page.name} asks for something from elsewhere: {foreign}")
+    page.write_text(text.replace("</body>", PROBE + "</body>"))
+    document, console = opened(page)
+    if console:
+        sys.exit(f"the browser's console says of {page.name}:\n" + "\n".join(console))
+    data = {key: json.loads(html.unescape(value))
+            for key, value in re.findall(r"data-(found|width)=\"([^\"]*)\"", document)}
+    if data["width"][0] > data["width"][1]:
+        sys.exit(f"{page.name} is wider than the window: {data['width']}")
+    return data["found"]
+
+
 def main(floes, config):
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(folder)
         campaign = folder / "smoke.h5"
-        page = folder / "smoke.html"
         subprocess.run([floes, "run", config, "-o", campaign, "--set", "campaign.arrangements=3"], check=True,
                        stdout=subprocess.DEVNULL)
-        subprocess.run([floes, "report", campaign, "-o", page], check=True)
-        text = page.read_text()
-        for foreign in re.findall(r"(?:src|href)=\"(?!data:)[^\"]*\"|url\([^)]*\)|@import|<script", text):
-            sys.exit(f"the page asks for something from elsewhere: {foreign}")
-        page.write_text(text.replace("</body>", PROBE + "</body>"))
-        document, console = opened(page)
-    if console:
-        sys.exit("the browser's console says:\n" + "\n".join(console))
-    data = {key: json.loads(html.unescape(value))
-            for key, value in re.findall(r"data-(found|width)=\"([^\"]*)\"", document)}
-    if data["width"][0] > data["width"][1]:
-        sys.exit(f"the page is wider than the window: {data['width']}")
-    figures = data["found"]
+        subprocess.run([floes, "report", campaign, "-o", folder / "report.html"], check=True)
+        subprocess.run([floes, "status", campaign, "--html", folder / "status.html"], check=True)
+        looked_at(folder / "status.html")
+        figures = looked_at(folder / "report.html")
+    for wanted in ("by angle and height", "by height on", "along the tow", "seen from above", "each joint of a floe"):
+        if not any(wanted in figure["name"] for figure in figures):
+            sys.exit(f"no figure of the load {wanted}: {[figure['name'] for figure in figures]}")
     if len(figures) < 12:
         sys.exit(f"only {len(figures)} figures: {[figure['name'] for figure in figures]}")
     for figure in figures:

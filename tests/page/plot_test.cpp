@@ -23,6 +23,7 @@ TEST(PlotAxis, HasRoundTicks) {
     EXPECT_THAT(ticks({"", -3, 12}, 4), ElementsAre(0, 5, 10));
     EXPECT_THAT(ticks({"", 1, 1000, true}, 5), ElementsAre(testing::DoubleEq(1), testing::DoubleEq(10),
                                                            testing::DoubleEq(100), testing::DoubleEq(1000)));
+    EXPECT_THAT(ticks({"", -50, 120, false, {}, 30}, 2), ElementsAre(-30, 0, 30, 60, 90, 120));
     EXPECT_THAT(ticks({"", 1e-4, 1, true}, 2),
                 ElementsAre(testing::DoubleNear(1e-4, 1e-12), testing::DoubleNear(1e-2, 1e-12), testing::DoubleEq(1)));
 }
@@ -43,6 +44,16 @@ TEST(Plot, PutsAValueWhereTheAxesSay) {
     Plot plot("test", {"m", 0, 10}, {"N", 1, 100, true}, {280, 174});
     plot.dot(5, 10, "c0", 3);
     EXPECT_THAT(plot.svg(), HasSubstr("<circle class=\"dot c0\" cx=\"164.0\" cy=\"78.0\" r=\"3.0\"/>"));
+}
+
+TEST(Plot, FillsCellsByTheirShare) {
+    Plot plot("test", {"m", 0, 10}, {"N", 0, 10}, {280, 174});
+    plot.cell(5, 2, 1, 4, 0.25, "heat");
+    plot.cell(0, 0, 1, 1, 0, "cold");
+    plot.cell(0, 0, 1, 1, nan, "cold");
+    EXPECT_THAT(plot.svg(), HasSubstr("<rect class=\"area heat\" x=\"164.0\" y=\"68.0\" width=\"20.0\" height=\"40.0\" "
+                                      "fill-opacity=\"0.25\"/>"));
+    EXPECT_THAT(plot.svg(), Not(HasSubstr("cold")));
 }
 
 TEST(Plot, LeavesOutWhatIsNotFinite) {

@@ -20,6 +20,15 @@ LoadHistory awkward_history() {
     return {{odd_nan, -0.0, std::numeric_limits<double>::infinity(), 0.1}, {}, {std::numeric_limits<double>::lowest()}};
 }
 
+LoadMap awkward_map() {
+    LoadMap map;
+    map.surge.assign(LoadMap::heights * LoadMap::angles, -0.0);
+    map.normal = map.surge;
+    map.normal.front() = std::numeric_limits<double>::denorm_min();
+    map.along_tow = {0.1, -0.1};
+    return map;
+}
+
 // A record in which every number is an awkward one.
 MemberRecord awkward_record() {
     const Campaign campaign = synthetic::campaign();
@@ -28,7 +37,7 @@ MemberRecord awkward_record() {
     record.result.load.sd = odd_nan;
     record.result.load.trend = -0.0;
     record.result.load.trend_p = std::numeric_limits<double>::denorm_min();
-    record.history = pack(awkward_history());
+    record.history = pack(awkward_history(), awkward_map());
     record.host = std::string("nö\0de", 6);
     return record;
 }
@@ -136,6 +145,7 @@ Bytes older_bytes(const MemberRecord& record, Written version) {
 TEST(OlderMemberRecord, IsReadBitForBit) {
     MemberRecord before = awkward_record();
     before.result.averaged.clear();  // which no older version knew, nor these
+    before.history.map = {};
     before.result.local_order = before.result.coverage_ahead = std::numeric_limits<double>::quiet_NaN();
     for (const Written version : {Written::schema_2, Written::schema_1}) {
         const MemberRecord after = decode_older_member_record(older_bytes(before, version));
@@ -147,7 +157,8 @@ TEST(OlderMemberRecord, IsReadBitForBit) {
 }
 
 TEST(OlderMemberRecord, DoesNotKnowWhatCameLater) {
-    const MemberRecord before = awkward_record();
+    MemberRecord before = awkward_record();
+    before.history.map = {};
     const MemberRecord middle = decode_older_member_record(older_bytes(before, Written::before_levels));
     EXPECT_EQ(middle.result.cpu_time, before.result.cpu_time);
     EXPECT_TRUE(std::isnan(middle.result.load.skewness));
@@ -199,6 +210,7 @@ TEST(MemberRecord, ComesBackBitForBit) {
 /// From before peaks were taken: the record ends with its averaged loads.
 TEST(MemberRecord, HasNoPeaksWhereItsWriterDidNotTakeThem) {
     MemberRecord before = awkward_record();
+    before.history.map = {};
     for (AveragedLoad& one : before.result.averaged) one.peaks.clear();
     Bytes bytes = encode(before);
     bytes.resize(bytes.size() - 8 * before.result.averaged.size());  // how many there are of each
@@ -206,10 +218,27 @@ TEST(MemberRecord, HasNoPeaksWhereItsWriterDidNotTakeThem) {
     EXPECT_EQ(encode(after), encode(before));
 }
 
+/// From before maps were taken: the record ends with its peaks.
+TEST(MemberRecord, HasNoLoadMapWhereItsWriterDidNotTakeIt) {
+    const MemberRecord before = awkward_record();
+    const PackedLoadMap& map = before.history.map;
+    Bytes bytes = encode(before);
+    std::size_t length = 0;
+    for (const PackedNumbers* part : {&map.surge, &map.normal, &map.along_tow}) length += 16 + part->chunk.size();
+    const std::span<const std::byte> older = std::span(bytes).first(bytes.size() - length);
+    const MemberRecord after = decode_member_record(older);
+    EXPECT_TRUE(after.history.map.empty());
+    EXPECT_EQ(after.history.heave, before.history.heave);
+    EXPECT_EQ(after.result.averaged.back().peaks, before.result.averaged.back().peaks);
+    for (std::size_t size = older.size() + 1; size < bytes.size(); ++size)
+        EXPECT_THROW(decode_member_record(std::span(bytes).first(size)), RunError) << size;
+}
+
 /// Of schema 3, but from before loads were averaged: the record ends with its histories.
 TEST(MemberRecord, HasNoAveragedLoadsWhereItsWriterDidNotTakeThem) {
     MemberRecord before = awkward_record();
     before.result.averaged.clear();
+    before.history.map = {};
     Bytes bytes = encode(before);
     bytes.resize(bytes.size() - 8);  // how many times there are
     const MemberRecord after = decode_member_record(bytes);

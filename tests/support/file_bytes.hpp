@@ -1,17 +1,22 @@
 #pragma once
-// Whole files as bytes, for tests that damage them.
+// Whole files as text, and as bytes for tests that damage them.
 
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string>
 
 #include "core/bytes.hpp"
 
 namespace floes {
 
-inline Bytes file_bytes(const std::filesystem::path& path) {
+inline std::string file_text(const std::filesystem::path& path) {
     std::ifstream in(path, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+inline Bytes file_bytes(const std::filesystem::path& path) {
+    const std::string text = file_text(path);
     const auto bytes = std::as_bytes(std::span(text));
     return {bytes.begin(), bytes.end()};
 }

@@ -93,9 +93,16 @@ inline MemberRecord record(const Campaign& campaign, int number) {
         history.sway.push_back(base * std::cos(0.1 * k));
         history.heave.push_back(base / (k + 1));
     }
-    made.history = pack(history);
+    LoadMap map{{}, {}, {}};
+    for (std::size_t bin = 0; bin < LoadMap::heights * LoadMap::angles; ++bin) {
+        map.surge.push_back(base + 0.001 * static_cast<double>(bin));
+        map.normal.push_back(2 * base + 0.001 * static_cast<double>(bin));
+    }
+    for (std::size_t part = 0; part < LoadMap::parts; ++part)
+        map.along_tow.push_back(base + 0.1 * static_cast<double>(part));
+    made.history = pack(history, map);
     for (int k = 0; k < number % 4; ++k)
-        result.breaks.push_back({0.02 * (k + 1), k, k + 10, static_cast<FailureMode>((number + k) % 6)});
+        result.breaks.push_back({0.02 * (k + 1), k, k + 9, static_cast<FailureMode>((number + k) % 6)});
     for (int k = 0; k < scenario.field.floes; ++k)
         result.arrangement.push_back({6.0 + k + 0.1 * key.arrangement, 0.3 * scenario.field.floes - k, 0.01 * k});
     result.psi4 = 0.9 + 0.001 * key.arrangement;

@@ -76,6 +76,30 @@ TEST(WorldCollision, ActsOnBothBodiesAsNewtonSays) {
     EXPECT_TRUE(touched);
 }
 
+TEST(WorldContacts, AreThoseOfOneBodyOnRequest) {
+    World world(weightless());
+    const BodyId left = world.add_element(element_at({0, 0, 0}));
+    const BodyId middle = world.add_element(element_at({0.199, 0, 0}));
+    const BodyId right = world.add_element(element_at({0.398, 0, 0}));
+    world.step();
+    std::vector<ContactForce> all;
+    std::vector<ContactForce> of_left;
+    std::vector<ContactForce> of_middle;
+    world.read_contacts(all);
+    world.read_contacts(of_left, left);
+    world.read_contacts(of_middle, middle);
+    EXPECT_EQ(of_middle.size(), all.size());
+    ASSERT_GT(of_left.size(), 0u);
+    EXPECT_LT(of_left.size(), all.size());
+    Vec3 force = Vec3::Zero();
+    for (const ContactForce& one : of_left) {
+        EXPECT_TRUE(one.a == left || one.b == left);
+        EXPECT_FALSE(one.a == right || one.b == right);
+        force += (one.a == left ? 1 : -1) * (one.normal + one.friction);
+    }
+    EXPECT_NEAR((force - world.contact_force(left)).norm(), 0, 1e-9);
+}
+
 TEST(WorldPiece, ElementsOfOnePieceDoNotTouchUntilItSplits) {
     World world(weightless());
     const BodyId a = world.add_element(element_at({0, 0, 0}, Quat::Identity(), 4));
