@@ -8,6 +8,7 @@
 #include <string>
 
 #include "cli/commands.hpp"
+#include "cli/report_moments.hpp"
 #include "cli/write_page.hpp"
 #include "driver/measure_curve.hpp"
 #include "page/page.hpp"
@@ -19,6 +20,7 @@ struct ReportOptions {
     std::string file;
     std::string output;
     bool skip_plate_tests = false;
+    std::string pictures = "worst";
 };
 
 void report(const ReportOptions& options) {
@@ -28,6 +30,7 @@ void report(const ReportOptions& options) {
     const Scenario& first = data.campaign.cases.front().scenario;
     const bool follows_cfm = first.joint.model == JointModel::cfm;  // else there is no curve: E is what it says
     if (!options.skip_plate_tests && follows_cfm) data.curve = measure_curve(curve_plans(first));
+    if (options.pictures != "none") add_moments(file, options.pictures == "all", data);
     data.command = fmt::format("./floes run {0}.toml -o {0}.h5", data.summary.title);
     write_page(output, report_page(data));
     std::printf("%s\n", output.string().c_str());
@@ -43,6 +46,11 @@ void add_report(CLI::App& program, int& exit_status) {
     verb->add_option("-o,--output", options->output, "The page; default: CAMPAIGN.html in this folder");
     verb->add_flag("--no-plate-tests", options->skip_plate_tests,
                    "Omit the E-Σ curve of this ice, whose plate tests take some seconds");
+    verb->add_option("--pictures", options->pictures,
+                     "Pictures of the member with the largest load, which is computed again for them: worst, the one "
+                     "of the campaign; all, that of each case; none")
+        ->check(CLI::IsMember({"none", "worst", "all"}))
+        ->capture_default_str();
     verb->callback([options, &exit_status] {
         report(*options);
         exit_status = 0;

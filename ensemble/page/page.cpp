@@ -15,6 +15,7 @@
 #include "findings/sensitivity_section.hpp"
 #include "page/answer.hpp"
 #include "page/html_parts.hpp"
+#include "page/moments_section.hpp"
 #include "page/report_figures.hpp"
 #include "page/where_section.hpp"
 
@@ -157,7 +158,7 @@ std::string failures(const ReportData& data) {
 }
 
 std::string largest(const ReportData& data) {
-    if (data.largest_member < 0) return "";
+    if (data.largest_member < 0 || !data.moments.empty()) return "";  // its picture stands above
     const MemberRow& member = data.table.members[static_cast<std::size_t>(data.largest_member)];
     return section(
         "The arrangement with the largest load",
@@ -166,7 +167,9 @@ std::string largest(const ReportData& data) {
             fmt::format("Member {}, case {}: largest load {:.1f} N, mean {:.1f} N, {:.1f} % of the floes broke "
                         "(marked).",
                         data.largest_member, data.summary.cases[static_cast<std::size_t>(member.case_index)].about.name,
-                        member.load.maximum, member.load.mean, member.failure_ratio / unit::percent)));
+                        member.load.maximum, member.load.mean, member.failure_ratio / unit::percent)) +
+            fmt::format("<p>To watch it: <code>{}</code></p>\n",
+                        html_escaped(replay_command(data, data.largest_member))));
 }
 
 std::string theory(const ReportData& data) {
@@ -211,7 +214,7 @@ std::string report_page(const ReportData& data) {
     const std::string title = "Loads of managed ice floes: " + data.summary.title;
     return html_page(
         data.summary.title + ": loads of managed ice floes", "",
-        fmt::format("<h1>{}</h1>\n", html_escaped(title)) + answer_section("The answer", data) +
+        fmt::format("<h1>{}</h1>\n", html_escaped(title)) + answer_section("The answer", data) + moments_section(data) +
             section("Loads", loads(data)) + "<h1 class=\"appendix\">Appendix</h1>\n" +
             section("What was run", what_was_run(data)) + sensitivity(data) + comparisons(data) + over_time(data) +
             where_the_load_acts(data) + design_loads(data) + extremes(data) + further_parts(data) +

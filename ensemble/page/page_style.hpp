@@ -15,7 +15,7 @@ h1{font-size:1.7rem;line-height:1.2}h2{font-size:1.2rem;margin-top:2.4rem;border
 h3{font-size:1rem;margin-bottom:.2rem}ul{margin-top:.2rem;padding-left:1.2rem}.answer{font-weight:600}
 .appendix{margin-top:3rem;font-size:1.4rem}
 figure{margin:1rem 0}figcaption,.note{color:var(--soft);font-size:.9rem}
-svg{max-width:100%;height:auto;font:12px system-ui,sans-serif}
+img,svg{max-width:100%;height:auto;font:12px system-ui,sans-serif}
 svg text{fill:var(--ink)}svg .label{fill:var(--soft)}svg .grid{stroke:var(--grid);fill:none}
 svg .frame{stroke:var(--soft);fill:none}svg .line{fill:none;stroke:var(--ink);stroke-width:1.5}
 svg .thin{stroke-width:.6}svg .thick{stroke-width:3}svg .dashed{stroke-dasharray:6 4}svg .dotted{stroke-dasharray:1.5 3}

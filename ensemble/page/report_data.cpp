@@ -98,6 +98,7 @@ ReportData answer_data(Campaign campaign, CampaignTable table) {
 ReportData read_report_data(const std::filesystem::path& path) {
     ReportData data;
     static_cast<Evidence&>(data) = read_evidence(path);
+    data.file = path.filename().string();
     data.origin = read_origin(path);
     take_answer(data);
     if (data.campaign.design.active()) data.points = find_points(data.campaign);

@@ -16,6 +16,7 @@
 #include "findings/points.hpp"
 #include "findings/sensitivity.hpp"
 #include "laboratory/calibration.hpp"
+#include "page/moment.hpp"
 #include "theory/hybrid_curve.hpp"
 
 namespace floes {
@@ -44,13 +45,15 @@ struct ReportData : Evidence {
     std::vector<PlanarPose> largest_poses;
     std::vector<CurvePoint> curve;      ///< plate tests of the first case's ice; empty: not measured
     std::optional<HybridCurve> hybrid;  ///< none where the formulas have no load for this structure
+    std::string file;                   ///< of the campaign, as a command names it
+    std::vector<Moment> moments;        ///< pictures of worst moments; empty: none were made
     std::string command;                ///< that repeats the campaign
 };
 
 /// What the first section of the page needs, of a table without a file: summary, sensitivity, design loads.
 ReportData answer_data(Campaign campaign, CampaignTable table);
 
-/// Reads everything but `curve` and `command` from the file. Throws InputError as read_campaign_file() does.
+/// Reads everything but `curve`, `moments` and `command` from the file. Throws InputError as read_campaign_file() does.
 ReportData read_report_data(const std::filesystem::path& path);
 
 }  // namespace floes

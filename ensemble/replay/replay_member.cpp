@@ -172,7 +172,7 @@ KeyFrames key_frames(const ReplaySubject& subject, const std::stop_token& stop) 
             run.read_frame(kept.start);
             return;
         }
-        add_last(run.loads(), kept.outcome.history);
+        add_last(run.loads(), kept.history);
         const double load = run.loads().surge.back();
         if (run.steps() > scenario.first_window_step() && load > largest) {
             largest = load;
@@ -180,10 +180,8 @@ KeyFrames key_frames(const ReplaySubject& subject, const std::stop_token& stop) 
         }
         if (run.steps() == scenario.step_count()) run.read_frame(kept.end);
     };
-    MemberResult result =
+    kept.result =
         run_member(scenario, subject.seed, static_cast<std::uint32_t>(subject.about.arrangement), stop, watch);
-    kept.differences = differences(subject, result);
-    kept.outcome.breaks = std::move(result.breaks);
     return kept;
 }
 

@@ -70,11 +70,11 @@ struct KeyFrames {
     Frame start;
     Frame worst;  ///< of the largest surge load in the window
     Frame end;
-    RecordOutcome outcome;
-    std::vector<std::string> differences;  ///< from the file, as differences()
+    LoadHistory history;  ///< of every step
+    MemberResult result;
 };
 
-/// Computes the member and keeps these frames. Throws Interrupted on a stop.
+/// Computes the member and keeps these frames; may run in many threads at once. Throws Interrupted on a stop.
 KeyFrames key_frames(const ReplaySubject& subject, const std::stop_token& stop = {});
 
 }  // namespace floes

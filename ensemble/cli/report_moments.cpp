@@ -1,0 +1,59 @@
+#include "cli/report_moments.hpp"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include "cli/patience.hpp"
+#include "core/wording.hpp"
+#include "page/moments_section.hpp"
+#include "picture/picture.hpp"
+#include "replay/replay_member.hpp"
+
+namespace floes {
+namespace {
+
+constexpr double round_worst = 10;  // s of load history beside the largest
+
+std::string drawn(const Stage& stage, const Frame& frame, const PictureStyle& style) {
+    Canvas canvas(style.width, picture_height(style, stage.subject()));
+    draw_picture(canvas, stage, frame, style);
+    return canvas.png();
+}
+
+std::vector<MomentPicture> pictures_of(const ReplaySubject& subject, const KeyFrames& frames) {
+    const Stage stage(subject.about, {frames.history, frames.result.breaks}, subject.about.scenario.field.floes);
+    const PictureStyle plan{.view = View::plan, .width = 1040};
+    const double worst = frames.worst.time;
+    const PictureStyle near{.width = 1040,
+                            .height = 650,
+                            .from = std::max(0.0, worst - round_worst),
+                            .to = std::min(worst + round_worst, frames.end.time)};
+    return {
+        {drawn(stage, frames.worst, near),
+         "The largest load of a step. Arrows are the load on the structure and its surge, sway and heave parts, lines "
+         "the forces on floes at their contacts (the paper's Fig. 5)."},
+        {drawn(stage, frames.start, plan), "The same floes before the tow."},
+        {drawn(stage, frames.end, plan), "And at its end."}};
+}
+
+}  // namespace
+
+void add_moments(const std::filesystem::path& file, bool all, ReportData& data) {
+    std::vector<ReplaySubject> subjects;
+    for (const int member : pictured_members(data, all)) subjects.push_back(replay_subject(file, data.table, member));
+    const Patience patience(std::cerr,
+                            fmt::format("computing {} again for pictures of the largest loads; --pictures none "
+                                        "leaves them out",
+                                        counted(std::ssize(subjects), "member")));
+    std::vector<KeyFrames> frames(subjects.size());
+    tbb::parallel_for(std::size_t{0}, subjects.size(), [&](std::size_t k) { frames[k] = key_frames(subjects[k]); });
+    for (std::size_t k = 0; k < subjects.size(); ++k)
+        data.moments.push_back({.member = subjects[k].about.member,
+                                .pictures = pictures_of(subjects[k], frames[k]),
+                                .differences = differences(subjects[k], frames[k].result)});
+}
+
+}  // namespace floes
