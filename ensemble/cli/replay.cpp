@@ -93,6 +93,10 @@ bool run(const ReplayOptions& options) {
                                     : fmt::format("Two records of one member, {} and {}, would be the same; give one.",
                                                   records[0], records[1]));
     if (has_record) {
+        if (options.member.given() || options.times.given())
+            throw InputError(fmt::format(
+                "{} is the record of one member and one stretch of time already; choose those when it is made.",
+                options.file));
         write_outputs(options.file, options);
         return true;
     }
@@ -120,7 +124,8 @@ void add_choices(CLI::App& verb, ReplayOptions& options) {
         ->check(CLI::NonNegativeNumber);
     verb.add_flag_callback(
         "--worst", [&options] { options.member.worst = options.times.worst = true; },
-        "The member with the largest load (of that case), from 10 s before it to 10 s after it");
+        "The 20 s round the largest load: of that member or, if none is named, of the one with the largest load of "
+        "that case or of all");
     verb.add_option("--from", options.times.from, "First frame, s; default: the start");
     verb.add_option("--to", options.times.to, "Last frame, s; default: the end");
     verb.add_option("--every", options.times.every,
@@ -131,7 +136,7 @@ void add_choices(CLI::App& verb, ReplayOptions& options) {
 void add_looks(CLI::App& verb, ReplayOptions& options) {
     verb.add_option("-o,--output", options.outputs,
                     "What to make, by its ending; may be repeated: .html a page that plays, .png or .svg a picture, "
-                    ".mp4, .webm, .webp, .gif or .apng a film (25 frames a second), .pvd a series for ParaView, .h5 "
+                    ".mp4, .webm, .webp, .gif or .apng a film, .pvd a series for ParaView, .h5 "
                     "the record")
         ->type_size(1)
         ->allow_extra_args(false)
@@ -146,6 +151,11 @@ void add_looks(CLI::App& verb, ReplayOptions& options) {
         ->check(CLI::IsMember({"ice", "piece", "speed", "utilisation"}))
         ->capture_default_str();
     verb.add_option("--size", options.look.size, "Of pictures and films, pixels")->capture_default_str();
+    verb.add_option("--rate", options.look.rate,
+                    "Frames of films a second; with 25, frames 0.1 s apart run 2.5 times as "
+                    "fast as the tank")
+        ->check(CLI::Range(1, 100))
+        ->capture_default_str();
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ void write(const std::filesystem::path& path, const Record& record, const Replay
             return write_picture(path, record, look);
         case ReplayOutput::film: {
             ProgressLine line(fmt::format("drawing {}", path.string()));
-            return write_film(path, record, style_of(look, record), [&](double done) { line.show(done); });
+            return write_film(path, record, style_of(look, record), look.rate, [&](double done) { line.show(done); });
         }
         case ReplayOutput::record:
             break;

@@ -19,6 +19,7 @@ struct ReplayLook {
     std::string view = "perspective";
     std::string colours = "ice";
     std::string size = "1280x800";
+    int rate = 25;  ///< frames of films a second
 };
 
 /// Makes the file, with progress on standard error; one that fails leaves nothing. Not for ReplayOutput::record.

@@ -28,7 +28,7 @@ std::vector<std::string> codec_of(const std::string& ending) {
         return {"-c:v", "libx264", "-pix_fmt", "yuv420p", "-crf", "23", "-movflags", "+faststart", "-f", "mp4"};
     if (ending == ".webm")
         return {"-c:v", "libvpx-vp9", "-pix_fmt", "yuv420p", "-crf", "34", "-b:v", "0", "-row-mt", "1", "-f", "webm"};
-    if (ending == ".webp") return {"-c:v", "libwebp_anim", "-q:v", "55", "-loop", "0", "-f", "webp"};
+    if (ending == ".webp") return {"-c:v", "libwebp_anim", "-q:v", "40", "-loop", "0", "-f", "webp"};
     if (ending == ".gif")
         return {"-vf", "split[a][b];[a]palettegen=max_colors=128[p];[b][p]paletteuse=dither=none", "-f", "gif"};
     return {};
@@ -37,7 +37,7 @@ std::vector<std::string> codec_of(const std::string& ending) {
 /// Pictures through a pipe to ffmpeg.
 class Ffmpeg final : public Encoder {
   public:
-    Ffmpeg(std::filesystem::path path, int width, int height) : path_(std::move(path)) {
+    Ffmpeg(std::filesystem::path path, const FilmShape& shape) : path_(std::move(path)) {
         std::array<int, 2> ends{};
         if (::pipe2(ends.data(), O_CLOEXEC) != 0)
             throw RunError(fmt::format("A pipe to ffmpeg cannot be made ({}).", std::strerror(errno)));
@@ -47,8 +47,8 @@ class Ffmpeg final : public Encoder {
                                        "-loglevel", "error",
                                        "-f",        "rawvideo",
                                        "-pix_fmt",  "bgr0",
-                                       "-s",        fmt::format("{}x{}", width, height),
-                                       "-r",        std::to_string(film_rate),
+                                       "-s",        fmt::format("{}x{}", shape.width, shape.height),
+                                       "-r",        std::to_string(shape.rate),
                                        "-i",        "-"};
         for (std::string& word : codec_of(path_.extension().string())) words.push_back(std::move(word));
         words.push_back(path_.string());
@@ -111,8 +111,8 @@ std::string big_endian(std::uint32_t value, int bytes = 4) {
 /// An animated PNG: the chunks of one picture after another, numbered (PNG specification, third edition, 11.3).
 class AnimatedPng final : public Encoder {
   public:
-    AnimatedPng(std::filesystem::path path, int pictures)
-        : path_(std::move(path)), file_(path_, std::ios::binary), pictures_(pictures) {}
+    AnimatedPng(std::filesystem::path path, const FilmShape& shape)
+        : path_(std::move(path)), file_(path_, std::ios::binary), shape_(shape) {}
 
     void add(const Canvas& picture) override {
         const std::string png = picture.png();
@@ -126,14 +126,15 @@ class AnimatedPng final : public Encoder {
             if (type == "IHDR" && first) {
                 file_ << png.substr(0, signature_bytes);
                 chunk(type, payload);
-                chunk("acTL", big_endian(static_cast<std::uint32_t>(pictures_)) + big_endian(0));
+                chunk("acTL", big_endian(static_cast<std::uint32_t>(shape_.pictures)) + big_endian(0));
             }
             if (type == "IDAT") data += payload;
             at += length_and_type + length + crc_bytes;
         }
         chunk("fcTL", big_endian(next_++) + big_endian(static_cast<std::uint32_t>(picture.width())) +
                           big_endian(static_cast<std::uint32_t>(picture.height())) + big_endian(0) + big_endian(0) +
-                          big_endian(1, 2) + big_endian(film_rate, 2) + std::string(2, '\0'));
+                          big_endian(1, 2) + big_endian(static_cast<std::uint32_t>(shape_.rate), 2) +
+                          std::string(2, '\0'));
         if (first) {
             chunk("IDAT", data);
         } else {
@@ -159,19 +160,19 @@ class AnimatedPng final : public Encoder {
 
     std::filesystem::path path_;
     std::ofstream file_;
-    int pictures_;
+    FilmShape shape_;
     std::uint32_t next_ = 0;  ///< number of the next chunk of a frame
 };
 
 }  // namespace
 
-std::unique_ptr<Encoder> make_encoder(const std::filesystem::path& path, int width, int height, int pictures) {
+std::unique_ptr<Encoder> make_encoder(const std::filesystem::path& path, const FilmShape& shape) {
     const std::string ending = path.extension().string();
-    if (ending == ".apng") return std::make_unique<AnimatedPng>(path, pictures);
+    if (ending == ".apng") return std::make_unique<AnimatedPng>(path, shape);
     if (codec_of(ending).empty())
         throw InputError(
             fmt::format("{} has no ending of a film; give .mp4, .webm, .webp, .gif or .apng.", path.string()));
-    return std::make_unique<Ffmpeg>(path, width, height);
+    return std::make_unique<Ffmpeg>(path, shape);
 }
 
 }  // namespace floes

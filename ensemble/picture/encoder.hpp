@@ -8,8 +8,6 @@
 
 namespace floes {
 
-inline constexpr int film_rate = 25;  ///< frames a second
-
 class Encoder {
   public:
     virtual ~Encoder() = default;
@@ -19,7 +17,15 @@ class Encoder {
     virtual void finish() = 0;
 };
 
-/// By the ending of `path`; see film.hpp. `pictures`: how many will come.
-std::unique_ptr<Encoder> make_encoder(const std::filesystem::path& path, int width, int height, int pictures);
+/// What comes in.
+struct FilmShape {
+    int width = 0;     ///< pixels
+    int height = 0;    ///< pixels
+    int pictures = 0;  ///< how many
+    int rate = 0;      ///< pictures a second
+};
+
+/// By the ending of `path`; see film.hpp.
+std::unique_ptr<Encoder> make_encoder(const std::filesystem::path& path, const FilmShape& shape);
 
 }  // namespace floes

@@ -16,6 +16,8 @@ struct MemberChoice {
     std::string case_name = {};  ///< empty: any
     std::optional<int> arrangement = {};
     bool worst = false;
+
+    bool given() const { return number || !case_name.empty() || arrangement || worst; }
 };
 
 /// Throws InputError when no member, or more than one, is meant.
@@ -27,6 +29,8 @@ struct TimeChoice {
     std::optional<double> from = {};
     std::optional<double> to = {};
     std::optional<double> every = {};  ///< not given: 0.1 s, over more than a minute 0.2 s
+
+    bool given() const { return worst || from || to || every; }
 };
 
 /// Throws InputError for the worst moment of a member whose load history the file does not keep.

@@ -199,7 +199,7 @@ TEST(Film, IsAnAnimatedPngWithoutFfmpeg) {
     const TemporaryFolder folder;
     write_record(folder / "a.h5", 3);
     double done = 0;
-    write_film(folder / "a.apng", Record(folder / "a.h5"), {.width = 320, .height = 200},
+    write_film(folder / "a.apng", Record(folder / "a.h5"), {.width = 320, .height = 200}, 25,
                [&](double share) { done = share; });
     EXPECT_EQ(done, 1);
     std::stringstream text;
@@ -220,7 +220,7 @@ TEST(Film, SaysWhatIsMissing) {
     write_record(folder / "a.h5", 1);
     const Record record(folder / "a.h5");
     const auto film = [&](const char* name) {
-        return refusal([&] { write_film(folder / name, record, {.width = 320, .height = 200}, [](double) {}); });
+        return refusal([&] { write_film(folder / name, record, {.width = 320, .height = 200}, 25, [](double) {}); });
     };
     EXPECT_THAT(film("a.avi"), HasSubstr("no ending of a film"));
     const std::string path = std::getenv("PATH");
