@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """The pictures of docs/report.md: sections of a report, as headless Chromium shows them.
 
-Usage: report.py REPORT.html          (floes report CAMPAIGN.h5 -o REPORT.html; needs chromium and matplotlib)
+Usage: report.py REPORT.html [PICTURE ...]     (floes report CAMPAIGN.h5 -o REPORT.html; needs chromium and matplotlib)
 """
 import pathlib
 import re
@@ -14,10 +14,12 @@ from matplotlib import pyplot
 
 PICTURES = {
     "answer": ["The answer"],
+    "worst": ["The worst moment"],
     "loads": ["Loads"],
     "run": ["What was run"],
     "differences": ["Do the cases differ?"],
     "design": ["Design load: averaged over 1 s, in 3 h"],
+    "where": ["Where the load acts", "Where floes fail"],
     "extremes": ["Load over time", "Extremes"],
     "convergence": ["Uncertainty of the mean", "Broken floes", "The arrangement with the largest load"],
     "formulas": ["Elastic modulus and closed formulas"],
@@ -29,23 +31,25 @@ def photograph(page, picture, folder):
     source, raw = folder / "page.html", folder / "page.png"
     source.write_text(page)
     subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars",
-                    "--window-size=900,3600", f"--screenshot={raw}", source.as_uri()], check=True, capture_output=True)
+                    "--window-size=900,4200", f"--screenshot={raw}", source.as_uri()], check=True, capture_output=True)
     image = pyplot.imread(raw)
     rows, columns = np.nonzero((image[..., :3] < 0.99).any(axis=2))
     pyplot.imsave(picture, image[:rows.max() + 12, max(0, columns.min() - 12):columns.max() + 12])
 
 
-def main(report):
+def main(report, *wanted):
     text = pathlib.Path(report).read_text()
     head = text[:text.index("<h1>")].replace("prefers-color-scheme:dark", "prefers-color-scheme:none")
     sections = dict(re.findall(r"(?s)<section><h2>(.*?)</h2>(.*?)</section>", text))
     with tempfile.TemporaryDirectory() as folder:
         for name, titles in PICTURES.items():
+            if wanted and name not in wanted:
+                continue
             body = "".join(f"<section><h2>{title}</h2>{sections[title]}</section>" for title in titles)
             photograph(head + body + "</body></html>", FOLDER / f"{name}.png", pathlib.Path(folder))
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
+    if len(sys.argv) < 2:
         sys.exit(__doc__)
-    main(sys.argv[1])
+    main(*sys.argv[1:])

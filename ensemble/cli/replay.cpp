@@ -129,7 +129,7 @@ void add_choices(CLI::App& verb, ReplayOptions& options) {
     verb.add_option("--from", options.times.from, "First frame, s; default: the start");
     verb.add_option("--to", options.times.to, "Last frame, s; default: the end");
     verb.add_option("--every", options.times.every,
-                    "Time from frame to frame, s; default: 0.1 s, over more than a minute 0.2 s")
+                    "Time from frame to frame, s; default: 0.1 s, over more than a minute 0.25 s")
         ->check(CLI::PositiveNumber);
 }
 

@@ -14,7 +14,7 @@ namespace {
 constexpr double round_worst = 10;  // s of frames before and after the largest load
 constexpr double long_span = 60;    // s; of longer ones fewer frames are kept
 constexpr double short_every = 0.1;
-constexpr double long_every = 0.2;
+constexpr double long_every = 0.25;
 
 }  // namespace
 

@@ -28,7 +28,7 @@ struct TimeChoice {
     bool worst = false;
     std::optional<double> from = {};
     std::optional<double> to = {};
-    std::optional<double> every = {};  ///< not given: 0.1 s, over more than a minute 0.2 s
+    std::optional<double> every = {};  ///< not given: 0.1 s, over more than a minute 0.25 s
 
     bool given() const { return worst || from || to || every; }
 };

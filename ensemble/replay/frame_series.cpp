@@ -11,7 +11,7 @@ constexpr hsize_t contacts_a_chunk = 4096;  // of a few frames
 
 /// Bits of a float's mantissa that are kept. What follows in simulated numbers is noise, which would take most of the
 /// time and the room that compression costs.
-constexpr int bits_of_places = 20;  // 25 m to 24 µm
+constexpr int bits_of_places = 20;  // 25 m to 8 µm
 constexpr int bits_of_turns = 15;   // 0.03 mrad
 constexpr int bits_of_motion = 12;  // speeds, forces and utilisations to 0.01 %
 

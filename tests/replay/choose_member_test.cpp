@@ -58,7 +58,7 @@ TEST(ChosenTimes, AreTheRunUnlessSaidOtherwise) {
     const FrameTimes whole = chosen_times(subject, {});
     EXPECT_EQ(whole.from, 0);
     EXPECT_DOUBLE_EQ(whole.to, 270);
-    EXPECT_EQ(whole.every, 0.2);
+    EXPECT_EQ(whole.every, 0.25);
     EXPECT_EQ(chosen_times(subject, {.from = 200, .to = 260}).every, 0.1);
     EXPECT_EQ(chosen_times(subject, {.to = 10, .every = 0.02}).every, 0.02);
 }
