@@ -46,8 +46,8 @@ class PassingRecord {
     std::filesystem::path path_;
 };
 
-MemberResult compute(const ReplaySubject& subject, const FrameSteps& steps, const std::filesystem::path& path) {
-    const StopSignals signals;
+MemberResult compute(const ReplaySubject& subject, const FrameSteps& steps, const std::filesystem::path& path,
+                     const StopSignals& signals) {
     std::stop_source stop;
     const double end = subject.about.scenario.general.time_step * subject.about.scenario.step_count();
     ProgressLine line(fmt::format("computing member {} (case {}, arrangement {})", subject.about.member,
@@ -59,11 +59,11 @@ MemberResult compute(const ReplaySubject& subject, const FrameSteps& steps, cons
 }
 
 /// Computes the member and writes its record. Whether it is the member of the file; says what differs if not.
-bool record_member(const ReplayOptions& options, const std::filesystem::path& path) {
+bool record_member(const ReplayOptions& options, const std::filesystem::path& path, const StopSignals& signals) {
     const CampaignTable table = read_campaign_file(options.file);
     const ReplaySubject subject = replay_subject(options.file, table, chosen_member(table, options.member));
     const FrameSteps steps = frame_steps(chosen_times(subject, options.times), subject.about.scenario);
-    const MemberResult result = compute(subject, steps, path);
+    const MemberResult result = compute(subject, steps, path, signals);
     if (result.status == MemberStatus::failed) std::fprintf(stderr, "floes: %s\n", result.reason.c_str());
     const std::vector<std::string> found = differences(subject, result);
     if (found.empty()) return true;
@@ -75,15 +75,24 @@ bool record_member(const ReplayOptions& options, const std::filesystem::path& pa
     return false;
 }
 
-void write_outputs(const std::filesystem::path& record_path, const ReplayOptions& options) {
+void write_outputs(const std::filesystem::path& record_path, const ReplayOptions& options, const StopSignals& signals) {
     const Record record(record_path);
+    const auto go_on = [&signals] {
+        if (signals.received() != 0) throw Interrupted("stopped on request");
+    };
     for (const std::string& output : options.outputs) {
-        if (kind_of(output) != ReplayOutput::record) write_replay_output(output, record, options.look);
+        if (kind_of(output) != ReplayOutput::record) write_replay_output(output, record, options.look, go_on);
         std::printf("%s\n", output.c_str());
     }
 }
 
-bool run(const ReplayOptions& options) {
+/// A record may take the place of another, but not that of a campaign.
+void check_place(const std::filesystem::path& path) {
+    if (std::filesystem::exists(path) && !is_record(path))
+        throw InputError(fmt::format("{} is there and is no record; give the record another name.", path.string()));
+}
+
+bool run(const ReplayOptions& options, const StopSignals& signals) {
     const bool has_record = is_record(options.file);
     std::vector<std::string> records;
     for (const std::string& output : options.outputs)
@@ -97,19 +106,21 @@ bool run(const ReplayOptions& options) {
             throw InputError(fmt::format(
                 "{} is the record of one member and one stretch of time already; choose those when it is made.",
                 options.file));
-        write_outputs(options.file, options);
+        write_outputs(options.file, options, signals);
         return true;
     }
     const PassingRecord passing(options.outputs.front());
     const std::filesystem::path path = records.empty() ? passing.path() : std::filesystem::path(records.front());
-    const bool same = record_member(options, path);
-    write_outputs(path, options);
+    check_place(path);
+    const bool same = record_member(options, path, signals);
+    write_outputs(path, options, signals);
     return same;
 }
 
 int exit_status_of(const ReplayOptions& options) {
+    const StopSignals signals;
     try {
-        return run(options) ? 0 : 1;
+        return run(options, signals) ? 0 : 1;
     } catch (const Interrupted&) {
         return exit_stopped;
     }

@@ -67,7 +67,8 @@ void write_picture(const std::filesystem::path& path, const Record& record, cons
     }
 }
 
-void write(const std::filesystem::path& path, const Record& record, const ReplayLook& look) {
+void write(const std::filesystem::path& path, const Record& record, const ReplayLook& look,
+           const std::function<void()>& go_on) {
     switch (kind_of(path)) {
         case ReplayOutput::page:
             return write_replay_page(path, record);
@@ -77,7 +78,10 @@ void write(const std::filesystem::path& path, const Record& record, const Replay
             return write_picture(path, record, look);
         case ReplayOutput::film: {
             ProgressLine line(fmt::format("drawing {}", path.string()));
-            return write_film(path, record, style_of(look, record), look.rate, [&](double done) { line.show(done); });
+            return write_film(path, record, style_of(look, record), look.rate, [&](double done) {
+                go_on();
+                line.show(done);
+            });
         }
         case ReplayOutput::record:
             break;
@@ -100,9 +104,10 @@ ReplayOutput kind_of(const std::filesystem::path& path) {
         path.string()));
 }
 
-void write_replay_output(const std::filesystem::path& path, const Record& record, const ReplayLook& look) {
+void write_replay_output(const std::filesystem::path& path, const Record& record, const ReplayLook& look,
+                         const std::function<void()>& go_on) {
     try {
-        write(path, record, look);
+        write(path, record, look, go_on);
     } catch (...) {
         std::error_code ignored;
         std::filesystem::remove(path, ignored);

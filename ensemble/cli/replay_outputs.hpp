@@ -2,6 +2,7 @@
 // What floes replay makes of a record, by the ending of each file's name.
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -22,7 +23,9 @@ struct ReplayLook {
     int rate = 25;  ///< frames of films a second
 };
 
-/// Makes the file, with progress on standard error; one that fails leaves nothing. Not for ReplayOutput::record.
-void write_replay_output(const std::filesystem::path& path, const Record& record, const ReplayLook& look);
+/// Makes the file, with progress on standard error; one that fails leaves nothing. `go_on` is called again and again
+/// where that takes long, and throws to stop it. Not for ReplayOutput::record.
+void write_replay_output(const std::filesystem::path& path, const Record& record, const ReplayLook& look,
+                         const std::function<void()>& go_on);
 
 }  // namespace floes

@@ -69,9 +69,12 @@ Vec3 vector_at(const std::vector<float>& values, std::size_t index) {
 }  // namespace
 
 bool is_record(const std::filesystem::path& path) {
-    if (!std::filesystem::exists(path)) return false;
     const hdf5::QuietErrors quiet;
-    return has_filetype(hdf5::open_for_reading(path).id());
+    try {
+        return has_filetype(hdf5::open_for_reading(path).id());
+    } catch (const InputError&) {
+        return false;  // no such file, or no HDF5 file
+    }
 }
 
 Channel channel_of(const RecordSubject& subject) {

@@ -142,6 +142,8 @@ TEST_F(Replay, RefusesWhatThereIsNot) {
     EXPECT_THAT(refusal([&] { frame_steps({7, 9, 0.1}, scenario); }), HasSubstr("the run goes from 0 s to 6 s"));
     EXPECT_THAT(refusal([&] { frame_steps({3, 2, 0.1}, scenario); }), HasSubstr("give --from and --to within it"));
     EXPECT_THAT(refusal([&] { Record{file()}; }), HasSubstr("no record of floes replay"));
+    EXPECT_FALSE(is_record(file()));
+    EXPECT_FALSE(is_record(place("nothing.h5")));
 }
 
 TEST_F(Replay, LeavesNothingWhenItIsStopped) {

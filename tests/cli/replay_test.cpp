@@ -1,0 +1,54 @@
+// floes replay: what it makes, by the ending of its name, and what it refuses.
+
+#include "cli/replay_outputs.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "cli/commands.hpp"
+#include "core/error.hpp"
+#include "support/refusal.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace floes {
+namespace {
+
+using testing::HasSubstr;
+
+int run(const std::vector<std::string>& words) {
+    CLI::App program;
+    int status = -1;
+    add_replay(program, status);
+    std::vector<std::string> reversed(words.rbegin(), words.rend());
+    program.parse(reversed);
+    return status;
+}
+
+TEST(ReplayOutput, IsWhatItsEndingSays) {
+    EXPECT_EQ(kind_of("a.h5"), ReplayOutput::record);
+    EXPECT_EQ(kind_of("a.html"), ReplayOutput::page);
+    EXPECT_EQ(kind_of("a.svg"), ReplayOutput::picture);
+    EXPECT_EQ(kind_of("a.b.webm"), ReplayOutput::film);
+    EXPECT_EQ(kind_of("a.pvd"), ReplayOutput::vtk);
+    EXPECT_THAT(refusal([] { kind_of("a.avi"); }), HasSubstr(".html a page that plays, .png or .svg a picture"));
+}
+
+TEST(ReplayVerb, RefusesBeforeItComputes) {
+    const TemporaryFolder folder;
+    const std::string none = folder / "none.h5";
+    EXPECT_THAT(refusal([&] { run({"replay", none, "0", "-o", "a.avi"}); }), HasSubstr("What is a.avi to be?"));
+    EXPECT_THAT(refusal([&] { run({"replay", none, "0", "-o", "a.h5", "-o", "b.h5"}); }), HasSubstr("give one"));
+    EXPECT_THAT(refusal([&] { run({"replay", none, "0", "-o", folder / "a.html"}); }), HasSubstr("there is no file"));
+    std::ofstream(folder / "kept.h5") << "of someone";
+    EXPECT_THAT(refusal([&] {
+                    run({"replay", none, "0", "-o", folder / "kept.h5"});
+                }),
+                HasSubstr("is there and is no record"));
+    EXPECT_THROW(run({"replay", none, "-1", "-o", "a.html"}), CLI::ParseError);
+    EXPECT_THROW(run({"replay", none, "0"}), CLI::ParseError);
+    EXPECT_THROW(run({"replay", none, "0", "-o", "a.png", "--view", "sideways"}), CLI::ParseError);
+}
+
+}  // namespace
+}  // namespace floes
