@@ -1,8 +1,8 @@
 #include "picture/encoder.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <zlib.h>
@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <csignal>
 #include <cstring>
 #include <fstream>
 #include <string>
@@ -34,13 +33,13 @@ std::vector<std::string> codec_of(const std::string& ending) {
     return {};
 }
 
-/// Pictures through a pipe to ffmpeg.
+/// Pictures through a socket to ffmpeg.
 class Ffmpeg final : public Encoder {
   public:
     Ffmpeg(std::filesystem::path path, const FilmShape& shape) : path_(std::move(path)) {
-        std::array<int, 2> ends{};
-        if (::pipe2(ends.data(), O_CLOEXEC) != 0)
-            throw RunError(fmt::format("A pipe to ffmpeg cannot be made ({}).", std::strerror(errno)));
+        std::array<int, 2> ends{};  // a socket, which tells of a reader that is gone by an error and not by a signal
+        if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+            throw RunError(fmt::format("A socket to ffmpeg cannot be made ({}).", std::strerror(errno)));
         Descriptor read_end(ends[0]);
         write_end_ = Descriptor(ends[1]);
         std::vector<std::string> words{"ffmpeg",    "-y",
@@ -74,7 +73,7 @@ class Ffmpeg final : public Encoder {
     void add(const Canvas& picture) override {
         std::span<const std::uint8_t> left = picture.pixels();
         while (!left.empty()) {
-            const ssize_t written = ::write(write_end_.get(), left.data(), left.size());
+            const ssize_t written = ::send(write_end_.get(), left.data(), left.size(), MSG_NOSIGNAL);
             if (written < 0 && errno == EINTR) continue;
             if (written < 0) fail();
             left = left.subspan(static_cast<std::size_t>(written));

@@ -226,6 +226,10 @@ TEST(Film, SaysWhatIsMissing) {
     const std::string path = std::getenv("PATH");
     ::setenv("PATH", "/nowhere", 1);
     EXPECT_THAT(film("a.mp4"), HasSubstr("install the package ffmpeg"));
+    std::ofstream(folder / "ffmpeg") << "#!/bin/sh\nexit 1\n";  // one that fails
+    std::filesystem::permissions(folder / "ffmpeg", std::filesystem::perms::owner_all);
+    ::setenv("PATH", (folder / "").parent_path().c_str(), 1);
+    EXPECT_THROW(film("a.mp4"), RunError);
     ::setenv("PATH", path.c_str(), 1);
 }
 
