@@ -70,7 +70,7 @@ class Reader {
         for (Key& key : describe(stop_)) keys.push_back(std::move(key));
         for (Key& key : describe(rules_)) keys.push_back(std::move(key));
         for (Key& key : describe(base_)) keys.push_back(std::move(key));
-        for (const Entry& entry : presets_first(keys, document_.entries)) {
+        for (const Entry& entry : in_order_of_reading(keys, document_.entries)) {
             if (is_case_path(entry.path)) {
                 throw InputError(
                     fmt::format("{}: {} = {} is not in a case; begin each case with [[case]], in double brackets",
@@ -83,7 +83,7 @@ class Reader {
             }
             set(keys, entry, origins_);
         }
-        for (const Entry& entry : presets_first(keys, overrides_)) {
+        for (const Entry& entry : in_order_of_reading(keys, overrides_)) {
             if (!is_case_path(entry.path)) set(keys, entry, origins_);
         }
         for (const Entry& entry : overrides_) {
@@ -172,7 +172,7 @@ class Reader {
         Case one{block.name, base_};
         const Keys keys = describe(one);
         Origins own;
-        for (const Entry& entry : presets_first(keys, block.block.entries)) {
+        for (const Entry& entry : in_order_of_reading(keys, block.block.entries)) {
             refuse_campaign_key(entry);
             if (own.contains(full_path(entry.path))) {
                 throw InputError(fmt::format("{}: {} is given twice in this [[case]]; keep one", entry.where,
@@ -185,7 +185,7 @@ class Reader {
         for (const auto& [of_case, entry] : case_overrides_) {
             if (of_case == block.given) overrides.push_back(entry);
         }
-        for (const Entry& entry : presets_first(keys, std::move(overrides))) set(keys, entry, own);
+        for (const Entry& entry : in_order_of_reading(keys, std::move(overrides))) set(keys, entry, own);
         one.name = block.name;
         if (block.point >= 0) {
             one.base = block.base;

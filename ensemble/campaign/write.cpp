@@ -83,7 +83,7 @@ std::string write_campaign(const Campaign& campaign) {
         for (const Key& key : describe(one.scenario)) {
             if (one.calibrate && key.path == cfm_path) {
                 text += "# joint.cfm: calibrated to show the elastic modulus when the campaign runs\n";
-            } else if (varying.contains(key.path)) {
+            } else if (varying.contains(key.path) && !key.part) {
                 text += fmt::format("{} = {}\n", key.path, literal(key));
             }
         }

@@ -31,7 +31,7 @@ std::string list_text(const NumbersField& numbers, bool si) {
 struct Literal {
     bool si;
     std::string operator()(const NumberField& number) const {
-        return si ? number_literal(*number.value) : number_literal(*number.value, number.unit);
+        return si ? number_literal(number.get()) : number_literal(number.get(), number.unit);
     }
     std::string operator()(const NumbersField& numbers) const { return list_text(numbers, si); }
     std::string operator()(const IntegerField& integer) const { return fmt::format("{}", integer.get()); }
@@ -121,7 +121,9 @@ std::string to_text(const Range& range) {
 }
 
 Key number_key(std::string path, double& field, double unit, Range range, std::string source, std::string doc) {
-    return {std::move(path), NumberField{&field, unit, std::move(range)}, std::move(source), std::move(doc)};
+    return {std::move(path),
+            NumberField{[&field] { return field; }, [&field](double value) { field = value; }, unit, std::move(range)},
+            std::move(source), std::move(doc)};
 }
 
 Key numbers_key(std::string path, std::vector<double>& field, double unit, Range range, std::string source,
@@ -156,11 +158,17 @@ Key preset_key(Key key) {
     return key;
 }
 
-std::vector<Entry> presets_first(std::span<const Key> keys, std::vector<Entry> entries) {
-    std::ranges::stable_partition(entries, [&](const Entry& entry) {
+Key part_key(Key key) {
+    key.part = true;
+    return key;
+}
+
+std::vector<Entry> in_order_of_reading(std::span<const Key> keys, std::vector<Entry> entries) {
+    const auto place = [&](const Entry& entry) {
         const Key* key = find_key(keys, entry.path);
-        return key != nullptr && key->preset;
-    });
+        return key == nullptr ? 1 : key->preset ? 0 : key->part ? 2 : 1;
+    };
+    std::ranges::stable_sort(entries, {}, place);
     return entries;
 }
 

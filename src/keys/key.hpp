@@ -36,8 +36,9 @@ Range at_least(double bound);
 std::string to_text(const Range& range);
 
 struct NumberField {
-    double* value;  ///< SI
-    double unit;    ///< SI value = number in the text * unit
+    std::function<double()> get;      ///< SI
+    std::function<void(double)> set;  ///< SI
+    double unit;                      ///< SI value = number in the text * unit
     Range range;
 };
 struct NumbersField {
@@ -80,6 +81,10 @@ struct Key {
     std::string doc;      ///< meaning, and what changing it does
     bool late = false;    ///< came after the first campaigns, and can say what was so before
     bool preset = false;  ///< says what several others say
+    bool part = false;    ///< says a part of what another one says
+
+    /// It has no field of its own, so digests and differences leave it out.
+    bool derived() const { return preset || part; }
 
     std::string table() const { return path.substr(0, path.find('.')); }
     std::string name() const { return path.substr(path.find('.') + 1); }
@@ -102,6 +107,10 @@ Key late_key(Key key);
 /// stands, and says nothing that they do not.
 Key preset_key(Key key);
 
+/// The key, one that sets a part of a field that has a key of its own, so that a design can have it as an axis: it is
+/// read after that, and is not written, since it would overrule who changes the other in the text.
+Key part_key(Key key);
+
 /// The enumeration must count from 0 in the order of `words`.
 template <class Enum>
 Key word_key(std::string path, Enum& field, std::vector<std::string> words, std::string source, std::string doc) {
@@ -123,8 +132,8 @@ std::string literal(const Key& key);
 /// The field's value in SI, each number in the shortest form that reads back to it: equal exactly when the fields are.
 std::string exact_text(const Key& key);
 
-/// The entries with those of preset keys first, otherwise in their order.
-std::vector<Entry> presets_first(std::span<const Key> keys, std::vector<Entry> entries);
+/// The entries with those of preset keys first and those of part keys last, otherwise in their order.
+std::vector<Entry> in_order_of_reading(std::span<const Key> keys, std::vector<Entry> entries);
 
 /// The key of that path, or none.
 const Key* find_key(std::span<const Key> keys, const std::string& path);

@@ -36,7 +36,7 @@ struct Assigner {
         // The range applies to the number as written; the product may still underflow to a forbidden 0, or overflow.
         const bool lost = (in_si == 0 && *number != 0) || std::isinf(in_si);
         if (!field.range.contains(*number) || lost) throw wrong("is out of range", field.range.reason);
-        *field.value = in_si;
+        field.set(in_si);
     }
 
     void operator()(const NumbersField& field) const {

@@ -53,6 +53,7 @@ std::string write_tables(std::span<const Key> keys, const TableTitles& titles, C
     std::string text;
     std::string table;
     for (const Key& key : keys) {
+        if (key.part) continue;
         if (key.table() != table) {
             table = key.table();
             if (!text.empty()) text += "\n";
@@ -98,7 +99,7 @@ std::string canonical_text(std::span<const Key> keys) {
 std::vector<std::string> key_differences(std::span<const Key> there, std::span<const Key> here) {
     std::vector<std::string> lines;
     for (std::size_t i = 0; i < there.size(); ++i) {
-        if (there[i].preset || exact_text(there[i]) == exact_text(here[i])) continue;  // a preset's keys differ, too
+        if (there[i].derived() || exact_text(there[i]) == exact_text(here[i])) continue;  // others differ, too
         lines.push_back(fmt::format("{}: {} there, {} here", there[i].path, literal(there[i]), literal(here[i])));
     }
     return lines;

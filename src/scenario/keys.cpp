@@ -57,7 +57,7 @@ std::string canonical_text(const Scenario& scenario) {
     Keys keys = describe(copy);
     const Keys defaults = describe(usual);
     std::erase_if(keys, [&](const Key& key) {
-        return key.preset || (key.late && exact_text(key) == exact_text(*find_key(defaults, key.path)));
+        return key.derived() || (key.late && exact_text(key) == exact_text(*find_key(defaults, key.path)));
     });
     return canonical_text(keys);
 }

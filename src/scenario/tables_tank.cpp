@@ -33,6 +33,25 @@ RowsField shape_rows(Shape& shape) {
             [&shape](const std::vector<std::vector<double>>& rows) { shape = Shape::of_rows(rows); }};
 }
 
+/// The radius of the lowest point, of which a design can have an axis.
+Key keel_radius(Shape& shape) {
+    const auto rows_of = [&shape] {
+        std::vector<std::vector<double>> rows = shape.rows();
+        if (rows.empty()) rows.push_back({0, 0});
+        return rows;
+    };
+    NumberField radius{[rows_of] { return rows_of().front().back(); },
+                       [&shape, rows_of](double value) {
+                           std::vector<std::vector<double>> rows = rows_of();
+                           rows.front().back() = value;
+                           shape = Shape::of_rows(rows);
+                       },
+                       unit::one, at_least(0).at_most(Shape::columns.back().high)};
+    return part_key({"structure.keel_radius_m", std::move(radius), "structure.profile_m",
+                     "Radius of the lowest point of structure.profile_m, which has to be given too unless it is the "
+                     "default. With it a design can have the wall below the waterline as an axis."});
+}
+
 }  // namespace
 
 void add_field(Keys& keys, Field& field) {
@@ -99,6 +118,7 @@ void add_structure(Keys& keys, Structure& structure) {
          "Table 2; the radius at the bottom is fitted (docs/validation.md)",
          "Radius over height above the waterline, from the keel up, with heights that never decrease. The wall angle "
          "decides the load: a steeper wall below the waterline gives higher loads and more broken floes."});
+    keys.push_back(keel_radius(structure.shape));
     keys.push_back(number_key("structure.start_m", structure.start, unit::one, at_least(-farthest).at_most(farthest),
                               "the paper, Simulation Design", "Initial position of the structure's axis along x."));
     keys.push_back(number_key("structure.speed_m_s", structure.speed, unit::one, above(0).at_most(100), "Table 1",

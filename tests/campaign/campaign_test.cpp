@@ -28,7 +28,7 @@ Campaign sample() {
 
 /// A change of one field that stays within its kind.
 struct Perturb {
-    void operator()(const NumberField& field) const { *field.value = *field.value * 1.0000001 + 1e-12; }
+    void operator()(const NumberField& field) const { field.set(field.get() * 1.0000001 + 1e-12); }
     void operator()(const NumbersField& field) const { field.values->push_back(0.5); }
     void operator()(const IntegerField& field) const { field.set(field.get() + 1); }
     void operator()(const SwitchField& field) const { *field.value = !*field.value; }
@@ -87,7 +87,7 @@ TEST(Fingerprint, EveryKeyCounts) {
     for (std::size_t i = 0; i < describe(changed.cases[1].scenario).size(); ++i) {
         changed = sample();
         const Key key = describe(changed.cases[1].scenario)[i];
-        if (key.preset || !can_change(key)) continue;
+        if (key.derived() || !can_change(key)) continue;
         std::visit(Perturb{}, key.field);
         ++keys_changed;
         EXPECT_TRUE(digests.insert(fingerprint(changed)).second) << key.path;

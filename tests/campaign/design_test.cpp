@@ -143,6 +143,25 @@ TEST(Design, WholeNumbersAreMetEquallyOften) {
     EXPECT_THAT(counts, ElementsAre(std::pair(20, 100), std::pair(21, 100), std::pair(22, 100)));
 }
 
+// The radius at the keel is a part of the profile: read after it wherever it stands, never written, and none of its own
+// in digests.
+TEST(Design, HasAPartOfTheProfileAsAnAxis) {
+    const std::string profile = "[structure]\nkeel_radius_m = 0.3\nprofile_m = [[-0.5, 0.4], [0.0, 0.6], [0.1, 0.7]]\n";
+    EXPECT_EQ(read(profile).cases[0].scenario.structure.shape, Shape({{-0.5, 0.3}, {0, 0.6}, {0.1, 0.7}}));
+    const Campaign campaign =
+        read(design("method = \"grid\"") + axis("structure.keel_radius_m", "values = [0.3, 0.5]") + profile);
+    ASSERT_EQ(campaign.cases.size(), 2u);
+    EXPECT_EQ(campaign.cases[1].scenario.structure.shape, Shape({{-0.5, 0.5}, {0, 0.6}, {0.1, 0.7}}));
+    EXPECT_EQ(numeric_value(campaign.cases[1], "structure.keel_radius_m"), 0.5);
+    const std::string written = write_campaign(campaign);
+    EXPECT_EQ(written.find("keel_radius_m ="), std::string::npos);
+    const Campaign again = read(written);
+    EXPECT_EQ(fingerprint(again), fingerprint(campaign));
+    EXPECT_EQ(again.cases[1].scenario.structure.shape, campaign.cases[1].scenario.structure.shape);
+    const Campaign direct = read("[structure]\nprofile_m = [[-0.5, 0.3], [0.0, 0.6], [0.1, 0.7]]\n");
+    EXPECT_EQ(case_fingerprint(direct, 0), case_fingerprint(read(profile), 0));
+}
+
 TEST(Design, FollowsTheSeed) {
     const std::string text = design("method = \"sobol\"\npoints = 8") + sobol_axes;
     EXPECT_EQ(fingerprint(read(text)), fingerprint(read(text)));

@@ -38,8 +38,9 @@ inline void scale(const RowsField& field, double s) {
 
 inline Scenario scaled(Scenario scenario, double s) {
     for (const Key& key : describe(scenario)) {
+        if (key.derived()) continue;  // scaled with what it says
         const double factor = froude_factor(key.path, s);
-        if (const auto* number = std::get_if<NumberField>(&key.field)) *number->value *= factor;
+        if (const auto* number = std::get_if<NumberField>(&key.field)) number->set(factor * number->get());
         if (const auto* numbers = std::get_if<NumbersField>(&key.field)) {
             for (double& value : *numbers->values) value *= factor;
         }
