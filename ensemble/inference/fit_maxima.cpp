@@ -1,20 +1,16 @@
 // Fits of Gumbel and GEV to maxima, and their goodness of fit.
 
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_multimin.h>
-#include <gsl/gsl_vector.h>
-
 #include <algorithm>
 #include <array>
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <numeric>
 
 #include "core/random.hpp"
 #include "inference/extremes.hpp"
+#include "inference/simplex.hpp"
 
 namespace floes {
 
@@ -22,8 +18,6 @@ namespace {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr ExtremeFit no_fit{undefined, undefined, undefined, undefined};
-constexpr double impossible = 1e300;  // value for the simplex outside the range of the parameters
-constexpr int most_steps = 2000;
 constexpr int most_fits = 999;
 constexpr double fit_budget = 1e5;  // maxima fitted in all samples of a goodness of fit, at least 199 samples
 
@@ -74,61 +68,19 @@ ExtremeFit fit_gumbel(std::span<const double> maxima, double first_scale) {
     return fit;
 }
 
-struct VectorDeleter {
-    void operator()(gsl_vector* vector) const { gsl_vector_free(vector); }
-};
-struct MinimizerDeleter {
-    void operator()(gsl_multimin_fminimizer* minimizer) const { gsl_multimin_fminimizer_free(minimizer); }
-};
-
-/// By default GSL aborts on errors; here they are checked by return value.
-class QuietGsl {
-  public:
-    QuietGsl() : before_(gsl_set_error_handler_off()) {}
-    QuietGsl(const QuietGsl&) = delete;
-    QuietGsl& operator=(const QuietGsl&) = delete;
-    ~QuietGsl() { gsl_set_error_handler(before_); }
-
-  private:
-    gsl_error_handler_t* before_;
-};
-
 // Coordinates of the simplex in units of the start's scale: (location, log scale, shape), so that one size fits all.
-struct Problem {
-    std::span<const double> maxima;
-    ExtremeFit start;
-
-    ExtremeFit at(const gsl_vector* point) const {
-        return {start.location + start.scale * gsl_vector_get(point, 0),
-                start.scale * std::exp(gsl_vector_get(point, 1)), gsl_vector_get(point, 2), 0};
-    }
-    static double cost(const gsl_vector* point, void* self) {
-        const auto& problem = *static_cast<const Problem*>(self);
-        const ExtremeFit fit = problem.at(point);
-        if (!(std::abs(fit.shape) < 1)) return impossible;
-        const double found = log_likelihood(fit, problem.maxima);
-        return std::isfinite(found) ? -found : impossible;
-    }
-};
-
-ExtremeFit walk_simplex(std::span<const double> maxima, const ExtremeFit& start, double size, double small_enough) {
-    const QuietGsl quiet;
-    Problem problem{maxima, start};
-    gsl_multimin_function cost{&Problem::cost, 3, &problem};
-    const std::unique_ptr<gsl_vector, VectorDeleter> point(gsl_vector_calloc(3));
-    const std::unique_ptr<gsl_vector, VectorDeleter> steps(gsl_vector_alloc(3));
-    gsl_vector_set_all(steps.get(), size);
-    gsl_vector_set(point.get(), 2, start.shape);
-    const std::unique_ptr<gsl_multimin_fminimizer, MinimizerDeleter> simplex(
-        gsl_multimin_fminimizer_alloc(gsl_multimin_fminimizer_nmsimplex2, 3));
-    gsl_multimin_fminimizer_set(simplex.get(), &cost, point.get(), steps.get());
-    for (int step = 0; step < most_steps; ++step) {
-        if (gsl_multimin_fminimizer_iterate(simplex.get()) != GSL_SUCCESS) break;
-        if (gsl_multimin_fminimizer_size(simplex.get()) < small_enough) break;
-    }
-    if (simplex->fval >= impossible) return no_fit;
-    ExtremeFit fit = problem.at(simplex->x);
-    fit.log_likelihood = -simplex->fval;
+ExtremeFit fit_by_simplex(std::span<const double> maxima, const ExtremeFit& start, double size, double small_enough) {
+    const auto at = [&start](std::span<const double> point) -> ExtremeFit {
+        return {start.location + start.scale * point[0], start.scale * std::exp(point[1]), point[2], 0};
+    };
+    const auto cost = [&](std::span<const double> point) {
+        const ExtremeFit fit = at(point);
+        return std::abs(fit.shape) < 1 ? -log_likelihood(fit, maxima) : std::numeric_limits<double>::infinity();
+    };
+    const Minimum found = walk_simplex(cost, std::array{0.0, 0.0, start.shape}, {size, small_enough});
+    if (!std::isfinite(found.cost)) return no_fit;
+    ExtremeFit fit = at(found.at);
+    fit.log_likelihood = -found.cost;
     return fit;
 }
 
@@ -171,10 +123,10 @@ ExtremeFit fit_maxima(std::span<const double> maxima, ExtremeKind kind, const Ex
     if (kind == ExtremeKind::gumbel) return fit_gumbel(maxima, gumbel.scale);
     // A resample's fit is close to that of the data and needs less precision than the scatter of resamples.
     if (start != nullptr && std::isfinite(log_likelihood(*start, maxima)))
-        return walk_simplex(maxima, *start, 0.1, 1e-4);
+        return fit_by_simplex(maxima, *start, 0.1, 1e-4);
     // Run twice: a second simplex escapes if the first one collapsed.
-    const ExtremeFit first = walk_simplex(maxima, gev_start(maxima), 0.2, 1e-6);
-    return first.valid() ? walk_simplex(maxima, first, 0.05, 1e-9) : no_fit;
+    const ExtremeFit first = fit_by_simplex(maxima, gev_start(maxima), 0.2, 1e-6);
+    return first.valid() ? fit_by_simplex(maxima, first, 0.05, 1e-9) : no_fit;
 }
 
 GoodnessOfFit goodness_of_fit(const ExtremeFit& fit, ExtremeKind kind, std::span<const double> maxima, int samples) {

@@ -1,0 +1,98 @@
+#pragma once
+// A statistic of a campaign's members as a function of the axes of a design: between the points where it was computed,
+// with the noise that the scatter over arrangements leaves in each point's value.
+//
+// A Gaussian process round a plane (universal kriging), where there are at least 3 (axes + 2) points: the coefficients
+// of the plane are unknown and their uncertainty is part of the prediction's. Its correlation is Matern's with ν = 5/2
+// and a length for each axis: loads have kinks, where floes begin to break or a bound begins to act, and the squared
+// exponential, which is smooth to all orders, claims far too much certainty near them (M. L. Stein, Interpolation of
+// Spatial Data, Springer 1999, 1.7). Lengths and variance maximise the restricted likelihood times a broad prior, so
+// that they stay in a sensible range where the values say little. A further variance, of the same size at all points,
+// is added where the values ask for it: for roughness that the points are too far apart to resolve, or noise that is
+// larger than stated.
+//
+// With fewer points: a quadratic, a plane or a constant by weighted least squares, each only if it leaves at least
+// three points more than terms, whichever predicts points that are left out best (largest sum of log densities). If the
+// values deviate by more than their noise, the further variance is estimated from the deviations, and enlarged for its
+// few degrees of freedom.
+//
+// A library (OpenTURNS) was considered: 37 packages of 259 MB for what is one Cholesky factor here.
+
+#include <Eigen/Dense>
+#include <string>
+#include <vector>
+
+#include "inference/kriging.hpp"
+
+namespace floes {
+
+/// Where and what was simulated.
+struct EmulatorData {
+    Eigen::MatrixXd at;      ///< points x axes, coordinates in [-1, 1]
+    Eigen::VectorXd values;  ///< one a point, any unit
+    Eigen::VectorXd noise;   ///< variance of each value (scatter over arrangements / their number), >= 0
+};
+
+enum class EmulatorKind { constant, linear, quadratic, gaussian_process };
+
+/// How the statistic deviates from its mean function.
+struct EmulatorCovariance {
+    Eigen::VectorXd lengths;  ///< of correlation along each axis, in half axes; empty unless a Gaussian process
+    double variance = 0;      ///< of the correlated part, in the unit of the values squared
+    double extra = 0;         ///< the same, of the part that no two points share
+};
+
+/// A form with its covariance, and the predictions that follow from both.
+struct EmulatorForm {
+    EmulatorKind kind;
+    EmulatorKind trend;  ///< of the mean function: constant, linear or quadratic
+    EmulatorCovariance covariance;
+    Kriging kriging;
+};
+
+/// A point's value and what the emulator predicts without it, in the unit of the values.
+struct LeftOut {
+    double value;
+    double predicted;
+    double sd;  ///< of a new noisy value there: that of the emulator and of the noise
+
+    double standardised() const { return (value - predicted) / sd; }
+};
+
+class Emulator {
+  public:
+    /// Throws InputError unless there are at least 2 points and 1 axis, sizes agree, everything is finite and no noise
+    /// is negative. The order of the points does not matter to a single bit.
+    explicit Emulator(const EmulatorData& data);
+
+    EmulatorKind kind() const { return form_.kind; }
+    EmulatorCovariance covariance() const;
+
+    /// The statistic without noise, at one coordinate an axis, with the variance of the emulator's own uncertainty.
+    /// Throws InputError for another number of coordinates.
+    Emulated at(const Eigen::VectorXd& x) const;
+
+    /// In the order of the points given; covariances are those of all points.
+    const std::vector<LeftOut>& left_out() const { return left_out_; }
+
+    /// Empty when the check by leaving one out is passed; else a sentence saying why it is not to be trusted. A right
+    /// emulator fails with a probability of about 1 %. Errors smaller than stated are no fault.
+    std::string fault() const { return fault_; }
+
+  private:
+    /// Points in an order of their own, with values of which deviations from a plane are of the order of 1.
+    struct Scaled {
+        std::vector<Eigen::Index> order;
+        double shift;
+        double scale;
+        EmulatorData data;
+    };
+    static Scaled scaled(const EmulatorData& data);
+
+    Scaled scaled_;
+    EmulatorForm form_;
+    std::vector<LeftOut> left_out_;
+    std::string fault_;
+};
+
+}  // namespace floes

@@ -1,0 +1,65 @@
+// Whether an emulator's errors at points that are left out are of the size that it states.
+
+#include <fmt/format.h>
+
+#include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
+
+#include "inference/emulator_forms.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr double far = 3;              // SDs
+constexpr double false_alarm = 0.005;  // of each of the two parts of the check
+
+/// The most points that may lie far off.
+int most_far(Eigen::Index points) {
+    using boost::math::cdf;
+    using boost::math::complement;
+    const double share = 2 * cdf(complement(boost::math::normal(), far));
+    const boost::math::binomial number(static_cast<double>(points), share);
+    int most = 0;
+    while (cdf(complement(number, most)) > false_alarm) ++most;
+    return most;
+}
+
+/// The largest mean of squares. Their correlations are those of Q scaled to a diagonal of 1, so the mean is 1 and its
+/// variance 2 Σ C² / n²: a scaled χ² with the same two moments.
+double largest_mean_square(const Eigen::MatrixXd& projection) {
+    const Eigen::ArrayXd scale = projection.diagonal().array().rsqrt();
+    const Eigen::MatrixXd correlation = scale.matrix().asDiagonal() * projection * scale.matrix().asDiagonal();
+    const double freedom = static_cast<double>(scale.size() * scale.size()) / correlation.squaredNorm();
+    return quantile(complement(boost::math::chi_squared(freedom), false_alarm)) / freedom;
+}
+
+}  // namespace
+
+Eigen::VectorXd left_out_errors(const Eigen::MatrixXd& projection, const Eigen::VectorXd& values) {
+    return (projection * values).array() * projection.diagonal().array().rsqrt();
+}
+
+std::string emulator_fault(const Eigen::MatrixXd& projection, const Eigen::VectorXd& values) {
+    const Eigen::ArrayXd errors = left_out_errors(projection, values).array();
+    const auto count = (errors.abs() > far).count();
+    const int most = most_far(errors.size());
+    if (count > most)
+        return fmt::format(
+            "{} of {} points, each left out in turn, lie more than {:g} SD from what the others predict; by chance it "
+            "is at most {}.",
+            count, errors.size(), far, most);
+    const double mean = errors.square().mean();
+    const double largest = largest_mean_square(projection);
+    if (mean > largest)
+        return fmt::format(
+            "Points that are left out lie {:.2f} times as far from what the others predict as stated (RMS); by chance "
+            "it "
+            "is at most {:.2f}.",
+            std::sqrt(mean), std::sqrt(largest));
+    return {};
+}
+
+}  // namespace floes
