@@ -1,0 +1,61 @@
+#pragma once
+// What an emulator wants of the members of a design: coordinates, and for each target means and scatter at the points.
+
+#include <span>
+#include <vector>
+
+#include "match/targets.hpp"
+#include "match/waves.hpp"
+
+namespace floes {
+
+/// A point of a wave's design at which some member is done.
+struct MatchPoint {
+    std::vector<double>
+        coordinates;  ///< one an axis; beyond ±1 where a later wave reaches beyond the first one's ranges
+    int wave = 0;
+    int number = 0;  ///< in the design of that wave
+};
+
+/// Results for one target. The lists have an element for each point with a done member of the target's case that
+/// measured the quantity; numbers are in the quantity's stored unit.
+struct TargetData {
+    Target target;
+    std::vector<int> point;               ///< index into MatchData::points, rising
+    std::vector<double> mean;             ///< over the done runs
+    std::vector<double> sample_variance;  ///< of single runs, n - 1; NaN for one run
+    std::vector<double> variance;         ///< of single runs, steadied by the other points; see match_data()
+    std::vector<int> runs;                ///< done, at least 1
+    /// Part of the variance that an arrangement has in common at all points, 0-1: where points begin from the same
+    /// floes, their means err together. The error of the mean of n runs has variance v / n, and two such errors at
+    /// different points with the same n arrangements the covariance shared v / n. An emulator that takes the errors for
+    /// independent does not see this part, which must be added to the variance that it states.
+    double shared = 0;
+};
+
+struct MatchData {
+    std::vector<MatchAxis> axes;
+    std::vector<MatchPoint> points;   ///< of all waves, in order of wave and point
+    std::vector<TargetData> targets;  ///< one a target, in order
+};
+
+/// The runs that a scatter pooled over all points counts as, beside the point's own.
+inline constexpr double pooled_runs = 4;
+
+/// Means and scatter of each target at the points of all waves. Members that are not done are left out, and so are
+/// points without any.
+///
+/// Variance: a sample variance of four runs is right within a factor of 2 or 3 only, so it is weighted with the
+/// variance V pooled over all points, Σ(nᵢ - 1) sᵢ² / Σ(nᵢ - 1), as if pooled_runs further runs had had that:
+/// (pooled_runs V + (n - 1) s²) / (pooled_runs + n - 1). A point with one run has V, one with many its own.
+///
+/// Shared part: the mean product of the deviations from the points' means of two points of a wave on the same
+/// arrangement, corrected for the means' own errors, over V; 0 where no two points share arrangements.
+///
+/// A target without a case is about the only [[case]]. A target that is held out may be of a case or a time that no
+/// wave has: then it has no points. Throws InputError, one sentence, for any other such target, for one with a single
+/// run at every point, for two waves with the same simulations, and as match_axes() does. Within a wave, a point that
+/// repeats an earlier one (whole-numbered axes) is left out.
+MatchData match_data(std::span<const MatchWave> waves, std::span<const Target> targets);
+
+}  // namespace floes

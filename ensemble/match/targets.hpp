@@ -1,0 +1,40 @@
+#pragma once
+// Targets: what was measured, as numbers that members of a campaign can be compared with.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "quantities/quantity.hpp"
+
+namespace floes {
+
+/// A measured figure. All numbers are in the quantity's stored unit; ratios are 0-1.
+struct Target {
+    Quantity quantity;         ///< of the list, or averaged ("mean_maximum_0.5s")
+    std::string case_name;     ///< the [[case]] that it is about; empty where the campaign has only one
+    double value = 0;          ///< measured
+    double uncertainty = 0;    ///< standard uncertainty of the measurement itself
+    int runs = 1;              ///< measured runs behind it; of one run the scatter over arrangements counts in full
+    double discrepancy = 0;    ///< standard deviation by which the model itself may miss it
+    bool held_out = false;     ///< rules nothing out; kept for a check
+    std::string name() const;  ///< "E60 mean_load"; without a case "mean_load"
+};
+
+/// Reads the [[target]] tables of a TOML text; `file` names it in messages.
+///
+///     [[target]]
+///     quantity = "mean_load"
+///     case = "E60"
+///     value = 38.8                # N
+///     uncertainty = 0.5           # N, 0 unless given
+///     runs = 1                    # 1 unless given
+///     discrepancy_percent = 5     # of the value; or discrepancy, in N; 0 unless given
+///     held_out = false            # false unless given
+///
+/// value, uncertainty and discrepancy are in the unit in which the quantity is shown: N, percent of a ratio.
+/// Throws InputError, one sentence: file, line, key, value, what is allowed, and the nearest known key or quantity; for
+/// two targets of one quantity and case, and for a text without targets, too.
+std::vector<Target> read_targets(std::string_view text, const std::string& file);
+
+}  // namespace floes

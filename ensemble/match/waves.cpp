@@ -1,0 +1,135 @@
+#include "match/waves.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "campaign_file/read_campaign_file.hpp"
+#include "campaign_file/read_details.hpp"
+#include "core/error.hpp"
+#include "scenario/keys.hpp"
+
+namespace floes {
+namespace {
+
+/// They decide what else is stored about a member, not what it measures.
+constexpr std::array storage_keys{"analysis.keep_history", "analysis.history_stride", "analysis.exceedance_levels_N",
+                                  "analysis.averaging_s", "analysis.peak_separation_s"};
+
+double on_scale(double value, AxisScale scale) {
+    return scale == AxisScale::log ? std::log(value) : value;
+}
+
+void refuse_design(const MatchWave& wave) {
+    const Design& design = wave.campaign.design;
+    if (!design.active())
+        throw InputError(
+            fmt::format("{} has no design, so its cases lie on no axes; give its configuration a [design] whose axes "
+                        "are the inputs to be matched",
+                        wave.file));
+    for (const DesignAxis& axis : design.axes) {
+        if (!axis.numeric)
+            throw InputError(
+                fmt::format("{}: the axis {} takes words or lists, and a matching wants numbers; run them as separate "
+                            "designs, one for "
+                            "each value, and match each by itself",
+                            wave.file, axis.key));
+    }
+}
+
+std::set<std::string> axis_keys(const MatchWave& wave) {
+    std::set<std::string> keys;
+    for (const DesignAxis& axis : wave.campaign.design.axes) keys.insert(axis.key);
+    return keys;
+}
+
+MatchAxis match_axis(const MatchWave& wave, const DesignAxis& axis) {
+    MatchAxis made{axis.key, axis.from, axis.to, axis.scale};
+    if (!wave.campaign.design.has_ranges()) {
+        std::vector<double> values;
+        for (const Case& one : wave.campaign.cases) values.push_back(numeric_value(one, axis.key));
+        const auto [least, most] = std::ranges::minmax(values);
+        made.from = least;
+        made.to = most;
+    }
+    if (made.from < made.to) return made;
+    throw InputError(
+        fmt::format("{}: the axis {} has the one value {}; take it out of the design, since it varies "
+                    "nothing",
+                    wave.file, axis.key, made.from));
+}
+
+/// What differs between two cases of one name beside the axes.
+std::vector<std::string> other_conditions(const Case& there, const Case& here, const std::set<std::string>& axes) {
+    std::vector<std::string> lines = differences(there.scenario, here.scenario);
+    if (there.calibrate != here.calibrate)
+        lines.emplace_back("joint.cfm: given in one of them, to be calibrated in the other");
+    std::erase_if(lines, [&](const std::string& line) {
+        const std::string key = line.substr(0, line.find(':'));
+        const bool only_a_start = key == "joint.cfm" && there.calibrate && here.calibrate;
+        return axes.contains(key) || only_a_start || std::ranges::find(storage_keys, key) != storage_keys.end();
+    });
+    return lines;
+}
+
+void refuse_other(const MatchWave& first, const MatchWave& other) {
+    const std::set<std::string> axes = axis_keys(first);
+    if (axes != axis_keys(other))
+        throw InputError(fmt::format("{} has the axes {}, and {} has {}; waves of one matching vary the same keys",
+                                     first.file, fmt::join(axes, ", "), other.file, fmt::join(axis_keys(other), ", ")));
+    std::set<std::string> seen;
+    for (const Case& here : other.campaign.cases) {
+        if (!seen.insert(here.base).second) continue;
+        const auto there = std::ranges::find(first.campaign.cases, here.base, &Case::base);
+        if (there == first.campaign.cases.end()) continue;
+        const std::vector<std::string> lines = other_conditions(*there, here, axes);
+        if (lines.empty()) continue;
+        throw InputError(
+            fmt::format("{} and {} are not waves of one matching, because keys differ that are not axes ({}there: the "
+                        "former, here: "
+                        "the latter): {}",
+                        first.file, other.file, here.base.empty() ? "" : fmt::format("case {}; ", here.base),
+                        fmt::join(lines, "; ")));
+    }
+}
+
+}  // namespace
+
+MatchWave read_wave(const std::filesystem::path& path) {
+    return {path.string(), campaign_of(read_origin(path), path), read_campaign_file(path)};
+}
+
+double MatchAxis::coordinate(double value) const {
+    const double low = on_scale(from, scale);
+    return 2 * (on_scale(value, scale) - low) / (on_scale(to, scale) - low) - 1;
+}
+
+double MatchAxis::value(double coordinate) const {
+    const double low = on_scale(from, scale);
+    const double on = low + (coordinate + 1) / 2 * (on_scale(to, scale) - low);
+    return scale == AxisScale::log ? std::exp(on) : on;
+}
+
+std::vector<MatchAxis> match_axes(std::span<const MatchWave> waves) {
+    if (waves.empty()) throw InputError("A matching wants a campaign file at least.");
+    for (const MatchWave& wave : waves) refuse_design(wave);
+    for (std::size_t k = 1; k < waves.size(); ++k)
+        for (std::size_t earlier = 0; earlier < k; ++earlier) refuse_other(waves[earlier], waves[k]);
+    std::vector<MatchAxis> axes;
+    for (const DesignAxis& axis : waves.front().campaign.design.axes) axes.push_back(match_axis(waves.front(), axis));
+    return axes;
+}
+
+std::vector<std::string> match_cases(std::span<const MatchWave> waves) {
+    std::vector<std::string> names;
+    for (const MatchWave& wave : waves)
+        for (const Case& one : wave.campaign.cases)
+            if (std::ranges::find(names, one.base) == names.end()) names.push_back(one.base);
+    return names;
+}
+
+}  // namespace floes
