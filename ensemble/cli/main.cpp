@@ -53,6 +53,7 @@ int main(int argc, char** argv) {
     floes::add_hybrid(program, exit_status);
     floes::add_report(program, exit_status);
     floes::add_replay(program, exit_status);
+    floes::add_match(program, exit_status);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

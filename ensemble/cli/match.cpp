@@ -1,0 +1,95 @@
+// floes match: which inputs do measured loads not rule out?
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "campaign/write.hpp"
+#include "cli/commands.hpp"
+#include "cli/patience.hpp"
+#include "cli/terminal.hpp"
+#include "cli/write_page.hpp"
+#include "core/error.hpp"
+#include "match/match_sections.hpp"
+#include "match/next_wave.hpp"
+
+#include <iostream>
+
+namespace floes {
+namespace {
+
+struct MatchOptions {
+    std::vector<std::string> files;
+    std::string targets;
+    int samples = 8192;
+    std::string next;
+    int points = 40;
+    std::string format = "table";
+};
+
+std::vector<Target> load_targets(const std::string& path) {
+    std::ifstream file(path);
+    if (!file) throw InputError(fmt::format("{} cannot be read; give a TOML file with [[target]] tables.", path));
+    std::ostringstream text;
+    text << file.rdbuf();
+    return read_targets(text.str(), path);
+}
+
+void write_next(const MatchOptions& options, const MatchWave& wave, const MatchData& data, const Matching& found) {
+    if (found.left == 0)
+        throw InputError("There is no next wave: nothing is left. Widen the ranges, or allow the model a discrepancy.");
+    const Eigen::MatrixXd points = next_points(found, data, options.points);
+    const std::filesystem::path path = options.next;
+    write_page(path, write_campaign(next_wave(wave, data.axes, points, path.stem().string())));
+    std::fprintf(stderr, "floes: %s has the next wave, %d points; run it with floes run %s\n", path.c_str(),
+                 static_cast<int>(points.rows()), path.c_str());
+}
+
+void run(const MatchOptions& options) {
+    std::vector<MatchWave> waves;
+    for (const std::string& file : options.files) waves.push_back(read_wave(file));
+    const MatchData data = match_data(waves, load_targets(options.targets));
+    const Patience patience(std::cerr,
+                            fmt::format("emulating {} targets at {} points", data.targets.size(), options.samples));
+    const std::vector<EmulatedTarget> targets = emulate(data);
+    const Matching found = match(data, targets, options.samples, waves.front().campaign.seed);
+    std::fputs(written(match_sections(data, targets, found), options.format).c_str(), stdout);
+    if (!options.next.empty()) write_next(options, waves.front(), data, found);
+}
+
+}  // namespace
+
+void add_match(CLI::App& program, int& exit_status) {
+    auto options = std::make_shared<MatchOptions>();
+    CLI::App* verb = program.add_subcommand("match", "Which inputs do measured loads not rule out? History matching");
+    verb->add_option("campaigns", options->files,
+                     "Campaign files with a [design] over the unknown inputs, wave by wave")
+        ->required();
+    verb->add_option("--targets", options->targets, "TOML file with a [[target]] for each measured figure")->required();
+    verb->add_option("--samples", options->samples, "Points of the inputs' ranges to look at")
+        ->check(CLI::Range(64, 1 << 20))
+        ->capture_default_str();
+    verb->add_option("--next", options->next, "Write the next wave, a campaign inside what is left, to this TOML file");
+    verb->add_option("--points", options->points, "Points of the next wave")
+        ->check(CLI::Range(1, 10000))
+        ->capture_default_str();
+    add_format(*verb, options->format);
+    verb->footer(
+        "Emulators predict each target over the design's axes. A point is ruled out when a target is more than three\n"
+        "standard deviations from its prediction there, counting the scatter of single runs, the measurement's\n"
+        "uncertainty and the discrepancy that the model is allowed.\n\n"
+        "  floes run wave1.toml && floes match wave1.h5 --targets tank.toml --next wave2.toml\n"
+        "  floes run wave2.toml && floes match wave1.h5 wave2.h5 --targets tank.toml");
+    verb->callback([options, &exit_status] {
+        run(*options);
+        exit_status = 0;
+    });
+}
+
+}  // namespace floes

@@ -1,0 +1,162 @@
+#include "match/match_sections.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/units.hpp"
+#include "core/wording.hpp"
+#include "tables/number_text.hpp"
+
+namespace floes {
+namespace {
+
+struct TargetRow {
+    const EmulatedTarget* target;
+    const TargetVerdict* verdict;
+};
+
+struct AxisRow {
+    const MatchAxis* axis;
+    const AxisLeft* left;  ///< null where nothing is left
+};
+
+const char* kind_word(const EmulatedTarget& target) {
+    if (!target.emulated()) return "none";
+    switch (target.mean().kind()) {
+        case EmulatorKind::constant:
+            return "constant";
+        case EmulatorKind::linear:
+            return "linear";
+        case EmulatorKind::quadratic:
+            return "quadratic";
+        case EmulatorKind::gaussian_process:
+            break;
+    }
+    return "Gaussian process";
+}
+
+/// Root of the mean of the squared errors in standard deviations: 1 for a right emulator.
+double error_of_left_out(const EmulatedTarget& target) {
+    if (!target.emulated()) return std::numeric_limits<double>::quiet_NaN();
+    double sum = 0;
+    for (const LeftOut& one : target.mean().left_out()) sum += one.standardised() * one.standardised();
+    return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, target.mean().left_out().size())));
+}
+
+std::string percent(double share) {
+    const double shown = share / unit::percent;
+    return shown > 0 && shown < 0.1 ? "< 0.1" : fixed(shown, shown < 10 ? 1 : 0);
+}
+
+std::string verdict_text(const std::vector<EmulatedTarget>& targets, const Matching& found) {
+    const auto used = std::ranges::count_if(targets, [](const EmulatedTarget& one) { return one.unused().empty(); });
+    std::string told = fmt::format("{} of {} used. ", used, counted(std::ssize(targets), "target"));
+    if (found.left > 0) {
+        return told + fmt::format("{} % of the inputs' ranges are not ruled out (of {} points looked at).\n",
+                                  percent(found.share()), found.sampled);
+    }
+    told += fmt::format(
+        "No combination of the inputs meets all of them: the best one misses a target by {:.1f} standard deviations.\n",
+        found.best_implausibility);
+    for (const auto& [a, b] : found.conflicts)
+        told +=
+            fmt::format("No combination meets both {} and {}.\n", targets[static_cast<std::size_t>(a)].target().name(),
+                        targets[static_cast<std::size_t>(b)].target().name());
+    return told;
+}
+
+Section target_section(const std::vector<EmulatedTarget>& targets, const Matching& found) {
+    std::vector<TargetRow> rows;
+    for (std::size_t k = 0; k < targets.size(); ++k) rows.push_back({&targets[k], &found.verdicts[k]});
+    Section section{.before = "Targets\n\n" + verdict_text(targets, found) + "\n"};
+    section.table = {
+        {"target", "measured", "emulator", "left-out error", "least implausibility", "rules out, %", "alone, %"}};
+    for (const auto& [target, verdict] : rows) {
+        const Target& about = target->target();
+        const bool used = target->unused().empty();
+        section.table.push_back({about.name(), fmt::format("{:.4g}", about.value * about.quantity.factor()),
+                                 kind_word(*target), fixed(error_of_left_out(*target), 2), fixed(verdict->least, 2),
+                                 used ? percent(verdict->rules_out) : "-", used ? percent(verdict->alone) : "-"});
+    }
+    section.after =
+        "Left-out error: of points predicted from the others, in standard deviations; 1 is right. Least "
+        "implausibility:\n"
+        "how far the target is from its prediction at the best point for it, in standard deviations. Rules out: share\n"
+        "of the inputs' ranges where that is above 3; alone: that no other target rules out.\n";
+    for (const auto& [target, verdict] : rows)
+        if (!target->unused().empty())
+            section.after += fmt::format("Not used: {}: {}\n", target->target().name(), target->unused());
+    using Row = const TargetRow&;
+    section.records = {make_records<TargetRow>(
+        "match/targets", rows,
+        {{"quantity", [](Row row) { return std::string(row.target->target().quantity.key.view()); }},
+         {"case", [](Row row) { return row.target->target().case_name; }},
+         {"value", [](Row row) { return row.target->target().value; }},
+         {"uncertainty", [](Row row) { return row.target->target().uncertainty; }},
+         {"discrepancy", [](Row row) { return row.target->target().discrepancy; }},
+         {"runs", [](Row row) { return row.target->target().runs; }},
+         {"emulator", [](Row row) { return kind_word(*row.target); }},
+         {"left_out_error", [](Row row) { return error_of_left_out(*row.target); }},
+         {"unused", [](Row row) { return row.target->unused(); }},
+         {"least_implausibility", [](Row row) { return row.verdict->least; }},
+         {"rules_out", [](Row row) { return row.verdict->rules_out; }},
+         {"alone", [](Row row) { return row.verdict->alone; }}})};
+    return section;
+}
+
+Section axis_section(const MatchData& data, const Matching& found) {
+    std::vector<AxisRow> rows;
+    for (std::size_t k = 0; k < data.axes.size(); ++k)
+        rows.push_back({&data.axes[k], found.axes.empty() ? nullptr : &found.axes[k]});
+    Section section{.before = "Inputs\n\n"};
+    section.table = {{"input", "range", "not ruled out", "median", "best point"}};
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        const auto& [axis, left] = rows[k];
+        section.table.push_back({axis->key, fmt::format("{:.4g} to {:.4g}", axis->from, axis->to),
+                                 left != nullptr ? fmt::format("{:.4g} to {:.4g}", left->low, left->high) : "nothing",
+                                 left != nullptr ? fmt::format("{:.4g}", left->middle) : "",
+                                 fmt::format("{:.4g}", axis->value(found.best[static_cast<Eigen::Index>(k)]))});
+    }
+    section.after = fmt::format("Best point: the largest implausibility there is {:.2f}.\n", found.best_implausibility);
+    using Row = const AxisRow&;
+    const auto of_left = [](double AxisLeft::*field) {
+        return [field](Row row) { return row.left != nullptr ? Datum(row.left->*field) : Datum(Undefined{}); };
+    };
+    section.records = {make_records<AxisRow>("match/inputs", rows,
+                                             {{"key", [](Row row) { return row.axis->key; }},
+                                              {"from", [](Row row) { return row.axis->from; }},
+                                              {"to", [](Row row) { return row.axis->to; }},
+                                              {"low", of_left(&AxisLeft::low)},
+                                              {"high", of_left(&AxisLeft::high)},
+                                              {"median", of_left(&AxisLeft::middle)}})};
+    return section;
+}
+
+Section correlation_section(const MatchData& data, const Matching& found) {
+    Section section{.before = "Correlations of the inputs in what is not ruled out\n\n"};
+    if (found.left < 3) {
+        section.before += "Too few points are left.\n";
+        return section;
+    }
+    section.table = {{""}};
+    for (const MatchAxis& axis : data.axes) section.table.front().emplace_back(axis.key);
+    for (std::size_t i = 0; i < data.axes.size(); ++i) {
+        std::vector<Cell> line{data.axes[i].key};
+        for (std::size_t k = 0; k < data.axes.size(); ++k)
+            line.emplace_back(fixed(found.correlations(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)), 2));
+        section.table.push_back(std::move(line));
+    }
+    return section;
+}
+
+}  // namespace
+
+std::vector<Section> match_sections(const MatchData& data, const std::vector<EmulatedTarget>& targets,
+                                    const Matching& found) {
+    return {target_section(targets, found), axis_section(data, found), correlation_section(data, found)};
+}
+
+}  // namespace floes

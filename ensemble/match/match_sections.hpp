@@ -1,0 +1,16 @@
+#pragma once
+// What a matching found, as tables for people and records for programs.
+
+#include <string>
+#include <vector>
+
+#include "match/matching.hpp"
+#include "tables/section.hpp"
+
+namespace floes {
+
+/// The verdict in sentences, the targets, the inputs before and after, and their correlations in what is left.
+std::vector<Section> match_sections(const MatchData& data, const std::vector<EmulatedTarget>& targets,
+                                    const Matching& found);
+
+}  // namespace floes

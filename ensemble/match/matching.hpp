@@ -1,0 +1,91 @@
+#pragma once
+// History matching: which inputs do measured values not rule out? (I. Vernon, M. Goldstein and R. G. Bower, Bayesian
+// Analysis 5 (2010) 619-670, sections 3 and 4; for a simulator with scatter I. Andrianakis et al., PLoS Computational
+// Biology 11 (2015) e1003968.)
+//
+//   I(x)² = (z - m(x))² / (V(x) + c s(x)² / n + s(x)² / runs + u² + d²)
+//
+// of a target z with uncertainty u and discrepancy d: m and V are the emulated mean over arrangements and its variance,
+// s² the emulated variance of single runs, and c the part of it that the points of a design have in common, since they
+// begin from the same n arrangements: the emulator cannot see that all its data err together. A point is ruled out
+// where I > 3 for any target: whatever the distribution, if it has one peak, 95 % of it lies within three standard
+// deviations (F. Pukelsheim, The American Statistician 48 (1994) 88-91).
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "inference/emulator.hpp"
+#include "match/design_data.hpp"
+
+namespace floes {
+
+inline constexpr double ruled_out_above = 3;
+
+/// A target with its emulators.
+class EmulatedTarget {
+  public:
+    explicit EmulatedTarget(const MatchData& data, const TargetData& target);
+
+    const Target& target() const { return target_; }
+    /// Whether there is any data of it; only then may the next three be asked.
+    bool emulated() const { return mean_ != nullptr; }
+    /// Of the mean over arrangements.
+    const Emulator& mean() const { return *mean_; }
+    /// Variance of a single run there.
+    double scatter(const Eigen::VectorXd& x) const;
+    double implausibility(const Eigen::VectorXd& x) const;
+    /// Why it is not used: its emulator fails its check, or it is held out; empty when it is used.
+    const std::string& unused() const { return unused_; }
+
+  private:
+    Target target_;
+    std::shared_ptr<const Emulator> mean_;
+    std::shared_ptr<const Emulator> log_scatter_;  ///< none where no point has two runs
+    double pooled_scatter_ = 0;
+    double common_part_ = 0;  ///< c / n
+    std::string unused_;
+};
+
+/// What is known of one target over the whole space.
+struct TargetVerdict {
+    double least = 0;          ///< implausibility anywhere
+    double rules_out = 0;      ///< share of the space
+    double alone = 0;          ///< share that no other target rules out
+    double least_of_left = 0;  ///< implausibility in what is left; NaN if nothing is
+};
+
+/// What of an axis is left, in the key's unit.
+struct AxisLeft {
+    double low = 0;
+    double high = 0;
+    double middle = 0;  ///< median
+};
+
+struct Matching {
+    int sampled = 0;                      ///< points of the space that were looked at
+    int left = 0;                         ///< of them, not ruled out
+    std::vector<TargetVerdict> verdicts;  ///< one a target; of unused ones only `least`
+    std::vector<AxisLeft> axes;           ///< empty if nothing is left
+    Eigen::MatrixXd correlations;         ///< of the axes' coordinates in what is left
+    Eigen::VectorXd best;                 ///< coordinates with the smallest largest implausibility
+    double best_implausibility = 0;
+    std::vector<std::pair<int, int>> conflicts;  ///< targets of which no point meets both, where nothing is left
+    Eigen::MatrixXd points_left;                 ///< coordinates, a row each
+
+    double share() const { return sampled > 0 ? static_cast<double>(left) / sampled : 0; }
+};
+
+std::vector<EmulatedTarget> emulate(const MatchData& data);
+
+/// Looks at `samples` points, a Sobol sequence over the ranges of the first wave, shifted by `seed`.
+Matching match(const MatchData& data, const std::vector<EmulatedTarget>& targets, int samples, std::uint64_t seed);
+
+/// `count` points of what is left, spread out: the one nearest to its middle, then always the one farthest from those
+/// before (and from the points simulated already). Coordinates, a row each. Fewer where fewer are left.
+Eigen::MatrixXd next_points(const Matching& matching, const MatchData& data, int count);
+
+}  // namespace floes

@@ -1,0 +1,209 @@
+// History matching on a toy simulator whose truth is known: what is left holds it, and no more than it should.
+
+#include "match/matching.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <random>
+
+#include "match/match_sections.hpp"
+
+namespace floes {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+using Function = double (*)(double, double);
+
+double load(double x, double y) {
+    return 30 + 8 * x + 4 * y + 3 * x * x;
+}
+
+double breakage(double x, double y) {
+    return 12 - 5 * x + 6 * y + 2 * x * y;
+}
+
+/// A tank with scatter: the simulator at points of [-1, 1]², and measurements of it.
+class Tank {
+  public:
+    explicit Tank(unsigned seed) : random_(seed) {
+        data_.axes = {{"structure.keel_radius_m", 0.4, 0.5}, {"contact.ice_ice_friction", 0.1, 0.5}};
+        for (int k = 0; k < points; ++k)
+            data_.points.push_back({{2.0 * halton(k, 2) - 1, 2.0 * halton(k, 3) - 1}, 0, k});
+    }
+
+    /// Data of one quantity, and its measured value.
+    void add(Function truth, const char* key, double measured, int runs = 1) {
+        TargetData target;
+        target.target.quantity = *any_quantity(key);
+        target.target.value = measured;
+        target.target.runs = runs;
+        for (int k = 0; k < points; ++k) {
+            const std::vector<double>& at = data_.points[static_cast<std::size_t>(k)].coordinates;
+            double sum = 0;
+            double squares = 0;
+            for (int run = 0; run < arrangements; ++run) {
+                const double value = truth(at[0], at[1]) + scatter * normal_(random_);
+                sum += value;
+                squares += value * value;
+            }
+            target.point.push_back(k);
+            target.mean.push_back(sum / arrangements);
+            target.sample_variance.push_back((squares - sum * sum / arrangements) / (arrangements - 1));
+            target.variance.push_back(scatter * scatter);
+            target.runs.push_back(arrangements);
+        }
+        data_.targets.push_back(std::move(target));
+    }
+    double measured(Function truth, double x, double y) { return truth(x, y) + scatter * normal_(random_); }
+    double uniform() { return std::uniform_real_distribution(-0.9, 0.9)(random_); }
+    const MatchData& data() const { return data_; }
+
+    static constexpr int points = 20;
+    static constexpr int arrangements = 4;
+    static constexpr double scatter = 1.5;
+
+  private:
+    static double halton(int k, int base) {
+        double value = 0;
+        double part = 1;
+        for (int left = k + 1; left > 0; left /= base) value += (part /= base) * (left % base);
+        return value;
+    }
+
+    std::mt19937 random_;
+    std::normal_distribution<double> normal_;
+    MatchData data_;
+};
+
+/// Share of the space that the truth itself, known without an emulator, does not rule out.
+double exact_share(double first, double second) {
+    constexpr int cells = 64;
+    int left = 0;
+    for (int i = 0; i < cells * cells; ++i) {
+        const double x = (2.0 * (i % cells) + 1) / cells - 1;
+        const double y = (2.0 * (i / cells) + 1) / cells - 1;
+        left +=
+            std::abs(load(x, y) - first) <= 3 * Tank::scatter && std::abs(breakage(x, y) - second) <= 3 * Tank::scatter;
+    }
+    return static_cast<double>(left) / (cells * cells);
+}
+
+// With one measured run of two quantities, the truth is ruled out with the probability that one of two deviations is
+// above three standard ones, 0.5 %. What is left is what the truth leaves and a little more: emulators are not sure.
+TEST(Matching, HoldsTheTruthAndLittleElse) {
+    int held = 0;
+    double share = 0;
+    double exact = 0;
+    constexpr int repetitions = 100;
+    for (unsigned k = 0; k < repetitions; ++k) {
+        Tank tank(k);
+        const double x = tank.uniform();
+        const double y = tank.uniform();
+        const double first = tank.measured(load, x, y);
+        const double second = tank.measured(breakage, x, y);
+        tank.add(load, "mean_load", first);
+        tank.add(breakage, "mean_maximum", second);
+        const std::vector<EmulatedTarget> targets = emulate(tank.data());
+        held += targets[0].implausibility(Eigen::Vector2d(x, y)) <= 3 &&
+                targets[1].implausibility(Eigen::Vector2d(x, y)) <= 3;
+        share += match(tank.data(), targets, 256, k).share() / repetitions;
+        exact += exact_share(first, second) / repetitions;
+    }
+    EXPECT_GE(held, 95);
+    EXPECT_GT(share, 0.97 * exact);
+    EXPECT_LT(share, 1.25 * exact);
+}
+
+TEST(Matching, LeavesLessTheMoreIsMeasured) {
+    std::vector<double> shares;
+    for (const int runs : {1, 4, 100}) {
+        Tank tank(1);
+        tank.add(load, "mean_load", load(0.3, -0.2), runs);
+        tank.add(breakage, "mean_maximum", breakage(0.3, -0.2), runs);
+        const Matching found = match(tank.data(), emulate(tank.data()), 1024, 1);
+        EXPECT_GT(found.left, 0);
+        shares.push_back(found.share());
+    }
+    EXPECT_LT(shares[1], 0.7 * shares[0]);
+    EXPECT_LT(shares[2], 0.7 * shares[1]);
+}
+
+TEST(Matching, FindsTheInputsAgainFromManyRuns) {
+    Tank tank(2);
+    tank.add(load, "mean_load", load(0.3, -0.2), 100);
+    tank.add(breakage, "mean_maximum", breakage(0.3, -0.2), 100);
+    const Matching found = match(tank.data(), emulate(tank.data()), 4096, 1);
+    ASSERT_EQ(found.axes.size(), 2u);
+    EXPECT_LT(found.axes[0].low, 0.465);  // 0.3 is 0.465 m
+    EXPECT_GT(found.axes[0].high, 0.465);
+    EXPECT_LT(found.axes[0].high - found.axes[0].low, 0.06);
+    EXPECT_LT(found.axes[1].low, 0.26);  // -0.2 is 0.26
+    EXPECT_GT(found.axes[1].high, 0.26);
+    EXPECT_NEAR(found.best[0], 0.3, 0.2);
+    EXPECT_NEAR(found.best[1], -0.2, 0.2);
+    EXPECT_EQ(found.points_left.rows(), found.left);
+}
+
+TEST(Matching, NamesTargetsThatContradictEachOther) {
+    Tank tank(3);
+    tank.add(load, "mean_load", load(0.8, 0.8), 10);
+    tank.add(load, "sd_load", load(-0.8, -0.8), 10);
+    tank.add(breakage, "mean_maximum", breakage(0, 0), 1);
+    const std::vector<EmulatedTarget> targets = emulate(tank.data());
+    const Matching found = match(tank.data(), targets, 1024, 1);
+    EXPECT_EQ(found.left, 0);
+    EXPECT_THAT(found.conflicts, ElementsAre(std::pair(0, 1)));
+    EXPECT_THAT(found.axes, IsEmpty());
+    EXPECT_GT(found.best_implausibility, 3);
+    EXPECT_EQ(next_points(found, tank.data(), 5).rows(), 0);
+    EXPECT_THAT(match_sections(tank.data(), targets, found).front().before,
+                HasSubstr("No combination meets both mean_load and sd_load."));
+}
+
+TEST(Matching, UsesNoTargetThatIsHeldOut) {
+    Tank tank(4);
+    tank.add(load, "mean_load", load(0.3, -0.2), 10);
+    const double alone = match(tank.data(), emulate(tank.data()), 512, 1).share();
+    tank.add(breakage, "mean_maximum", -1000);
+    MatchData data = tank.data();
+    data.targets[1].target.held_out = true;
+    const std::vector<EmulatedTarget> targets = emulate(data);
+    EXPECT_EQ(targets[1].unused(), "held out");
+    const Matching found = match(data, targets, 512, 1);
+    EXPECT_EQ(found.share(), alone);
+    EXPECT_EQ(found.verdicts[1].rules_out, 0);
+    EXPECT_GT(found.verdicts[1].least, 3);
+    EXPECT_NEAR(found.verdicts[0].rules_out, 1 - alone, 1e-12);
+    EXPECT_NEAR(found.verdicts[0].alone, 1 - alone, 1e-12);
+}
+
+// An error that all points share moves them together, which no emulator can see.
+TEST(Matching, CountsTheErrorThatPointsHaveInCommon) {
+    Tank tank(5);
+    tank.add(load, "mean_load", load(0, 0), 100);
+    const double apart = match(tank.data(), emulate(tank.data()), 1024, 1).share();
+    MatchData data = tank.data();
+    data.targets[0].shared = 0.9;
+    EXPECT_GT(match(data, emulate(data), 1024, 1).share(), 1.2 * apart);
+}
+
+TEST(NextPoints, AreLeftAndSpreadOut) {
+    Tank tank(6);
+    tank.add(load, "mean_load", load(0.3, -0.2), 10);
+    const Matching found = match(tank.data(), emulate(tank.data()), 2048, 1);
+    const Eigen::MatrixXd points = next_points(found, tank.data(), 12);
+    ASSERT_EQ(points.rows(), 12);
+    const EmulatedTarget target(tank.data(), tank.data().targets[0]);
+    for (Eigen::Index k = 0; k < points.rows(); ++k) {
+        EXPECT_LE(target.implausibility(points.row(k).transpose()), 3);
+        for (Eigen::Index other = 0; other < k; ++other) EXPECT_GT((points.row(k) - points.row(other)).norm(), 0.1);
+    }
+    EXPECT_EQ(points, next_points(match(tank.data(), emulate(tank.data()), 2048, 1), tank.data(), 12));
+}
+
+}  // namespace
+}  // namespace floes
