@@ -70,20 +70,22 @@ Emulator::Scaled Emulator::scaled(const EmulatorData& data) {
 }
 
 Emulator::Emulator(const EmulatorData& data) : scaled_(scaled(data)), form_(fitted(scaled_.data)) {
-    const Eigen::MatrixXd projection = form_.kriging.projection();
-    const Eigen::VectorXd errors = left_out_errors(projection, scaled_.data.values);
-    left_out_.resize(scaled_.order.size());
-    for (Eigen::Index row = 0; row < errors.size(); ++row) {
-        const Eigen::Index point = scaled_.order[static_cast<std::size_t>(row)];
-        const double sd = scaled_.scale / std::sqrt(projection(row, row));
-        left_out_[static_cast<std::size_t>(point)] = {data.values(point), data.values(point) - errors(row) * sd, sd};
+    const std::vector<LeftOut> points = predict_left_out(form_, scaled_.data.values);
+    fault_ = emulator_fault(points, form_.parts.front().kriging.projection());
+    left_out_.resize(points.size());
+    for (std::size_t row = 0; row < points.size(); ++row) {
+        const Eigen::Index point = scaled_.order[row];
+        left_out_[static_cast<std::size_t>(point)] = {
+            data.values(point), scaled_.shift + scaled_.scale * points[row].predicted, scaled_.scale * points[row].sd};
     }
-    fault_ = emulator_fault(projection, scaled_.data.values);
 }
 
-EmulatorCovariance Emulator::covariance() const {
+std::vector<EmulatorCovariance> Emulator::covariances() const {
     const double square = scaled_.scale * scaled_.scale;
-    return {form_.covariance.lengths, form_.covariance.variance * square, form_.covariance.extra * square};
+    std::vector<EmulatorCovariance> found;
+    for (const auto& [covariance, kriging] : form_.parts)
+        found.push_back({covariance.lengths, covariance.variance * square, covariance.extra * square});
+    return found;
 }
 
 Emulated Emulator::at(const Eigen::VectorXd& x) const {
@@ -91,13 +93,14 @@ Emulated Emulator::at(const Eigen::VectorXd& x) const {
     if (x.size() != points.cols())
         throw InputError(fmt::format("The emulator has {} axes and not {}.", points.cols(), x.size()));
     const Eigen::VectorXd terms = trend_terms(form_.trend, x.transpose()).transpose();
-    Eigen::VectorXd shared = Eigen::VectorXd::Zero(points.rows());
-    if (form_.kind == EmulatorKind::gaussian_process) {
-        const Eigen::ArrayXd per_length = form_.covariance.lengths.array().inverse();
-        const Eigen::MatrixXd apart = (points.rowwise() - x.transpose()) * per_length.matrix().asDiagonal();
-        shared = form_.covariance.variance * matern(apart.rowwise().squaredNorm()).matrix();
+    const Eigen::MatrixXd squares = (points.rowwise() - x.transpose()).array().square();
+    std::vector<Emulated> predictions;
+    for (const auto& [covariance, kriging] : form_.parts) {
+        Eigen::VectorXd shared = Eigen::VectorXd::Zero(points.rows());
+        if (form_.kind == EmulatorKind::gaussian_process) shared = shared_variance(covariance, squares);
+        predictions.push_back(kriging.at(terms, shared, covariance.variance + covariance.extra));
     }
-    const Emulated found = form_.kriging.at(terms, shared, form_.covariance.variance + form_.covariance.extra);
+    const Emulated found = combined(predictions);
     return {scaled_.shift + scaled_.scale * found.mean, scaled_.scale * scaled_.scale * found.variance};
 }
 

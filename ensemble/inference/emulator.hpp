@@ -6,8 +6,10 @@
 // of the plane are unknown and their uncertainty is part of the prediction's. Its correlation is Matern's with ν = 5/2
 // and a length for each axis: loads have kinks, where floes begin to break or a bound begins to act, and the squared
 // exponential, which is smooth to all orders, claims far too much certainty near them (M. L. Stein, Interpolation of
-// Spatial Data, Springer 1999, 1.7). Lengths and variance maximise the restricted likelihood times a broad prior, so
-// that they stay in a sensible range where the values say little. A further variance, of the same size at all points,
+// Spatial Data, Springer 1999, 1.7). The restricted likelihood of lengths and variance, times a broad prior that keeps
+// them in a sensible range where the values say little, is maximised; predictions are means over parameters + 1 places
+// spread round the maximum as its curvature tells. With the likeliest place alone, 95 % intervals held 85 to 90 %. A
+// further variance, of the same size at all points,
 // is added where the values ask for it: for roughness that the points are too far apart to resolve, or noise that is
 // larger than stated.
 //
@@ -42,12 +44,15 @@ struct EmulatorCovariance {
     double extra = 0;         ///< the same, of the part that no two points share
 };
 
-/// A form with its covariance, and the predictions that follow from both.
+/// Covariances that are about equally likely, each with the prediction that follows from it; one if it is not in doubt.
 struct EmulatorForm {
+    struct Part {
+        EmulatorCovariance covariance;
+        Kriging kriging;
+    };
     EmulatorKind kind;
     EmulatorKind trend;  ///< of the mean function: constant, linear or quadratic
-    EmulatorCovariance covariance;
-    Kriging kriging;
+    std::vector<Part> parts;
 };
 
 /// A point's value and what the emulator predicts without it, in the unit of the values.
@@ -66,7 +71,9 @@ class Emulator {
     explicit Emulator(const EmulatorData& data);
 
     EmulatorKind kind() const { return form_.kind; }
-    EmulatorCovariance covariance() const;
+
+    /// Of equal weight in all predictions; their median, roughly, is the likeliest one.
+    std::vector<EmulatorCovariance> covariances() const;
 
     /// The statistic without noise, at one coordinate an axis, with the variance of the emulator's own uncertainty.
     /// Throws InputError for another number of coordinates.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/normal.hpp>
@@ -38,12 +39,34 @@ double largest_mean_square(const Eigen::MatrixXd& projection) {
 
 }  // namespace
 
-Eigen::VectorXd left_out_errors(const Eigen::MatrixXd& projection, const Eigen::VectorXd& values) {
-    return (projection * values).array() * projection.diagonal().array().rsqrt();
+Emulated combined(const std::vector<Emulated>& predictions) {
+    const double count = static_cast<double>(predictions.size());
+    Emulated sum;
+    for (const Emulated& one : predictions) sum.mean += one.mean / count;
+    for (const Emulated& one : predictions)
+        sum.variance += (one.variance + (one.mean - sum.mean) * (one.mean - sum.mean)) / count;
+    return sum;
 }
 
-std::string emulator_fault(const Eigen::MatrixXd& projection, const Eigen::VectorXd& values) {
-    const Eigen::ArrayXd errors = left_out_errors(projection, values).array();
+std::vector<LeftOut> predict_left_out(const EmulatorForm& form, const Eigen::VectorXd& values) {
+    std::vector<std::vector<Emulated>> predictions(static_cast<std::size_t>(values.size()));
+    for (const EmulatorForm::Part& part : form.parts) {
+        const Eigen::MatrixXd projection = part.kriging.projection();
+        const Eigen::VectorXd errors = (projection * values).cwiseQuotient(projection.diagonal());
+        for (Eigen::Index i = 0; i < values.size(); ++i)
+            predictions[static_cast<std::size_t>(i)].push_back({values(i) - errors(i), 1 / projection(i, i)});
+    }
+    std::vector<LeftOut> points;
+    for (const std::vector<Emulated>& one : predictions) {
+        const Emulated predicted = combined(one);
+        points.push_back({values(std::ssize(points)), predicted.mean, std::sqrt(predicted.variance)});
+    }
+    return points;
+}
+
+std::string emulator_fault(const std::vector<LeftOut>& points, const Eigen::MatrixXd& projection) {
+    Eigen::ArrayXd errors(std::ssize(points));
+    std::ranges::transform(points, errors.begin(), [](const LeftOut& point) { return point.standardised(); });
     const auto count = (errors.abs() > far).count();
     const int most = most_far(errors.size());
     if (count > most)

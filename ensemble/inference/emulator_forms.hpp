@@ -11,8 +11,8 @@ Eigen::MatrixXd trend_terms(EmulatorKind trend, const Eigen::MatrixXd& at);
 /// Whether a trend has fewer terms than there are points, and every one is determined without any single point.
 bool determines(const Eigen::MatrixXd& at, EmulatorKind trend);
 
-/// Matern's ν = 5/2 at a squared distance in lengths.
-Eigen::ArrayXd matern(const Eigen::ArrayXd& squared);
+/// Covariance of the correlated part for pairs of points; `squares`: of their differences, pairs x axes.
+Eigen::VectorXd shared_variance(const EmulatorCovariance& covariance, const Eigen::MatrixXd& squares);
 
 /// Variance that is added to every noise to keep sums solvable: negligible beside deviations of 1.
 inline constexpr double solvable = 1e-10;
@@ -20,10 +20,13 @@ inline constexpr double solvable = 1e-10;
 EmulatorForm fit_gaussian_process(const EmulatorData& data);
 EmulatorForm fit_polynomial(const EmulatorData& data);
 
-/// Errors without each point, over their SD, from Q of Kriging::projection().
-Eigen::VectorXd left_out_errors(const Eigen::MatrixXd& projection, const Eigen::VectorXd& values);
+/// Mean and variance of predictions of equal weight.
+Emulated combined(const std::vector<Emulated>& predictions);
+
+/// In the order and unit of the values.
+std::vector<LeftOut> predict_left_out(const EmulatorForm& form, const Eigen::VectorXd& values);
 
 /// Emulator::fault().
-std::string emulator_fault(const Eigen::MatrixXd& projection, const Eigen::VectorXd& values);
+std::string emulator_fault(const std::vector<LeftOut>& points, const Eigen::MatrixXd& projection);
 
 }  // namespace floes

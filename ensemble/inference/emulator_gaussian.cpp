@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "inference/emulator_forms.hpp"
+#include "inference/posterior_spread.hpp"
 #include "inference/simplex.hpp"
 
 namespace floes {
@@ -41,12 +42,11 @@ class Likelihood {
                 squares_.row(pair++) = (data.at.row(a) - data.at.row(b)).array().square();
     }
 
-    EmulatorForm form(std::span<const double> logs) const {
+    EmulatorForm::Part part(std::span<const double> logs) const {
         EmulatorCovariance covariance{Eigen::VectorXd(axes()), variance.cut(logs[axes()]), 0};
         for (std::size_t axis = 0; axis < axes(); ++axis) covariance.lengths[axis] = length.cut(logs[axis]);
         if (logs.size() > axes() + 1) covariance.extra = extra.cut(logs[axes() + 1]);
-        const Eigen::VectorXd per_square = covariance.lengths.array().square().inverse();
-        const Eigen::ArrayXd shared = covariance.variance * matern((squares_ * per_square).array());
+        const Eigen::VectorXd shared = shared_variance(covariance, squares_);
         Eigen::MatrixXd matrix(data_.at.rows(), data_.at.rows());
         Eigen::Index pair = 0;
         for (Eigen::Index a = 0; a < matrix.rows(); ++a) {
@@ -55,11 +55,11 @@ class Likelihood {
             matrix.col(a).tail(below) = shared.segment(pair, below);
             pair += below;
         }
-        return {EmulatorKind::gaussian_process, trend_, covariance, Kriging(matrix, terms_, data_.values)};
+        return {covariance, Kriging(matrix, terms_, data_.values)};
     }
 
     double cost(std::span<const double> logs) const {
-        const EmulatorForm found = form(logs);
+        const EmulatorForm::Part found = part(logs);
         if (!found.kriging.valid()) return std::numeric_limits<double>::infinity();
         double sum = -found.kriging.log_likelihood() + variance.cost(logs[axes()]);
         for (std::size_t axis = 0; axis < axes(); ++axis) sum += length.cost(logs[axis]);
@@ -67,6 +67,7 @@ class Likelihood {
         return sum;
     }
 
+    EmulatorKind trend() const { return trend_; }
     std::size_t axes() const { return static_cast<std::size_t>(data_.at.cols()); }
 
   private:
@@ -107,9 +108,10 @@ Minimum likeliest(const Cost& cost, std::size_t axes) {
 
 }  // namespace
 
-Eigen::ArrayXd matern(const Eigen::ArrayXd& squared) {
-    const Eigen::ArrayXd far = (5 * squared).sqrt();
-    return (1 + far + far.square() / 3) * (-far).exp();
+Eigen::VectorXd shared_variance(const EmulatorCovariance& covariance, const Eigen::MatrixXd& squares) {
+    const Eigen::VectorXd per_square = covariance.lengths.array().square().inverse();
+    const Eigen::ArrayXd apart = (5 * (squares * per_square)).array().sqrt();
+    return covariance.variance * (1 + apart + apart.square() / 3) * (-apart).exp();
 }
 
 EmulatorForm fit_gaussian_process(const EmulatorData& data) {
@@ -119,7 +121,10 @@ EmulatorForm fit_gaussian_process(const EmulatorData& data) {
     std::vector<double> start = smooth.at;
     start.push_back(std::log(extra.centre));
     const Minimum rough = walk_simplex(cost, sweep(cost, std::move(start)).at, {0.3, 1e-3});
-    return likelihood.form(rough.cost < smooth.cost - worth ? rough.at : smooth.at);
+    EmulatorForm form{EmulatorKind::gaussian_process, likelihood.trend(), {}};
+    for (const std::vector<double>& logs : spread(cost, rough.cost < smooth.cost - worth ? rough : smooth))
+        form.parts.push_back(likelihood.part(logs));
+    return form;
 }
 
 }  // namespace floes

@@ -41,15 +41,18 @@ double extra_variance(const EmulatorData& data, const Eigen::MatrixXd& terms) {
 
 /// Sum of the log densities of the values, each predicted without itself; without the constant.
 double predictive_score(const EmulatorForm& form, const Eigen::VectorXd& values) {
-    const Eigen::MatrixXd projection = form.kriging.projection();
-    const Eigen::VectorXd errors = left_out_errors(projection, values);
-    return 0.5 * (projection.diagonal().array().log() - errors.array().square()).sum();
+    double sum = 0;
+    for (const LeftOut& point : predict_left_out(form, values))
+        sum -= std::log(point.sd) + 0.5 * point.standardised() * point.standardised();
+    return sum;
 }
 
 EmulatorForm fit_trend(const EmulatorData& data, EmulatorKind trend) {
     const Eigen::MatrixXd terms = trend_terms(trend, data.at);
     const double extra = extra_variance(data, terms);
-    return {trend, trend, {{}, 0, extra}, solve(data, terms, extra)};
+    EmulatorCovariance covariance;
+    covariance.extra = extra;
+    return {trend, trend, {EmulatorForm::Part{covariance, solve(data, terms, extra)}}};
 }
 
 }  // namespace
