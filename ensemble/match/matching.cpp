@@ -124,6 +124,8 @@ Matching match(const MatchData& data, const std::vector<EmulatedTarget>& targets
     found.best_implausibility = std::numeric_limits<double>::infinity();
     found.verdicts.resize(targets.size());
     for (TargetVerdict& verdict : found.verdicts) verdict.least_of_left = nan;
+    found.points = sample;
+    found.implausibility.resize(rows);
     std::vector<Eigen::Index> left;
     for (Eigen::Index k = 0; k < rows; ++k) {
         double largest = 0;
@@ -139,6 +141,7 @@ Matching match(const MatchData& data, const std::vector<EmulatedTarget>& targets
         }
         if (against == 1) found.verdicts[static_cast<std::size_t>(last)].alone += 1.0 / static_cast<double>(rows);
         if (against == 0) left.push_back(k);
+        found.implausibility[k] = largest;
         if (largest >= found.best_implausibility) continue;
         found.best_implausibility = largest;
         found.best = sample.row(k).transpose();

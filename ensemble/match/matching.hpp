@@ -74,7 +74,9 @@ struct Matching {
     Eigen::VectorXd best;                 ///< coordinates with the smallest largest implausibility
     double best_implausibility = 0;
     std::vector<std::pair<int, int>> conflicts;  ///< targets of which no point meets both, where nothing is left
-    Eigen::MatrixXd points_left;                 ///< coordinates, a row each
+    Eigen::MatrixXd points;                      ///< coordinates of those looked at, a row each
+    Eigen::VectorXd implausibility;              ///< the largest of the used targets, of each of them
+    Eigen::MatrixXd points_left;                 ///< those not ruled out, a row each
 
     double share() const { return sampled > 0 ? static_cast<double>(left) / sampled : 0; }
 };
