@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "campaign/identity.hpp"
 #include "campaign/name_list.hpp"
@@ -50,10 +52,11 @@ std::vector<UsedCase> used_cases(std::span<const MatchWave> waves) {
     return used;
 }
 
+/// Members are arrangement-major.
 std::vector<const MemberRow*> done_members(const MatchWave& wave, std::size_t case_index) {
     std::vector<const MemberRow*> members;
-    for (const MemberRow& member : wave.table.members)
-        if (member.done() && static_cast<std::size_t>(member.case_index) == case_index) members.push_back(&member);
+    for (std::size_t k = case_index; k < wave.table.members.size(); k += wave.campaign.cases.size())
+        if (wave.table.members[k].done()) members.push_back(&wave.table.members[k]);
     return members;
 }
 

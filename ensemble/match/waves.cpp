@@ -48,7 +48,7 @@ std::set<std::string> axis_keys(const MatchWave& wave) {
 }
 
 MatchAxis match_axis(const MatchWave& wave, const DesignAxis& axis) {
-    MatchAxis made{axis.key, axis.from, axis.to, axis.scale};
+    MatchAxis made{axis.key, axis.from, axis.to, axis.scale, axis.whole};
     if (!wave.campaign.design.has_ranges()) {
         std::vector<double> values;
         for (const Case& one : wave.campaign.cases) values.push_back(numeric_value(one, axis.key));

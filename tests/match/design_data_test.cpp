@@ -9,6 +9,7 @@
 
 #include "campaign_file/publish.hpp"
 #include "core/random.hpp"
+#include "match/scatter.hpp"
 #include "match/synthetic_wave.hpp"
 #include "support/refusal.hpp"
 #include "support/synthetic.hpp"
@@ -85,6 +86,7 @@ TEST(MatchData, HasPointsMeansAndScatter) {
     EXPECT_THAT(found.runs, ElementsAre(3, 3, 3));
     EXPECT_THAT(found.mean, ElementsAre(DoubleEq(21), DoubleEq(31), DoubleEq(41)));
     for (const double variance : found.variance) EXPECT_NEAR(variance, 1, 1e-12);
+    EXPECT_NEAR(found.shared, 1, 1e-12);  // an arrangement adds the same at every point
 }
 
 TEST(MatchData, LeavesOutWhatIsNotDone) {
@@ -219,10 +221,26 @@ TEST(MatchData, RefusesWavesThatDoNotBelongTogether) {
                 HasSubstr("the axis ice.thickness_m has the one value 0.025"));
 }
 
+// Deviations (-5, -2, 7)/3 and (-1, 1)/2 have the products 5/6 and -2/6 on the two common arrangements, so their mean
+// product is 1/4; its expectation is 1 - 1/3 - 1/2 + 2/6 = 1/2 of the covariance, hence 1/2. V is (26/3 + 1/2) / 3.
+TEST(Scatter, SharedIsCorrectedForTheMeansOwnErrors) {
+    std::vector<PointRuns> points{{0, {0, 1, 2}, {0, 1, 4}}, {0, {1, 0}, {8, 7}}};
+    EXPECT_NEAR(scatter_of(points, 4).shared, 0.5 / (55.0 / 18), 1e-12);
+    points[1].arrangements = {3, 4};
+    EXPECT_EQ(scatter_of(points, 4).shared, 0);
+    points[1].arrangements = {1, 0};
+    points[1].wave = 1;
+    EXPECT_EQ(scatter_of(points, 4).shared, 0);
+    points[1] = {0, {0, 1}, {8, 7}};
+    EXPECT_EQ(scatter_of(points, 4).shared, 0);  // a negative one is chance
+}
+
 TEST(MatchData, TakesARepeatedPointOfAWaveOnce) {
     const std::string repeated = list + "[[design.axis]]\nkey = \"general.iterations\"\nvalues = [20, 30, 20]\n";
     const std::vector<MatchWave> waves{wave("a.h5", repeated, thickness_load)};
-    EXPECT_EQ(match_data(waves, mean_target()).points.size(), 2u);
+    const MatchData data = match_data(waves, mean_target());
+    EXPECT_EQ(data.points.size(), 2u);
+    EXPECT_TRUE(data.axes.front().whole);
 }
 
 TEST(MatchData, IsReadFromACampaignFile) {
