@@ -214,11 +214,24 @@ TEST(MatchData, RefusesWavesThatDoNotBelongTogether) {
     EXPECT_THAT(with(list + "[[design.axis]]\nkey = \"ice.thickness_m\"\nvalues = [0.02]\n"),
                 HasSubstr("a.h5 has the axes ice.thickness_m, joint.cfm, and b.h5 has ice.thickness_m"));
     EXPECT_THAT(with(list + other_points + "[general]\niterations = 21\n"),
-                testing::AllOf(HasSubstr("a.h5 and b.h5 are not waves of one matching"),
-                               HasSubstr("general.iterations: 50 there, 21 here")));
+                HasSubstr("a.h5 (there) and b.h5 (here) are not waves of one matching, because keys that are not axes "
+                          "differ: general.iterations: 50 there, 21 here"));
     EXPECT_THAT(with(list + two_axes), HasSubstr("the simulations of a.h5's case"));
     EXPECT_THAT(refused({wave("b.h5", list + other_points, thickness_load)}, mean_target()),
                 HasSubstr("the axis ice.thickness_m has the one value 0.025"));
+}
+
+TEST(MatchData, RefusesWavesOfWhichOneIsToBeCalibrated) {
+    const auto modulus = [&](const std::string& values) {
+        return list + "[[design.axis]]\nkey = \"ice.elastic_modulus_MPa\"\nvalues = " + values +
+               "\n[[case]]\nname = \"A\"\n";
+    };
+    const MatchWave first = wave("a.h5", modulus("[30, 60]"), thickness_load);
+    EXPECT_THAT(
+        refused({first, wave("b.h5", modulus("[40, 50]") + "joint.cfm = 0.016\n", thickness_load)}, mean_target()),
+        HasSubstr("differ in case A: joint.cfm: to be calibrated there, 0.016 here"));
+    const std::vector<MatchWave> waves{first, wave("b.h5", modulus("[40, 50]"), thickness_load)};
+    EXPECT_EQ(match_data(waves, mean_target()).points.size(), 4u);
 }
 
 // Deviations (-5, -2, 7)/3 and (-1, 1)/2 have the products 5/6 and -2/6 on the two common arrangements, so their mean
