@@ -155,10 +155,10 @@ class Collector {
             times.insert(wave.table.averaging_times.begin(), wave.table.averaging_times.end());
         const double time = target.quantity.averaging;
         if (time > 0 && !times.contains(time))
-            return InputError(
-                fmt::format("The target {} is of a time that no campaign averages the load over; the times "
-                            "are {} s (analysis.averaging_s).",
-                            target.name(), fmt::join(times, ", ")));
+            return InputError(fmt::format(
+                "The target {} is of a time that no campaign averages the load over; {} (analysis.averaging_s).",
+                target.name(),
+                times.empty() ? "they average over none" : fmt::format("the times are {} s", fmt::join(times, ", "))));
         return InputError(
             fmt::format("The target {} has no member that is done and measured it in any campaign.", target.name()));
     }

@@ -190,6 +190,9 @@ TEST(MatchData, RefusesTargetsThatNobodyMeasured) {
     EXPECT_THAT(refused(waves, {target_of("mean_maximum_2s", "")}),
                 HasSubstr("is of a time that no campaign averages the load over; the times are 0.5, 1 s"));
     EXPECT_THAT(match_data(waves, std::vector{target_of("mean_maximum_2s", "", true)}).targets.at(0).mean, IsEmpty());
+    std::vector<MatchWave> no_times = waves;
+    no_times.front().table.averaging_times.clear();
+    EXPECT_THAT(refused(no_times, {target_of("mean_maximum_2s", "")}), HasSubstr("they average over none"));
     const std::vector<MatchWave> nothing{wave("a.h5", list + two_axes, [](const Case&, int) { return std::nan(""); })};
     EXPECT_THAT(refused(nothing, mean_target()), HasSubstr("no member that is done"));
     const std::vector<MatchWave> single{wave("a.h5", list + two_axes, [](const Case& one, int arrangement) {
