@@ -41,12 +41,14 @@ std::vector<Target> load_targets(const std::string& path) {
     return read_targets(text.str(), path);
 }
 
-void write_next(const MatchOptions& options, const MatchWave& wave, const MatchData& data, const Matching& found) {
+void write_next(const MatchOptions& options, const std::vector<MatchWave>& waves, const MatchData& data,
+                const Matching& found) {
     if (found.left == 0)
         throw InputError("There is no next wave: nothing is left. Widen the ranges, or allow the model a discrepancy.");
     const Eigen::MatrixXd points = next_points(found, data, options.points);
     const std::filesystem::path path = options.next;
-    write_page(path, write_campaign(next_wave(wave, data.axes, points, path.stem().string())));
+    write_page(path, write_campaign(next_wave(waves.front(), data.axes, points, path.stem().string(),
+                                              waves.front().campaign.seed + waves.size())));
     std::fprintf(stderr, "floes: %s has the next wave, %d points; run it with floes run %s\n", path.c_str(),
                  static_cast<int>(points.rows()), path.c_str());
 }
@@ -60,7 +62,7 @@ void run(const MatchOptions& options) {
     const std::vector<EmulatedTarget> targets = emulate(data);
     const Matching found = match(data, targets, options.samples, waves.front().campaign.seed);
     std::fputs(written(match_sections(data, targets, found), options.format).c_str(), stdout);
-    if (!options.next.empty()) write_next(options, waves.front(), data, found);
+    if (!options.next.empty()) write_next(options, waves, data, found);
 }
 
 }  // namespace

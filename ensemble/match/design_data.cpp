@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "campaign/identity.hpp"
 #include "campaign/name_list.hpp"
@@ -50,10 +52,11 @@ std::vector<UsedCase> used_cases(std::span<const MatchWave> waves) {
     return used;
 }
 
+/// Members are arrangement-major.
 std::vector<const MemberRow*> done_members(const MatchWave& wave, std::size_t case_index) {
     std::vector<const MemberRow*> members;
-    for (const MemberRow& member : wave.table.members)
-        if (member.done() && static_cast<std::size_t>(member.case_index) == case_index) members.push_back(&member);
+    for (std::size_t k = case_index; k < wave.table.members.size(); k += wave.campaign.cases.size())
+        if (wave.table.members[k].done()) members.push_back(&wave.table.members[k]);
     return members;
 }
 
@@ -152,10 +155,10 @@ class Collector {
             times.insert(wave.table.averaging_times.begin(), wave.table.averaging_times.end());
         const double time = target.quantity.averaging;
         if (time > 0 && !times.contains(time))
-            return InputError(
-                fmt::format("The target {} is of a time that no campaign averages the load over; the times "
-                            "are {} s (analysis.averaging_s).",
-                            target.name(), fmt::join(times, ", ")));
+            return InputError(fmt::format(
+                "The target {} is of a time that no campaign averages the load over; {} (analysis.averaging_s).",
+                target.name(),
+                times.empty() ? "they average over none" : fmt::format("the times are {} s", fmt::join(times, ", "))));
         return InputError(
             fmt::format("The target {} has no member that is done and measured it in any campaign.", target.name()));
     }

@@ -29,7 +29,8 @@ struct TargetData {
     /// Part of the variance that an arrangement has in common at all points, 0-1: where points begin from the same
     /// floes, their means err together. The error of the mean of n runs has variance v / n, and two such errors at
     /// different points with the same n arrangements the covariance shared v / n. An emulator that takes the errors for
-    /// independent does not see this part, which must be added to the variance that it states.
+    /// independent does not see this part, which must be added to the variance that it states. Where
+    /// campaign.common_arrangements is false there is none.
     double shared = 0;
 };
 
@@ -50,7 +51,8 @@ inline constexpr double pooled_runs = 4;
 /// (pooled_runs V + (n - 1) s²) / (pooled_runs + n - 1). A point with one run has V, one with many its own.
 ///
 /// Shared part: the mean product of the deviations from the points' means of two points of a wave on the same
-/// arrangement, corrected for the means' own errors, over V; 0 where no two points share arrangements.
+/// arrangement, corrected for the means' own errors, over V; 0 where no two points share arrangements. Of points of
+/// different waves it is not computed, though waves with one campaign.seed share arrangements, too.
 ///
 /// A target without a case is about the only [[case]]. A target that is held out may be of a case or a time that no
 /// wave has: then it has no points. Throws InputError, one sentence, for any other such target, for one with a single

@@ -82,7 +82,7 @@ Section target_section(const std::vector<EmulatedTarget>& targets, const Matchin
                                  used ? percent(verdict->rules_out) : "-", used ? percent(verdict->alone) : "-"});
     }
     section.after =
-        "Left-out error: of points predicted from the others, in standard deviations; 1 is right. Least "
+        "\nLeft-out error: of points predicted from the others, in standard deviations; 1 is right. Least "
         "implausibility:\n"
         "how far the target is from its prediction at the best point for it, in standard deviations. Rules out: share\n"
         "of the inputs' ranges where that is above 3; alone: that no other target rules out.\n";
@@ -120,7 +120,7 @@ Section axis_section(const MatchData& data, const Matching& found) {
                                  left != nullptr ? fmt::format("{:.4g}", left->middle) : "",
                                  fmt::format("{:.4g}", axis->value(found.best[static_cast<Eigen::Index>(k)]))});
     }
-    section.after = fmt::format("Best point: the largest implausibility there is {:.2f}.\n", found.best_implausibility);
+    section.after = fmt::format("\nBest point: the largest implausibility there is {:.2f}.\n", found.best_implausibility);
     using Row = const AxisRow&;
     const auto of_left = [](double AxisLeft::*field) {
         return [field](Row row) { return row.left != nullptr ? Datum(row.left->*field) : Datum(Undefined{}); };

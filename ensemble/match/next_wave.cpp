@@ -25,9 +25,10 @@ Value value_of(const DesignAxis& axis, double number) {
 }  // namespace
 
 Campaign next_wave(const MatchWave& wave, const std::vector<MatchAxis>& axes, const Eigen::MatrixXd& coordinates,
-                   const std::string& name) {
+                   const std::string& name, std::uint64_t seed) {
     Campaign next = wave.campaign;
     next.name = name;
+    next.seed = seed;
     next.cases.clear();
     next.design.method = DesignMethod::list;
     next.design.points = 0;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,8 @@
 namespace floes {
 
 /// The campaign of `wave` at other points: `coordinates` of its axes, a row each. Numbers have six digits, so that they
-/// can be read. Its seed and arrangements are those of the wave, so points of both begin from the same floes.
+/// can be read. `seed`: its own, since waves on the same floes would err together.
 Campaign next_wave(const MatchWave& wave, const std::vector<MatchAxis>& axes, const Eigen::MatrixXd& coordinates,
-                   const std::string& name);
+                   const std::string& name, std::uint64_t seed);
 
 }  // namespace floes

@@ -7,11 +7,12 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <utility>
 
+#include "campaign/identity.hpp"
 #include "campaign_file/read_campaign_file.hpp"
 #include "campaign_file/read_details.hpp"
 #include "core/error.hpp"
-#include "scenario/keys.hpp"
 
 namespace floes {
 namespace {
@@ -48,7 +49,7 @@ std::set<std::string> axis_keys(const MatchWave& wave) {
 }
 
 MatchAxis match_axis(const MatchWave& wave, const DesignAxis& axis) {
-    MatchAxis made{axis.key, axis.from, axis.to, axis.scale};
+    MatchAxis made{axis.key, axis.from, axis.to, axis.scale, axis.whole};
     if (!wave.campaign.design.has_ranges()) {
         std::vector<double> values;
         for (const Case& one : wave.campaign.cases) values.push_back(numeric_value(one, axis.key));
@@ -63,15 +64,17 @@ MatchAxis match_axis(const MatchWave& wave, const DesignAxis& axis) {
                     wave.file, axis.key, made.from));
 }
 
-/// What differs between two cases of one name beside the axes.
-std::vector<std::string> other_conditions(const Case& there, const Case& here, const std::set<std::string>& axes) {
-    std::vector<std::string> lines = differences(there.scenario, here.scenario);
-    if (there.calibrate != here.calibrate)
-        lines.emplace_back("joint.cfm: given in one of them, to be calibrated in the other");
+/// What differs between two cases beside the axes.
+std::vector<std::string> other_conditions(Case there, Case here, const std::set<std::string>& axes) {
+    there.name = here.name;
+    Campaign of_there;
+    Campaign of_here;
+    of_there.cases = {std::move(there)};
+    of_here.cases = {std::move(here)};
+    std::vector<std::string> lines = differences(of_there, of_here);
     std::erase_if(lines, [&](const std::string& line) {
         const std::string key = line.substr(0, line.find(':'));
-        const bool only_a_start = key == "joint.cfm" && there.calibrate && here.calibrate;
-        return axes.contains(key) || only_a_start || std::ranges::find(storage_keys, key) != storage_keys.end();
+        return axes.contains(key) || std::ranges::find(storage_keys, key) != storage_keys.end();
     });
     return lines;
 }
@@ -88,12 +91,10 @@ void refuse_other(const MatchWave& first, const MatchWave& other) {
         if (there == first.campaign.cases.end()) continue;
         const std::vector<std::string> lines = other_conditions(*there, here, axes);
         if (lines.empty()) continue;
-        throw InputError(
-            fmt::format("{} and {} are not waves of one matching, because keys differ that are not axes ({}there: the "
-                        "former, here: "
-                        "the latter): {}",
-                        first.file, other.file, here.base.empty() ? "" : fmt::format("case {}; ", here.base),
-                        fmt::join(lines, "; ")));
+        throw InputError(fmt::format(
+            "{} (there) and {} (here) are not waves of one matching, because keys that are not axes differ{}: {}",
+            first.file, other.file, here.base.empty() ? "" : fmt::format(" in case {}", here.base),
+            fmt::join(lines, "; ")));
     }
 }
 

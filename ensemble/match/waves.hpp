@@ -26,6 +26,7 @@ struct MatchAxis {
     double from = 0;  ///< in the key's unit
     double to = 0;    ///< above from
     AxisScale scale = AxisScale::linear;
+    bool whole = false;  ///< the key takes whole numbers only; value() does not round
 
     /// -1 at `from`, 1 at `to`, on the axis's scale. `value` is in the key's unit, above 0 on a logarithmic axis.
     double coordinate(double value) const;

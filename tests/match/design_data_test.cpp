@@ -9,6 +9,7 @@
 
 #include "campaign_file/publish.hpp"
 #include "core/random.hpp"
+#include "match/scatter.hpp"
 #include "match/synthetic_wave.hpp"
 #include "support/refusal.hpp"
 #include "support/synthetic.hpp"
@@ -85,6 +86,7 @@ TEST(MatchData, HasPointsMeansAndScatter) {
     EXPECT_THAT(found.runs, ElementsAre(3, 3, 3));
     EXPECT_THAT(found.mean, ElementsAre(DoubleEq(21), DoubleEq(31), DoubleEq(41)));
     for (const double variance : found.variance) EXPECT_NEAR(variance, 1, 1e-12);
+    EXPECT_NEAR(found.shared, 1, 1e-12);  // an arrangement adds the same at every point
 }
 
 TEST(MatchData, LeavesOutWhatIsNotDone) {
@@ -188,6 +190,9 @@ TEST(MatchData, RefusesTargetsThatNobodyMeasured) {
     EXPECT_THAT(refused(waves, {target_of("mean_maximum_2s", "")}),
                 HasSubstr("is of a time that no campaign averages the load over; the times are 0.5, 1 s"));
     EXPECT_THAT(match_data(waves, std::vector{target_of("mean_maximum_2s", "", true)}).targets.at(0).mean, IsEmpty());
+    std::vector<MatchWave> no_times = waves;
+    no_times.front().table.averaging_times.clear();
+    EXPECT_THAT(refused(no_times, {target_of("mean_maximum_2s", "")}), HasSubstr("they average over none"));
     const std::vector<MatchWave> nothing{wave("a.h5", list + two_axes, [](const Case&, int) { return std::nan(""); })};
     EXPECT_THAT(refused(nothing, mean_target()), HasSubstr("no member that is done"));
     const std::vector<MatchWave> single{wave("a.h5", list + two_axes, [](const Case& one, int arrangement) {
@@ -212,17 +217,46 @@ TEST(MatchData, RefusesWavesThatDoNotBelongTogether) {
     EXPECT_THAT(with(list + "[[design.axis]]\nkey = \"ice.thickness_m\"\nvalues = [0.02]\n"),
                 HasSubstr("a.h5 has the axes ice.thickness_m, joint.cfm, and b.h5 has ice.thickness_m"));
     EXPECT_THAT(with(list + other_points + "[general]\niterations = 21\n"),
-                testing::AllOf(HasSubstr("a.h5 and b.h5 are not waves of one matching"),
-                               HasSubstr("general.iterations: 50 there, 21 here")));
+                HasSubstr("a.h5 (there) and b.h5 (here) are not waves of one matching, because keys that are not axes "
+                          "differ: general.iterations: 50 there, 21 here"));
     EXPECT_THAT(with(list + two_axes), HasSubstr("the simulations of a.h5's case"));
     EXPECT_THAT(refused({wave("b.h5", list + other_points, thickness_load)}, mean_target()),
                 HasSubstr("the axis ice.thickness_m has the one value 0.025"));
 }
 
+TEST(MatchData, RefusesWavesOfWhichOneIsToBeCalibrated) {
+    const auto modulus = [&](const std::string& values) {
+        return list + "[[design.axis]]\nkey = \"ice.elastic_modulus_MPa\"\nvalues = " + values +
+               "\n[[case]]\nname = \"A\"\n";
+    };
+    const MatchWave first = wave("a.h5", modulus("[30, 60]"), thickness_load);
+    EXPECT_THAT(
+        refused({first, wave("b.h5", modulus("[40, 50]") + "joint.cfm = 0.016\n", thickness_load)}, mean_target()),
+        HasSubstr("differ in case A: joint.cfm: to be calibrated there, 0.016 here"));
+    const std::vector<MatchWave> waves{first, wave("b.h5", modulus("[40, 50]"), thickness_load)};
+    EXPECT_EQ(match_data(waves, mean_target()).points.size(), 4u);
+}
+
+// Deviations (-5, -2, 7)/3 and (-1, 1)/2 have the products 5/6 and -2/6 on the two common arrangements, so their mean
+// product is 1/4; its expectation is 1 - 1/3 - 1/2 + 2/6 = 1/2 of the covariance, hence 1/2. V is (26/3 + 1/2) / 3.
+TEST(Scatter, SharedIsCorrectedForTheMeansOwnErrors) {
+    std::vector<PointRuns> points{{0, {0, 1, 2}, {0, 1, 4}}, {0, {1, 0}, {8, 7}}};
+    EXPECT_NEAR(scatter_of(points, 4).shared, 0.5 / (55.0 / 18), 1e-12);
+    points[1].arrangements = {3, 4};
+    EXPECT_EQ(scatter_of(points, 4).shared, 0);
+    points[1].arrangements = {1, 0};
+    points[1].wave = 1;
+    EXPECT_EQ(scatter_of(points, 4).shared, 0);
+    points[1] = {0, {0, 1}, {8, 7}};
+    EXPECT_EQ(scatter_of(points, 4).shared, 0);  // a negative one is chance
+}
+
 TEST(MatchData, TakesARepeatedPointOfAWaveOnce) {
     const std::string repeated = list + "[[design.axis]]\nkey = \"general.iterations\"\nvalues = [20, 30, 20]\n";
     const std::vector<MatchWave> waves{wave("a.h5", repeated, thickness_load)};
-    EXPECT_EQ(match_data(waves, mean_target()).points.size(), 2u);
+    const MatchData data = match_data(waves, mean_target());
+    EXPECT_EQ(data.points.size(), 2u);
+    EXPECT_TRUE(data.axes.front().whole);
 }
 
 TEST(MatchData, IsReadFromACampaignFile) {
