@@ -1,10 +1,15 @@
 // floes match: which inputs do measured loads not rule out?
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
+#include <limits>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -19,8 +24,6 @@
 #include "match/match_sections.hpp"
 #include "match/next_wave.hpp"
 
-#include <iostream>
-
 namespace floes {
 namespace {
 
@@ -30,6 +33,7 @@ struct MatchOptions {
     int samples = 8192;
     std::string next;
     int points = 40;
+    std::vector<std::string> at;
     std::string format = "table";
 };
 
@@ -53,6 +57,31 @@ void write_next(const MatchOptions& options, const std::vector<MatchWave>& waves
                  static_cast<int>(points.rows()), path.c_str());
 }
 
+/// The coordinates of the point that KEY=VALUE pairs name, one for each axis.
+Eigen::VectorXd point_at(const std::vector<std::string>& pairs, const std::vector<MatchAxis>& axes) {
+    Eigen::VectorXd at =
+        Eigen::VectorXd::Constant(static_cast<Eigen::Index>(axes.size()), std::numeric_limits<double>::quiet_NaN());
+    for (const std::string& pair : pairs) {
+        const std::string key = pair.substr(0, pair.find('='));
+        const auto axis = std::ranges::find(axes, key, &MatchAxis::key);
+        double value = 0;
+        char rest = 0;
+        const std::string number = pair.find('=') == std::string::npos ? "" : pair.substr(pair.find('=') + 1);
+        if (axis == axes.end() || std::sscanf(number.c_str(), "%lf%c", &value, &rest) != 1 || !std::isfinite(value) ||
+            (axis->scale == AxisScale::log && value <= 0)) {
+            std::vector<std::string> keys;
+            for (const MatchAxis& one : axes) keys.push_back(one.key);
+            throw InputError(
+                fmt::format("--at {} is no KEY=NUMBER of an axis; the axes are {}.", pair, fmt::join(keys, ", ")));
+        }
+        at[axis - axes.begin()] = axis->coordinate(value);
+    }
+    for (std::size_t k = 0; k < axes.size(); ++k)
+        if (std::isnan(at[static_cast<Eigen::Index>(k)]))
+            throw InputError(fmt::format("--at needs a number for each axis; {} has none.", axes[k].key));
+    return at;
+}
+
 void run(const MatchOptions& options) {
     std::vector<MatchWave> waves;
     for (const std::string& file : options.files) waves.push_back(read_wave(file));
@@ -61,7 +90,9 @@ void run(const MatchOptions& options) {
                             fmt::format("emulating {} targets at {} points", data.targets.size(), options.samples));
     const std::vector<EmulatedTarget> targets = emulate(data);
     const Matching found = match(data, targets, options.samples, waves.front().campaign.seed);
-    std::fputs(written(match_sections(data, targets, found), options.format).c_str(), stdout);
+    std::vector<Section> sections = match_sections(data, targets, found);
+    if (!options.at.empty()) sections.push_back(point_section(data, targets, point_at(options.at, data.axes)));
+    std::fputs(written(sections, options.format).c_str(), stdout);
     if (!options.next.empty()) write_next(options, waves, data, found);
 }
 
@@ -81,6 +112,10 @@ void add_match(CLI::App& program, int& exit_status) {
     verb->add_option("--points", options->points, "Points of the next wave")
         ->check(CLI::Range(1, 10000))
         ->capture_default_str();
+    verb->add_option("--at", options->at,
+                     "KEY=VALUE of each axis: what is predicted at this point, and what rules it out")
+        ->type_size(1)
+        ->allow_extra_args(false);
     add_format(*verb, options->format);
     verb->footer(
         "Emulators predict each target over the design's axes. A point is ruled out when a target is more than three\n"

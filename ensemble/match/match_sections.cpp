@@ -1,6 +1,7 @@
 #include "match/match_sections.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -120,7 +121,8 @@ Section axis_section(const MatchData& data, const Matching& found) {
                                  left != nullptr ? fmt::format("{:.4g}", left->middle) : "",
                                  fmt::format("{:.4g}", axis->value(found.best[static_cast<Eigen::Index>(k)]))});
     }
-    section.after = fmt::format("\nBest point: the largest implausibility there is {:.2f}.\n", found.best_implausibility);
+    section.after =
+        fmt::format("\nBest point: the largest implausibility there is {:.2f}.\n", found.best_implausibility);
     using Row = const AxisRow&;
     const auto of_left = [](double AxisLeft::*field) {
         return [field](Row row) { return row.left != nullptr ? Datum(row.left->*field) : Datum(Undefined{}); };
@@ -157,6 +159,48 @@ Section correlation_section(const MatchData& data, const Matching& found) {
 std::vector<Section> match_sections(const MatchData& data, const std::vector<EmulatedTarget>& targets,
                                     const Matching& found) {
     return {target_section(targets, found), axis_section(data, found), correlation_section(data, found)};
+}
+
+Section point_section(const MatchData& data, const std::vector<EmulatedTarget>& targets, const Eigen::VectorXd& at) {
+    struct Row {
+        const EmulatedTarget* target;
+        double predicted;
+        double difference;
+        double implausibility;
+    };
+    std::vector<Row> rows;
+    std::vector<std::string> against;
+    for (const EmulatedTarget& one : targets) {
+        if (!one.emulated()) continue;
+        rows.push_back({&one, one.mean().at(at).mean, one.expected_difference(at), one.implausibility(at)});
+        if (one.unused().empty() && rows.back().implausibility > ruled_out_above)
+            against.push_back(one.target().name());
+    }
+    std::string place;
+    for (std::size_t k = 0; k < data.axes.size(); ++k)
+        place += fmt::format("{}{} = {:.4g}", k > 0 ? ", " : "", data.axes[k].key,
+                             data.axes[k].value(at[static_cast<Eigen::Index>(k)]));
+    Section section{.before = fmt::format("At {}\n\n{}\n\n", place,
+                                          against.empty() ? "Not ruled out."
+                                                          : fmt::format("Ruled out by {}.", fmt::join(against, ", ")))};
+    section.table = {{"target", "measured", "predicted", "expected to differ by", "implausibility"}};
+    for (const Row& row : rows) {
+        const double factor = row.target->target().quantity.factor();
+        section.table.push_back({row.target->target().name(),
+                                 fmt::format("{:.4g}", factor * row.target->target().value),
+                                 fmt::format("{:.4g}", factor * row.predicted),
+                                 fmt::format("{:.3g}", factor * row.difference), fixed(row.implausibility, 2)});
+    }
+    section.after =
+        "\nExpected to differ by: one standard deviation, of the emulator, single runs, measurement and model.\n";
+    section.records = {make_records<Row>(
+        "match/point", rows,
+        {{"quantity", [](const Row& row) { return std::string(row.target->target().quantity.key.view()); }},
+         {"case", [](const Row& row) { return row.target->target().case_name; }},
+         {"predicted", [](const Row& row) { return row.predicted; }},
+         {"difference", [](const Row& row) { return row.difference; }},
+         {"implausibility", [](const Row& row) { return row.implausibility; }}})};
+    return section;
 }
 
 }  // namespace floes

@@ -13,4 +13,7 @@ namespace floes {
 std::vector<Section> match_sections(const MatchData& data, const std::vector<EmulatedTarget>& targets,
                                     const Matching& found);
 
+/// What the emulators predict at one point, and whether a target rules it out.
+Section point_section(const MatchData& data, const std::vector<EmulatedTarget>& targets, const Eigen::VectorXd& at);
+
 }  // namespace floes

@@ -94,11 +94,13 @@ double EmulatedTarget::scatter(const Eigen::VectorXd& x) const {
     return log_scatter_ ? std::exp(log_scatter_->at(x).mean) : pooled_scatter_;
 }
 
+double EmulatedTarget::expected_difference(const Eigen::VectorXd& x) const {
+    return std::sqrt(mean_->at(x).variance + scatter(x) * (common_part_ + 1.0 / target_.runs) +
+                     target_.uncertainty * target_.uncertainty + target_.discrepancy * target_.discrepancy);
+}
+
 double EmulatedTarget::implausibility(const Eigen::VectorXd& x) const {
-    const Emulated mean = mean_->at(x);
-    const double variance = mean.variance + scatter(x) * (common_part_ + 1.0 / target_.runs) +
-                            target_.uncertainty * target_.uncertainty + target_.discrepancy * target_.discrepancy;
-    return std::abs(target_.value - mean.mean) / std::sqrt(variance);
+    return std::abs(target_.value - mean_->at(x).mean) / expected_difference(x);
 }
 
 std::vector<EmulatedTarget> emulate(const MatchData& data) {

@@ -37,6 +37,8 @@ class EmulatedTarget {
     const Emulator& mean() const { return *mean_; }
     /// Variance of a single run there.
     double scatter(const Eigen::VectorXd& x) const;
+    /// The difference from the target that is expected there, as one standard deviation.
+    double expected_difference(const Eigen::VectorXd& x) const;
     double implausibility(const Eigen::VectorXd& x) const;
     /// Why it is not used: its emulator fails its check, or it is held out; empty when it is used.
     const std::string& unused() const { return unused_; }

@@ -19,7 +19,7 @@ MatchWave wave() {
          "[[design.axis]]\nkey = \"contact.ice_ice_friction\"\nfrom = 0.1\nto = 0.5\n"
          "[[design.axis]]\nkey = \"joint.cfm\"\nfrom = 0.001\nto = 0.1\nscale = \"log\"\n"
          "[[design.axis]]\nkey = \"arrangement.ordering_sweeps\"\nfrom = 0\nto = 10\n"
-         "[arrangement]\nmethod = \"scattered\"\n[[case]]\nname = \"A\"\n[[case]]\nname = \"B\"\niterations = 20\n",
+         "[arrangement]\nmethod = \"scattered\"\n[[case]]\nname = \"A\"\n[[case]]\nname = \"B\"\ngeneral.iterations = 20\n",
          "wave1.toml",
          {}},
         nullptr);
