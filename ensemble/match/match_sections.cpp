@@ -91,20 +91,26 @@ Section target_section(const std::vector<EmulatedTarget>& targets, const Matchin
         if (!target->unused().empty())
             section.after += fmt::format("Not used: {}: {}\n", target->target().name(), target->unused());
     using Row = const TargetRow&;
-    section.records = {make_records<TargetRow>(
-        "match/targets", rows,
-        {{"quantity", [](Row row) { return std::string(row.target->target().quantity.key.view()); }},
-         {"case", [](Row row) { return row.target->target().case_name; }},
-         {"value", [](Row row) { return row.target->target().value; }},
-         {"uncertainty", [](Row row) { return row.target->target().uncertainty; }},
-         {"discrepancy", [](Row row) { return row.target->target().discrepancy; }},
-         {"runs", [](Row row) { return row.target->target().runs; }},
-         {"emulator", [](Row row) { return kind_word(*row.target); }},
-         {"left_out_error", [](Row row) { return error_of_left_out(*row.target); }},
-         {"unused", [](Row row) { return row.target->unused(); }},
-         {"least_implausibility", [](Row row) { return row.verdict->least; }},
-         {"rules_out", [](Row row) { return row.verdict->rules_out; }},
-         {"alone", [](Row row) { return row.verdict->alone; }}})};
+    using Whole = const Matching&;
+    section.records = {
+        make_object<Matching>("match", found,
+                              {{"left", [](Whole all) { return all.share(); }},
+                               {"sampled", [](Whole all) { return all.sampled; }},
+                               {"best_implausibility", [](Whole all) { return all.best_implausibility; }}}),
+        make_records<TargetRow>(
+            "match/targets", rows,
+            {{"quantity", [](Row row) { return std::string(row.target->target().quantity.key.view()); }},
+             {"case", [](Row row) { return row.target->target().case_name; }},
+             {"value", [](Row row) { return row.target->target().value; }},
+             {"uncertainty", [](Row row) { return row.target->target().uncertainty; }},
+             {"discrepancy", [](Row row) { return row.target->target().discrepancy; }},
+             {"runs", [](Row row) { return row.target->target().runs; }},
+             {"emulator", [](Row row) { return kind_word(*row.target); }},
+             {"left_out_error", [](Row row) { return error_of_left_out(*row.target); }},
+             {"unused", [](Row row) { return row.target->unused(); }},
+             {"least_implausibility", [](Row row) { return row.verdict->least; }},
+             {"rules_out", [](Row row) { return row.verdict->rules_out; }},
+             {"alone", [](Row row) { return row.verdict->alone; }}})};
     return section;
 }
 

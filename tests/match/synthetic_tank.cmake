@@ -1,0 +1,7 @@
+# Tank tests that floes makes itself from hidden inputs: a minute.
+if(TARGET floes)
+  add_test(NAME match.synthetic_tank
+           COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/match/synthetic_tank.py $<TARGET_FILE:floes>
+                   ${PROJECT_SOURCE_DIR}/configs/smoke.toml)
+  set_tests_properties(match.synthetic_tank PROPERTIES LABELS slow TIMEOUT 900 PROCESSORS 2)
+endif()
