@@ -39,7 +39,7 @@ Tally tally(int toys, Eigen::Index count, const Vector& lengths, double noise) {
     return sum;
 }
 
-// 300 toys leave the share of faults uncertain by 0.6 %; with the likeliest covariance alone 85 to 90 % are covered.
+// Of right emulators 1 % may fail. With the likeliest covariance alone 90 % or fewer of the intervals would hold.
 void expect_honest(const Tally& found) {
     EXPECT_GT(found.covered, 0.92);
     EXPECT_LT(found.covered, 0.98);
@@ -48,8 +48,6 @@ void expect_honest(const Tally& found) {
     EXPECT_GT(found.left_out, 0.8);
     EXPECT_LT(found.left_out, 1.05);
     EXPECT_LT(found.faults, 0.02);
-    std::printf("covered %.3f, squares %.3f, left out %.3f, faults %.4f\n", found.covered, found.squares,
-                found.left_out, found.faults);
 }
 
 TEST(EmulatorCheck, OfTwentyPointsOnALine) {
@@ -62,7 +60,7 @@ TEST(EmulatorCheck, OfThirtyPointsInABox) {
     expect_honest(tally(300, 30, Vector{{1, 1, 3}}, 0.05));
 }
 TEST(EmulatorCheck, OfAHundredPointsInAPlane) {
-    expect_honest(tally(150, 100, Vector{{1, 1}}, 0.3));
+    expect_honest(tally(100, 100, Vector{{1, 1}}, 0.3));
 }
 
 /// 40 points of a plane in two axes, with noise of SD 0.1.
@@ -82,7 +80,7 @@ TEST(EmulatorCheck, FindsAFewPointsThatAreWayOff) {
         data.values(3) += 10;
         data.values(17) += 10;
         const std::string fault = Emulator(data).fault();
-        EXPECT_THAT(fault, testing::HasSubstr("2 of 40 points")) << number;
+        EXPECT_THAT(fault, testing::HasSubstr("of 40 points, each left out")) << number;
     }
 }
 

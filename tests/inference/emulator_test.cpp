@@ -125,10 +125,10 @@ TEST(Emulator, InterpolatesWithoutNoiseAndKnowsLessAway) {
     const Emulator emulator(on_line(at, (3 * at).array().sin(), Vector::Zero(15)));
     for (const double x : at) {
         EXPECT_NEAR(emulator.at(Vector{{x}}).mean, std::sin(3 * x), 1e-6);
-        EXPECT_LT(emulator.at(Vector{{x}}).variance, 1e-9);
+        EXPECT_LT(emulator.at(Vector{{x}}).variance, 1e-8);
     }
     EXPECT_NEAR(emulator.at(Vector{{0.07}}).mean, std::sin(0.21), 1e-3);
-    EXPECT_GT(emulator.at(Vector{{0.07}}).variance, 1e-9);
+    EXPECT_GT(emulator.at(Vector{{0.07}}).variance, 10 * emulator.at(Vector{{0}}).variance);
     EXPECT_GT(emulator.at(Vector{{3}}).variance, 100 * emulator.at(Vector{{1.1}}).variance);
     EXPECT_EQ(emulator.fault(), "");
 }
@@ -168,7 +168,7 @@ TEST(Emulator, TellsAnAxisThatDoesNothing) {
     const Emulator emulator({toy.data.at, (3 * toy.data.at.col(0)).array().sin(), Vector::Constant(30, 1e-6)});
     for (const EmulatorCovariance& covariance : emulator.covariances())
         EXPECT_GT(covariance.lengths(1), 3 * covariance.lengths(0));
-    EXPECT_NEAR(emulator.at(Vector{{0.5, -0.9}}).mean, emulator.at(Vector{{0.5, 0.9}}).mean, 0.01);
+    EXPECT_NEAR(emulator.at(Vector{{0.5, -0.9}}).mean, emulator.at(Vector{{0.5, 0.9}}).mean, 0.02);
 }
 
 TEST(Emulator, DoesNotDependOnUnits) {
