@@ -4,11 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <limits>
 #include <numeric>
 
-#include "core/error.hpp"
 #include "toy_simulator.hpp"
 
 namespace floes {
@@ -16,10 +13,6 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
-
-EmulatorData on_line(const Vector& at, const Vector& values, const Vector& noise) {
-    return {at, values, noise};
-}
 
 /// The statistic at x by Lagrange's form of universal kriging: weights that are unbiased for a plane and least in
 /// variance.
@@ -61,13 +54,8 @@ EmulatorData without(const EmulatorData& data, Eigen::Index left_out) {
     return {data.at(rows, Eigen::all), data.values(rows), data.noise(rows)};
 }
 
-toy::Toy drawn(Eigen::Index count, const Vector& lengths, double noise, std::uint32_t number = 0) {
-    RandomStream random(3, number, StreamId::bootstrap, 18);
-    return toy::draw(count, 20, lengths, noise, random);
-}
-
 TEST(Emulator, OfTwoPointsIsTheirWeightedMean) {
-    const Emulator emulator(on_line(Vector{{-1, 1}}, Vector{{3, 4.5}}, Vector{{1, 3}}));
+    const Emulator emulator(toy::on_line(Vector{{-1, 1}}, Vector{{3, 4.5}}, Vector{{1, 3}}));
     EXPECT_EQ(emulator.kind(), EmulatorKind::constant);
     EXPECT_NEAR(emulator.at(Vector{{0.3}}).mean, 3.375, 1e-8);
     EXPECT_NEAR(emulator.at(Vector{{0.3}}).variance, 0.75, 1e-8);
@@ -79,25 +67,26 @@ TEST(Emulator, OfTwoPointsIsTheirWeightedMean) {
 
 // The difference of 10 has 50 times its variance: the further variance g follows from 100 / (2 (1 + g)) = 1 / 3.
 TEST(Emulator, OfTwoPointsThatDisagreeIsAsWideAsTheirDifference) {
-    const Emulator emulator(on_line(Vector{{-1, 1}}, Vector{{0, 10}}, Vector{{1, 1}}));
+    const Emulator emulator(toy::on_line(Vector{{-1, 1}}, Vector{{0, 10}}, Vector{{1, 1}}));
     EXPECT_NEAR(emulator.covariances().front().extra, 149, 1e-6);
     EXPECT_NEAR(emulator.at(Vector{{0}}).mean, 5, 1e-9);
     EXPECT_NEAR(emulator.at(Vector{{0}}).variance, 75 + 149, 1e-6);
 }
 
 TEST(Emulator, OfEqualValuesIsConstant) {
-    const Emulator emulator(on_line(Vector::LinSpaced(8, -1, 1), Vector::Constant(8, 7), Vector::Constant(8, 0.08)));
+    const Emulator emulator(
+        toy::on_line(Vector::LinSpaced(8, -1, 1), Vector::Constant(8, 7), Vector::Constant(8, 0.08)));
     EXPECT_EQ(emulator.kind(), EmulatorKind::constant);
     EXPECT_NEAR(emulator.at(Vector{{0.5}}).mean, 7, 1e-12);
     EXPECT_NEAR(emulator.at(Vector{{0.5}}).variance, 0.01, 1e-8);
     EXPECT_EQ(emulator.fault(), "");
-    const Emulator exact(on_line(Vector::LinSpaced(20, -1, 1), Vector::Constant(20, 7), Vector::Zero(20)));
+    const Emulator exact(toy::on_line(Vector::LinSpaced(20, -1, 1), Vector::Constant(20, 7), Vector::Zero(20)));
     EXPECT_NEAR(exact.at(Vector{{0.5}}).mean, 7, 1e-9);
     EXPECT_LT(exact.at(Vector{{0.5}}).variance, 1e-12);
 }
 
 TEST(Emulator, IsTheKrigingSystemAveragedOverCovariances) {
-    const toy::Toy toy = drawn(18, Vector{{0.8, 2}}, 0.05);
+    const toy::Toy toy = toy::drawn(18, Vector{{0.8, 2}}, 0.05);
     const Emulator emulator(toy.data);
     ASSERT_EQ(emulator.kind(), EmulatorKind::gaussian_process);
     EXPECT_EQ(emulator.covariances().size(), 4);
@@ -109,7 +98,7 @@ TEST(Emulator, IsTheKrigingSystemAveragedOverCovariances) {
 }
 
 TEST(Emulator, LeavesOutAsARefitDoes) {
-    const toy::Toy toy = drawn(18, Vector{{0.8, 2}}, 0.05);
+    const toy::Toy toy = toy::drawn(18, Vector{{0.8, 2}}, 0.05);
     const Emulator emulator(toy.data);
     for (Eigen::Index i = 0; i < 18; ++i) {
         const Emulated refit = by_hand(without(toy.data, i), emulator.covariances(), toy.data.at.row(i));
@@ -122,7 +111,7 @@ TEST(Emulator, LeavesOutAsARefitDoes) {
 
 TEST(Emulator, InterpolatesWithoutNoiseAndKnowsLessAway) {
     const Vector at = Vector::LinSpaced(15, -1, 1);
-    const Emulator emulator(on_line(at, (3 * at).array().sin(), Vector::Zero(15)));
+    const Emulator emulator(toy::on_line(at, (3 * at).array().sin(), Vector::Zero(15)));
     for (const double x : at) {
         EXPECT_NEAR(emulator.at(Vector{{x}}).mean, std::sin(3 * x), 1e-6);
         EXPECT_LT(emulator.at(Vector{{x}}).variance, 1e-8);
@@ -134,7 +123,7 @@ TEST(Emulator, InterpolatesWithoutNoiseAndKnowsLessAway) {
 }
 
 TEST(Emulator, WithHugeNoiseIsTheWeightedPlane) {
-    toy::Toy toy = drawn(24, Vector{{0.8, 2}}, 0.05);
+    toy::Toy toy = toy::drawn(24, Vector{{0.8, 2}}, 0.05);
     toy.data.noise *= 1e8;
     Matrix terms(24, 3);
     terms << Vector::Ones(24), toy.data.at;
@@ -148,7 +137,7 @@ TEST(Emulator, WithHugeNoiseIsTheWeightedPlane) {
 }
 
 TEST(Emulator, FindsAPlaneAndAQuadraticExactly) {
-    const toy::Toy toy = drawn(20, Vector{{1, 1, 1}}, 0);
+    const toy::Toy toy = toy::drawn(20, Vector{{1, 1, 1}}, 0);
     const Vector slopes{{3, -2, 0.5}};
     const Emulator plane({toy.data.at, (toy.data.at * slopes).array() + 10, Vector::Zero(20)});
     EXPECT_EQ(plane.kind(), EmulatorKind::gaussian_process);
@@ -164,70 +153,11 @@ TEST(Emulator, FindsAPlaneAndAQuadraticExactly) {
 }
 
 TEST(Emulator, TellsAnAxisThatDoesNothing) {
-    const toy::Toy toy = drawn(30, Vector{{1, 1}}, 0);
+    const toy::Toy toy = toy::drawn(30, Vector{{1, 1}}, 0);
     const Emulator emulator({toy.data.at, (3 * toy.data.at.col(0)).array().sin(), Vector::Constant(30, 1e-6)});
     for (const EmulatorCovariance& covariance : emulator.covariances())
         EXPECT_GT(covariance.lengths(1), 3 * covariance.lengths(0));
     EXPECT_NEAR(emulator.at(Vector{{0.5, -0.9}}).mean, emulator.at(Vector{{0.5, 0.9}}).mean, 0.02);
-}
-
-TEST(Emulator, DoesNotDependOnUnits) {
-    const toy::Toy toy = drawn(30, Vector{{1, 1}}, 0.05);
-    const Emulator first(toy.data);
-    const Emulator second({toy.data.at, toy.data.values.array() * 1000 - 7e5, toy.data.noise * 1e6});
-    for (Eigen::Index i = 0; i < 20; ++i) {
-        const Emulated a = first.at(toy.further.row(i));
-        const Emulated b = second.at(toy.further.row(i));
-        EXPECT_NEAR(a.mean, (b.mean + 7e5) / 1000, 1e-6);
-        EXPECT_NEAR(a.variance, b.variance / 1e6, 1e-6);
-    }
-}
-
-TEST(Emulator, DoesNotDependOnTheOrderOfPoints) {
-    const toy::Toy toy = drawn(30, Vector{{1, 1}}, 0.05);
-    const Emulator first(toy.data);
-    const Emulator second({toy.data.at.colwise().reverse(), toy.data.values.reverse(), toy.data.noise.reverse()});
-    for (std::size_t i = 0; i < 30; ++i) {
-        EXPECT_EQ(first.left_out()[i].predicted, second.left_out()[29 - i].predicted);
-        EXPECT_EQ(first.left_out()[i].sd, second.left_out()[29 - i].sd);
-    }
-    EXPECT_EQ(first.at(Vector{{0.1, 0.2}}).variance, second.at(Vector{{0.1, 0.2}}).variance);
-}
-
-// Two runs of one point that disagree, and an axis along which nothing was moved.
-TEST(Emulator, BearsPointsThatSayLittle) {
-    toy::Toy toy = drawn(30, Vector{{1, 1}}, 0);
-    toy.data.noise.setZero();
-    toy.data.at.row(1) = toy.data.at.row(0);
-    toy.data.values(1) = toy.data.values(0) + 1;
-    const Emulator repeated(toy.data);
-    EXPECT_NEAR(repeated.at(toy.data.at.row(0)).mean, toy.data.values(0) + 0.5, 0.5);
-    EXPECT_TRUE(std::isfinite(repeated.left_out()[0].standardised()));
-    toy.data.at.col(1).setConstant(0.5);
-    const Emulated still = Emulator(toy.data).at(Vector{{0, 0.5}});
-    EXPECT_TRUE(std::isfinite(still.mean) && still.variance > 0);
-}
-
-TEST(Emulator, RefusesWhatIsNoData) {
-    const Vector two{{-1, 1}};
-    EXPECT_THROW(Emulator({Matrix{{1.0}}, Vector{{1}}, Vector{{1}}}), InputError);
-    EXPECT_THROW(Emulator({Matrix(2, 0), two, two.cwiseAbs()}), InputError);
-    EXPECT_THROW(Emulator(on_line(two, Vector{{1, 2, 3}}, two.cwiseAbs())), InputError);
-    EXPECT_THROW(Emulator(on_line(two, two, Vector{{1}})), InputError);
-    EXPECT_THROW(Emulator(on_line(two, two, Vector{{1, -1e-9}})), InputError);
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_THROW(Emulator(on_line(Vector{{nan, 1}}, two, two.cwiseAbs())), InputError);
-    EXPECT_THROW(Emulator(on_line(two, Vector{{nan, 1}}, two.cwiseAbs())), InputError);
-    EXPECT_THROW(Emulator(on_line(two, two, Vector{{nan, 1}})), InputError);
-    EXPECT_THROW(Emulator(on_line(two, two, two.cwiseAbs())).at(two), InputError);
-}
-
-TEST(Emulator, OfSevenAxesAndSixtyPointsIsQuick) {
-    const toy::Toy toy = drawn(60, Vector::Constant(7, 2), 0.1);
-    const auto before = std::chrono::steady_clock::now();
-    const Emulator emulator(toy.data);
-    EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count(), 2);
-    EXPECT_EQ(emulator.covariances().size(), 9);
 }
 
 }  // namespace
