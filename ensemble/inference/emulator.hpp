@@ -82,8 +82,9 @@ class Emulator {
     /// In the order of the points given; covariances are those of all points.
     const std::vector<LeftOut>& left_out() const { return left_out_; }
 
-    /// Empty when the check by leaving one out is passed; else a sentence saying why it is not to be trusted. A right
-    /// emulator fails with a probability of about 1 %. Errors smaller than stated are no fault.
+    /// Empty when the check by leaving one out is passed; else a sentence saying why it is not to be trusted: more
+    /// errors beyond 3 SD, or a larger mean of their squares over the variance, than chance allows. A right emulator
+    /// fails with a probability of at most about 1 %. Errors smaller than stated are no fault.
     std::string fault() const { return fault_; }
 
   private:

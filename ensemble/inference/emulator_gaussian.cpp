@@ -23,7 +23,7 @@ struct Prior {
     double cut(double log) const { return std::clamp(std::exp(log), least, most); }
 };
 
-constexpr Prior length{2, 1, 0.2, 20};      // half axes: as long as an axis
+constexpr Prior length{1, 1, 0.2, 20};      // half axes
 constexpr Prior variance{1, 3, 1e-6, 1e4};  // squared deviations from a plane
 constexpr Prior extra{0.1, 3, 1e-6, 10};
 constexpr double worth = 2;  // gain in log likelihood for which the extra variance is accepted

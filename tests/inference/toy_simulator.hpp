@@ -57,4 +57,15 @@ inline Toy draw(Eigen::Index count, Eigen::Index further, const Eigen::VectorXd&
     return toy;
 }
 
+/// One that is always the same, with 20 further points.
+inline Toy drawn(Eigen::Index count, const Eigen::VectorXd& lengths, double noise) {
+    RandomStream random(3, 0, StreamId::bootstrap, 18);
+    return draw(count, 20, lengths, noise, random);
+}
+
+/// Data of a single axis.
+inline EmulatorData on_line(const Eigen::VectorXd& at, const Eigen::VectorXd& values, const Eigen::VectorXd& noise) {
+    return {at, values, noise};
+}
+
 }  // namespace floes::toy
