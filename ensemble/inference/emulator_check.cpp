@@ -8,7 +8,7 @@
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
 
-#include "inference/emulator_forms.hpp"
+#include "inference/fit_emulator.hpp"
 
 namespace floes {
 

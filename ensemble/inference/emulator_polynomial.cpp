@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "inference/emulator_forms.hpp"
+#include "inference/fit_emulator.hpp"
 
 namespace floes {
 

@@ -1,7 +1,7 @@
 #pragma once
 // The forms that an emulator can take, fitted to values whose deviations from a plane are of the order of 1.
 
-#include "inference/emulator.hpp"
+#include "inference/emulator_form.hpp"
 
 namespace floes {
 
