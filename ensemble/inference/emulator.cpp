@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "core/error.hpp"
-#include "inference/fit_emulator.hpp"
+#include "inference/emulator_forms.hpp"
 
 namespace floes {
 

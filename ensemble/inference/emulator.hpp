@@ -8,10 +8,9 @@
 // exponential, which is smooth to all orders, claims far too much certainty near them (M. L. Stein, Interpolation of
 // Spatial Data, Springer 1999, 1.7). The restricted likelihood of lengths and variance, times a broad prior that keeps
 // them in a sensible range where the values say little, is maximised; predictions are means over parameters + 1 places
-// spread round the maximum as its curvature tells. With the likeliest place alone, 95 % intervals held 85 to 90 %. A
-// further variance, of the same size at all points,
-// is added where the values ask for it: for roughness that the points are too far apart to resolve, or noise that is
-// larger than stated.
+// spread round the maximum as its curvature tells. With the likeliest place alone, 95 % intervals held about 90 %. A
+// further variance, of the same size at all points, is added where the values ask for it: for roughness that the points
+// are too far apart to resolve, or noise that is larger than stated. It is part of the variance of predictions.
 //
 // With fewer points: a quadratic, a plane or a constant by weighted least squares, each only if it leaves at least
 // three points more than terms, whichever predicts points that are left out best (largest sum of log densities). If the
@@ -24,7 +23,7 @@
 #include <string>
 #include <vector>
 
-#include "inference/emulator_form.hpp"
+#include "inference/emulator_forms.hpp"
 
 namespace floes {
 
@@ -36,7 +35,7 @@ class Emulator {
 
     EmulatorKind kind() const { return form_.kind; }
 
-    /// Of equal weight in all predictions; their median, roughly, is the likeliest one.
+    /// Of equal weight in all predictions; they lie round the likeliest one.
     std::vector<EmulatorCovariance> covariances() const;
 
     /// The statistic without noise, at one coordinate an axis, with the variance of the emulator's own uncertainty.

@@ -8,7 +8,7 @@
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
 
-#include "inference/fit_emulator.hpp"
+#include "inference/emulator_forms.hpp"
 
 namespace floes {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "inference/fit_emulator.hpp"
+#include "inference/emulator_forms.hpp"
 #include "inference/posterior_spread.hpp"
 #include "inference/simplex.hpp"
 

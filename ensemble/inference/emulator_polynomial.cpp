@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "inference/fit_emulator.hpp"
+#include "inference/emulator_forms.hpp"
 
 namespace floes {
 

@@ -39,7 +39,7 @@ Tally tally(int toys, Eigen::Index count, const Vector& lengths, double noise) {
     return sum;
 }
 
-// Of right emulators 1 % may fail. With the likeliest covariance alone 90 % or fewer of the intervals would hold.
+// Of right emulators 1 % may fail. With the likeliest covariance alone about 90 % of the intervals would hold.
 void expect_honest(const Tally& found) {
     EXPECT_GT(found.covered, 0.92);
     EXPECT_LT(found.covered, 0.98);
