@@ -23,6 +23,7 @@
 #include "core/error.hpp"
 #include "match/match_sections.hpp"
 #include "match/next_wave.hpp"
+#include "match/predict.hpp"
 
 namespace floes {
 namespace {
@@ -34,6 +35,7 @@ struct MatchOptions {
     std::string next;
     int points = 40;
     std::vector<std::string> at;
+    std::vector<std::string> predicted;
     std::string format = "table";
 };
 
@@ -82,6 +84,21 @@ Eigen::VectorXd point_at(const std::vector<std::string>& pairs, const std::vecto
     return at;
 }
 
+/// Of "QUANTITY" or "CASE:QUANTITY".
+Section predictions(const MatchOptions& options, const std::vector<MatchWave>& waves,
+                    const std::vector<EmulatedTarget>& targets, const Matching& found) {
+    std::vector<Target> wanted;
+    for (const std::string& word : options.predicted) {
+        const std::size_t colon = word.find(':');
+        const bool named = colon != std::string::npos;
+        wanted.push_back(to_predict(named ? word.substr(colon + 1) : word, named ? word.substr(0, colon) : ""));
+    }
+    std::vector<Predicted> predicted;
+    for (const EmulatedTarget& one : emulate(match_data(waves, wanted)))
+        predicted.push_back(predict(found, targets, one));
+    return predicted_section(predicted);
+}
+
 void run(const MatchOptions& options) {
     std::vector<MatchWave> waves;
     for (const std::string& file : options.files) waves.push_back(read_wave(file));
@@ -92,6 +109,7 @@ void run(const MatchOptions& options) {
     const Matching found = match(data, targets, options.samples, waves.front().campaign.seed);
     std::vector<Section> sections = match_sections(data, targets, found);
     if (!options.at.empty()) sections.push_back(point_section(data, targets, point_at(options.at, data.axes)));
+    if (!options.predicted.empty()) sections.push_back(predictions(options, waves, targets, found));
     std::fputs(written(sections, options.format).c_str(), stdout);
     if (!options.next.empty()) write_next(options, waves, data, found);
 }
@@ -114,6 +132,11 @@ void add_match(CLI::App& program, int& exit_status) {
         ->capture_default_str();
     verb->add_option("--at", options->at,
                      "KEY=VALUE of each axis: what is predicted at this point, and what rules it out")
+        ->type_size(1)
+        ->allow_extra_args(false);
+    verb->add_option("--predict", options->predicted,
+                     "QUANTITY or CASE:QUANTITY, as E60:mean_maximum_1s: what it is over the inputs that are left; may "
+                     "be repeated")
         ->type_size(1)
         ->allow_extra_args(false);
     add_format(*verb, options->format);

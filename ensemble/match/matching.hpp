@@ -37,6 +37,8 @@ class EmulatedTarget {
     const Emulator& mean() const { return *mean_; }
     /// Variance of a single run there.
     double scatter(const Eigen::VectorXd& x) const;
+    /// Variance of the error that all points have in common.
+    double common_variance(const Eigen::VectorXd& x) const { return common_part_ * scatter(x); }
     /// The difference from the target that is expected there, as one standard deviation.
     double expected_difference(const Eigen::VectorXd& x) const;
     double implausibility(const Eigen::VectorXd& x) const;

@@ -7,7 +7,10 @@
 #include <cmath>
 #include <random>
 
+#include "core/error.hpp"
 #include "match/match_sections.hpp"
+#include "match/predict.hpp"
+#include "support/refusal.hpp"
 
 namespace floes {
 namespace {
@@ -189,6 +192,43 @@ TEST(Matching, CountsTheErrorThatPointsHaveInCommon) {
     MatchData data = tank.data();
     data.targets[0].shared = 0.9;
     EXPECT_GT(match(data, emulate(data), 1024, 1).share(), 1.2 * apart);
+}
+
+// From many runs of two quantities a third one is known, one that was not measured; from one run it is less so.
+TEST(Predicted, HoldsTheTruthOfAQuantityThatWasNotMeasured) {
+    std::vector<double> widths;
+    for (const int runs : {1, 100}) {
+        Tank tank(7);
+        tank.add(load, "mean_load", load(0.3, -0.2), runs);
+        tank.add(breakage, "mean_maximum", breakage(0.3, -0.2), runs);
+        const std::vector<EmulatedTarget> targets = emulate(tank.data());
+        const Matching found = match(tank.data(), targets, 2048, 1);
+        Tank same(7);
+        same.add([](double x, double y) { return 50 + 10 * x - 10 * y; }, "sd_load", NAN);
+        const Predicted third = predict(found, targets, emulate(same.data()).front());
+        for (const PredictedRange& range : {third.mean, third.weighted, third.run}) {
+            EXPECT_LT(range.low, 55);
+            EXPECT_GT(range.high, 55);
+            EXPECT_NEAR(range.mean, 55, runs == 1 ? 5 : 1.5);
+        }
+        EXPECT_LE(third.weighted.high - third.weighted.low, third.mean.high - third.mean.low);
+        EXPECT_GT(third.run.high - third.run.low, third.weighted.high - third.weighted.low);
+        EXPECT_GT(third.effective, 5);
+        EXPECT_LT(third.effective, found.left);
+        widths.push_back(third.weighted.high - third.weighted.low);
+    }
+    EXPECT_LT(widths[1], 0.5 * widths[0]);
+    EXPECT_GT(widths[1], 0.1);
+}
+
+TEST(Predicted, NeedsSomethingLeftAndAKnownQuantity) {
+    Tank tank(8);
+    tank.add(load, "mean_load", 1000);
+    const std::vector<EmulatedTarget> targets = emulate(tank.data());
+    const Matching found = match(tank.data(), targets, 128, 1);
+    EXPECT_THAT(refusal([&] { predict(found, targets, targets[0]); }), HasSubstr("nothing is left"));
+    EXPECT_THAT(refusal([] { to_predict("largest_load", ""); }), HasSubstr("is no quantity of a member"));
+    EXPECT_TRUE(to_predict("mean_maximum_1s", "E60").held_out);
 }
 
 TEST(NextPoints, AreLeftAndSpreadOut) {
