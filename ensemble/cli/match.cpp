@@ -1,11 +1,14 @@
 // floes match: which inputs do measured loads not rule out?
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <memory>
+#include <span>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -18,6 +21,7 @@
 #include "core/error.hpp"
 #include "match/match_sections.hpp"
 #include "match/next_wave.hpp"
+#include "page/match_page.hpp"
 
 #include <iostream>
 
@@ -30,6 +34,7 @@ struct MatchOptions {
     int samples = 8192;
     std::string next;
     int points = 40;
+    std::string page;
     std::string format = "table";
 };
 
@@ -51,16 +56,44 @@ void write_next(const MatchOptions& options, const MatchWave& wave, const MatchD
                  static_cast<int>(points.rows()), path.c_str());
 }
 
+/// What is left after each wave; all of them together leave `share`.
+std::vector<MatchTrail> trail_of(const MatchOptions& options, const std::vector<MatchWave>& waves,
+                                 const std::vector<Target>& targets, double share) {
+    std::vector<MatchTrail> trail;
+    for (std::size_t count = 1; count <= waves.size(); ++count) {
+        MatchTrail& told = trail.emplace_back(MatchTrail{waves[count - 1].file, 0, share});
+        try {
+            const MatchData data = match_data(std::span(waves).first(count), targets);
+            told.points = static_cast<int>(data.points.size());
+            if (count < waves.size())
+                told.share = match(data, emulate(data), options.samples, waves.front().campaign.seed).share();
+        } catch (const InputError&) {  // a case that only later waves have
+            told.share = std::numeric_limits<double>::quiet_NaN();
+        }
+    }
+    return trail;
+}
+
+std::string command_of(const MatchOptions& options) {
+    return fmt::format("floes match {} --targets {} --samples {} -o {}", fmt::join(options.files, " "), options.targets,
+                       options.samples, options.page);
+}
+
 void run(const MatchOptions& options) {
     std::vector<MatchWave> waves;
     for (const std::string& file : options.files) waves.push_back(read_wave(file));
-    const MatchData data = match_data(waves, load_targets(options.targets));
+    const std::vector<Target> measured = load_targets(options.targets);
+    const MatchData data = match_data(waves, measured);
     const Patience patience(std::cerr,
                             fmt::format("emulating {} targets at {} points", data.targets.size(), options.samples));
     const std::vector<EmulatedTarget> targets = emulate(data);
     const Matching found = match(data, targets, options.samples, waves.front().campaign.seed);
     std::fputs(written(match_sections(data, targets, found), options.format).c_str(), stdout);
     if (!options.next.empty()) write_next(options, waves.front(), data, found);
+    if (options.page.empty()) return;
+    write_page(options.page, match_page({data, targets, found, trail_of(options, waves, measured, found.share()),
+                                         command_of(options)}));
+    std::fprintf(stderr, "floes: %s has the page\n", options.page.c_str());
 }
 
 }  // namespace
@@ -79,6 +112,7 @@ void add_match(CLI::App& program, int& exit_status) {
     verb->add_option("--points", options->points, "Points of the next wave")
         ->check(CLI::Range(1, 10000))
         ->capture_default_str();
+    verb->add_option("-o,--output", options->page, "Write a page with figures to this HTML file");
     add_format(*verb, options->format);
     verb->footer(
         "Emulators predict each target over the design's axes. A point is ruled out when a target is more than three\n"
