@@ -11,6 +11,7 @@
 #include <iostream>
 #include <limits>
 #include <memory>
+#include <span>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@
 #include "match/match_sections.hpp"
 #include "match/next_wave.hpp"
 #include "match/predict.hpp"
+#include "page/match_page.hpp"
 
 namespace floes {
 namespace {
@@ -36,6 +38,7 @@ struct MatchOptions {
     int points = 40;
     std::vector<std::string> at;
     std::vector<std::string> predicted;
+    std::string page;
     std::string format = "table";
 };
 
@@ -99,10 +102,34 @@ Section predictions(const MatchOptions& options, const std::vector<MatchWave>& w
     return predicted_section(predicted);
 }
 
+/// What is left after each wave; all of them together leave `share`.
+std::vector<MatchTrail> trail_of(const MatchOptions& options, const std::vector<MatchWave>& waves,
+                                 const std::vector<Target>& targets, double share) {
+    std::vector<MatchTrail> trail;
+    for (std::size_t count = 1; count <= waves.size(); ++count) {
+        MatchTrail& told = trail.emplace_back(MatchTrail{waves[count - 1].file, 0, share});
+        try {
+            const MatchData data = match_data(std::span(waves).first(count), targets);
+            told.points = static_cast<int>(data.points.size());
+            if (count < waves.size())
+                told.share = match(data, emulate(data), options.samples, waves.front().campaign.seed).share();
+        } catch (const InputError&) {  // a case that only later waves have
+            told.share = std::numeric_limits<double>::quiet_NaN();
+        }
+    }
+    return trail;
+}
+
+std::string command_of(const MatchOptions& options) {
+    return fmt::format("floes match {} --targets {} --samples {} -o {}", fmt::join(options.files, " "), options.targets,
+                       options.samples, options.page);
+}
+
 void run(const MatchOptions& options) {
     std::vector<MatchWave> waves;
     for (const std::string& file : options.files) waves.push_back(read_wave(file));
-    const MatchData data = match_data(waves, load_targets(options.targets));
+    const std::vector<Target> measured = load_targets(options.targets);
+    const MatchData data = match_data(waves, measured);
     const Patience patience(std::cerr,
                             fmt::format("emulating {} targets at {} points", data.targets.size(), options.samples));
     const std::vector<EmulatedTarget> targets = emulate(data);
@@ -112,6 +139,10 @@ void run(const MatchOptions& options) {
     if (!options.predicted.empty()) sections.push_back(predictions(options, waves, targets, found));
     std::fputs(written(sections, options.format).c_str(), stdout);
     if (!options.next.empty()) write_next(options, waves, data, found);
+    if (options.page.empty()) return;
+    write_page(options.page, match_page({data, targets, found, trail_of(options, waves, measured, found.share()),
+                                         command_of(options)}));
+    std::fprintf(stderr, "floes: %s has the page\n", options.page.c_str());
 }
 
 }  // namespace
@@ -139,6 +170,7 @@ void add_match(CLI::App& program, int& exit_status) {
                      "be repeated")
         ->type_size(1)
         ->allow_extra_args(false);
+    verb->add_option("-o,--output", options->page, "Write a page with figures to this HTML file");
     add_format(*verb, options->format);
     verb->footer(
         "Emulators predict each target over the design's axes. A point is ruled out when a target is more than three\n"

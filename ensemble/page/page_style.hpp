@@ -29,6 +29,7 @@ svg .dot.c0,svg .area.c0,svg text.c0{fill:var(--c0)}svg .dot.c1,svg .area.c1,svg
 svg .dot.c2,svg .area.c2,svg text.c2{fill:var(--c2)}svg .dot.c3,svg .area.c3,svg text.c3{fill:var(--c3)}
 svg .dot.c4,svg .area.c4,svg text.c4{fill:var(--c4)}svg .dot.c5,svg .area.c5,svg text.c5{fill:var(--c5)}
 svg .key{font-weight:600}svg .heat{fill:var(--c1);shape-rendering:crispEdges}svg .cold{fill:var(--c0);shape-rendering:crispEdges}
+svg .mild{fill:var(--c2);shape-rendering:crispEdges}svg .void{fill:var(--grid)}svg .small{font-size:10px}
 .bar{display:inline-flex;width:9rem;height:.7rem;background:var(--grid)}.bar i{background:var(--c2)}.bar .bad{background:var(--c1)}
 .panels{display:flex;flex-wrap:wrap;gap:.6rem}
 table{border-collapse:collapse;font-size:.88rem;font-variant-numeric:tabular-nums}

@@ -48,7 +48,7 @@ const std::vector<Room>& rooms() {
         {11, "replay", "POSIX"},
         {12, "view", ""},
         {12, "match", "Boost, Eigen"},
-        {12, "page", ""},
+        {13, "page", ""},
         {13, "picture", "cairo, POSIX, zlib"},
         {13, "player", "nlohmann json, zlib"},
         {13, "vtk", "zlib"},

@@ -1,0 +1,29 @@
+#pragma once
+// What a matching says about one or two inputs at a time: the space seen along all others. For this room only.
+
+#include <vector>
+
+#include "match/matching.hpp"
+
+namespace floes {
+
+/// The square of two axes' coordinates, -1 to 1 each, in equal cells; cell (i, k) is at [k * side + i], i along the
+/// first axis.
+struct MatchCells {
+    int side = 0;
+    std::vector<double> least;  ///< smallest implausibility of the points there; NaN without points
+    std::vector<double> depth;  ///< share of them that is not ruled out, 0-1; NaN without points
+
+    double least_at(int i, int k) const { return least[static_cast<std::size_t>(k * side + i)]; }
+    double depth_at(int i, int k) const { return depth[static_cast<std::size_t>(k * side + i)]; }
+};
+
+/// Cells along an axis that the points fill: with eight or more in a cell on average, at most 16 and at least 4.
+int match_cell_count(const Matching& found);
+
+MatchCells match_cells(const Matching& found, int first_axis, int second_axis, int side);
+
+/// Share of the points in each of `count` slices along an axis that is not ruled out, 0-1; NaN without points.
+std::vector<double> share_along(const Matching& found, int axis, int count);
+
+}  // namespace floes
