@@ -180,7 +180,11 @@ struct Scale {
 };
 
 Scale scale_of(const MatchAxis& axis, double room) {
-    const auto told = [&](double coordinate) { return fmt::format("{:.3g}", axis.value(coordinate)); };
+    const auto told = [&](double coordinate) {
+        const double value = axis.value(coordinate);
+        return std::abs(value) >= 1000 && std::abs(value) < 1e6 ? fmt::format("{:.0f}", value)
+                                                                : fmt::format("{:.3g}", value);
+    };
     Scale made{told(-1), told(0), told(1)};
     const std::size_t longest = std::max(made.low.size(), made.high.size());
     const double needed = letter * static_cast<double>(2 * longest + made.middle.size() + 3);

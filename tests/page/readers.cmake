@@ -4,9 +4,11 @@ if(TARGET floes)
   add_test(NAME page.in_browser
            COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/page/page_in_browser.py $<TARGET_FILE:floes>
                    ${PROJECT_SOURCE_DIR}/configs/smoke.toml)
+  add_test(NAME page.match_in_browser
+           COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/page/match_in_browser.py $<TARGET_FILE:floes>)
   add_test(NAME page.reading_the_file
            COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/page/reading_the_file.py $<TARGET_FILE:floes>
                    ${PROJECT_SOURCE_DIR}/configs/smoke.toml ${PROJECT_SOURCE_DIR}/docs/reading_the_file.md)
-  set_tests_properties(page.in_browser page.reading_the_file
+  set_tests_properties(page.in_browser page.match_in_browser page.reading_the_file
                        PROPERTIES LABELS default TIMEOUT 300 PROCESSORS 2)
 endif()

@@ -1,0 +1,74 @@
+#!/usr/bin/python3
+"""The page of a matching of a small real campaign, opened in headless Chromium: as page_in_browser.py looks at pages.
+
+Usage: match_in_browser.py FLOES
+"""
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from page_in_browser import looked_at
+
+CAMPAIGN = """
+[campaign]
+seed = 1
+arrangements = 2
+[design]
+method = "latin_hypercube"
+points = 6
+[[design.axis]]
+key = "contact.ice_ice_friction"
+from = 0.1
+to = 0.5
+[[design.axis]]
+key = "joint.cfm"
+from = 0.001
+to = 0.03
+scale = "log"
+[field]
+floes = 6
+concentration_percent = 60.0
+begin_m = 2.0
+half_width_m = 1.25
+far_end = "ice_sheet"
+[structure]
+start_m = 1.38
+speed_m_s = 0.1
+[analysis]
+steady_start_s = 4.0
+window_s = 6.0
+segments = 3
+"""
+TARGETS = """
+[[target]]
+quantity = "mean_load"
+value = 1000.0                          # too much for any of the inputs, so there is something to draw
+"""
+
+
+def main(floes):
+    with tempfile.TemporaryDirectory() as folder:
+        folder = Path(folder)
+        (folder / "wave.toml").write_text(CAMPAIGN)
+        (folder / "targets.toml").write_text(TARGETS)
+        subprocess.run([floes, "run", folder / "wave.toml", "-o", folder / "wave.h5"], check=True,
+                       stdout=subprocess.DEVNULL)
+        subprocess.run([floes, "match", folder / "wave.h5", "--targets", folder / "targets.toml", "--samples", "512",
+                        "-o", folder / "match.html"], check=True, stdout=subprocess.DEVNULL)
+        figures = looked_at(folder / "match.html")
+    for wanted in ("each pair of inputs", "left-out points of mean_load", "Inputs before and after"):
+        if not any(wanted in figure["name"] for figure in figures):
+            sys.exit(f"no figure of {wanted}: {[figure['name'] for figure in figures]}")
+    for figure in figures:
+        if figure["width"] < 200 or figure["height"] < 100 or figure["texts"] < 4 or figure["marks"] < 2:
+            sys.exit(f"figure without size, words or content: {figure}")
+        if figure["outside"]:
+            sys.exit(f"words stick out of the figure {figure['name']}: {figure['outside']}")
+    print(f"{len(figures)} figures, all with size and words")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    main(sys.argv[1])
