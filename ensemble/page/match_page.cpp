@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -72,8 +73,11 @@ std::string trail(const std::vector<MatchTrail>& waves) {
 
 std::string match_page(const MatchPageData& told) {
     const std::vector<Section> sections = match_sections(told.data, told.targets, told.found);
+    const bool any =
+        std::ranges::any_of(told.found.verdicts, [](const TargetVerdict& one) { return one.rules_out > 0; });
     const std::string ruled_out =
-        figure(ruled_out_figure(told.targets, told.found), "What each target rules out of the inputs' ranges.");
+        any ? figure(ruled_out_figure(told.targets, told.found), "What each target rules out of the inputs' ranges.")
+            : paragraph("No target rules anything out.");
     const std::string inputs =
         figure(inputs_figure(told.data, told.found),
                "Each input's range, and from where to where it is not ruled out. A narrow region "

@@ -8,6 +8,8 @@ import sys
 import tempfile
 from pathlib import Path
 
+import h5py
+
 from page_in_browser import looked_at
 
 CAMPAIGN = """
@@ -43,7 +45,8 @@ segments = 3
 TARGETS = """
 [[target]]
 quantity = "mean_load"
-value = 1000.0                          # too much for any of the inputs, so there is something to draw
+value = {:.3f}                          # a quarter above the largest of the design
+runs = 100
 """
 
 
@@ -51,11 +54,20 @@ def main(floes):
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(folder)
         (folder / "wave.toml").write_text(CAMPAIGN)
-        (folder / "targets.toml").write_text(TARGETS)
-        subprocess.run([floes, "run", folder / "wave.toml", "-o", folder / "wave.h5"], check=True,
-                       stdout=subprocess.DEVNULL)
-        subprocess.run([floes, "match", folder / "wave.h5", "--targets", folder / "targets.toml", "--samples", "512",
+        targets = folder / "targets.toml"
+        subprocess.run([floes, "run", folder / "wave.toml", "-o", folder / "wave.h5"], check=True, capture_output=True)
+        with h5py.File(folder / "wave.h5") as file:
+            load, case = file["members/mean_load"][:], file["members/case"][:]
+            targets.write_text(TARGETS.format(1.25 * max(load[case == k].mean() for k in set(case))))
+        subprocess.run([floes, "match", folder / "wave.h5", "--targets", targets, "--samples", "512", "--next",
+                        folder / "next.toml", "--points", "4"], check=True, capture_output=True)
+        subprocess.run([floes, "run", folder / "next.toml", "-o", folder / "next.h5"], check=True, capture_output=True)
+        subprocess.run([floes, "match", folder / "wave.h5", folder / "next.h5", "--targets", targets, "--samples", "512",
                         "-o", folder / "match.html"], check=True, stdout=subprocess.DEVNULL)
+        page = (folder / "match.html").read_text()
+        for wanted in ("Wave by wave", "wave.h5", "next.h5"):
+            if wanted not in page:
+                sys.exit(f"the page says nothing of {wanted}")
         figures = looked_at(folder / "match.html")
     for wanted in ("each pair of inputs", "left-out points of mean_load", "Inputs before and after"):
         if not any(wanted in figure["name"] for figure in figures):
