@@ -28,12 +28,6 @@ Scale time_scale(hid_t file, const CampaignContent& content) {
 
 }  // namespace
 
-Scale write_index_scale(hid_t parent, const char* name, const char* long_name, std::size_t count) {
-    std::vector<std::int32_t> indices(count);
-    std::iota(indices.begin(), indices.end(), 0);
-    return hdf5::write_scale(parent, Label{name, "1", long_name}, indices);
-}
-
 CampaignContent::CampaignContent(const Campaign& of, std::span<const MemberRecord> all_records)
     : campaign(of),
       records(match_records(of, all_records)),
@@ -54,21 +48,21 @@ std::size_t CampaignContent::break_count() const {
 }
 
 CampaignScales::CampaignScales(hid_t file, const CampaignContent& content)
-    : member(write_index_scale(file, "member", "member: arrangement number times cases plus case",
-                               content.records.size())),
-      case_(write_index_scale(file, "case", "case, a row of /cases", content.campaign.cases.size())),
-      arrangement(write_index_scale(file, "arrangement", "arrangement, a row of /arrangements",
-                                    static_cast<std::size_t>(content.arrangement_rows.count()))),
-      segment(write_index_scale(file, "segment", "equal part of the analysis window",
-                                content.largest([](const Scenario& s) { return s.analysis.segments; }))),
-      floe(write_index_scale(file, "floe", "floe of an arrangement",
-                             content.largest([](const Scenario& s) { return s.field.floes; }))),
+    : member(hdf5::write_index_scale(file, "member", "member: arrangement number times cases plus case",
+                                     content.records.size())),
+      case_(hdf5::write_index_scale(file, "case", "case, a row of /cases", content.campaign.cases.size())),
+      arrangement(hdf5::write_index_scale(file, "arrangement", "arrangement, a row of /arrangements",
+                                          static_cast<std::size_t>(content.arrangement_rows.count()))),
+      segment(hdf5::write_index_scale(file, "segment", "equal part of the analysis window",
+                                      content.largest([](const Scenario& s) { return s.analysis.segments; }))),
+      floe(hdf5::write_index_scale(file, "floe", "floe of an arrangement",
+                                   content.largest([](const Scenario& s) { return s.field.floes; }))),
       time(time_scale(file, content)),
       coordinate(hdf5::write_scale(file, Label{"coordinate", "1", "coordinate of a floe's pose"},
                                    std::vector<std::string>{"x", "z", "yaw"})),
       profile_point(
-          write_index_scale(file, "profile_point", "point of the structure's profile, from below",
-                            content.largest([](const Scenario& s) { return s.structure.shape.rows().size(); }))),
-      break_(write_index_scale(file, "break", "failed joint, a row of /breaks", content.break_count())) {}
+          hdf5::write_index_scale(file, "profile_point", "point of the structure's profile, from below",
+                                  content.largest([](const Scenario& s) { return s.structure.shape.rows().size(); }))),
+      break_(hdf5::write_index_scale(file, "break", "failed joint, a row of /breaks", content.break_count())) {}
 
 }  // namespace floes

@@ -51,9 +51,6 @@ struct CampaignScales {
     hdf5::Scale break_;
 };
 
-/// A scale 0, 1, …, count - 1.
-hdf5::Scale write_index_scale(hid_t parent, const char* name, const char* long_name, std::size_t count);
-
 void write_members(hid_t file, const CampaignContent& content, const CampaignScales& scales);
 /// Nothing where no case counts steps above a load level.
 void write_levels(hid_t file, const CampaignContent& content, const CampaignScales& scales);

@@ -2,29 +2,15 @@
 
 #include <filesystem>
 
-#include <fmt/format.h>
-
 #include "campaign/identity.hpp"
 #include "campaign_file/campaign_content.hpp"
+#include "campaign_file/campaign_kind.hpp"
 #include "campaign_file/publish.hpp"
-#include "campaign_file/read_campaign_file.hpp"
 #include "core/error.hpp"
-#include "records/build_info.hpp"
 #include "records/file_calls.hpp"
 
 namespace floes {
 namespace {
-
-void write_root(hid_t file, const Campaign& campaign) {
-    const std::vector<std::int32_t> version(campaign_file_version.begin(), campaign_file_version.end());
-    hdf5::write_attribute(file, "title", campaign.name);
-    hdf5::write_attribute(file, "Conventions", std::string("CF-1.8"));
-    hdf5::write_attribute(file, "filetype", std::string(campaign_filetype));
-    hdf5::write_attribute(file, "version", version);
-    hdf5::write_attribute(file, "software", std::string("floes"));
-    hdf5::write_attribute(file, "softwareVersion", floes_version());
-    hdf5::write_attribute(file, "fingerprint", fingerprint(campaign));
-}
 
 void write_file(const std::filesystem::path& path, CampaignContent& content, std::span<const Session> sessions,
                 std::span<const CalibrationRecord> calibrations, const HistoryOf& history_of) {
@@ -32,7 +18,8 @@ void write_file(const std::filesystem::path& path, CampaignContent& content, std
     hdf5::Handle file = hdf5::create_file(path);
     {
         // All handles are closed before the file is: only then does closing write everything.
-        write_root(file.id(), content.campaign);
+        hdf5::write_kind(file.id(), campaign_kind, content.campaign.name);
+        hdf5::write_attribute(file.id(), "fingerprint", fingerprint(content.campaign));
         const CampaignScales scales(file.id(), content);
         write_members(file.id(), content, scales);
         write_levels(file.id(), content, scales);
@@ -62,11 +49,7 @@ void publish(const std::filesystem::path& path, const Campaign& campaign, std::s
         std::filesystem::remove(aside, ignored);  // on a full disk the journal needs the room
         throw;
     }
-    std::error_code error;
-    std::filesystem::rename(aside, path, error);
-    if (error)
-        throw RunError(fmt::format("renaming {} to {} failed: {}", aside.string(), path.string(), error.message()));
-    sync_folder_of(path);
+    rename_into_place(aside, path);
 }
 
 }  // namespace floes

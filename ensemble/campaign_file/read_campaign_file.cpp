@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "campaign/read.hpp"
+#include "campaign_file/campaign_kind.hpp"
 #include "campaign_file/read_campaign_file.hpp"
 #include "core/error.hpp"
 #include "hdf5/read.hpp"
@@ -15,17 +16,6 @@ namespace {
 using hdf5::Handle;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-void check_kind(hid_t file, const std::filesystem::path& path) {
-    if (!hdf5::has_attribute(file, "filetype") || hdf5::read_text_attribute(file, "filetype") != campaign_filetype)
-        throw InputError(fmt::format("{} is an HDF5 file, but no campaign of floes.", path.string()));
-    const std::vector<std::int32_t> version = hdf5::read_int_attribute(file, "version");
-    if (version.size() != campaign_file_version.size() || version[0] != campaign_file_version[0])
-        throw InputError(
-            fmt::format("{} has layout version {}, and this program reads version {}. Use the version of "
-                        "floes that wrote it.",
-                        path.string(), version.empty() ? 0 : version[0], campaign_file_version[0]));
-}
 
 std::vector<Shape> read_shapes(hid_t file, std::size_t cases) {
     std::vector<std::vector<double>> columns;
@@ -205,7 +195,7 @@ void read_averaged(hid_t file, CampaignTable& table) {
 CampaignTable read_campaign_file(const std::filesystem::path& path) {
     const hdf5::QuietErrors quiet;
     const Handle file = hdf5::open_for_reading(path);
-    check_kind(file.id(), path);
+    hdf5::check_kind(file.id(), campaign_kind, path);
     CampaignTable table;
     table.title = hdf5::read_text_attribute(file.id(), "title");
     table.cases = read_cases(file.id());

@@ -28,7 +28,7 @@ void for_histories(const std::filesystem::path& path, const std::function<bool(i
     const std::vector<double> steps = value_steps(file.id());
     const auto cases = hdf5::read_values<std::int32_t>(file.id(), "members/case");
     const auto status = hdf5::read_values<std::int8_t>(file.id(), "members/status");
-    hdf5::RowReader rows(file.id(), name);
+    hdf5::RowReader<double> rows(file.id(), name);
     for (std::size_t member = 0; member < status.size(); ++member) {
         if (static_cast<RowStatus>(status[member]) != RowStatus::done || !wanted(static_cast<int>(member))) continue;
         const std::span<const double> row = rows.read(member);
@@ -42,11 +42,13 @@ void for_histories(const std::filesystem::path& path, const std::function<bool(i
 }  // namespace
 
 void for_each_history(const std::filesystem::path& path, const std::function<void(const SurgeHistory&)>& use) {
-    for_histories(path, [](int) { return true; }, use);
+    for_histories(
+        path, [](int) { return true; }, use);
 }
 
 void with_history(const std::filesystem::path& path, int member, const std::function<void(const SurgeHistory&)>& use) {
-    for_histories(path, [member](int one) { return one == member; }, use);
+    for_histories(
+        path, [member](int one) { return one == member; }, use);
 }
 
 }  // namespace floes

@@ -12,9 +12,9 @@ void for_each_load_map(const std::filesystem::path& path, const std::function<vo
     const hdf5::Handle file = hdf5::open_for_reading(path);
     if (!hdf5::exists(file.id(), "load_map")) return;  // before layout 1.7
     const auto status = hdf5::read_values<std::int8_t>(file.id(), "members/status");
-    hdf5::RowReader surge(file.id(), "load_map/surge_load");
-    hdf5::RowReader normal(file.id(), "load_map/normal_force");
-    hdf5::RowReader along_tow(file.id(), "load_map/surge_load_along_tow");
+    hdf5::RowReader<double> surge(file.id(), "load_map/surge_load");
+    hdf5::RowReader<double> normal(file.id(), "load_map/normal_force");
+    hdf5::RowReader<double> along_tow(file.id(), "load_map/surge_load_along_tow");
     const auto values = [](std::span<const double> row) { return std::vector(row.begin(), row.end()); };
     for (std::size_t member = 0; member < status.size(); ++member) {
         if (static_cast<RowStatus>(status[member]) != RowStatus::done) continue;

@@ -29,7 +29,8 @@ void write_peaks(hid_t group, hid_t file, const CampaignTable& table, const Camp
     for (const MemberRow& row : table.members)
         for (const AveragedLoad& one : row.averaged) most = std::max(most, one.peaks.size());
     if (most == 0) return;
-    const hdf5::Scale peak = write_index_scale(file, "peak", "declustered peak of a member, the highest first", most);
+    const hdf5::Scale peak =
+        hdf5::write_index_scale(file, "peak", "declustered peak of a member, the highest first", most);
     hdf5::write_values(group, {"peaks", "N", "declustered peaks of the running means above their mean, falling"},
                        {scales.member, times, peak}, of_each_time(table, most, &AveragedLoad::peaks));
 }

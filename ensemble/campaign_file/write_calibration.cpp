@@ -24,7 +24,7 @@ void write_calibration(hid_t file, const CampaignContent& content, std::span<con
     const std::vector<Row> rows = calibration_rows(content, calibrations);
     if (rows.empty()) return;
     const hdf5::Scale scale =
-        write_index_scale(file, "calibration_point", "plate test, a row of /calibration", rows.size());
+        hdf5::write_index_scale(file, "calibration_point", "plate test, a row of /calibration", rows.size());
     const hdf5::Handle group = hdf5::create_group(file, "calibration");
     const auto integers = [&](const char* name, const char* long_name, auto function) {
         std::vector<std::int32_t> values;

@@ -40,18 +40,14 @@ void write_breaks(hid_t file, const CampaignContent& content, const CampaignScal
             modes.push_back(static_cast<std::int8_t>(event.mode));
         }
     }
-    hdf5::Flags flags;
-    for (std::size_t mode = 0; mode < failure_mode_names.size(); ++mode) {
-        flags.values.push_back(static_cast<std::int8_t>(mode));
-        flags.meanings += (mode == 0 ? "" : " ") + std::string(failure_mode_names[mode]);
-    }
     const hdf5::Handle group = hdf5::create_group(file, "breaks");
     const hdf5::Dimensions one{scales.break_};
     hdf5::write_values(group.id(), {"member", "1", "member in which the joint failed"}, one, members);
     hdf5::write_values(group.id(), {"time", "s", "end of the step in which the joint failed"}, one, times);
     hdf5::write_values(group.id(), {"floe", "1", "floe of the joint"}, one, floes);
     hdf5::write_values(group.id(), {"joint", "1", "joint within its floe"}, one, joints);
-    hdf5::write_values(group.id(), {"mode", "1", "how the joint failed"}, one, modes, flags);
+    hdf5::write_values(group.id(), {"mode", "1", "how the joint failed"}, one, modes,
+                       hdf5::flags_of(failure_mode_names));
 }
 
 }  // namespace floes

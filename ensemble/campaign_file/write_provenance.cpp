@@ -16,7 +16,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 // Of members, in member order.
 void write_member_provenance(hid_t group, const CampaignContent& content) {
     // Not the root's scale: a scale refers to what it is attached to, and comparing two files follows the reference.
-    const Scale member = write_index_scale(group, "member", "member", content.records.size());
+    const Scale member = hdf5::write_index_scale(group, "member", "member", content.records.size());
     std::vector<double> wall_time;
     std::vector<double> cpu_time;
     std::vector<double> peak_memory;
@@ -40,7 +40,8 @@ void write_member_provenance(hid_t group, const CampaignContent& content) {
 }
 
 void write_sessions(hid_t group, std::span<const Session> sessions) {
-    const Scale scale = write_index_scale(group, "session", "start of the program on the campaign", sessions.size());
+    const Scale scale =
+        hdf5::write_index_scale(group, "session", "start of the program on the campaign", sessions.size());
     const auto texts = [&](const char* name, const char* long_name, auto function) {
         std::vector<std::string> values;
         for (const Session& session : sessions) values.push_back(function(session));

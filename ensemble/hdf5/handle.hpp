@@ -1,6 +1,6 @@
 #pragma once
-// HDF5 identifiers that close themselves, and calls that cannot fail unnoticed. For the .cpp files of this room only:
-// no other room sees HDF5. Not for two threads at once.
+// HDF5 identifiers that close themselves, and calls that cannot fail unnoticed. Only for sources of rooms with HDF5 files
+// of their own. Not for two threads at once.
 
 #include <hdf5.h>
 
@@ -58,7 +58,7 @@ class QuietErrors {
 /// refuse locks.
 Handle access_without_locks();
 
-/// Memory type of a double, float, int32, int8; text of any length in UTF-8.
+/// Memory type of a double, float, int32, int8, uint64.
 template <class Value>
 hid_t native_type();
 template <>
@@ -81,6 +81,31 @@ template <>
 inline hid_t native_type<std::uint64_t>() {
     return H5T_NATIVE_UINT64;
 }
+/// File type of a float, double, int32, int8, uint64.
+template <class Value>
+hid_t stored_type();
+template <>
+inline hid_t stored_type<float>() {
+    return H5T_IEEE_F32LE;
+}
+template <>
+inline hid_t stored_type<double>() {
+    return H5T_IEEE_F64LE;
+}
+template <>
+inline hid_t stored_type<std::int32_t>() {
+    return H5T_STD_I32LE;
+}
+template <>
+inline hid_t stored_type<std::int8_t>() {
+    return H5T_STD_I8LE;
+}
+template <>
+inline hid_t stored_type<std::uint64_t>() {
+    return H5T_STD_U64LE;
+}
+
+/// Text of any length in UTF-8.
 Handle text_type();
 
 }  // namespace floes::hdf5

@@ -79,27 +79,34 @@ template std::vector<double> read_values<double>(hid_t, const std::string&);
 template std::vector<std::int32_t> read_values<std::int32_t>(hid_t, const std::string&);
 template std::vector<std::int8_t> read_values<std::int8_t>(hid_t, const std::string&);
 
-RowReader::RowReader(hid_t parent, const std::string& name)
+template <class Value>
+RowReader<Value>::RowReader(hid_t parent, const std::string& name)
     : name_(name), dataset_(open_dataset(parent, name)), space_(space_of(dataset_, name)) {
     const int dimensions = check(H5Sget_simple_extent_ndims(space_.id()), "H5Sget_simple_extent_ndims", name_);
     sizes_.resize(static_cast<std::size_t>(dimensions));
     check(H5Sget_simple_extent_dims(space_.id(), sizes_.data(), nullptr), "H5Sget_simple_extent_dims", name_);
-    row_.resize(std::accumulate(sizes_.begin() + 1, sizes_.end(), hsize_t{1}, std::multiplies{}));
 }
 
-std::span<const double> RowReader::read(std::size_t row) {
+template <class Value>
+std::span<const Value> RowReader<Value>::read(std::size_t row, std::size_t rows) {
+    if (row + rows > sizes_[0]) throw RunError(fmt::format("{} ends before row {}.", name_, row + rows));
     std::vector<hsize_t> first(sizes_.size(), 0);
     std::vector<hsize_t> count = sizes_;
     first[0] = row;
-    count[0] = 1;
+    count[0] = rows;
+    const hsize_t length = std::accumulate(count.begin(), count.end(), hsize_t{1}, std::multiplies{});
+    values_.resize(length);
+    if (length == 0) return values_;
     check(H5Sselect_hyperslab(space_.id(), H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr),
           "H5Sselect_hyperslab", name_);
-    const hsize_t length = row_.size();
     const Handle memory(H5Screate_simple(1, &length, nullptr), H5Sclose, "H5Screate_simple", name_);
-    check(H5Dread(dataset_.id(), native_type<double>(), memory.id(), space_.id(), H5P_DEFAULT, row_.data()), "H5Dread",
-          name_);
-    return row_;
+    check(H5Dread(dataset_.id(), native_type<Value>(), memory.id(), space_.id(), H5P_DEFAULT, values_.data()),
+          "H5Dread", name_);
+    return values_;
 }
+template class RowReader<double>;
+template class RowReader<float>;
+template class RowReader<std::int32_t>;
 
 std::vector<std::string> read_texts(hid_t parent, const std::string& name) {
     const Handle dataset = open_dataset(parent, name);

@@ -27,21 +27,26 @@ std::vector<Value> read_values(hid_t parent, const std::string& name);
 extern template std::vector<double> read_values<double>(hid_t, const std::string&);
 extern template std::vector<std::int32_t> read_values<std::int32_t>(hid_t, const std::string&);
 extern template std::vector<std::int8_t> read_values<std::int8_t>(hid_t, const std::string&);
-/// Rows of a table of doubles, read one at a time.
+
+/// A dataset of which some rows are read at a time. Value: double, float or int32.
+template <class Value>
 class RowReader {
   public:
     /// Throws RunError where there is no such dataset; `name` may be a path.
     RowReader(hid_t parent, const std::string& name);
-    /// The values of a row, row-major; valid until the next call.
-    std::span<const double> read(std::size_t row);
+    /// The values of `count` rows from `row` on, row-major; valid until the next call. Throws RunError past the end.
+    std::span<const Value> read(std::size_t row, std::size_t count = 1);
 
   private:
     std::string name_;
     Handle dataset_;
     Handle space_;
     std::vector<hsize_t> sizes_;
-    std::vector<double> row_;
+    std::vector<Value> values_;
 };
+extern template class RowReader<double>;
+extern template class RowReader<float>;
+extern template class RowReader<std::int32_t>;
 
 std::vector<std::string> read_texts(hid_t parent, const std::string& name);
 

@@ -41,11 +41,4 @@ extern template class Series<double>;
 extern template class Series<std::int32_t>;
 extern template class Series<std::int8_t>;
 
-/// Refills `values` with `count` rows of a dataset from row `first`, row-major. Throws RunError where it ends before.
-template <class Value>
-void read_block(hid_t parent, const std::string& name, hsize_t first, hsize_t count, std::vector<Value>& values);
-extern template void read_block<float>(hid_t, const std::string&, hsize_t, hsize_t, std::vector<float>&);
-extern template void read_block<double>(hid_t, const std::string&, hsize_t, hsize_t, std::vector<double>&);
-extern template void read_block<std::int32_t>(hid_t, const std::string&, hsize_t, hsize_t, std::vector<std::int32_t>&);
-
 }  // namespace floes::hdf5

@@ -9,80 +9,13 @@
 #include <numeric>
 #include <optional>
 
+#include "hdf5/dataset.hpp"
+
 namespace floes::hdf5 {
 namespace {
 
-constexpr unsigned creation_order = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
-
-template <class Value>
-hid_t stored_type();
-template <>
-hid_t stored_type<double>() {
-    return H5T_IEEE_F64LE;
-}
-template <>
-hid_t stored_type<std::int32_t>() {
-    return H5T_STD_I32LE;
-}
-template <>
-hid_t stored_type<std::int8_t>() {
-    return H5T_STD_I8LE;
-}
-template <>
-hid_t stored_type<std::uint64_t>() {
-    return H5T_STD_U64LE;
-}
-
-Handle creation_properties(hid_t kind) {
-    Handle properties(H5Pcreate(kind), H5Pclose, "H5Pcreate", "creation properties");
-    check(H5Pset_obj_track_times(properties.id(), false), "H5Pset_obj_track_times", "creation properties");
-    check(H5Pset_attr_creation_order(properties.id(), creation_order), "H5Pset_attr_creation_order", "properties");
-    if (kind != H5P_DATASET_CREATE)
-        check(H5Pset_link_creation_order(properties.id(), creation_order), "H5Pset_link_creation_order", "properties");
-    return properties;
-}
-
-Handle simple_space(std::span<const hsize_t> sizes) {
-    if (sizes.empty()) return Handle(H5Screate(H5S_SCALAR), H5Sclose, "H5Screate", "a single value");
-    return Handle(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr), H5Sclose, "H5Screate_simple",
-                  "values");
-}
-
-void write_attribute_of(hid_t object, const std::string& name, std::span<const hsize_t> sizes, hid_t stored,
-                        hid_t native, const void* value) {
-    const Handle space = simple_space(sizes);
-    const Handle attribute(H5Acreate2(object, name.c_str(), stored, space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
-                           "H5Acreate", name);
-    check(H5Awrite(attribute.id(), native, value), "H5Awrite", name);
-}
-
-void write_label(hid_t dataset, const Label& label) {
-    write_attribute(dataset, "units", label.unit);
-    write_attribute(dataset, "long_name", label.long_name);
-}
-
-Handle create_dataset(hid_t parent, const Label& label, hid_t type, std::span<const hsize_t> sizes,
-                      const Handle& properties) {
-    const Handle space = simple_space(sizes);
-    Handle dataset(H5Dcreate2(parent, label.name.c_str(), type, space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT),
-                   H5Dclose, "H5Dcreate", label.name);
-    write_label(dataset.id(), label);
-    return dataset;
-}
-
 void write_whole(const Handle& dataset, hid_t type, const void* values, const std::string& name) {
     check(H5Dwrite(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "H5Dwrite", name);
-}
-
-std::vector<hsize_t> sizes_of(const Dimensions& dimensions) {
-    std::vector<hsize_t> sizes;
-    for (const Scale& scale : dimensions) sizes.push_back(scale.size());
-    return sizes;
-}
-
-void attach(const Handle& dataset, const Dimensions& dimensions, const std::string& name) {
-    for (unsigned k = 0; k < dimensions.size(); ++k)
-        check(H5DSattach_scale(dataset.id(), dimensions[k].get().id(), k), "H5DSattach_scale", name);
 }
 
 std::vector<hsize_t> sizes_of(const Scale& rows, const Dimensions& columns) {
@@ -104,7 +37,7 @@ Handle write_numbers(hid_t parent, const Label& label, std::span<const hsize_t> 
     const Handle properties = creation_properties(H5P_DATASET_CREATE);
     if (missing)
         check(H5Pset_fill_value(properties.id(), native_type<Value>(), &*missing), "H5Pset_fill_value", label.name);
-    Handle dataset = create_dataset(parent, label, stored_type<Value>(), sizes, properties);
+    Handle dataset = create_dataset(parent, label, stored_type<Value>(), simple_space(sizes), properties);
     const std::array<hsize_t, 1> one{1};
     if (missing)
         write_attribute_of(dataset.id(), "_FillValue", one, stored_type<Value>(), native_type<Value>(), &*missing);
@@ -115,7 +48,8 @@ Handle write_numbers(hid_t parent, const Label& label, std::span<const hsize_t> 
 Handle write_texts(hid_t parent, const Label& label, std::span<const hsize_t> sizes,
                    std::span<const std::string> texts) {
     const Handle type = text_type();
-    Handle dataset = create_dataset(parent, label, type.id(), sizes, creation_properties(H5P_DATASET_CREATE));
+    Handle dataset =
+        create_dataset(parent, label, type.id(), simple_space(sizes), creation_properties(H5P_DATASET_CREATE));
     write_whole(dataset, type.id(), pointers_to(texts).data(), label.name);
     return dataset;
 }
@@ -141,30 +75,6 @@ Handle create_group(hid_t parent, const std::string& name) {
         H5Gclose, "H5Gcreate", name);
 }
 
-void write_attribute(hid_t object, const std::string& name, const std::string& value) {
-    const Handle type = text_type();
-    const char* text = value.c_str();
-    write_attribute_of(object, name, {}, type.id(), type.id(), &text);
-}
-
-void write_attribute(hid_t object, const std::string& name, double value) {
-    write_attribute_of(object, name, {}, stored_type<double>(), native_type<double>(), &value);
-}
-
-void write_attribute(hid_t object, const std::string& name, std::uint64_t value) {
-    write_attribute_of(object, name, {}, stored_type<std::uint64_t>(), native_type<std::uint64_t>(), &value);
-}
-
-void write_attribute(hid_t object, const std::string& name, std::span<const std::int8_t> values) {
-    const std::array<hsize_t, 1> sizes{values.size()};
-    write_attribute_of(object, name, sizes, stored_type<std::int8_t>(), native_type<std::int8_t>(), values.data());
-}
-
-void write_attribute(hid_t object, const std::string& name, std::span<const std::int32_t> values) {
-    const std::array<hsize_t, 1> sizes{values.size()};
-    write_attribute_of(object, name, sizes, stored_type<std::int32_t>(), native_type<std::int32_t>(), values.data());
-}
-
 Scale write_scale(hid_t parent, const Label& label, std::span<const std::int32_t> coordinates) {
     const std::array<hsize_t, 1> sizes{coordinates.size()};
     return as_scale(write_numbers<std::int32_t>(parent, label, sizes, coordinates, {}), sizes[0], label.name);
@@ -181,21 +91,22 @@ Scale write_scale(hid_t parent, const Label& label, std::span<const std::string>
 }
 
 void write_values(hid_t parent, const Label& label, const Dimensions& dimensions, std::span<const double> values) {
-    attach(write_numbers<double>(parent, label, sizes_of(dimensions), values, nan), dimensions, label.name);
+    attach(write_numbers<double>(parent, label, sizes_of(dimensions), values, nan), dimensions, 0, label.name);
 }
 
 void write_values(hid_t parent, const Label& label, const Dimensions& dimensions, std::span<const std::string> values) {
-    attach(write_texts(parent, label, sizes_of(dimensions), values), dimensions, label.name);
+    attach(write_texts(parent, label, sizes_of(dimensions), values), dimensions, 0, label.name);
 }
 
 void write_values(hid_t parent, const Label& label, const Dimensions& dimensions, std::span<const std::int32_t> values,
                   std::int32_t missing) {
-    attach(write_numbers<std::int32_t>(parent, label, sizes_of(dimensions), values, missing), dimensions, label.name);
+    attach(write_numbers<std::int32_t>(parent, label, sizes_of(dimensions), values, missing), dimensions, 0,
+           label.name);
 }
 
 void write_values(hid_t parent, const Label& label, const Dimensions& dimensions,
                   std::span<const std::int32_t> values) {
-    attach(write_numbers<std::int32_t>(parent, label, sizes_of(dimensions), values, {}), dimensions, label.name);
+    attach(write_numbers<std::int32_t>(parent, label, sizes_of(dimensions), values, {}), dimensions, 0, label.name);
 }
 
 void write_values(hid_t parent, const Label& label, const Dimensions& dimensions, std::span<const std::int8_t> values,
@@ -203,7 +114,22 @@ void write_values(hid_t parent, const Label& label, const Dimensions& dimensions
     const Handle dataset = write_numbers<std::int8_t>(parent, label, sizes_of(dimensions), values, flags.missing);
     write_attribute(dataset.id(), "flag_values", flags.values);
     write_attribute(dataset.id(), "flag_meanings", flags.meanings);
-    attach(dataset, dimensions, label.name);
+    attach(dataset, dimensions, 0, label.name);
+}
+
+Flags flags_of(std::span<const char* const> words, std::optional<std::int8_t> missing) {
+    Flags flags{.values = {}, .meanings = {}, .missing = missing};
+    for (const char* word : words) {
+        flags.meanings += (flags.values.empty() ? "" : " ") + std::string(word);
+        flags.values.push_back(static_cast<std::int8_t>(flags.values.size()));
+    }
+    return flags;
+}
+
+Scale write_index_scale(hid_t parent, const char* name, const char* long_name, std::size_t count) {
+    std::vector<std::int32_t> indices(count);
+    std::iota(indices.begin(), indices.end(), 0);
+    return write_scale(parent, Label{name, "1", long_name}, indices);
 }
 
 void write_text(hid_t parent, const Label& label, const std::string& text) {
@@ -215,12 +141,9 @@ namespace {
 Handle create_rows(hid_t parent, const Label& label, std::span<const hsize_t> sizes) {
     std::vector<hsize_t> chunk{1};
     for (const hsize_t size : sizes.subspan(1)) chunk.push_back(std::max<hsize_t>(size, 1));
-    const Handle properties = creation_properties(H5P_DATASET_CREATE);
-    check(H5Pset_chunk(properties.id(), static_cast<int>(chunk.size()), chunk.data()), "H5Pset_chunk", label.name);
-    check(H5Pset_shuffle(properties.id()), "H5Pset_shuffle", label.name);
-    check(H5Pset_deflate(properties.id(), static_cast<unsigned>(compression_level)), "H5Pset_deflate", label.name);
+    const Handle properties = compressed_properties(chunk, static_cast<unsigned>(compression_level), label.name);
     check(H5Pset_fill_value(properties.id(), native_type<double>(), &nan), "H5Pset_fill_value", label.name);
-    Handle dataset = create_dataset(parent, label, stored_type<double>(), sizes, properties);
+    Handle dataset = create_dataset(parent, label, stored_type<double>(), simple_space(sizes), properties);
     const std::array<hsize_t, 1> one{1};
     write_attribute_of(dataset.id(), "_FillValue", one, stored_type<double>(), native_type<double>(), &nan);
     return dataset;
@@ -236,7 +159,7 @@ Rows::Rows(hid_t parent, const Label& label, const Scale& rows, const Dimensions
       space_(simple_space(sizes_)) {
     Dimensions all{rows};
     all.insert(all.end(), columns.begin(), columns.end());
-    attach(dataset_, all, name_);
+    attach(dataset_, all, 0, name_);
 }
 
 void Rows::write(std::size_t row, std::span<const double> values) {

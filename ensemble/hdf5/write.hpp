@@ -11,52 +11,25 @@
 #include <string_view>
 #include <vector>
 
-#include "hdf5/handle.hpp"
+#include "hdf5/attributes.hpp"
+#include "hdf5/label.hpp"
 #include "records/packed_history.hpp"
 
 namespace floes::hdf5 {
 
-/// What stands on every dataset.
-struct Label {
-    std::string name;
-    std::string unit;
-    std::string long_name;
-};
-
-/// The meanings of the small integers of a dataset (CF flag_values, flag_meanings).
-struct Flags {
-    std::vector<std::int8_t> values;
-    std::string meanings;                     ///< one word a value, spaces between
-    std::optional<std::int8_t> missing = {};  ///< stands for a missing value
-};
-
-/// A dimension, named by the dataset that lists its coordinates.
-class Scale {
-  public:
-    Scale(Handle dataset, hsize_t size) : dataset_(std::move(dataset)), size_(size) {}
-    hid_t id() const { return dataset_.id(); }
-    hsize_t size() const { return size_; }
-
-  private:
-    Handle dataset_;
-    hsize_t size_;
-};
-
-using Dimensions = std::vector<std::reference_wrapper<const Scale>>;
+/// Those of an enumeration that counts from 0 in the order of `words`.
+Flags flags_of(std::span<const char* const> words, std::optional<std::int8_t> missing = {});
 
 /// A new file; one of that name is emptied. Order of creation is kept, no times are stored.
 Handle create_file(const std::filesystem::path& path);
 Handle create_group(hid_t parent, const std::string& name);
 
-void write_attribute(hid_t object, const std::string& name, const std::string& value);
-void write_attribute(hid_t object, const std::string& name, double value);
-void write_attribute(hid_t object, const std::string& name, std::uint64_t value);
-void write_attribute(hid_t object, const std::string& name, std::span<const std::int8_t> values);
-void write_attribute(hid_t object, const std::string& name, std::span<const std::int32_t> values);
-
 Scale write_scale(hid_t parent, const Label& label, std::span<const std::int32_t> coordinates);
 Scale write_scale(hid_t parent, const Label& label, std::span<const double> coordinates);
 Scale write_scale(hid_t parent, const Label& label, std::span<const std::string> coordinates);
+
+/// A scale 0, 1, …, count - 1.
+Scale write_index_scale(hid_t parent, const char* name, const char* long_name, std::size_t count);
 
 /// Values in row-major order over the dimensions. Doubles: NaN is the missing value.
 void write_values(hid_t parent, const Label& label, const Dimensions& dimensions, std::span<const double> values);

@@ -84,4 +84,12 @@ void sync_folder_of(const std::filesystem::path& path) {
     if (::fsync(opened.get()) != 0 && errno != EINVAL) refuse("fsync", folder, errno);
 }
 
+void rename_into_place(const std::filesystem::path& aside, const std::filesystem::path& path) {
+    std::error_code error;
+    std::filesystem::rename(aside, path, error);
+    if (error)
+        throw RunError(fmt::format("renaming {} to {} failed: {}", aside.string(), path.string(), error.message()));
+    sync_folder_of(path);
+}
+
 }  // namespace floes

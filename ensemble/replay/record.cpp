@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "campaign/read.hpp"
 #include "core/error.hpp"
 #include "hdf5/read.hpp"
-#include "hdf5/series.hpp"
+#include "replay/record_kind.hpp"
 
 namespace floes {
 namespace {
@@ -16,21 +17,6 @@ namespace {
 FloeGrid grid_of(const RecordSubject& subject) {
     const Floe& floe = subject.scenario.floe;
     return {floe.elements_long(), floe.elements_broad(), floe.element};
-}
-
-bool has_filetype(hid_t file) {
-    return hdf5::has_attribute(file, "filetype") && hdf5::read_text_attribute(file, "filetype") == record_filetype;
-}
-
-void check_kind(hid_t file, const std::filesystem::path& path) {
-    if (!has_filetype(file))
-        throw InputError(fmt::format("{} is an HDF5 file, but no record of floes replay.", path.string()));
-    const std::vector<std::int32_t> version = hdf5::read_int_attribute(file, "version");
-    if (version.size() != record_version.size() || version[0] != record_version[0])
-        throw InputError(
-            fmt::format("{} has layout version {}, and this program reads version {} of records. Use the version of "
-                        "floes that wrote it, or replay the member again.",
-                        path.string(), version.empty() ? 0 : version[0], record_version[0]));
 }
 
 RecordSubject read_subject(hid_t file) {
@@ -62,7 +48,7 @@ RecordOutcome read_outcome(hid_t file, int joints_each) {
     return outcome;
 }
 
-Vec3 vector_at(const std::vector<float>& values, std::size_t index) {
+Vec3 vector_at(std::span<const float> values, std::size_t index) {
     return {values[3 * index], values[3 * index + 1], values[3 * index + 2]};
 }
 
@@ -71,7 +57,7 @@ Vec3 vector_at(const std::vector<float>& values, std::size_t index) {
 bool is_record(const std::filesystem::path& path) {
     const hdf5::QuietErrors quiet;
     try {
-        return has_filetype(hdf5::open_for_reading(path).id());
+        return hdf5::is_of_kind(hdf5::open_for_reading(path).id(), record_kind);
     } catch (const InputError&) {
         return false;  // no such file, or no HDF5 file
     }
@@ -98,27 +84,27 @@ std::vector<RecordJoint> joints_of(const RecordSubject& subject, int floes) {
 
 class Record::File {
   public:
-    explicit File(const std::filesystem::path& path) : file_(hdf5::open_for_reading(path)) {
-        check_kind(file_.id(), path);
+    explicit File(const std::filesystem::path& path)
+        : file_(opened(path)), elements_(file_.id()), contacts_(file_.id()) {
         subject = read_subject(file_.id());
         elements = static_cast<int>(hdf5::read_values<std::int32_t>(file_.id(), "ice/floe").size());
         times = hdf5::read_values<double>(file_.id(), "time");
         outcome = read_outcome(file_.id(), std::max(1, static_cast<int>(joints_of(subject, 1).size())));
-        step = hdf5::read_values<std::int32_t>(file_.id(), "frames/step");
-        structure = hdf5::read_values<double>(file_.id(), "frames/structure");
-        surge = hdf5::read_values<double>(file_.id(), "frames/surge_load");
-        sway = hdf5::read_values<double>(file_.id(), "frames/sway_load");
-        heave = hdf5::read_values<double>(file_.id(), "frames/heave_load");
-        first_contact = hdf5::read_values<std::int32_t>(file_.id(), "frames/first_contact");
-        contacts = hdf5::read_values<std::int32_t>(file_.id(), "frames/contacts");
+        step_ = hdf5::read_values<std::int32_t>(file_.id(), "frames/step");
+        structure_ = hdf5::read_values<double>(file_.id(), "frames/structure");
+        surge_ = hdf5::read_values<double>(file_.id(), "frames/surge_load");
+        sway_ = hdf5::read_values<double>(file_.id(), "frames/sway_load");
+        heave_ = hdf5::read_values<double>(file_.id(), "frames/heave_load");
+        first_contact_ = hdf5::read_values<std::int32_t>(file_.id(), "frames/first_contact");
+        contact_count_ = hdf5::read_values<std::int32_t>(file_.id(), "frames/contacts");
         if (times.empty()) throw InputError(fmt::format("{} has no frames.", path.string()));
     }
 
-    void read(std::size_t number, Frame& frame) const {
-        frame.step = step.at(number);
+    void read(std::size_t number, Frame& frame) {
+        frame.step = step_.at(number);
         frame.time = times.at(number);
-        frame.structure = structure.at(number);
-        frame.load = {-surge.at(number), heave.at(number), sway.at(number)};
+        frame.structure = structure_.at(number);
+        frame.load = {-surge_.at(number), heave_.at(number), sway_.at(number)};
         read_elements(number, frame);
         read_contacts(number, frame);
     }
@@ -129,19 +115,44 @@ class Record::File {
     std::vector<double> times;
 
   private:
-    template <class Value>
-    std::vector<Value> rows(const char* name, hsize_t first, hsize_t count) const {
-        std::vector<Value> values;
-        hdf5::read_block(file_.id(), name, first, count, values);
-        return values;
+    struct Elements {
+        explicit Elements(hid_t file)
+            : position(file, "frames/position"),
+              orientation(file, "frames/orientation"),
+              velocity(file, "frames/velocity"),
+              utilisation(file, "frames/utilisation"),
+              piece(file, "frames/piece") {}
+        hdf5::RowReader<float> position;
+        hdf5::RowReader<float> orientation;
+        hdf5::RowReader<float> velocity;
+        hdf5::RowReader<float> utilisation;
+        hdf5::RowReader<std::int32_t> piece;
+    };
+
+    struct Contacts {
+        explicit Contacts(hid_t file)
+            : element(file, "contacts/element"),
+              other(file, "contacts/other"),
+              point(file, "contacts/point"),
+              normal(file, "contacts/normal_force"),
+              friction(file, "contacts/friction_force") {}
+        hdf5::RowReader<std::int32_t> element;
+        hdf5::RowReader<std::int32_t> other;
+        hdf5::RowReader<float> point;
+        hdf5::RowReader<float> normal;
+        hdf5::RowReader<float> friction;
+    };
+
+    static hdf5::Handle opened(const std::filesystem::path& path) {
+        hdf5::Handle file = hdf5::open_for_reading(path);
+        hdf5::check_kind(file.id(), record_kind, path);
+        return file;
     }
 
-    void read_elements(std::size_t number, Frame& frame) const {
-        const auto position = rows<float>("frames/position", number, 1);
-        const auto orientation = rows<float>("frames/orientation", number, 1);
-        const auto velocity = rows<float>("frames/velocity", number, 1);
-        const auto utilisation = rows<float>("frames/utilisation", number, 1);
-        const auto pieces = rows<std::int32_t>("frames/piece", number, 1);
+    void read_elements(std::size_t number, Frame& frame) {
+        const std::span<const float> position = elements_.position.read(number);
+        const std::span<const float> orientation = elements_.orientation.read(number);
+        const std::span<const float> velocity = elements_.velocity.read(number);
         frame.elements.resize(static_cast<std::size_t>(elements));
         for (std::size_t k = 0; k < frame.elements.size(); ++k) {
             const float* q = &orientation[4 * k];
@@ -149,18 +160,20 @@ class Record::File {
                                  .rotation = Quat(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix(),
                                  .velocity = vector_at(velocity, k)};
         }
+        const std::span<const float> utilisation = elements_.utilisation.read(number);
+        const std::span<const std::int32_t> pieces = elements_.piece.read(number);
         frame.utilisation.assign(utilisation.begin(), utilisation.end());
         frame.pieces.assign(pieces.begin(), pieces.end());
     }
 
-    void read_contacts(std::size_t number, Frame& frame) const {
-        const auto first = static_cast<hsize_t>(first_contact.at(number));
-        const auto count = static_cast<hsize_t>(contacts.at(number));
-        const auto element = rows<std::int32_t>("contacts/element", first, count);
-        const auto other = rows<std::int32_t>("contacts/other", first, count);
-        const auto point = rows<float>("contacts/point", first, count);
-        const auto normal = rows<float>("contacts/normal_force", first, count);
-        const auto friction = rows<float>("contacts/friction_force", first, count);
+    void read_contacts(std::size_t number, Frame& frame) {
+        const auto first = static_cast<std::size_t>(first_contact_.at(number));
+        const auto count = static_cast<std::size_t>(contact_count_.at(number));
+        const std::span<const std::int32_t> element = contacts_.element.read(first, count);
+        const std::span<const std::int32_t> other = contacts_.other.read(first, count);
+        const std::span<const float> point = contacts_.point.read(first, count);
+        const std::span<const float> normal = contacts_.normal.read(first, count);
+        const std::span<const float> friction = contacts_.friction.read(first, count);
         frame.contacts.clear();
         for (std::size_t k = 0; k < count; ++k) {
             frame.contacts.push_back(
@@ -170,13 +183,15 @@ class Record::File {
 
     hdf5::QuietErrors quiet_;
     hdf5::Handle file_;
-    std::vector<std::int32_t> step;
-    std::vector<double> structure;
-    std::vector<double> surge;
-    std::vector<double> sway;
-    std::vector<double> heave;
-    std::vector<std::int32_t> first_contact;
-    std::vector<std::int32_t> contacts;
+    Elements elements_;
+    Contacts contacts_;
+    std::vector<std::int32_t> step_;
+    std::vector<double> structure_;
+    std::vector<double> surge_;
+    std::vector<double> sway_;
+    std::vector<double> heave_;
+    std::vector<std::int32_t> first_contact_;
+    std::vector<std::int32_t> contact_count_;
 };
 
 Record::Record(const std::filesystem::path& path) : file_(std::make_unique<File>(path)) {}

@@ -3,7 +3,6 @@
 // A file of its own in HDF5, described in docs/replay.md. Written and read a frame at a time: a long run is larger than
 // the memory.
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -18,10 +17,6 @@
 #include "simulation/load_history.hpp"
 
 namespace floes {
-
-/// Version of the layout, {major, minor}: a new minor only adds names.
-inline constexpr std::array<int, 2> record_version{1, 0};
-inline constexpr const char* record_filetype = "floes replay";
 
 /// A joint by the elements that it connects, in the order of IceField::elements().
 struct RecordJoint {

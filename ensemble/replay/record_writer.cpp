@@ -6,22 +6,16 @@
 #include <system_error>
 
 #include "core/error.hpp"
-#include "records/build_info.hpp"
 #include "records/file_calls.hpp"
 #include "replay/frame_series.hpp"
 #include "replay/record.hpp"
+#include "replay/record_kind.hpp"
 
 namespace floes {
 namespace {
 
 using hdf5::Handle;
 using hdf5::Scale;
-
-Scale index_scale(hid_t parent, const char* name, const char* long_name, std::size_t count) {
-    std::vector<std::int32_t> numbers(count);
-    std::iota(numbers.begin(), numbers.end(), 0);
-    return hdf5::write_scale(parent, {name, "1", long_name}, numbers);
-}
 
 Scale words_scale(hid_t parent, const char* name, const char* long_name, const std::vector<std::string>& words) {
     return hdf5::write_scale(parent, {name, "1", long_name}, words);
@@ -31,15 +25,9 @@ void write_root(hid_t file, const RecordSubject& subject) {
     const auto write_number = [file](const char* name, std::int32_t value) {
         hdf5::write_attribute(file, name, std::span<const std::int32_t>(&value, 1));
     };
-    const std::vector<std::int32_t> version(record_version.begin(), record_version.end());
-    hdf5::write_attribute(file, "title",
-                          fmt::format("{}: member {}, case {}, arrangement {}", subject.campaign, subject.member,
-                                      subject.case_name, subject.arrangement));
-    hdf5::write_attribute(file, "Conventions", std::string("CF-1.8"));
-    hdf5::write_attribute(file, "filetype", std::string(record_filetype));
-    hdf5::write_attribute(file, "version", version);
-    hdf5::write_attribute(file, "software", std::string("floes"));
-    hdf5::write_attribute(file, "softwareVersion", floes_version());
+    hdf5::write_kind(file, record_kind,
+                     fmt::format("{}: member {}, case {}, arrangement {}", subject.campaign, subject.member,
+                                 subject.case_name, subject.arrangement));
     hdf5::write_attribute(file, "campaign", subject.campaign);
     hdf5::write_attribute(file, "fingerprint", subject.fingerprint);
     hdf5::write_attribute(file, "case", subject.case_name);
@@ -62,7 +50,7 @@ void write_structure(hid_t file, const Shape& shape) {
     const Handle group = hdf5::create_group(file, "structure");
     const std::vector<std::vector<double>> rows = shape.rows();
     const Scale point =
-        index_scale(group.id(), "profile_point", "point of the profile, from the bottom up", rows.size());
+        hdf5::write_index_scale(group.id(), "profile_point", "point of the profile, from the bottom up", rows.size());
     for (std::size_t k = 0; k < Shape::columns.size(); ++k) {
         std::vector<double> column;
         for (const std::vector<double>& row : rows) column.push_back(row[k]);
@@ -74,7 +62,7 @@ void write_structure(hid_t file, const Shape& shape) {
 
 void write_sheets(hid_t file, const std::vector<IceSheet>& all, const Scale& coordinate) {
     const Handle group = hdf5::create_group(file, "ice_sheets");
-    const Scale sheet = index_scale(group.id(), "sheet", "fixed box of ice along the channel", all.size());
+    const Scale sheet = hdf5::write_index_scale(group.id(), "sheet", "fixed box of ice along the channel", all.size());
     std::vector<double> centres;
     std::vector<double> sides;
     for (const IceSheet& one : all) {
@@ -102,17 +90,13 @@ void write_joints(hid_t file, const RecordSubject& subject, int floes, const std
         time[joint] = event.time;
         mode[joint] = static_cast<std::int8_t>(event.mode);
     }
-    hdf5::Flags modes{.values = {}, .meanings = {}, .missing = std::int8_t{-1}};
-    for (std::size_t k = 0; k < failure_mode_names.size(); ++k) {
-        modes.values.push_back(static_cast<std::int8_t>(k));
-        modes.meanings += (k > 0 ? " " : "") + std::string(failure_mode_names[k]);
-    }
     const Handle group = hdf5::create_group(file, "joints");
-    const Scale joint = index_scale(file, "joint", "joint, floe by floe", joints.size());
+    const Scale joint = hdf5::write_index_scale(file, "joint", "joint, floe by floe", joints.size());
     hdf5::write_values(group.id(), {"a", "1", "element that the joint connects with b"}, {joint}, a);
     hdf5::write_values(group.id(), {"b", "1", "element that the joint connects with a"}, {joint}, b);
     hdf5::write_values(group.id(), {"failure_time", "s", "when it failed; NaN: it did not"}, {joint}, time);
-    hdf5::write_values(group.id(), {"failure_mode", "1", "how it failed"}, {joint}, mode, modes);
+    hdf5::write_values(group.id(), {"failure_mode", "1", "how it failed"}, {joint}, mode,
+                       hdf5::flags_of(failure_mode_names, std::int8_t{-1}));
 }
 
 void write_history(hid_t file, const LoadHistory& history, double time_step) {
@@ -149,7 +133,7 @@ class RecordWriter::File {
         file_->close("H5Fclose", path_.string());
         file_.reset();
         sync_data(open_file(aside_, O_RDWR), aside_);
-        std::filesystem::rename(aside_, path_);
+        rename_into_place(aside_, path_);
     }
 
   private:
@@ -157,8 +141,8 @@ class RecordWriter::File {
         Open(hid_t file, const RecordSubject& subject, int floes)
             : scales{words_scale(file, "coordinate", "axis of a vector", {"x", "y", "z"}),
                      words_scale(file, "quaternion", "part of a quaternion", {"w", "x", "y", "z"}),
-                     index_scale(file, "element", "element, floe by floe",
-                                 static_cast<std::size_t>(floes * elements_of_a_floe(subject)))},
+                     hdf5::write_index_scale(file, "element", "element, floe by floe",
+                                             static_cast<std::size_t>(floes * elements_of_a_floe(subject)))},
               series(file, scales) {
             write_root(file, subject);
             hdf5::write_text(file, {"configuration", "1", "the member's case as a campaign, TOML"},

@@ -1,0 +1,10 @@
+#pragma once
+// What says that an HDF5 file is a campaign file. For this room only.
+
+#include "hdf5/kind.hpp"
+
+namespace floes {
+
+inline constexpr hdf5::FileKind campaign_kind{"floes campaign", {1, 7}, "campaign of floes"};
+
+}  // namespace floes

@@ -1,0 +1,25 @@
+#pragma once
+// Attributes of files, groups and datasets. Only for sources of rooms with HDF5 files of their own.
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "hdf5/handle.hpp"
+
+namespace floes::hdf5 {
+
+void write_attribute(hid_t object, const std::string& name, const std::string& value);
+void write_attribute(hid_t object, const std::string& name, double value);
+void write_attribute(hid_t object, const std::string& name, std::uint64_t value);
+void write_attribute(hid_t object, const std::string& name, std::span<const std::int8_t> values);
+void write_attribute(hid_t object, const std::string& name, std::span<const std::int32_t> values);
+
+/// An attribute of any type: `sizes` empty for a single value.
+void write_attribute_of(hid_t object, const std::string& name, std::span<const hsize_t> sizes, hid_t stored,
+                        hid_t native, const void* value);
+
+/// A space of these sizes; of a single value without any.
+Handle simple_space(std::span<const hsize_t> sizes);
+
+}  // namespace floes::hdf5

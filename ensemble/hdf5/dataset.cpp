@@ -1,0 +1,50 @@
+#include "hdf5/dataset.hpp"
+
+#include <hdf5_hl.h>
+
+#include "hdf5/attributes.hpp"
+
+namespace floes::hdf5 {
+namespace {
+
+constexpr unsigned creation_order = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
+
+}  // namespace
+
+Handle creation_properties(hid_t kind) {
+    Handle properties(H5Pcreate(kind), H5Pclose, "H5Pcreate", "creation properties");
+    check(H5Pset_obj_track_times(properties.id(), false), "H5Pset_obj_track_times", "creation properties");
+    check(H5Pset_attr_creation_order(properties.id(), creation_order), "H5Pset_attr_creation_order", "properties");
+    if (kind != H5P_DATASET_CREATE)
+        check(H5Pset_link_creation_order(properties.id(), creation_order), "H5Pset_link_creation_order", "properties");
+    return properties;
+}
+
+Handle compressed_properties(std::span<const hsize_t> chunk, unsigned level, const std::string& name) {
+    Handle properties = creation_properties(H5P_DATASET_CREATE);
+    check(H5Pset_chunk(properties.id(), static_cast<int>(chunk.size()), chunk.data()), "H5Pset_chunk", name);
+    check(H5Pset_shuffle(properties.id()), "H5Pset_shuffle", name);
+    check(H5Pset_deflate(properties.id(), level), "H5Pset_deflate", name);
+    return properties;
+}
+
+Handle create_dataset(hid_t parent, const Label& label, hid_t type, const Handle& space, const Handle& properties) {
+    Handle dataset(H5Dcreate2(parent, label.name.c_str(), type, space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT),
+                   H5Dclose, "H5Dcreate", label.name);
+    write_attribute(dataset.id(), "units", label.unit);
+    write_attribute(dataset.id(), "long_name", label.long_name);
+    return dataset;
+}
+
+std::vector<hsize_t> sizes_of(const Dimensions& dimensions) {
+    std::vector<hsize_t> sizes;
+    for (const Scale& scale : dimensions) sizes.push_back(scale.size());
+    return sizes;
+}
+
+void attach(const Handle& dataset, const Dimensions& dimensions, unsigned first, const std::string& name) {
+    for (unsigned k = 0; k < dimensions.size(); ++k)
+        check(H5DSattach_scale(dataset.id(), dimensions[k].get().id(), first + k), "H5DSattach_scale", name);
+}
+
+}  // namespace floes::hdf5

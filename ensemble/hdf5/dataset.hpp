@@ -1,0 +1,26 @@
+#pragma once
+// How datasets are made, whole ones and growing ones. Only for files inside this room.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "hdf5/label.hpp"
+
+namespace floes::hdf5 {
+
+/// Of a file, group or dataset: order of creation is kept, no times are stored.
+Handle creation_properties(hid_t kind);
+
+/// The same of a dataset whose chunks are compressed at `level`.
+Handle compressed_properties(std::span<const hsize_t> chunk, unsigned level, const std::string& name);
+
+/// With its unit and long name.
+Handle create_dataset(hid_t parent, const Label& label, hid_t type, const Handle& space, const Handle& properties);
+
+std::vector<hsize_t> sizes_of(const Dimensions& dimensions);
+
+/// A scale for each dimension from number `first` on.
+void attach(const Handle& dataset, const Dimensions& dimensions, unsigned first, const std::string& name);
+
+}  // namespace floes::hdf5

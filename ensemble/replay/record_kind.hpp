@@ -1,0 +1,10 @@
+#pragma once
+// What says that an HDF5 file is a record. For this room only.
+
+#include "hdf5/kind.hpp"
+
+namespace floes {
+
+inline constexpr hdf5::FileKind record_kind{"floes replay", {1, 0}, "record of floes replay"};
+
+}  // namespace floes
