@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -93,6 +94,7 @@ void check_place(const std::filesystem::path& path) {
 }
 
 bool run(const ReplayOptions& options, const StopSignals& signals) {
+    check(options.look);
     const bool has_record = is_record(options.file);
     std::vector<std::string> records;
     for (const std::string& output : options.outputs)
@@ -109,8 +111,9 @@ bool run(const ReplayOptions& options, const StopSignals& signals) {
         write_outputs(options.file, options, signals);
         return true;
     }
-    const PassingRecord passing(options.outputs.front());
-    const std::filesystem::path path = records.empty() ? passing.path() : std::filesystem::path(records.front());
+    std::optional<PassingRecord> passing;
+    if (records.empty()) records.push_back(passing.emplace(options.outputs.front()).path());
+    const std::filesystem::path path = records.front();
     check_place(path);
     const bool same = record_member(options, path, signals);
     write_outputs(path, options, signals);

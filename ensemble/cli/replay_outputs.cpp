@@ -23,7 +23,8 @@ Kind kind_named(const std::array<std::string_view, count>& names, const std::str
     return static_cast<Kind>(std::ranges::find(names, name) - names.begin());
 }
 
-PictureStyle style_of(const ReplayLook& look, const Record& record) {
+/// How it looks, without the times.
+PictureStyle style_of(const ReplayLook& look) {
     PictureStyle style;
     style.view = kind_named<View>(view_names, look.view);
     style.colouring = kind_named<Colouring>(colouring_names, look.colours);
@@ -33,6 +34,11 @@ PictureStyle style_of(const ReplayLook& look, const Record& record) {
         throw InputError(fmt::format(
             "--size {} is no size; give width x height in pixels, as 1280x800, from 200x150 to 8000x8000.", look.size));
     style.width += style.width % 2;  // films want even numbers
+    return style;
+}
+
+PictureStyle style_of(const ReplayLook& look, const Record& record) {
+    PictureStyle style = style_of(look);
     style.from = record.time(0);
     style.to = record.time(record.frames() - 1);
     return style;
@@ -72,17 +78,16 @@ void write(const std::filesystem::path& path, const Record& record, const Replay
     switch (kind_of(path)) {
         case ReplayOutput::page:
             return write_replay_page(path, record);
-        case ReplayOutput::vtk:
-            return write_vtk_series(path, record);
         case ReplayOutput::picture:
             return write_picture(path, record, look);
         case ReplayOutput::film: {
-            ProgressLine line(fmt::format("drawing {}", path.string()));
+            ProgressLine line("drawing a film");
             return write_film(path, record, style_of(look, record), look.rate, [&](double done) {
                 go_on();
                 line.show(done);
             });
         }
+        case ReplayOutput::vtk:
         case ReplayOutput::record:
             break;
     }
@@ -104,13 +109,21 @@ ReplayOutput kind_of(const std::filesystem::path& path) {
         path.string()));
 }
 
+void check(const ReplayLook& look) {
+    style_of(look);
+}
+
 void write_replay_output(const std::filesystem::path& path, const Record& record, const ReplayLook& look,
                          const std::function<void()>& go_on) {
+    if (kind_of(path) == ReplayOutput::vtk) return write_vtk_series(path, record);  // a file and a folder of its name
+    std::filesystem::path aside = path;
+    aside.replace_extension(".part" + path.extension().string());  // by which ffmpeg knows what to make
     try {
-        write(path, record, look, go_on);
+        write(aside, record, look, go_on);
+        std::filesystem::rename(aside, path);
     } catch (...) {
         std::error_code ignored;
-        std::filesystem::remove(path, ignored);
+        std::filesystem::remove(aside, ignored);
         throw;
     }
 }

@@ -23,8 +23,11 @@ struct ReplayLook {
     int rate = 25;  ///< frames of films a second
 };
 
-/// Makes the file, with progress on standard error; one that fails leaves nothing. `go_on` is called again and again
-/// where that takes long, and throws to stop it. Not for ReplayOutput::record.
+/// Throws InputError when there is something in it that cannot be drawn.
+void check(const ReplayLook& look);
+
+/// Makes the file, with progress on standard error; one that fails leaves what was there before. `go_on` is called
+/// again and again where that takes long, and throws to stop it. Not for ReplayOutput::record.
 void write_replay_output(const std::filesystem::path& path, const Record& record, const ReplayLook& look,
                          const std::function<void()>& go_on);
 

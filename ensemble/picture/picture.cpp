@@ -23,17 +23,6 @@ double unit_of(const PictureStyle& style) {
     return style.width / 1280.0;
 }
 
-Vec3 surge_sway_heave(const LoadHistory& history, std::size_t k) {
-    return {history.surge[k], history.sway[k], history.heave[k]};
-}
-
-double largest_load(const LoadHistory& history) {
-    double largest = 0;
-    for (std::size_t k = 0; k < history.surge.size(); ++k)
-        largest = std::max(largest, surge_sway_heave(history, k).norm());
-    return largest;
-}
-
 void draw_faces(Canvas& canvas, const std::vector<Face>& faces, const Vec2& size, double unit) {
     DepthBuffer drawn(static_cast<int>(size.x()), static_cast<int>(size.y()), sea);
     for (const Face& face : faces) {
@@ -49,7 +38,7 @@ void draw_faces(Canvas& canvas, const std::vector<Face>& faces, const Vec2& size
 
 /// Forces as lines of Fig. 5: the load in the middle of the structure, normal and friction forces where floes touch.
 void draw_forces(Canvas& canvas, const Stage& stage, const Frame& frame, const Projection& projection, double unit) {
-    const double largest = largest_load(stage.outcome().history);
+    const double largest = stage.largest_load();
     if (!(largest > 0)) return;
     const double metres = 2.2 * stage.subject().scenario.structure.shape.largest_radius() / largest;  // a newton
     const auto draw = [&](const Vec3& from, const Vec3& force, const Colour& colour, double width, bool head) {

@@ -159,20 +159,26 @@ void add_structure(Faces& faces, const Shape& shape, double x, double height, do
     }
 }
 
+double largest_load_of(const LoadHistory& history) {
+    double largest = 0;
+    for (std::size_t k = 0; k < history.surge.size(); ++k)
+        largest = std::max(largest, Vec3(history.surge[k], history.sway[k], history.heave[k]).norm());
+    return largest;
+}
+
 }  // namespace
 
 Stage::Stage(RecordSubject subject, RecordOutcome outcome, int floes)
     : subject_(std::move(subject)),
       outcome_(std::move(outcome)),
+      floes_(floes),
+      largest_load_(largest_load_of(outcome_.history)),
       joints_(joints_of(subject_, floes)),
       sheets_(in_parts(channel_of(subject_).sheets, subject_.scenario.floe.length)) {}
 
 int Stage::broken_floes(double time) const {
-    std::vector<int> floes;
-    for (const BreakEvent& event : outcome_.breaks)
-        if (event.time <= time) floes.push_back(event.floe);
-    std::ranges::sort(floes);
-    return static_cast<int>(std::ranges::unique(floes).begin() - floes.begin());
+    const std::vector<std::uint8_t> broken = floes::broken_floes(outcome_.breaks, floes_, time);
+    return static_cast<int>(std::ranges::count(broken, 1));
 }
 
 std::vector<Face> Stage::faces(const Frame& frame, const Projection& projection, const Vec2& size,
@@ -180,13 +186,12 @@ std::vector<Face> Stage::faces(const Frame& frame, const Projection& projection,
     const Scenario& scenario = subject_.scenario;
     const double clear = scenario.structure.shape.draught();
     const auto each = static_cast<std::size_t>(elements_of_a_floe(subject_));
-    const std::size_t joints_each = joints_of(subject_, 1).size();
+    const std::size_t joints_each = joints_.size() / static_cast<std::size_t>(std::max(floes_, 1));
+    const std::vector<std::uint8_t> broken = floes::broken_floes(outcome_.breaks, floes_, frame.time);
     std::vector<bool> failed(joints_.size(), false);
-    std::vector<bool> broken(frame.elements.size() / each, false);
     for (const BreakEvent& event : outcome_.breaks) {
         if (event.time > frame.time) break;
         failed[static_cast<std::size_t>(event.floe) * joints_each + static_cast<std::size_t>(event.joint)] = true;
-        broken[static_cast<std::size_t>(event.floe)] = true;
     }
     const auto colour = [&](std::size_t k) {
         switch (colouring) {
@@ -199,7 +204,7 @@ std::vector<Face> Stage::faces(const Frame& frame, const Projection& projection,
             case Colouring::ice:
                 break;
         }
-        return broken[k / each] ? broken_ice : white_ice;
+        return broken[k / each] != 0 ? broken_ice : white_ice;
     };
     const double side = scenario.floe.element;
     const Vec3 half = Vec3(side, scenario.ice.thickness, side) / 2;

@@ -34,12 +34,15 @@ class Stage {
                             Colouring colouring) const;
 
     int broken_floes(double time) const;
+    double largest_load() const { return largest_load_; }  ///< of all steps, surge, sway and heave together, N
     const RecordSubject& subject() const { return subject_; }
     const RecordOutcome& outcome() const { return outcome_; }
 
   private:
     RecordSubject subject_;
     RecordOutcome outcome_;
+    int floes_;
+    double largest_load_;
     std::vector<RecordJoint> joints_;
     std::vector<SheetPart> sheets_;
 };

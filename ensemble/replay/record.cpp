@@ -82,6 +82,15 @@ std::vector<RecordJoint> joints_of(const RecordSubject& subject, int floes) {
     return joints;
 }
 
+std::vector<std::uint8_t> broken_floes(const std::vector<BreakEvent>& breaks, int floes, double time) {
+    std::vector<std::uint8_t> broken(static_cast<std::size_t>(floes), 0);
+    for (const BreakEvent& event : breaks) {
+        if (event.time > time) break;
+        broken[static_cast<std::size_t>(event.floe)] = 1;
+    }
+    return broken;
+}
+
 class Record::File {
   public:
     explicit File(const std::filesystem::path& path)

@@ -51,6 +51,9 @@ struct RecordOutcome {
     std::vector<BreakEvent> breaks;  ///< in order of time
 };
 
+/// Of each floe, whether a joint of it has failed by `time`, s: 1 or 0. `breaks`: in order of time.
+std::vector<std::uint8_t> broken_floes(const std::vector<BreakEvent>& breaks, int floes, double time);
+
 /// Writes a record beside its place and renames it when it is finished; a record that is not leaves nothing.
 class RecordWriter {
   public:

@@ -120,12 +120,4 @@ VtkMesh ice_sheets_part(const Channel& channel) {
     return mesh;
 }
 
-std::span<const std::uint8_t> BrokenFloes::at(double time) {
-    while (!breaks_.empty() && breaks_.front().time <= time) {
-        broken_[breaks_.front().floe] = 1;
-        breaks_ = breaks_.subspan(1);
-    }
-    return broken_;
-}
-
 }  // namespace floes

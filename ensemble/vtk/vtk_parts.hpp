@@ -29,17 +29,4 @@ VtkMesh structure_part(const Shape& shape, double axis);
 /// A hexahedron for each sheet of fixed ice.
 VtkMesh ice_sheets_part(const Channel& channel);
 
-/// Follows which floes are broken from frame to frame.
-class BrokenFloes {
-  public:
-    BrokenFloes(const std::vector<BreakEvent>& breaks, int floes) : breaks_(breaks), broken_(floes, 0) {}
-
-    /// Of each floe, whether a joint of it has failed by `time`, s, which never falls from call to call.
-    std::span<const std::uint8_t> at(double time);
-
-  private:
-    std::span<const BreakEvent> breaks_;  // in order of time; those to come
-    std::vector<std::uint8_t> broken_;
-};
-
 }  // namespace floes

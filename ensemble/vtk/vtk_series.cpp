@@ -38,7 +38,8 @@ VtkSeries::VtkSeries(const std::filesystem::path& path, const RecordSubject& sub
     : path_(path),
       folder_(std::filesystem::path(path).replace_extension()),
       subject_(subject),
-      broken_(breaks, floes),
+      floes_(floes),
+      breaks_(breaks),
       state_{.collection = path.filename().string()} {
     if (path.extension() != ".pvd")
         throw InputError(
@@ -53,7 +54,7 @@ VtkSeries::VtkSeries(const std::filesystem::path& path, const RecordSubject& sub
 }
 
 void VtkSeries::add(const Frame& frame) {
-    write("ice", 0, ice_part(frame, subject_.scenario, broken_.at(frame.time)), frame.time);
+    write("ice", 0, ice_part(frame, subject_.scenario, broken_floes(breaks_, floes_, frame.time)), frame.time);
     write("structure", 1, structure_part(subject_.scenario.structure.shape, frame.structure), frame.time);
     write("load", 2, load_part(frame), frame.time);
     write("contacts", 3, contacts_part(frame), frame.time);

@@ -41,7 +41,8 @@ class VtkSeries {
     std::filesystem::path path_;
     std::filesystem::path folder_;
     const RecordSubject& subject_;
-    BrokenFloes broken_;
+    int floes_;
+    const std::vector<BreakEvent>& breaks_;
     std::string sheets_;
     std::string datasets_;  // lines of NAME.pvd
     int frames_ = 0;

@@ -40,6 +40,7 @@ TEST(ReplayVerb, RefusesBeforeItComputes) {
     EXPECT_THAT(refusal([&] { run({"replay", none, "0", "-o", "a.avi"}); }), HasSubstr("What is a.avi to be?"));
     EXPECT_THAT(refusal([&] { run({"replay", none, "0", "-o", "a.h5", "-o", "b.h5"}); }), HasSubstr("give one"));
     EXPECT_THAT(refusal([&] { run({"replay", none, "0", "-o", folder / "a.html"}); }), HasSubstr("there is no file"));
+    EXPECT_THAT(refusal([&] { run({"replay", none, "0", "-o", "a.png", "--size", "12x"}); }), HasSubstr("is no size"));
     std::ofstream(folder / "kept.h5") << "of someone";
     EXPECT_THAT(refusal([&] {
                     run({"replay", none, "0", "-o", folder / "kept.h5"});

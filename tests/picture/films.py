@@ -41,7 +41,7 @@ def main(floes, config):
         run = subprocess.Popen([floes, "replay", campaign, "0", "--every", "0.02", "-o", film, "--size", "1920x1200"],
                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         deadline = time.monotonic() + 60
-        while not film.exists() and time.monotonic() < deadline:
+        while not list(folder.glob("stopped*.mp4")) and time.monotonic() < deadline:
             time.sleep(0.02)
         run.send_signal(signal.SIGINT)
         if run.wait(60) != 85:

@@ -158,10 +158,9 @@ TEST_F(Vtk, TheStructureIsClosedAndFacesOutward) {
 
 TEST_F(Vtk, FloesAreBrokenFromTheStepInWhichAJointFails) {
     const std::vector<BreakEvent> breaks{{.time = 0.5, .floe = 1}, {.time = 0.7, .floe = 0}};
-    BrokenFloes broken(breaks, 2);
-    EXPECT_THAT(broken.at(0.48), ElementsAre(0, 0));
-    EXPECT_THAT(broken.at(0.5), ElementsAre(0, 1));
-    EXPECT_THAT(broken.at(0.9), ElementsAre(1, 1));
+    EXPECT_THAT(broken_floes(breaks, 2, 0.48), ElementsAre(0, 0));
+    EXPECT_THAT(broken_floes(breaks, 2, 0.5), ElementsAre(0, 1));
+    EXPECT_THAT(broken_floes(breaks, 2, 0.9), ElementsAre(1, 1));
 }
 
 TEST_F(Vtk, ASeriesOfARecordHasEveryPartAtEveryTime) {
