@@ -12,7 +12,6 @@
 #include "core/error.hpp"
 
 namespace floes {
-namespace {
 
 std::string read_text(const std::string& path) {
     if (std::filesystem::is_directory(path)) {
@@ -22,8 +21,6 @@ std::string read_text(const std::string& path) {
     if (!file) throw InputError(fmt::format("{}: this file cannot be read ({})", path, std::strerror(errno)));
     return {std::istreambuf_iterator<char>(file), {}};
 }
-
-}  // namespace
 
 Campaign load_campaign(const std::string& path, const std::vector<std::string>& overrides) {
     return read_campaign({read_text(path), path, overrides, true}, read_text);

@@ -7,17 +7,16 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <limits>
 #include <memory>
 #include <span>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "campaign/write.hpp"
 #include "cli/commands.hpp"
+#include "cli/config_file.hpp"
 #include "cli/patience.hpp"
 #include "cli/terminal.hpp"
 #include "cli/write_page.hpp"
@@ -41,14 +40,6 @@ struct MatchOptions {
     std::string page;
     std::string format = "table";
 };
-
-std::vector<Target> load_targets(const std::string& path) {
-    std::ifstream file(path);
-    if (!file) throw InputError(fmt::format("{} cannot be read; give a TOML file with [[target]] tables.", path));
-    std::ostringstream text;
-    text << file.rdbuf();
-    return read_targets(text.str(), path);
-}
 
 void write_next(const MatchOptions& options, const std::vector<MatchWave>& waves, const MatchData& data,
                 const Matching& found) {
@@ -128,7 +119,7 @@ std::string command_of(const MatchOptions& options) {
 void run(const MatchOptions& options) {
     std::vector<MatchWave> waves;
     for (const std::string& file : options.files) waves.push_back(read_wave(file));
-    const std::vector<Target> measured = load_targets(options.targets);
+    const std::vector<Target> measured = read_targets(read_text(options.targets), options.targets);
     const MatchData data = match_data(waves, measured);
     const Patience patience(std::cerr,
                             fmt::format("emulating {} targets at {} points", data.targets.size(), options.samples));

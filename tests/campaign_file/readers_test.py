@@ -14,6 +14,9 @@ import numpy
 import pandas
 import xarray
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from stored import datasets_of, described_on, stored_in  # noqa: E402
+
 GROUPS = ["members", "cases", "arrangements", "exceedance", "averaged", "history", "load_map", "breaks", "provenance"]  # of every file
 CALIBRATION = {"calibration": {"calibration_point": 6}}  # of one with calibrated cases
 ENGINES = ["netcdf4", "h5netcdf"]
@@ -21,12 +24,6 @@ DONE, MISSING, FAILED = 0, -1, 1
 WRITER, PAGE = sys.argv[1:3]
 UPDATE = "--update" in sys.argv
 QUANTITIES = re.compile(r"(?<=<!-- quantities -->\n).*?(?=<!-- end -->)", re.S)
-
-
-def datasets_of(file):
-    found = {}
-    file.visititems(lambda name, item: found.update({name: item}) if isinstance(item, h5py.Dataset) else None)
-    return found
 
 
 class Readers(unittest.TestCase):
@@ -223,22 +220,12 @@ class Readers(unittest.TestCase):
 
     def test_page_and_file_agree(self):
         text = pathlib.Path(PAGE).read_text(encoding="utf-8")
-        rows = re.findall(r"^\| `(/[a-z0-9_/]+)` \| ([^|]+) \| ([^|]*)\|", text, re.M)
-        described = {name: (unit.strip(), dimensions.strip()) for name, unit, dimensions in rows}
-        self.assertEqual(len(described), len(rows), "a dataset is described twice")
         with h5py.File(self.path) as file:
-            stored = {}
-            for name, dataset in datasets_of(file).items():
-                scales = [next(iter(dimension.values())).name for dimension in dataset.dims if len(dimension)]
-                # A scale is its own dimension.
-                names = [pathlib.PurePath(scale).name for scale in scales] or (
-                    [name.split("/")[-1]] if h5py.h5ds.is_scale(dataset.id) else [])
-                self.assertEqual(len(names), dataset.ndim, name)
-                stored["/" + name] = (dataset.attrs["units"], ", ".join(names))
+            stored = stored_in(file)
             for name in [*file.attrs, *file["provenance"].attrs]:
                 self.assertIn(f"`{name}`", text, "an attribute is not described")
             version = ".".join(str(part) for part in file.attrs["version"])
-        self.assertEqual(described, stored)
+        self.assertEqual(described_on(text), stored)
         self.assertIn(f"layout version {version}", text)
 
 

@@ -11,24 +11,14 @@
 #include "arrangement/arrangement.hpp"
 #include "arrangement/order.hpp"
 #include "core/error.hpp"
+#include "support/jam_scenario.hpp"
 
 namespace floes {
 namespace {
 
-/// A small closed channel that the structure fills half: floes jam, bend and break within seconds.
 Scenario jam(double cfm = 0.016) {
-    Scenario scenario;
+    Scenario scenario = jam_scenario();
     scenario.joint.cfm = cfm;
-    scenario.ice.bending_strength = 10e3;
-    scenario.field.floes = 12;
-    scenario.field.begin = 2.0;
-    scenario.field.half_width = 1.25;
-    scenario.arrangement.sweeps = 200;
-    scenario.structure.start = 1.38;
-    scenario.structure.speed = 0.1;
-    scenario.analysis.steady_start = 1.0;
-    scenario.analysis.window = 5.0;
-    scenario.analysis.segments = 5;
     return scenario;
 }
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import h5py
 
-from page_in_browser import looked_at
+from page_in_browser import check, looked_at
 
 CAMPAIGN = """
 [campaign]
@@ -69,15 +69,8 @@ def main(floes):
             if wanted not in page:
                 sys.exit(f"the page says nothing of {wanted}")
         figures = looked_at(folder / "match.html")
-    for wanted in ("each pair of inputs", "left-out points of mean_load", "Inputs before and after"):
-        if not any(wanted in figure["name"] for figure in figures):
-            sys.exit(f"no figure of {wanted}: {[figure['name'] for figure in figures]}")
-    for figure in figures:
-        if figure["width"] < 200 or figure["height"] < 100 or figure["texts"] < 4 or figure["marks"] < 2:
-            sys.exit(f"figure without size, words or content: {figure}")
-        if figure["outside"]:
-            sys.exit(f"words stick out of the figure {figure['name']}: {figure['outside']}")
-    print(f"{len(figures)} figures, all with size and words")
+    check(figures, ("each pair of inputs", "left-out points of mean_load", "Inputs before and after"), 200, 100,
+          labels=False)
 
 
 if __name__ == "__main__":

@@ -56,6 +56,25 @@ def looked_at(page):
     return data["found"]
 
 
+def check(figures, wanted, width, height, labels):
+    """Each of the wanted figures is there; all are at least so large, have content and words, and these stay inside.
+    labels: of the axes, where each figure must have them."""
+    for words in wanted:
+        if not any(words in figure["name"] for figure in figures):
+            sys.exit(f"no figure of {words}: {[figure['name'] for figure in figures]}")
+    for figure in figures:
+        name = figure["name"]
+        if figure["width"] < width or figure["height"] < height:
+            sys.exit(f"figure without size: {figure}")
+        if not name or figure["texts"] < 4 or (labels and (len(figure["labels"]) != 2 or not figure["labels"][0])):
+            sys.exit(f"figure without words: {figure}")
+        if figure["marks"] < 2:
+            sys.exit(f"figure without content: {figure}")
+        if figure["outside"]:
+            sys.exit(f"words stick out of the figure {name}: {figure['outside']}")
+    print(f"{len(figures)} figures, all with size and words")
+
+
 def main(floes, config):
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(folder)
@@ -66,22 +85,10 @@ def main(floes, config):
         subprocess.run([floes, "status", campaign, "--html", folder / "status.html"], check=True)
         looked_at(folder / "status.html")
         figures = looked_at(folder / "report.html")
-    for wanted in ("by angle and height", "by height on", "along the tow", "seen from above", "each joint of a floe"):
-        if not any(wanted in figure["name"] for figure in figures):
-            sys.exit(f"no figure of the load {wanted}: {[figure['name'] for figure in figures]}")
     if len(figures) < 12:
         sys.exit(f"only {len(figures)} figures: {[figure['name'] for figure in figures]}")
-    for figure in figures:
-        name = figure["name"]
-        if figure["width"] < 250 or figure["height"] < 120:
-            sys.exit(f"figure without size: {figure}")
-        if not name or figure["texts"] < 4 or len(figure["labels"]) != 2 or not figure["labels"][0]:
-            sys.exit(f"figure without words: {figure}")
-        if figure["marks"] < 2:
-            sys.exit(f"figure without content: {figure}")
-        if figure["outside"]:
-            sys.exit(f"words stick out of the figure {name}: {figure['outside']}")
-    print(f"{len(figures)} figures, all with size and words")
+    check(figures, ("by angle and height", "by height on", "along the tow", "seen from above", "each joint of a floe"),
+          250, 120, labels=True)
 
 
 if __name__ == "__main__":

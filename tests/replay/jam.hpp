@@ -9,21 +9,12 @@
 #include "campaign/identity.hpp"
 #include "campaign_file/publish.hpp"
 #include "records/member_record.hpp"
+#include "support/jam_scenario.hpp"
 
 namespace floes::jam {
 
 inline Campaign campaign() {
-    Scenario scenario;
-    scenario.ice.bending_strength = 10e3;
-    scenario.field.floes = 12;
-    scenario.field.begin = 2.0;
-    scenario.field.half_width = 1.25;
-    scenario.arrangement.sweeps = 200;
-    scenario.structure.start = 1.38;
-    scenario.structure.speed = 0.1;
-    scenario.analysis.steady_start = 1.0;
-    scenario.analysis.window = 5.0;
-    scenario.analysis.segments = 5;
+    Scenario scenario = jam_scenario();
     Campaign made;
     made.name = "jam";
     made.seed = 7;

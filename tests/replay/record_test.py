@@ -3,7 +3,6 @@
 describes it names every dataset with its unit and dimensions."""
 
 import pathlib
-import re
 import subprocess
 import sys
 import tempfile
@@ -13,13 +12,10 @@ import h5py
 import numpy
 import xarray
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from stored import datasets_of, described_on, stored_in  # noqa: E402
+
 FLOES, CONFIG, PAGE = sys.argv[1:4]
-
-
-def datasets_of(file):
-    found = {}
-    file.visititems(lambda name, item: found.update({name: item}) if isinstance(item, h5py.Dataset) else None)
-    return found
 
 
 class Record(unittest.TestCase):
@@ -79,23 +75,15 @@ class Record(unittest.TestCase):
 
     def test_page_and_file_agree(self):
         text = pathlib.Path(PAGE).read_text(encoding="utf-8")
-        rows = re.findall(r"^\| `(/[a-z0-9_/]+)` \| ([^|]+) \| ([^|]*)\|", text, re.M)
-        described = {name: (unit.strip(), dimensions.strip()) for name, unit, dimensions in rows}
-        self.assertEqual(len(described), len(rows), "a dataset is described twice")
         with h5py.File(self.path) as file:
-            stored = {}
             for name, dataset in datasets_of(file).items():
                 self.assertTrue(dataset.attrs["long_name"] and dataset.attrs["units"], name)
-                scales = [next(iter(dimension.values())).name for dimension in dataset.dims if len(dimension)]
-                names = [pathlib.PurePath(scale).name for scale in scales] or (
-                    [name.split("/")[-1]] if h5py.h5ds.is_scale(dataset.id) else [])
-                self.assertEqual(len(names), dataset.ndim, name)
-                stored["/" + name] = (dataset.attrs["units"], ", ".join(names))
+            stored = stored_in(file)
             for name in [*file.attrs, *file["ice"].attrs]:
                 self.assertIn(f"`{name}`", text, "an attribute is not described")
             version = ".".join(str(part) for part in file.attrs["version"])
         self.maxDiff = None
-        self.assertEqual(described, stored)
+        self.assertEqual(described_on(text), stored)
         self.assertIn(f"layout version {version}", text)
 
 
