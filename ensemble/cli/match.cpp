@@ -24,6 +24,7 @@
 #include "match/match_sections.hpp"
 #include "match/next_wave.hpp"
 #include "match/predict.hpp"
+#include "match/predict_design.hpp"
 #include "page/match_page.hpp"
 
 namespace floes {
@@ -37,6 +38,8 @@ struct MatchOptions {
     int points = 40;
     std::vector<std::string> at;
     std::vector<std::string> predicted;
+    double exposure_h = 0;  ///< 0: no design load is asked for
+    DesignRequest design;
     std::string page;
     std::string format = "table";
 };
@@ -79,8 +82,7 @@ Eigen::VectorXd point_at(const std::vector<std::string>& pairs, const std::vecto
 }
 
 /// Of "QUANTITY" or "CASE:QUANTITY".
-Section predictions(const MatchOptions& options, const std::vector<MatchWave>& waves,
-                    const std::vector<EmulatedTarget>& targets, const Matching& found) {
+Section quantities_over(const OverLeft& left, const MatchOptions& options, const std::vector<MatchWave>& waves) {
     std::vector<Target> wanted;
     for (const std::string& word : options.predicted) {
         const std::size_t colon = word.find(':');
@@ -88,9 +90,27 @@ Section predictions(const MatchOptions& options, const std::vector<MatchWave>& w
         wanted.push_back(to_predict(named ? word.substr(colon + 1) : word, named ? word.substr(0, colon) : ""));
     }
     std::vector<Predicted> predicted;
-    for (const EmulatedTarget& one : emulate(match_data(waves, wanted)))
-        predicted.push_back(predict(found, targets, one));
+    for (const EmulatedTarget& one : emulate(match_data(waves, wanted))) predicted.push_back(predict(left, one));
     return predicted_section(predicted);
+}
+
+Section design_over(const OverLeft& left, const MatchOptions& options, std::vector<MatchWave> waves,
+                    const MatchData& data, const std::vector<EmulatedTarget>& targets) {
+    DesignRequest request = options.design;
+    request.exposure = 3600 * options.exposure_h;
+    for (MatchWave& wave : waves) wave.table = with_peaks(wave.file, std::move(wave.table));
+    return design_section(predict_design(waves, data, targets, left, request), request);
+}
+
+std::vector<Section> predictions(const MatchOptions& options, const std::vector<MatchWave>& waves,
+                                 const MatchData& data, const std::vector<EmulatedTarget>& targets,
+                                 const Matching& found) {
+    std::vector<Section> made;
+    if (options.predicted.empty() && options.exposure_h == 0) return made;
+    const OverLeft left(found, targets);
+    if (!options.predicted.empty()) made.push_back(quantities_over(left, options, waves));
+    if (options.exposure_h > 0) made.push_back(design_over(left, options, waves, data, targets));
+    return made;
 }
 
 /// What is left after each wave; all of them together leave `share`.
@@ -112,8 +132,13 @@ std::vector<MatchTrail> trail_of(const MatchOptions& options, const std::vector<
 }
 
 std::string command_of(const MatchOptions& options) {
-    return fmt::format("floes match {} --targets {} --samples {} -o {}", fmt::join(options.files, " "), options.targets,
-                       options.samples, options.page);
+    std::string command = fmt::format("floes match {} --targets {} --samples {}", fmt::join(options.files, " "),
+                                      options.targets, options.samples);
+    for (const std::string& one : options.predicted) command += " --predict " + one;
+    if (options.exposure_h > 0)
+        command += fmt::format(" --exposure-h {:g} --averaging-s {:g} --quantile {:g} --scale {:g}", options.exposure_h,
+                               options.design.averaging, options.design.quantiles.front(), options.design.scale);
+    return command + " -o " + options.page;
 }
 
 void run(const MatchOptions& options) {
@@ -127,12 +152,13 @@ void run(const MatchOptions& options) {
     const Matching found = match(data, targets, options.samples, waves.front().campaign.seed);
     std::vector<Section> sections = match_sections(data, targets, found);
     if (!options.at.empty()) sections.push_back(point_section(data, targets, point_at(options.at, data.axes)));
-    if (!options.predicted.empty()) sections.push_back(predictions(options, waves, targets, found));
+    const std::vector<Section> predicted = predictions(options, waves, data, targets, found);
+    sections.insert(sections.end(), predicted.begin(), predicted.end());
     std::fputs(written(sections, options.format).c_str(), stdout);
     if (!options.next.empty()) write_next(options, waves, data, found);
     if (options.page.empty()) return;
     write_page(options.page, match_page({data, targets, found, trail_of(options, waves, measured, found.share()),
-                                         command_of(options)}));
+                                         predicted, command_of(options)}));
     std::fprintf(stderr, "floes: %s has the page\n", options.page.c_str());
 }
 
@@ -161,6 +187,25 @@ void add_match(CLI::App& program, int& exit_status) {
                      "be repeated")
         ->type_size(1)
         ->allow_extra_args(false);
+    CLI::Option* exposure =
+        verb->add_option("--exposure-h", options->exposure_h,
+                         "Predict the design load: the largest averaged load in this exposure, h at full scale")
+            ->check(CLI::Range(1e-3, 1e6));
+    verb->add_option("--averaging-s", options->design.averaging,
+                     "Time that the design load is averaged over, s at full scale")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str()
+        ->needs(exposure);
+    verb->add_option("--quantile", options->design.quantiles.front(),
+                     "Probability that the design load is not exceeded in the exposure")
+        ->check(CLI::Range(0.001, 0.99999))
+        ->capture_default_str()
+        ->needs(exposure);
+    verb->add_option("--scale", options->design.scale,
+                     "Length at full scale over length in the campaign, for the design load (Froude)")
+        ->check(CLI::Range(1.0, 1000.0))
+        ->capture_default_str()
+        ->needs(exposure);
     verb->add_option("-o,--output", options->page, "Write a page with figures to this HTML file");
     add_format(*verb, options->format);
     verb->footer(
@@ -168,7 +213,7 @@ void add_match(CLI::App& program, int& exit_status) {
         "standard deviations from its prediction there, counting the scatter of single runs, the measurement's\n"
         "uncertainty and the discrepancy that the model is allowed.\n\n"
         "  floes run wave1.toml && floes match wave1.h5 --targets tank.toml --next wave2.toml\n"
-        "  floes run wave2.toml && floes match wave1.h5 wave2.h5 --targets tank.toml");
+        "  floes run wave2.toml && floes match wave1.h5 wave2.h5 --targets tank.toml --exposure-h 3");
     verb->callback([options, &exit_status] {
         run(*options);
         exit_status = 0;

@@ -20,19 +20,6 @@ bool has_peaks(const CampaignTable& table) {
     });
 }
 
-/// The campaign's own averaging time that the request means.
-double averaging_time(const CampaignTable& table, const DesignRequest& request) {
-    for (const double time : table.averaging_times)
-        if (std::abs(time - request.model_averaging()) < 0.005 * time) return time;
-    std::vector<std::string> there;
-    for (const double time : table.averaging_times)
-        there.push_back(fmt::format("{:.3g}", time * std::sqrt(request.scale)));
-    throw InputError(
-        fmt::format("The members did not average the load over {:g} s{}; take one of {} s, or run them with "
-                    "another analysis.averaging_s.",
-                    request.averaging, request.scale == 1 ? "" : " at full scale", fmt::join(there, ", ")));
-}
-
 }  // namespace
 
 double DesignRequest::model_exposure() const {
@@ -59,6 +46,18 @@ CampaignTable with_peaks(const std::filesystem::path& path, CampaignTable table)
                         "them, and no histories of every step to take them from. Run the campaign again.",
                         path.string()));
     return table;
+}
+
+double averaging_time(const CampaignTable& table, const DesignRequest& request) {
+    for (const double time : table.averaging_times)
+        if (std::abs(time - request.model_averaging()) < 0.005 * time) return time;
+    std::vector<std::string> there;
+    for (const double time : table.averaging_times)
+        there.push_back(fmt::format("{:.3g}", time * std::sqrt(request.scale)));
+    throw InputError(
+        fmt::format("The members did not average the load over {:g} s{}; take one of {} s, or run them with "
+                    "another analysis.averaging_s.",
+                    request.averaging, request.scale == 1 ? "" : " at full scale", fmt::join(there, ", ")));
 }
 
 std::vector<CaseDesign> find_design(const CampaignTable& table, const DesignRequest& request) {

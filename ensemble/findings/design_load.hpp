@@ -40,6 +40,10 @@ inline constexpr double threshold_shares[]{0.5, 0.35, 0.25, 0.15, 0.1};
 /// taken from the histories. Throws InputError if there are none.
 CampaignTable with_peaks(const std::filesystem::path& path, CampaignTable table);
 
+/// The campaign's own averaging time that the request means, s at the campaign's scale. Throws InputError if there is
+/// none.
+double averaging_time(const CampaignTable& table, const DesignRequest& request);
+
 /// One for each case. Throws InputError if the members did not average over that time.
 std::vector<CaseDesign> find_design(const CampaignTable& table, const DesignRequest& request);
 

@@ -83,8 +83,9 @@ std::string match_page(const MatchPageData& told) {
                "Each input's range, and from where to where it is not ruled out. A narrow region "
                "can lie aslant, so that no input alone is narrow: see the pairs below.");
     std::string body = "<h1>What the measured loads leave possible</h1>\n" + as_on_paper(sections.at(0), ruled_out) +
-                       as_on_paper(sections.at(1), inputs) + pairs(told) + as_on_paper(sections.at(2), "") +
-                       checks(told.targets);
+                       as_on_paper(sections.at(1), inputs) + pairs(told) + as_on_paper(sections.at(2), "");
+    for (const Section& one : told.predictions) body += as_on_paper(one, "");
+    body += checks(told.targets);
     if (told.trail.size() > 1) body += trail(told.trail);
     body += section("How it was computed", fmt::format("<pre>{}</pre>\n", html_escaped(told.command)));
     return html_page("What the measured loads leave possible", "", body);

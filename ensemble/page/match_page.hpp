@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "match/matching.hpp"
+#include "tables/section.hpp"
 
 namespace floes {
 
@@ -20,8 +21,9 @@ struct MatchPageData {
     MatchData data;
     std::vector<EmulatedTarget> targets;
     Matching found;
-    std::vector<MatchTrail> trail;  ///< one a wave
-    std::string command;            ///< that makes the page
+    std::vector<MatchTrail> trail;     ///< one a wave
+    std::vector<Section> predictions;  ///< what follows from what is left
+    std::string command;               ///< that makes the page
 };
 
 /// No scripts, no external resources, for light and dark screens and for print.

@@ -205,7 +205,7 @@ TEST(Predicted, HoldsTheTruthOfAQuantityThatWasNotMeasured) {
         const Matching found = match(tank.data(), targets, 2048, 1);
         Tank same(7);
         same.add([](double x, double y) { return 50 + 10 * x - 10 * y; }, "sd_load", NAN);
-        const Predicted third = predict(found, targets, emulate(same.data()).front());
+        const Predicted third = predict(OverLeft(found, targets), emulate(same.data()).front());
         for (const PredictedRange& range : {third.mean, third.weighted, third.run}) {
             EXPECT_LT(range.low, 55);
             EXPECT_GT(range.high, 55);
@@ -226,7 +226,7 @@ TEST(Predicted, NeedsSomethingLeftAndAKnownQuantity) {
     tank.add(load, "mean_load", 1000);
     const std::vector<EmulatedTarget> targets = emulate(tank.data());
     const Matching found = match(tank.data(), targets, 128, 1);
-    EXPECT_THAT(refusal([&] { predict(found, targets, targets[0]); }), HasSubstr("nothing is left"));
+    EXPECT_THAT(refusal([&] { OverLeft(found, targets); }), HasSubstr("nothing is left"));
     EXPECT_THAT(refusal([] { to_predict("largest_load", ""); }), HasSubstr("is no quantity of a member"));
     EXPECT_TRUE(to_predict("mean_maximum_1s", "E60").held_out);
 }

@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/units.hpp"
+#include "match/predict_design.hpp"
+#include "tables/number_text.hpp"
+
+namespace floes {
+namespace {
+
+constexpr double seconds_an_hour = 3600;
+
+}  // namespace
+
+Section design_section(const std::vector<PredictedDesign>& designs, const DesignRequest& request) {
+    double largest = 0;
+    for (const PredictedDesign& one : designs) largest = std::max(largest, one.quantile.high);
+    const double newton = largest < 1e4 ? 1 : largest < 1e7 ? 1e-3 : 1e-6;
+    const char* unit = largest < 1e4 ? "N" : largest < 1e7 ? "kN" : "MN";
+    const std::string exceeded = fmt::format("exceeded with {:.3g} %", (1 - request.quantiles.front()) / unit::percent);
+    Section section{.before = fmt::format("Design load over what is not ruled out: the largest load averaged over {:g} "
+                                          "s in {:g} h\n\n",
+                                          request.averaging, request.exposure / seconds_an_hour)};
+    section.table = {{"case", fmt::format("expected, {}", unit), "weighed", fmt::format("{}, {}", exceeded, unit),
+                      "weighed", "growth", "lower half", "upper half", "runs"}};
+    bool all_points = false;
+    for (const PredictedDesign& one : designs) {
+        const auto cell = [&](const PredictedRange& range) {
+            return Cell{fmt::format("{:.4g}", newton * range.mean),
+                        fmt::format("[{:.4g}, {:.4g}]", newton * range.low, newton * range.high)};
+        };
+        section.table.push_back({one.case_name.empty() ? "all" : one.case_name, cell(one.expected),
+                                 cell(one.expected_weighed), cell(one.quantile), cell(one.quantile_weighed),
+                                 Cell{fixed(one.growth_quantile.value, 2),
+                                      bracket(one.growth_quantile.interval.low, one.growth_quantile.interval.high, 2)},
+                                 fixed(one.growth_lower_half, 2), fixed(one.growth_upper_half, 2),
+                                 fmt::format("{}{}", one.runs, one.only_left ? "" : " *")});
+        all_points = all_points || !one.only_left;
+    }
+    section.after = fmt::format(
+        "\nIn brackets 95 %, of the inputs, the emulator and the tail together; weighed: by the likelihood of the "
+        "targets.\n"
+        "The emulated mean of the segment maxima times a growth: that to the load {}, from both tails of all runs\n"
+        "at inputs that are left, each divided by its mean maximum. The halves have the runs with the smaller and the\n"
+        "larger mean maxima; where they differ by more than the interval, the growth depends on the inputs.\n{}",
+        exceeded,
+        all_points ? fmt::format("* Fewer than {} runs are at inputs that are left, so the runs at all points count.\n",
+                                 fewest_growth_runs)
+                   : "");
+    const auto of = [](auto outer, auto inner) {
+        return [outer, inner](const PredictedDesign& one) { return static_cast<double>((one.*outer).*inner); };
+    };
+    const auto limit = [](DesignFigure PredictedDesign::*figure, double Limits::*side) {
+        return [figure, side](const PredictedDesign& one) { return (one.*figure).interval.*side; };
+    };
+    section.records = {make_records<PredictedDesign>(
+        "match/design_load", designs,
+        {{"case", &PredictedDesign::case_name},
+         {"exposure_s", [&](const PredictedDesign&) { return request.exposure; }},
+         {"averaging_s", [&](const PredictedDesign&) { return request.averaging; }},
+         {"scale", [&](const PredictedDesign&) { return request.scale; }},
+         {"quantile", [&](const PredictedDesign&) { return request.quantiles.front(); }},
+         {"expected_N", of(&PredictedDesign::expected, &PredictedRange::mean)},
+         {"expected_low_N", of(&PredictedDesign::expected, &PredictedRange::low)},
+         {"expected_high_N", of(&PredictedDesign::expected, &PredictedRange::high)},
+         {"expected_weighted_N", of(&PredictedDesign::expected_weighed, &PredictedRange::mean)},
+         {"expected_weighted_low_N", of(&PredictedDesign::expected_weighed, &PredictedRange::low)},
+         {"expected_weighted_high_N", of(&PredictedDesign::expected_weighed, &PredictedRange::high)},
+         {"quantile_N", of(&PredictedDesign::quantile, &PredictedRange::mean)},
+         {"quantile_low_N", of(&PredictedDesign::quantile, &PredictedRange::low)},
+         {"quantile_high_N", of(&PredictedDesign::quantile, &PredictedRange::high)},
+         {"quantile_weighted_N", of(&PredictedDesign::quantile_weighed, &PredictedRange::mean)},
+         {"quantile_weighted_low_N", of(&PredictedDesign::quantile_weighed, &PredictedRange::low)},
+         {"quantile_weighted_high_N", of(&PredictedDesign::quantile_weighed, &PredictedRange::high)},
+         {"growth_expected", of(&PredictedDesign::growth_expected, &DesignFigure::value)},
+         {"growth_quantile", of(&PredictedDesign::growth_quantile, &DesignFigure::value)},
+         {"growth_quantile_low", limit(&PredictedDesign::growth_quantile, &Limits::low)},
+         {"growth_quantile_high", limit(&PredictedDesign::growth_quantile, &Limits::high)},
+         {"growth_lower_half", &PredictedDesign::growth_lower_half},
+         {"growth_upper_half", &PredictedDesign::growth_upper_half},
+         {"runs", [](const PredictedDesign& one) { return static_cast<std::int64_t>(one.runs); }},
+         {"only_left", &PredictedDesign::only_left}})};
+    return section;
+}
+
+}  // namespace floes

@@ -1,0 +1,146 @@
+#include "match/predict_design.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "match/predict.hpp"
+
+namespace floes {
+namespace {
+
+/// A run whose load is divided by the emulated mean maximum at its point.
+struct DividedRun {
+    double mean_maximum;  ///< N
+    bool left;            ///< whether its point is not ruled out
+    double mean;          ///< load
+    PeakRow row;
+};
+
+/// The rows, and the mean of their loads.
+struct DividedRows {
+    std::vector<PeakRow> rows;
+    double mean = 0;
+};
+
+DividedRows rows_of(std::span<const DividedRun> runs) {
+    DividedRows made;
+    for (const DividedRun& run : runs) {
+        made.rows.push_back(run.row);
+        made.mean += run.mean / static_cast<double>(runs.size());
+    }
+    return made;
+}
+
+bool is_left(const Eigen::VectorXd& x, const std::vector<EmulatedTarget>& targets) {
+    return std::ranges::none_of(targets, [&](const EmulatedTarget& target) {
+        return target.unused().empty() && target.implausibility(x) > ruled_out_above;
+    });
+}
+
+/// How the rows of a case were measured, and its runs.
+struct CaseRuns {
+    Measured measured;
+    std::vector<DividedRun> runs;
+};
+
+CaseRuns runs_of(std::span<const MatchWave> waves, const MatchData& data, const std::vector<EmulatedTarget>& targets,
+                 const std::string& case_name, const EmulatedTarget& mean_maximum, const DesignRequest& request) {
+    CaseRuns made;
+    for (const MatchPoint& point : data.points) {
+        const MatchWave& wave = waves[static_cast<std::size_t>(point.wave)];
+        const double time = averaging_time(wave.table, request);
+        const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(
+            point.coordinates.data(), static_cast<Eigen::Index>(point.coordinates.size()));
+        const double index = mean_maximum.mean().at(x).mean;
+        const bool left = is_left(x, targets);
+        for (const MemberRow& row : wave.table.members) {
+            const auto number = static_cast<std::size_t>(row.case_index);
+            const Case& about = wave.campaign.cases[number];
+            const AveragedLoad* averaged = row.averaged_over(time);
+            if (about.point != point.number || about.base != case_name || averaged == nullptr) continue;
+            DividedRun run{index, left, row.load.mean / index, {averaged->peaks, averaged->segment_maximum}};
+            for (double& peak : run.row.peaks) peak /= index;
+            for (double& maximum : run.row.segment_maxima) maximum /= index;
+            made.runs.push_back(std::move(run));
+            const Analysis& analysis = wave.table.cases[number].analysis;
+            made.measured = {analysis.window, analysis.window / analysis.segments, analysis.peak_separation, 0};
+        }
+    }
+    return made;
+}
+
+/// Growth of the quantile, of runs in order of their mean maxima.
+double growth_of(std::span<const DividedRun> runs, Measured measured, const Exposure& exposure) {
+    const DividedRows divided = rows_of(runs);
+    measured.mean = divided.mean;
+    return over_thresholds(divided.rows, measured, exposure, {exposure.share}).front().front();
+}
+
+/// The growth, with its own uncertainty, times the mean maximum at each point.
+AtPoints grown(const AtPoints& mean_maximum, const DesignFigure& growth, double factor) {
+    constexpr double half_width = 1.96;
+    const double sd = (growth.interval.high - growth.interval.low) / (2 * half_width);
+    AtPoints made;
+    for (std::size_t k = 0; k < mean_maximum.mean.size(); ++k) {
+        const double mean = mean_maximum.mean[k];
+        const double variance = growth.value * growth.value * mean_maximum.variance[k] + mean * mean * sd * sd;
+        made.mean.push_back(factor * growth.value * mean);
+        made.variance.push_back(factor * factor * variance);
+    }
+    return made;
+}
+
+PredictedDesign of_case(CaseRuns all, const AtPoints& mean_maximum, const OverLeft& left, const std::string& case_name,
+                        const DesignRequest& request) {
+    PredictedDesign made;
+    made.case_name = case_name;
+    const auto at_left = static_cast<std::size_t>(std::ranges::count(all.runs, true, &DividedRun::left));
+    made.only_left = at_left >= fewest_growth_runs;
+    if (made.only_left) std::erase_if(all.runs, [](const DividedRun& run) { return !run.left; });
+    std::ranges::stable_sort(all.runs, {}, &DividedRun::mean_maximum);
+    made.runs = all.runs.size();
+    const DividedRows divided = rows_of(all.runs);
+    all.measured.mean = divided.mean;
+    const Exposure exposure{request.model_exposure(), {request.quantiles.front()}, request.share};
+    const DesignLoad load = design_load(divided.rows, all.measured, exposure);
+    if (!load.valid())
+        throw InputError(fmt::format("{}{}too few peaks ({} of {}) for a design load; run more points or arrangements.",
+                                     case_name, case_name.empty() ? "" : ": ", load.peaks, fewest_peaks));
+    made.growth_expected = load.estimates.front().expected;
+    made.growth_quantile = load.estimates.front().quantiles.front();
+    const std::span<const DividedRun> runs = all.runs;
+    made.growth_lower_half = growth_of(runs.first(runs.size() / 2), all.measured, exposure);
+    made.growth_upper_half = growth_of(runs.subspan(runs.size() / 2), all.measured, exposure);
+    const AtPoints expected = grown(mean_maximum, made.growth_expected, request.force_factor());
+    const AtPoints quantile = grown(mean_maximum, made.growth_quantile, request.force_factor());
+    made.expected = left.even(expected);
+    made.expected_weighed = left.weighed(expected);
+    made.quantile = left.even(quantile);
+    made.quantile_weighed = left.weighed(quantile);
+    return made;
+}
+
+}  // namespace
+
+std::vector<PredictedDesign> predict_design(std::span<const MatchWave> waves, const MatchData& data,
+                                            const std::vector<EmulatedTarget>& targets, const OverLeft& left,
+                                            const DesignRequest& request) {
+    const double time = averaging_time(waves.front().table, request);
+    std::vector<Target> indices;
+    for (const std::string& name : match_cases(waves))
+        indices.push_back(to_predict(fmt::format("mean_maximum_{:g}s", time), name));
+    std::vector<PredictedDesign> designs;
+    for (const EmulatedTarget& index : emulate(match_data(waves, indices))) {
+        if (!index.emulated()) continue;
+        const std::string& name = index.target().case_name;
+        const AtPoints mean_maximum = left.emulated(index);
+        designs.push_back(
+            of_case(runs_of(waves, data, targets, name, index, request), mean_maximum, left, name, request));
+    }
+    return designs;
+}
+
+}  // namespace floes
