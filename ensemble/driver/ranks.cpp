@@ -19,7 +19,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int self = 0;
-constexpr std::chrono::seconds longest_silence{120};
 
 // A process by descriptor, because its number may be reused before it is needed. (The wrappers of glibc 2.36 have no
 // C++ linkage.)
@@ -48,18 +47,20 @@ int Muster::cores() const {
     return sum;
 }
 
-Muster muster(Link& link, const Campaign& campaign, const Hello& own) {
+Muster muster(Link& link, const Campaign& campaign, const Hello& own, const Patience& patience) {
     Muster result{std::vector<Hello>(static_cast<std::size_t>(link.size())), false};
     result.hellos[0] = own;
     const Bytes text = link.size() > 1 ? encode_text(write_campaign(campaign)) : Bytes{};
     for (int rank = 1; rank < link.size(); ++rank) link.send(rank, Tag::campaign, text);
     Pause pause = pause_between_polls(link.size());
+    // Ranks begin at different speeds, so they have twice the time that is allowed to them later.
+    const std::chrono::duration<double> longest_silence{2 * patience.with_a_worker};
     auto last_word = Clock::now();
     for (int present = 1; present < link.size();) {
         const auto message = link.poll();
         if (!message) {
             if (Clock::now() - last_word > longest_silence) {
-                throw RunError(fmt::format("Only {} of {} ranks have answered after {} s of silence.", present,
+                throw RunError(fmt::format("Only {} of {} ranks have answered after {:g} s of silence.", present,
                                            link.size(), longest_silence.count()));
             }
             std::this_thread::sleep_for(pause.next());

@@ -22,8 +22,9 @@ struct Muster {
 };
 
 /// Sends the campaign to every other rank and waits until each has said hello. `own`: the master's own hello. Throws
-/// RunError if a rank read a different campaign, reports trouble, or does not answer.
-Muster muster(Link& link, const Campaign& campaign, const Hello& own);
+/// RunError if a rank read a different campaign, reports trouble, or if those that have not answered are silent for
+/// twice the patience with a worker.
+Muster muster(Link& link, const Campaign& campaign, const Hello& own, const Patience& patience);
 
 class RankWatch {
   public:

@@ -95,7 +95,7 @@ int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link
     const StopSignals signals;
     Recorder recorder(campaign, options.places);
     const Hello own{threads_of(link, options.threads), host_name(), fingerprint(campaign), ::getpid()};
-    const Muster mustered = muster(link, campaign, own);
+    const Muster mustered = muster(link, campaign, own, options.patience);
     progress.say(opening(campaign, options, link.size(), mustered.cores()));
     if (options.places.part.of > 1) progress.say(part_text(options.places.part, recorder.tally().found()));
     if (const std::string remark = binding_remark(link.topology()); !remark.empty()) progress.say(remark);

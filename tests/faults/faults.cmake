@@ -11,3 +11,9 @@ endforeach()
 add_test(NAME faults.kills COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/faults/matrix.py $<TARGET_FILE:faulty>
                                    ${MPIEXEC_EXECUTABLE} kills 240)
 set_tests_properties(faults.kills PROPERTIES LABELS "slow;mpi" TIMEOUT 1800 PROCESSORS 2)
+add_test(NAME faults.soak COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/faults/soak.py $<TARGET_FILE:faulty>
+                                  ${MPIEXEC_EXECUTABLE} 1000)
+set_tests_properties(faults.soak PROPERTIES LABELS "slow;mpi;soak" TIMEOUT 6000 PROCESSORS 2)
+add_test(NAME faults.week COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/faults/week.py $<TARGET_FILE:faulty>
+                                  $<TARGET_FILE:floes> ${MPIEXEC_EXECUTABLE} 100002 8)
+set_tests_properties(faults.week PROPERTIES LABELS "slow;mpi;soak" TIMEOUT 6000 PROCESSORS 2)

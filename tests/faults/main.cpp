@@ -1,9 +1,11 @@
 // A floes run with fake members that break in a chosen way, for tests/faults/matrix.py.
 //
 //     faulty FOLDER NAME.h5 ISOLATION THREADS [WAY MEMBER]
+//     faulty FOLDER NAME.h5 ISOLATION THREADS members COUNT
 //
 // FOLDER gets the process numbers of every rank and its helper. With a WAY, the MEMBER breaks in this way on its first
-// attempt, with the prefix "always_" on every attempt. Resumes an existing campaign.
+// attempt, with the prefix "always_" on every attempt. "members": COUNT members, a multiple of three, that take no time
+// and may be lost a hundred times. Resumes an existing campaign.
 
 #include <unistd.h>
 
@@ -56,9 +58,9 @@ void break_down(const std::string& way, MemberResult& result) {
     if (way.ends_with("throw")) throw std::runtime_error("the ice melted");
 }
 
-MemberFunction computing(const Fault& fault) {
-    return [fault](const Campaign& campaign, int number, const std::stop_token&) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(10 + 7 * (number % 5)));
+MemberFunction computing(const Fault& fault, bool at_once) {
+    return [=](const Campaign& campaign, int number, const std::stop_token&) {
+        if (!at_once) std::this_thread::sleep_for(std::chrono::milliseconds(10 + 7 * (number % 5)));
         MemberResult result = synthetic::record(campaign, number).result;
         if (number == fault.member && fault.due()) break_down(fault.way, result);
         return result;
@@ -72,18 +74,22 @@ int main(int argc, char** argv) {
     const std::filesystem::path folder = words.at(0);
     const int threads = std::stoi(words.at(3));
     Fault fault{folder / "broke", "", -1};
-    if (words.size() > 5) fault = {folder / "broke", words[4], std::stoi(words[5])};
-    const MemberFunction compute = computing(fault);
-    const Patience patience{.sign_of_life = 0.1, .with_a_worker = 1, .with_the_master = 2};
+    const bool many = words.size() > 5 && words[4] == "members";
+    const int count = many ? std::stoi(words[5]) : 30;
+    if (words.size() > 5 && !many) fault = {folder / "broke", words[4], std::stoi(words[5])};
+    const MemberFunction compute = computing(fault, many);
+    const Patience patience = many ? Patience{.sign_of_life = 1, .with_a_worker = 20, .with_the_master = 40}
+                                   : Patience{.sign_of_life = 0.1, .with_a_worker = 1, .with_the_master = 2};
     Helper helper(compute);
     const std::unique_ptr<Link> link = open_link();
     std::ofstream(folder / ("rank" + std::to_string(link->rank()))) << ::getpid() << " " << helper.pid() << "\n";
     if (link->rank() != 0) return serve_campaign(*link, threads, compute, &helper, patience);
     return lead_ranks(*link, std::cerr, [&] {
-        Campaign campaign = synthetic::campaign(10);
+        Campaign campaign = synthetic::campaign(count / 3);
         campaign.run = {.isolation = words.at(2) == "process" ? Isolation::process : Isolation::none,
                         .member_deadline = 1,
                         .member_memory = 64.0 * 1024 * 1024};
+        if (many) campaign.run.attempts = 100;
         const RunOptions options{.places = {.campaign_file = folder / words.at(1), .existing = Existing::resume},
                                  .threads = threads,
                                  .resume_command = "the same",

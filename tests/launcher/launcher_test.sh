@@ -241,6 +241,8 @@ check_has "slow tests need their packages too" "missing: epsilon" "$err"
 echo epsilon >>"$stage/installed"
 launch test --slow -R wire
 check "test --slow" "ctest in $home: --preset ci -j2 -R wire" "$out"
+launch test -L soak
+check "test -L" "ctest in $home: --preset ci -j2 -L soak" "$out"
 
 ((failures == 0)) && echo "launcher: all checks passed"
 exit $((failures > 0))

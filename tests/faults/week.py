@@ -1,0 +1,120 @@
+#!/usr/bin/python3
+"""A week in an hour: a campaign of many members over several ranks that are killed again and again. What the master needs
+and how long a status takes must not grow with the members that are done, and nothing may be lost.
+
+    week.py FAULTY FLOES MPIEXEC [MEMBERS [RANKS [SECONDS_BETWEEN_KILLS]]]
+"""
+import os
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+FAULTY, FLOES, MPIEXEC = sys.argv[1:4]
+sys.argv[1:] = [FAULTY, MPIEXEC, *sys.argv[4:]]
+from faulty_runs import ENV, MPIRUN, at_work, strike  # noqa: E402: it reads the command line
+
+MEMBERS, RANKS, BETWEEN = [int(word) for word in sys.argv[3:]] + [100002, 8, 8][len(sys.argv) - 3:]
+MIB = 2**20
+
+
+def begin(folder):
+    for name in os.listdir(folder):
+        if name.startswith("rank"):
+            os.remove(os.path.join(folder, name))
+    with open(os.path.join(folder, "log"), "ab") as log:
+        return subprocess.Popen([*MPIRUN, "-n", str(RANKS), FAULTY, folder, "a.h5", "none", "1", "members", str(MEMBERS)],
+                                env=ENV, stdout=log, stderr=log, start_new_session=True)
+
+
+def memory_of_the_master(folder):
+    """Resident bytes of rank 0 that no file backs; None while there is no rank 0."""
+    try:
+        with open(os.path.join(folder, "rank0")) as file:
+            pid = int(file.read().split()[0])
+        with open(f"/proc/{pid}/status") as file:
+            lines = dict(line.split(":", 1) for line in file)
+        return 1024 * int(lines["RssAnon"].split()[0])
+    except (OSError, IndexError, ValueError, KeyError):
+        return None
+
+
+def status(folder):
+    begun = time.monotonic()
+    told = subprocess.run([FLOES, "status", os.path.join(folder, "a.h5")], stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True)
+    return time.monotonic() - begun, told.stdout
+
+
+def size(folder, name):
+    path = os.path.join(folder, name)
+    return os.path.getsize(path) if os.path.exists(path) else 0
+
+
+def gone(run, folder):
+    try:
+        run.wait(100)
+    except subprocess.TimeoutExpired:
+        os.killpg(run.pid, signal.SIGKILL)
+        run.wait()
+        raise AssertionError("the run hangs")
+    while at_work(folder):
+        time.sleep(0.02)
+
+
+def main():
+    random.seed(1)
+    top = tempfile.mkdtemp(prefix="floes-week-", dir=os.environ.get("TMPDIR", "/tmp"))
+    try:
+        folder, whole = os.path.join(top, "killed"), os.path.join(top, "whole")
+        os.mkdir(folder)
+        os.mkdir(whole)
+        begun, kills, sessions, statuses, memories = time.monotonic(), 0, 0, [], []
+        while True:
+            run = begin(folder)
+            sessions += 1
+            last = time.monotonic() + random.uniform(0.3, 1.7) * BETWEEN
+            while run.poll() is None:
+                time.sleep(0.5)
+                if (memory := memory_of_the_master(folder)) is not None:
+                    memories.append((size(folder, "a.journal"), memory))
+                if os.path.exists(os.path.join(folder, "a.journal")) and random.random() < 0.3:
+                    statuses.append(status(folder)[0])
+                if time.monotonic() > last:
+                    kills += 1
+                    victims = [run.pid, *at_work(folder)]
+                    strike(random.choice(victims), signal.SIGKILL)
+                    break
+            gone(run, folder)
+            if run.returncode == 0 and time.monotonic() <= last:
+                break
+        took = time.monotonic() - begun
+        seconds, told = status(folder)
+        statuses.append(seconds)
+        assert f"{MEMBERS} of {MEMBERS}" in told, "not all members are done: " + told
+        alone = begin(whole)
+        gone(alone, whole)
+        assert alone.returncode == 0, "the undisturbed run fails"
+        differs = subprocess.run(["h5diff", "--exclude-path", "/provenance", os.path.join(whole, "a.h5"),
+                                  os.path.join(folder, "a.h5")], stdout=subprocess.PIPE, text=True)
+        assert differs.returncode == 0, "the file differs: " + differs.stdout[:2000]
+        print(f"{MEMBERS} members, {RANKS} ranks, {kills} kills, {sessions} sessions, {took:.0f} s: the file of an "
+              "undisturbed run")
+        for part in range(4):
+            own = [memory for written, memory in memories if part * memories[-1][0] <= 4 * written
+                   < (part + 1) * memories[-1][0] + (part == 3)]
+            if own:
+                print(f"journal at {25 * part} to {25 * part + 25} %: master {max(own) / MIB:.0f} MiB at most, "
+                      f"median {sorted(own)[len(own) // 2] / MIB:.0f}")
+        print(f"journal {size(folder, 'a.journal') / MEMBERS / 1024:.2f} kB a member, file "
+              f"{size(folder, 'a.h5') / MEMBERS / 1024:.2f} kB")
+        print(f"status: {len(statuses)} times, {sorted(statuses)[len(statuses) // 2]:.2f} s, at most {max(statuses):.2f} s")
+    finally:
+        shutil.rmtree(top, ignore_errors=True)
+    return 0
+
+
+sys.exit(main())
