@@ -14,12 +14,6 @@ namespace {
 
 constexpr double seconds_an_hour = 3600;
 
-/// The unit in which loads are shown, and N to it.
-struct LoadUnit {
-    const char* name;
-    double factor;
-};
-
 LoadUnit unit_for(const std::vector<CaseDesign>& designs, const DesignRequest& request) {
     double largest = 0;
     for (const CaseDesign& one : designs)
@@ -27,9 +21,7 @@ LoadUnit unit_for(const std::vector<CaseDesign>& designs, const DesignRequest& r
             for (const DesignFigure& figure : made.quantiles)
                 if (figure.value > largest) largest = figure.value;
     largest *= request.force_factor();
-    const LoadUnit unit = largest < 1e4   ? LoadUnit{"N", 1}
-                          : largest < 1e7 ? LoadUnit{"kN", 1e-3}
-                                          : LoadUnit{"MN", 1e-6};
+    const LoadUnit unit = load_unit(largest);
     return {unit.name, unit.factor * request.force_factor()};
 }
 

@@ -16,19 +16,19 @@ constexpr double seconds_an_hour = 3600;
 Section design_section(const std::vector<PredictedDesign>& designs, const DesignRequest& request) {
     double largest = 0;
     for (const PredictedDesign& one : designs) largest = std::max(largest, one.quantile.high);
-    const double newton = largest < 1e4 ? 1 : largest < 1e7 ? 1e-3 : 1e-6;
-    const char* unit = largest < 1e4 ? "N" : largest < 1e7 ? "kN" : "MN";
+    const LoadUnit unit = load_unit(largest);
     const std::string exceeded = fmt::format("exceeded with {:.3g} %", (1 - request.quantiles.front()) / unit::percent);
     Section section{.before = fmt::format("Design load over what is not ruled out: the largest load averaged over {:g} "
                                           "s in {:g} h\n\n",
                                           request.averaging, request.exposure / seconds_an_hour)};
-    section.table = {{"case", fmt::format("expected, {}", unit), "weighed", fmt::format("{}, {}", exceeded, unit),
-                      "weighed", "growth", "lower half", "upper half", "runs"}};
+    section.table = {{"case", fmt::format("expected, {}", unit.name), "weighed",
+                      fmt::format("{}, {}", exceeded, unit.name), "weighed", "growth", "lower half", "upper half",
+                      "runs"}};
     bool all_points = false;
     for (const PredictedDesign& one : designs) {
         const auto cell = [&](const PredictedRange& range) {
-            return Cell{fmt::format("{:.4g}", newton * range.mean),
-                        fmt::format("[{:.4g}, {:.4g}]", newton * range.low, newton * range.high)};
+            return Cell{fmt::format("{:.4g}", unit.factor * range.mean),
+                        fmt::format("[{:.4g}, {:.4g}]", unit.factor * range.low, unit.factor * range.high)};
         };
         section.table.push_back({one.case_name.empty() ? "all" : one.case_name, cell(one.expected),
                                  cell(one.expected_weighed), cell(one.quantile), cell(one.quantile_weighed),

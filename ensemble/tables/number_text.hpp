@@ -29,4 +29,15 @@ inline std::string p_text(double p) {
     return !std::isfinite(p) ? "–" : p < 0.001 ? "<0.001" : fmt::format("{:.3f}", p);
 }
 
+/// A unit in which loads are shown, and N to it.
+struct LoadUnit {
+    const char* name;
+    double factor;
+};
+
+/// N, kN or MN, so that a load of `largest` N is below 10,000 of it where it can be.
+inline LoadUnit load_unit(double largest) {
+    return largest < 1e4 ? LoadUnit{"N", 1} : largest < 1e7 ? LoadUnit{"kN", 1e-3} : LoadUnit{"MN", 1e-6};
+}
+
 }  // namespace floes
