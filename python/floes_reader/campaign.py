@@ -219,10 +219,9 @@ class Campaign:
 
     @cached_property
     def _configuration(self) -> Configuration:
-        try:
-            return Configuration(str(self._stored.read("provenance/configuration")))
-        except (ValueError, KeyError, TypeError) as error:
-            raise self._stored.damaged(f"/provenance/configuration is no configuration ({error})") from error
+        text = str(self._stored.read("provenance/configuration"))
+        with self._stored.reading("/provenance/configuration"):
+            return Configuration(text)
 
     def _checked(self, case: str) -> str:
         if case not in self._cases.index:

@@ -27,7 +27,7 @@ def loads(campaign: Campaign, quantity: str = "mean_load", cases: Sequence[str] 
         raise CampaignError(f"summary() has no quantity '{quantity}'; it has {', '.join(shown)}.")
     names = _chosen(campaign, cases)
     figure, axes = pyplot.subplots(figsize=(8, 1.45 + 0.62 * len(names)), layout="constrained")
-    largest = 0.0  # of what was found, beyond which a prediction interval may run out of the picture
+    lowest = largest = 0.0  # the prediction interval of a few runs may run out of the picture, so it is not in `largest`
     for row, name in enumerate(names):
         values = members[quantity][members.case == name].dropna().to_numpy()
         lift = 0.06 * (2 * numpy.arange(len(values)) % 5)  # spreads the dots, always in the same way
@@ -36,11 +36,12 @@ def loads(campaign: Campaign, quantity: str = "mean_load", cases: Sequence[str] 
         axes.plot([found.prediction_low, found.prediction_high], [row + 0.22] * 2, color=INK, linewidth=1.3, dashes=(4, 2.5))
         axes.plot([found.low, found.high], [row + 0.22] * 2, color=INK, linewidth=3.2, solid_capstyle="butt")
         axes.plot(found.estimate, row + 0.22, "o", color=INK, markersize=6.5)
-        largest = numpy.nanmax(numpy.abs([largest, found.low, found.high, *values]))
+        lowest = numpy.nanmin([lowest, found.low, found.prediction_low, *values])
+        largest = numpy.nanmax([largest, *numpy.abs([found.low, found.high, *values])])
     axes.set_yticks(range(len(names)), names)
     axes.set_ylim(len(names) - 0.45, -0.5)
     left, right = axes.get_xlim()
-    axes.set_xlim(max(min(0, left), -2 * largest), min(max(0, right), 2 * largest))
+    axes.set_xlim(max(left, -2 * largest) if lowest < 0 else 0, min(right, 2 * largest))
     axes.set_xlabel(_label(known.long_name[quantity], known.units[quantity]))
     axes.tick_params(axis="y", length=0)
     axes.grid(axis="x", color=GRID)

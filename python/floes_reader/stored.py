@@ -1,8 +1,10 @@
 """An open HDF5 file, checked as it is read. No other file of the package touches h5py."""
 
+import contextlib
 import os
 import pathlib
 import warnings
+from collections.abc import Iterator
 from typing import Any
 
 import h5py
@@ -13,7 +15,7 @@ LAYOUT = (1, 7)  # of campaign files (docs/campaign_file.md), up to which this r
 GROUPS = {"arrangements", "averaged", "breaks", "calibration", "cases", "exceedance", "history", "load_map", "members",
           "provenance"}  # of that layout
 FILETYPE = "floes campaign"
-BAD = (OSError, RuntimeError, KeyError, ValueError, TypeError)  # what h5py raises on what it cannot read
+BAD = (OSError, RuntimeError, KeyError, ValueError, TypeError, AttributeError)  # what h5py raises on what it cannot read
 
 
 class CampaignError(Exception):
@@ -49,49 +51,57 @@ class Stored:
         return CampaignError(f"{self.path} is damaged: {what}. `floes run CONFIG -o {self.path} --resume` writes it again "
                              "from its journal, if that is beside it.")
 
+    @contextlib.contextmanager
+    def reading(self, what: str) -> Iterator[None]:
+        """Within it, whatever the file cannot give is damage."""
+        if self.closed:
+            raise CampaignError(f"{self.path} is closed; read it within its `with`, or before close().")
+        try:
+            yield
+        except BAD as error:
+            raise self.damaged(f"{what} cannot be read ({error})") from error
+
     def has(self, name: str) -> bool:
-        self._check_open()
-        return name in self._file
+        with self.reading(f"/{name}"):
+            return name in self._file
 
     def names(self, group: str = "/") -> list[str]:
         """Of what is in a group, in order of creation."""
-        self._check_open()
         found: list[bytes] = []
-        try:
+        with self.reading(f"the names in {group}"):
             opened = self._file[group]  # must outlive the loop over its links
             opened.id.links.iterate(found.append, idx_type=h5py.h5.INDEX_CRT_ORDER)
-        except BAD as error:
-            raise self.damaged(f"the names in {group} cannot be read ({error})") from error
-        return [name.decode() for name in found]
+            return [name.decode() for name in found]
+
+    def groups(self) -> list[str]:
+        with self.reading("the groups"):
+            return [name for name in self.names() if isinstance(self._file[name], h5py.Group)]
 
     def attributes_of(self, name: str) -> dict[str, Any]:
         """Attributes of a group or dataset, without those that connect dimensions."""
-        self._check_open()
-        try:
+        with self.reading(f"the attributes of {name}"):
             return {key: value for key, value in self._file[name].attrs.items()
                     if key not in ("CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST")}
-        except BAD as error:
-            raise self.damaged(f"the attributes of {name} cannot be read ({error})") from error
 
     def shape(self, name: str) -> tuple[int, ...]:
-        return self._dataset(name).shape
+        with self.reading(f"/{name}"):
+            return self._file[name].shape
 
     def kind(self, name: str) -> str:
         """Letter of numpy: "f" for floating point."""
-        return self._dataset(name).dtype.kind
+        with self.reading(f"/{name}"):
+            return self._file[name].dtype.kind
 
     def read(self, name: str, rows: Any = ()) -> numpy.ndarray:
         """Values of a dataset, of all `rows` unless some are given; texts as str. Every value of the file comes through
         here."""
-        dataset = self._dataset(name)
-        try:
+        with self.reading(f"/{name}"):
+            dataset = self._file[name]
             for length, dimension in zip(dataset.shape, dataset.dims):
                 if len(dimension) and len(dimension[0]) != length:
                     raise ValueError(f"it has {length} rows where {dimension[0].name} has {len(dimension[0])}")
             text = h5py.check_string_dtype(dataset.dtype) is not None
             return numpy.asarray(dataset.asstr()[rows] if text else dataset[rows])
-        except BAD as error:
-            raise self.damaged(f"/{name} cannot be read ({error})") from error
 
     def array(self, name: str, rows: Any = ()) -> xarray.DataArray:
         """The same with the names of its dimensions, `units` and `long_name`; what is missing is NaN."""
@@ -99,54 +109,37 @@ class Stored:
         missing = attributes.pop("_FillValue", None)
         if missing is not None and values.dtype.kind == "i":
             values = numpy.where(values == missing, numpy.nan, values)
-        return xarray.DataArray(values, dims=list(self._scales(name)), attrs=attributes)
+        with self.reading(f"/{name}"):
+            return xarray.DataArray(values, dims=list(self._scales(name)), attrs=attributes)
 
     def group(self, name: str) -> xarray.Dataset:
         """A group with its coordinates."""
-        if name not in self.names() or not isinstance(self._file[name], h5py.Group):
-            raise CampaignError(f"{self.path} has no group {name}; it has "
-                                f"{', '.join(one for one in self.names() if isinstance(self._file[one], h5py.Group))}.")
+        if name not in self.groups():
+            raise CampaignError(f"{self.path} has no group {name}; it has {', '.join(self.groups())}.")
         columns, scales = {}, {}
         for column in self.names(name):
             columns[column] = self.array(f"{name}/{column}")
             scales.update(self._scales(f"{name}/{column}"))
         coordinates = {dimension: self.array(scale) for dimension, scale in scales.items()}
         columns = {column: array for column, array in columns.items() if column not in coordinates}
-        return xarray.Dataset(columns, coords=coordinates, attrs=self.attributes_of(name))
+        with self.reading(f"/{name}"):
+            return xarray.Dataset(columns, coords=coordinates, attrs=self.attributes_of(name))
 
     def words(self, name: str) -> numpy.ndarray:
         """A dataset of flags as their meanings; None where the value is missing."""
         attributes = self.attributes_of(name)
-        try:
+        with self.reading(f"the meanings of /{name}"):
             meanings = dict(zip(attributes["flag_values"].tolist(), attributes["flag_meanings"].split(), strict=True))
-        except (KeyError, AttributeError, ValueError) as error:
-            raise self.damaged(f"the meanings of /{name} cannot be read ({error})") from error
         return numpy.array([meanings.get(value) for value in self.read(name).tolist()], object)
-
-    def _dataset(self, name: str) -> h5py.Dataset:
-        self._check_open()
-        try:
-            found = self._file[name]
-        except BAD as error:
-            raise self.damaged(f"/{name} is not in it ({error})") from error
-        if not isinstance(found, h5py.Dataset):
-            raise self.damaged(f"/{name} is no dataset")
-        return found
 
     def _scales(self, name: str) -> dict[str, str]:
         """The dimensions of a dataset: name -> dataset of the coordinate. A coordinate is its own."""
-        dataset = self._dataset(name)
-        try:
+        with self.reading(f"the dimensions of /{name}"):
+            dataset = self._file[name]
             if h5py.h5ds.is_scale(dataset.id):
                 return {name.split("/")[-1]: name}
             paths = [dimension[0].name for dimension in dataset.dims]
-        except BAD as error:
-            raise self.damaged(f"the dimensions of /{name} cannot be read ({error})") from error
-        return {path.split("/")[-1]: path.lstrip("/") for path in paths}
-
-    def _check_open(self) -> None:
-        if self.closed:
-            raise CampaignError(f"{self.path} is closed; read it within its `with`, or before close().")
+            return {path.split("/")[-1]: path.lstrip("/") for path in paths}
 
     def _check_kind(self) -> None:
         kind = self.attributes.get("filetype")
@@ -155,17 +148,14 @@ class Stored:
             raise CampaignError(f"{self.path} is {what}, but no campaign of floes.")
 
     def _checked_layout(self) -> tuple[int, int]:
-        try:
+        with self.reading("its layout version"):
             major, minor = (int(part) for part in self.attributes["version"])
-        except (KeyError, TypeError, ValueError) as error:
-            raise self.damaged("its layout version cannot be read") from error
         known = f"this reader knows layout {LAYOUT[0]}.{LAYOUT[1]}"
         written = f"{self.path} has layout {major}.{minor}, of floes {self.attributes.get('softwareVersion', 'unknown')}"
         if major != LAYOUT[0]:
             raise CampaignError(f"{written}; {known}. Install the floes_reader of the floes that wrote it.")
         if minor > LAYOUT[1]:
-            unknown = [name for name in self.names()
-                       if name not in GROUPS and isinstance(self._file[name], h5py.Group)]
+            unknown = [name for name in self.groups() if name not in GROUPS]
             warnings.warn(f"{written}; {known}. What is new in it is not in summary() and the tables of other names"
                           + (f"; new are {', '.join(unknown)}" if unknown else "") + ". group(NAME) reads any group.",
                           NewerLayoutWarning, stacklevel=5)
@@ -182,7 +172,7 @@ def _opened(path: pathlib.Path) -> h5py.File:
             raise CampaignError(f"{path} is a journal, which only floes reads; open the campaign file beside it, "
                                 f"{path.with_suffix('.h5').name}.")
     try:
-        return h5py.File(path, "r", locking=False)  # campaign files are replaced, never changed
+        return h5py.File(path, "r")
     except BAD as error:
         raise CampaignError(f"{path} is no HDF5 file, or is damaged ({error}). If it was a campaign file, `floes run CONFIG "
                             f"-o {path} --resume` writes it again from its journal, if that is beside it.") from error

@@ -66,6 +66,9 @@ def members(stored: Stored, cases: list[str], known: pandas.DataFrame) -> pandas
         else:
             base = key.removesuffix(over("", time))
             columns[key] = stored.read(f"averaged/{base}", (slice(None), times.index(time)))
+    for name, column in columns.items():
+        if len(column) != len(case):
+            raise stored.damaged(f"{name} of the members has {len(column)} values, not {len(case)}")
     return pandas.DataFrame(columns, pandas.RangeIndex(len(case), name="member"))
 
 
