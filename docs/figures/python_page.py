@@ -52,7 +52,8 @@ def main(campaign, update):
                 shutil.copy(name, PICTURES)
         os.chdir(ROOT)
     if made != page and not update:
-        sys.stdout.writelines(difflib.unified_diff(page.splitlines(True), made.splitlines(True), "the page", "the blocks"))
+        lines = page.splitlines(True), made.splitlines(True)
+        sys.stdout.writelines(difflib.unified_diff(*lines, "the page", "the blocks"))
         sys.exit(f"{PAGE.name} does not show what its blocks print; run docs/figures/python_page.py SMOKE.h5 --update")
 
 

@@ -17,7 +17,6 @@ __all__ = ["Campaign", "CampaignError", "LAYOUT", "NewerLayoutWarning", "open"]
 def open(path) -> Campaign:
     """Opens a campaign file for reading, as a context manager or until close().
 
-    Raises FileNotFoundError, or CampaignError where the file is damaged, is no campaign file, or has a newer major layout.
-    Warns (NewerLayoutWarning) where a newer floes wrote it and it may have more than the tables show.
-    """
+    Raises FileNotFoundError, or CampaignError where the file is damaged, is no campaign file, or has a newer major
+    layout. Warns (NewerLayoutWarning) where a newer floes wrote it and it may have more than the tables show."""
     return Campaign(path)

@@ -43,27 +43,29 @@ class Campaign:
         if self._stored.closed:
             return f"<campaign {self.title}, closed>"
         status = self._members.status
-        return (f"<campaign {self.title}: {len(status)} members in {len(self._cases)} cases, {(status == 'done').sum()} done, "
-                f"{(status == 'failed').sum()} failed>")
+        done, failed = ((status == word).sum() for word in ("done", "failed"))
+        return f"<campaign {self.title}: {len(status)} members in {len(self._cases)} cases, {done} done, {failed} failed>"
 
     # -- members and cases
 
     @property
     def members(self) -> pandas.DataFrame:
-        """A row for each member, by its number: `case` (name), `arrangement` (members of equal ones start from the same floes),
-        `arrangement_number`, `status` ("done", "failed", "missing"), `steady` (True, False, NA), `reason` of a failure, and
-        every quantity, also of the averaged load ("mean_maximum_0.5s"). Units: `quantities`."""
+        """A row for each member, by its number: `case` (name), `arrangement` (members of equal ones start from the
+        same floes), `arrangement_number`, `status` ("done", "failed", "missing"), `steady` (True, False, NA),
+        `reason` of a failure, and every quantity, also of the averaged load ("mean_maximum_0.5s"). Units:
+        `quantities`."""
         return self._members.copy()
 
     @property
     def quantities(self) -> pandas.DataFrame:
-        """A row for each quantity of `members`, by its key: `units`, `long_name`, `averaging_time` (s; 0: every step)."""
+        """A row for each quantity of `members`, by its key: `units`, `long_name`, `averaging_time` (s; 0: every
+        step)."""
         return self._quantities.copy()
 
     @property
     def cases(self) -> pandas.DataFrame:
-        """A row for each case, by its name: the conditions of its loads (SI units; laws in words), and how many of its `members`
-        are `done`, `failed`, `missing`, and done but `not_steady`."""
+        """A row for each case, by its name: the conditions of its loads (SI units; laws in words), and how many of
+        its `members` are `done`, `failed`, `missing`, and done but `not_steady`."""
         cases, members = self._cases.copy(), self._members
         chosen = {"members": members.status != "", "not_steady": (members.steady == False).fillna(False)}  # noqa: E712
         chosen |= {status: members.status == status for status in ("done", "failed", "missing")}
@@ -93,20 +95,21 @@ class Campaign:
 
     @property
     def design(self) -> pandas.DataFrame | None:
-        """A row for each case of a `[design]`: `base` (the case that was laid out, if there was one), `point`, and its value on
-        each axis by key. None without a design."""
+        """A row for each case of a `[design]`: `base` (the case that was laid out, if there was one), `point`, and
+        its value on each axis by key. None without a design."""
         return self._configuration.design()
 
     # -- loads
 
     def history(self, member: int) -> xarray.Dataset:
-        """`surge_load`, `sway_load` and `heave_load`, N, of a done member over `time`, s since the tow began, to the end of the
-        window. Attributes: `case`, `arrangement`, and `steady_start`, where the window begins, s."""
+        """`surge_load`, `sway_load` and `heave_load`, N, of a done member over `time`, s since the tow began, to the
+        end of the window. Attributes: `case`, `arrangement`, and `steady_start`, where the window begins, s."""
         if member not in self._members.index:
             raise CampaignError(f"There is no member {member}; {self.path} has {len(self._members)}, from 0.")
         row = self._members.loc[member]
         if row.status != "done":
-            raise CampaignError(f"Member {member} has no history: it {'failed: ' + row.reason if row.reason else 'is missing'}.")
+            why = f"failed: {row.reason}" if row.reason else "is missing"
+            raise CampaignError(f"Member {member} has no history: it {why}.")
         found = self._histories([member], row.case).isel(member=0, drop=True)
         return found.assign_attrs(member=member, arrangement=int(row.arrangement))
 
@@ -117,14 +120,14 @@ class Campaign:
 
     @property
     def averaged(self) -> xarray.Dataset | None:
-        """The surge load averaged over `averaging_time`, s: SD, maxima and peaks of each member, N. None if no case has any.
-        `members` has the single numbers too."""
+        """The surge load averaged over `averaging_time`, s: SD, maxima and peaks of each member, N. None if no case
+        has any. `members` has the single numbers too."""
         return self._of_members("averaged")
 
     @property
     def peaks(self) -> pandas.DataFrame:
-        """The peaks of the averaged load, one a row, the highest of a member first: `member`, `case`, `averaging_time` (s),
-        `load` (N)."""
+        """The peaks of the averaged load, one a row, the highest of a member first: `member`, `case`,
+        `averaging_time` (s), `load` (N)."""
         loads = self._stored.read("averaged/peaks") if self._stored.has("averaged/peaks") else numpy.empty((0, 0, 0))
         member, time, _ = numpy.nonzero(numpy.isfinite(loads))
         times = numpy.array(tables.averaging_times(self._stored), float)
@@ -133,8 +136,8 @@ class Campaign:
 
     @property
     def exceedance(self) -> xarray.Dataset | None:
-        """How often the surge load of each member is above each `level`, N: `steps_above` and `upcrossings` in its window,
-        `time_above` (a share of the window) and `upcrossings_per_s`. None if no case counts any."""
+        """How often the surge load of each member is above each `level`, N: `steps_above` and `upcrossings` in its
+        window, `time_above` (a share of the window) and `upcrossings_per_s`. None if no case counts any."""
         found = self._of_members("exceedance")
         if found is None:
             return None
@@ -147,16 +150,17 @@ class Campaign:
 
     @property
     def load_map(self) -> xarray.Dataset | None:
-        """Where on the structure (`height`, a share of its depth from the keel, and `angle`, degrees, 0 ahead) and when along
-        the tow (`tow`, a share of the window) the mean load of each member acts, N. None before layout 1.7."""
+        """Where on the structure (`height`, a share of its depth from the keel, and `angle`, degrees, 0 ahead) and
+        when along the tow (`tow`, a share of the window) the mean load of each member acts, N. None before layout
+        1.7."""
         return self._of_members("load_map")
 
     # -- ice and how it was computed
 
     @property
     def breaks(self) -> pandas.DataFrame:
-        """Every failed joint of the done members: `member`, `case`, `time` (s since the tow began), `floe`, `joint` of the floe,
-        and `mode` in a word ("bending")."""
+        """Every failed joint of the done members: `member`, `case`, `time` (s since the tow began), `floe`, `joint`
+        of the floe, and `mode` in a word ("bending")."""
         breaks = tables.table(self._stored, "breaks")
         if not breaks.member.isin(self._members.index).all():
             raise self._stored.damaged("/breaks/member names a member that the campaign does not have")
@@ -170,7 +174,8 @@ class Campaign:
 
     @property
     def sessions(self) -> pandas.DataFrame:
-        """A row for each start of the program on the campaign: when, where, on how many ranks and threads, how it ended."""
+        """A row for each start of the program on the campaign: when, where, on how many ranks and threads, how it
+        ended."""
         return tables.table(self._stored, "provenance", "session_")
 
     @property
@@ -182,16 +187,17 @@ class Campaign:
         return pandas.DataFrame(columns, self._members.index)
 
     def group(self, name: str) -> xarray.Dataset:
-        """Any group of the file as it stands, with its coordinates: "arrangements" has where each floe lay at the start."""
+        """Any group of the file as it stands, with its coordinates: "arrangements" has where each floe lay at the
+        start."""
         return self._stored.group(name)
 
     # -- statistics
 
     def summary(self, confidence: float = 0.95) -> pandas.DataFrame:
-        """What `floes summarize` says of the cases, by (case, quantity): `units`; `n`, the arrangements with a value; `estimate`,
-        the mean over them; `low` and `high`, the confidence interval of that mean by Student's t; `prediction_low` and
-        `prediction_high`, the prediction interval of one further run. NaN where undefined. Bootstrap intervals and comparisons of
-        cases are left to the program."""
+        """What `floes summarize` says of the cases, by (case, quantity): `units`; `n`, the arrangements with a value;
+        `estimate`, the mean over them; `low` and `high`, the confidence interval of that mean by Student's t;
+        `prediction_low` and `prediction_high`, the prediction interval of one further run. NaN where undefined.
+        Bootstrap intervals and comparisons of cases are left to the program."""
         shown = [one for one in with_times(tables.averaging_times(self._stored)) if one.key in self._quantities.index]
         rows = {}
         for case in self._cases.index:
@@ -225,7 +231,8 @@ class Campaign:
 
     def _checked(self, case: str) -> str:
         if case not in self._cases.index:
-            raise CampaignError(f"There is no case '{case}' in this campaign; its cases are {', '.join(self._cases.index)}.")
+            known = ", ".join(self._cases.index)
+            raise CampaignError(f"There is no case '{case}' in this campaign; its cases are {known}.")
         return case
 
     def _of_members(self, group: str) -> xarray.Dataset | None:

@@ -7,7 +7,7 @@ from typing import Any
 import pandas
 
 NOT_OF_CASES = {"campaign", "case", "design", "run", "stop"}  # tables that are not the same for each case
-PARTS = {"structure.keel_radius_m": lambda keys: keys["structure.profile_m"][0][1]}  # keys that a configuration does not have
+PARTS = {"structure.keel_radius_m": lambda keys: keys["structure.profile_m"][0][1]}  # of other keys, so not stored
 
 
 def flat(table: dict[str, Any], prefix: str = "") -> dict[str, Any]:
@@ -39,8 +39,8 @@ class Configuration:
         return _frame({case: {name: one.get(name) for name in differing} for case, one in keys.items()}, differing)
 
     def design(self) -> pandas.DataFrame | None:
-        """A row for each case: `base` (the case that was laid out; empty if there was none), `point`, and its value on each
-        axis by key. None if the campaign has no design."""
+        """A row for each case: `base` (the case that was laid out; empty if there was none), `point`, and its value
+        on each axis by key. None if the campaign has no design."""
         if "design" not in self.tables:
             return None
         axes = [axis["key"] for axis in self.tables["design"]["axis"]]
@@ -54,4 +54,5 @@ class Configuration:
 
 def _frame(rows: dict[str, dict[str, Any]], columns: list[str]) -> pandas.DataFrame:
     index = pandas.Index(list(rows), name="case")
-    return pandas.DataFrame({name: pandas.Series([row[name] for row in rows.values()], index) for name in columns}, index)
+    series = {name: pandas.Series([row[name] for row in rows.values()], index) for name in columns}
+    return pandas.DataFrame(series, index)

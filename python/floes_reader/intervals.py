@@ -1,5 +1,5 @@
-"""Intervals over arrangements, with the formulas of docs/statistics.md. Student's t is written out here, since a reader of
-files should not need scipy for one quantile."""
+"""Intervals over arrangements, with the formulas of docs/statistics.md. Student's t is written out here, since a
+reader of files should not need scipy for one quantile."""
 
 from typing import NamedTuple
 
@@ -24,8 +24,8 @@ class Interval(NamedTuple):
 
 
 def inside_probability(angle: float, freedom: int) -> float:
-    """Probability that Student's t lies within ± sqrt(freedom) tan(angle): the finite series for whole degrees of freedom
-    (Abramowitz and Stegun, 26.7.3 and 26.7.4)."""
+    """Probability that Student's t lies within ± sqrt(freedom) tan(angle): the finite series for whole degrees of
+    freedom (Abramowitz and Stegun, 26.7.3 and 26.7.4)."""
     sine, square = numpy.sin(angle), numpy.cos(angle) ** 2
     if freedom % 2 == 0:
         k = numpy.arange(1, freedom // 2)
@@ -47,8 +47,9 @@ def student_t(freedom: int, tail: float) -> float:
 
 
 def mean_interval(values: ArrayLike, confidence: float = 0.95, positive: bool = False) -> Interval:
-    """Mean of `values`, one an arrangement, by Student's t. `positive`: of values above 0 the prediction interval is that of
-    their logarithms. Values that are not finite are left out; a single one gives only an estimate, none gives NaN."""
+    """Mean of `values`, one an arrangement, by Student's t. `positive`: of values above 0 the prediction interval is
+    that of their logarithms. Values that are not finite are left out; a single one gives only an estimate, none gives
+    NaN."""
     values = numpy.asarray(values, float)
     values = values[numpy.isfinite(values)]
     count = len(values)

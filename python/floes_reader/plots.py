@@ -1,4 +1,5 @@
-"""Two figures of `floes report`, drawn with matplotlib. Each returns its figure: `plots.loads(campaign).savefig("loads.png")`."""
+"""Two figures of `floes report`, drawn with matplotlib. Each returns its figure:
+`plots.loads(campaign).savefig("loads.png")`."""
 
 from collections.abc import Sequence
 
@@ -15,28 +16,31 @@ from .stored import CampaignError
 
 COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#b58900", "#56b4e9"]  # of cases, as in the report
 INK, SOFT, GRID, SHADE = "#1b1f24", "#57606a", "#e4e7ea", "#ededed"
+DASHES = (4, 2.5)
 MOST_PANELS = 12
 
 
 def loads(campaign: Campaign, quantity: str = "mean_load", cases: Sequence[str] | None = None) -> Figure:
-    """A quantity of every arrangement as a dot, a strip for each case, and below the dots the mean over arrangements with its
-    95 % confidence interval (thick) and the 95 % prediction interval of one further run (dashed)."""
+    """A quantity of every arrangement as a dot, a strip for each case, and below the dots the mean over arrangements
+    with its 95 % confidence interval (thick) and the 95 % prediction interval of one further run (dashed)."""
     known, members, summary = campaign.quantities, campaign.members, campaign.summary()
     shown = summary.index.unique("quantity")
     if quantity not in shown:
         raise CampaignError(f"summary() has no quantity '{quantity}'; it has {', '.join(shown)}.")
     names = _chosen(campaign, cases)
     figure, axes = pyplot.subplots(figsize=(8, 1.45 + 0.62 * len(names)), layout="constrained")
-    lowest = largest = 0.0  # the prediction interval of a few runs may run out of the picture, so it is not in `largest`
+    lowest = largest = 0.0  # without prediction intervals: those of a few runs may run out of the picture
     for row, name in enumerate(names):
         values = members[quantity][members.case == name].dropna().to_numpy()
         lift = 0.06 * (2 * numpy.arange(len(values)) % 5)  # spreads the dots, always in the same way
-        axes.plot(values, row - 0.06 - lift, "o", color=_colour(campaign, name), alpha=0.5, markersize=6, markeredgewidth=0)
+        colour = _colour(campaign, name)
+        axes.plot(values, row - 0.06 - lift, "o", color=colour, alpha=0.5, markersize=6, markeredgewidth=0)
         found = summary.loc[(name, quantity)]
-        axes.plot([found.prediction_low, found.prediction_high], [row + 0.22] * 2, color=INK, linewidth=1.3, dashes=(4, 2.5))
-        axes.plot([found.low, found.high], [row + 0.22] * 2, color=INK, linewidth=3.2, solid_capstyle="butt")
-        axes.plot(found.estimate, row + 0.22, "o", color=INK, markersize=6.5)
-        lowest = numpy.nanmin([lowest, found.low, found.prediction_low, *values])
+        level = [row + 0.22] * 2
+        axes.plot([found.prediction_low, found.prediction_high], level, color=INK, linewidth=1.3, dashes=DASHES)
+        axes.plot([found.low, found.high], level, color=INK, linewidth=3.2, solid_capstyle="butt")
+        axes.plot(found.estimate, level[0], "o", color=INK, markersize=6.5)
+        lowest = numpy.nanmin([lowest, found.low, found.prediction_low, *values])  # left of 0 they count
         largest = numpy.nanmax([largest, *numpy.abs([found.low, found.high, *values])])
     axes.set_yticks(range(len(names)), names)
     axes.set_ylim(len(names) - 0.45, -0.5)
@@ -47,19 +51,20 @@ def loads(campaign: Campaign, quantity: str = "mean_load", cases: Sequence[str] 
     axes.grid(axis="x", color=GRID)
     _legend(axes, {"one arrangement": Line2D([], [], color=SOFT, marker="o", linestyle="", alpha=0.6),
                    "mean, its 95 % interval": Line2D([], [], color=INK, marker="o", linewidth=3.2),
-                   "95 % interval of one further run": Line2D([], [], color=INK, linewidth=1.3, dashes=(4, 2.5))})
+                   "95 % interval of one further run": Line2D([], [], color=INK, linewidth=1.3, dashes=DASHES)})
     return _finished(figure)
 
 
-def histories(campaign: Campaign, arrangement: int = 0, over: float = 5.0, cases: Sequence[str] | None = None) -> Figure:
-    """The surge load of one arrangement over time, a panel for each case. Thin: every value that the file keeps. Black: its
-    mean over `over` seconds. Grey: before the window in which the load is measured."""
+def histories(campaign: Campaign, arrangement: int = 0, over: float = 5.0,
+              cases: Sequence[str] | None = None) -> Figure:
+    """The surge load of one arrangement over time, a panel for each case. Thin: every value that the file keeps.
+    Black: its mean over `over` seconds. Grey: before the window in which the load is measured."""
     members = campaign.members
     chosen = members[(members.arrangement_number == arrangement) & (members.status == "done")]
     chosen = chosen[chosen.case.isin(_chosen(campaign, cases))]
     if not 0 < len(chosen) <= MOST_PANELS:
-        raise CampaignError(f"{len(chosen)} cases have arrangement {arrangement} done; 1 to {MOST_PANELS} can be drawn: "
-                            "choose others by arrangement=, or some by cases=[…].")
+        raise CampaignError(f"{len(chosen)} cases have arrangement {arrangement} done; 1 to {MOST_PANELS} can be "
+                            "drawn: choose another one by arrangement=, or some cases by cases=[…].")
     figure, panels = pyplot.subplots(len(chosen), 1, sharex=True, sharey=True, squeeze=False, layout="constrained",
                                      figsize=(8, 1.0 + 1.75 * len(chosen)))
     ends = []

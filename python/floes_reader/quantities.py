@@ -1,5 +1,6 @@
-"""The quantities that summary() shows, with the ranges that their intervals are cut to, as src/quantities/quantity.hpp lists
-them. Their units and long names stand in the file. A test compares the result with `floes summarize`."""
+"""The quantities that summary() shows, with the ranges that their intervals are cut to, as
+src/quantities/quantity.hpp lists them. Their units and long names stand in the file. A test compares the result with
+`floes summarize`."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace

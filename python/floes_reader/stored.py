@@ -15,7 +15,7 @@ LAYOUT = (1, 7)  # of campaign files (docs/campaign_file.md), up to which this r
 GROUPS = {"arrangements", "averaged", "breaks", "calibration", "cases", "exceedance", "history", "load_map", "members",
           "provenance"}  # of that layout
 FILETYPE = "floes campaign"
-BAD = (OSError, RuntimeError, KeyError, ValueError, TypeError, AttributeError)  # what h5py raises on what it cannot read
+BAD = (OSError, RuntimeError, KeyError, ValueError, TypeError, AttributeError)  # of h5py, where it cannot read
 
 
 class CampaignError(Exception):
@@ -48,8 +48,7 @@ class Stored:
         return not self._file
 
     def damaged(self, what: str) -> CampaignError:
-        return CampaignError(f"{self.path} is damaged: {what}. `floes run CONFIG -o {self.path} --resume` writes it again "
-                             "from its journal, if that is beside it.")
+        return CampaignError(f"{self.path} is damaged: {what}. {_cure(self.path)}")
 
     @contextlib.contextmanager
     def reading(self, what: str) -> Iterator[None]:
@@ -151,7 +150,8 @@ class Stored:
         with self.reading("its layout version"):
             major, minor = (int(part) for part in self.attributes["version"])
         known = f"this reader knows layout {LAYOUT[0]}.{LAYOUT[1]}"
-        written = f"{self.path} has layout {major}.{minor}, of floes {self.attributes.get('softwareVersion', 'unknown')}"
+        software = self.attributes.get("softwareVersion", "unknown")
+        written = f"{self.path} has layout {major}.{minor}, of floes {software}"
         if major != LAYOUT[0]:
             raise CampaignError(f"{written}; {known}. Install the floes_reader of the floes that wrote it.")
         if minor > LAYOUT[1]:
@@ -174,5 +174,8 @@ def _opened(path: pathlib.Path) -> h5py.File:
     try:
         return h5py.File(path, "r")
     except BAD as error:
-        raise CampaignError(f"{path} is no HDF5 file, or is damaged ({error}). If it was a campaign file, `floes run CONFIG "
-                            f"-o {path} --resume` writes it again from its journal, if that is beside it.") from error
+        raise CampaignError(f"{path} is no HDF5 file, or is damaged ({error}). {_cure(path)}") from error
+
+
+def _cure(path: pathlib.Path) -> str:
+    return f"`floes run CONFIG -o {path} --resume` writes a campaign file again from its journal, if that is beside it."

@@ -1,5 +1,5 @@
-"""For the tests of python/floes_reader: installs the package with pip, as a user does, and makes the campaign files that they
-read. Arguments of the program: FLOES SYNTHETIC_FILE PROJECT."""
+"""For the tests of python/floes_reader: installs the package with pip, as a user does, and makes the campaign files
+that they read. Arguments of the program: FLOES SYNTHETIC_FILE PROJECT."""
 
 import atexit
 import pathlib
@@ -37,8 +37,8 @@ def install():
     tree = FOLDER / "tree"
     shutil.copytree(PROJECT / "python", tree / "python", ignore=shutil.ignore_patterns("build", "*.egg-info"))
     shutil.copy(PROJECT / "CMakeLists.txt", tree)  # has the version
-    run("/usr/bin/python3", "-m", "pip", "install", "--quiet", "--no-index", "--no-build-isolation", "--no-deps", "--target",
-        SITE, tree / "python")
+    run("/usr/bin/python3", "-m", "pip", "install", "--quiet", "--no-index", "--no-build-isolation", "--no-deps",
+        "--target", SITE, tree / "python")
 
 
 def compute():

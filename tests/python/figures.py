@@ -17,7 +17,8 @@ class Figures(unittest.TestCase):
         plots.pyplot.close("all")
 
     def test_loads(self):
-        for path, quantity in ((SMOKE, "mean_load"), (SMOKE, "mean_maximum_0.5s"), (FULL, "sd_load_0.2s"), (FULL, "failure_ratio")):
+        for path, quantity in ((SMOKE, "mean_load"), (SMOKE, "mean_maximum_0.5s"), (FULL, "sd_load_0.2s"),
+                               (FULL, "failure_ratio")):
             with self.subTest(path=path.name, quantity=quantity), floes_reader.open(path) as campaign:
                 axes = plots.loads(campaign, quantity).axes[0]
                 members, summary = campaign.members, campaign.summary()
@@ -28,8 +29,9 @@ class Figures(unittest.TestCase):
                     own = members[members.case == case][quantity].dropna()
                     numpy.testing.assert_array_equal(dots.get_xdata(), own)
                     found = summary.loc[(case, quantity)]
-                    numpy.testing.assert_array_equal(prediction.get_xdata(), [found.prediction_low, found.prediction_high])
-                    numpy.testing.assert_array_equal(confidence.get_xdata(), [found.low, found.high])
+                    shown = [*prediction.get_xdata(), *confidence.get_xdata()]
+                    limits = found[["prediction_low", "prediction_high", "low", "high"]]
+                    numpy.testing.assert_array_equal(shown, limits.to_numpy(float))
                     self.assertTrue(mean.get_xdata() == found.estimate or not len(own))
                     self.assertTrue((numpy.round(dots.get_ydata()) == row).all())
                 self.assertEqual(axes.get_xlim()[0] == 0, summary.xs(quantity, level=1).prediction_low.min() >= 0)
@@ -42,7 +44,8 @@ class Figures(unittest.TestCase):
                 load = campaign.history(member).surge_load.values
                 every, mean = axes.lines
                 numpy.testing.assert_array_equal(every.get_ydata(), load)
-                numpy.testing.assert_allclose(mean.get_ydata()[25:-24], numpy.convolve(load, numpy.ones(50) / 50, "valid"))
+                means = numpy.convolve(load, numpy.ones(50) / 50, "valid")
+                numpy.testing.assert_allclose(mean.get_ydata()[25:-24], means)
                 self.assertAlmostEqual(mean.get_ydata()[0], load[:25].mean())
                 self.assertIn(f"mean {campaign.members.mean_load[member]:.1f} N", axes.get_title("left"))
 

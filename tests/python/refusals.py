@@ -32,8 +32,8 @@ class Refusals(unittest.TestCase):
         with self.assertRaisesRegex(FileNotFoundError, "There is no file .*none.h5."):
             floes_reader.open(FOLDER / "none.h5")
         self.refused("is a folder", path=FOLDER)
-        for content, words in ((b"", "is no HDF5 file"), (b"case,mean\n", "is no HDF5 file"), (b"floesjnl....", "is a journal"),
-                               (FULL.read_bytes()[:90_000], "is damaged")):
+        for content, words in ((b"", "is no HDF5 file"), (b"case,mean\n", "is no HDF5 file"),
+                               (b"floesjnl....", "is a journal"), (FULL.read_bytes()[:90_000], "is damaged")):
             BAD.write_bytes(content)
             self.refused(words)
         BAD.unlink()
@@ -55,7 +55,8 @@ class Refusals(unittest.TestCase):
             file.create_group("tides", track_order=True)
 
         self.changed(change)
-        with self.assertWarnsRegex(floes_reader.NewerLayoutWarning, "has layout 1.99, .* knows layout 1.*; new are tides") as caught:
+        words = "has layout 1.99, .* knows layout 1.*; new are tides"
+        with self.assertWarnsRegex(floes_reader.NewerLayoutWarning, words) as caught:
             campaign = floes_reader.open(BAD)
         self.assertEqual(caught.filename, __file__, "it points at the call of open()")
         self.assertEqual(campaign.members.mean_load[0], 100.1)
@@ -65,7 +66,8 @@ class Refusals(unittest.TestCase):
             floes_reader.open(FULL).close()
 
     def test_what_the_campaign_does_not_have(self):
-        for words, use in (("There is no case 'E1' in this campaign; its cases are soft, stiff, open.", lambda c: c.keys("E1")),
+        cases = "There is no case 'E1' in this campaign; its cases are soft, stiff, open."
+        for words, use in ((cases, lambda c: c.keys("E1")),
                            ("There is no case 'E1'", lambda c: c.histories("E1")),
                            ("Member 4 has no history: it failed: an element ran away", lambda c: c.history(4)),
                            ("Member 7 has no history: it is missing.", lambda c: c.history(7)),
@@ -91,11 +93,15 @@ class Refusals(unittest.TestCase):
             del file["members/mean_load"]
             file["members"].create_dataset("mean_load", data=numpy.zeros(5)).attrs.update(units="N", long_name="mean")
 
+        def displace(file):
+            file.move("cases/cfm", "c")
+            file.create_group("cases/cfm")
+
         def change(name, value):
             return lambda file: file[name].__setitem__(0, value)
 
         for words, use, damage in (
-                ("/cases/cfm cannot be read", lambda c: c.cases, lambda file: (file.move("cases/cfm", "c"), file.create_group("cases/cfm"))),
+                ("/cases/cfm cannot be read", lambda c: c.cases, displace),
                 ("members/status cannot be read", lambda c: c.members, lambda file: file.pop("members/status")),
                 ("/members/status has a value without a meaning", lambda c: c.summary(), change("members/status", 5)),
                 ("/members/case names a row that /cases does not have", lambda c: c.members, change("members/case", 3)),
