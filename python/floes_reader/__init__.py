@@ -8,13 +8,15 @@
 `floes_reader.plots` draws two figures of the report; it alone needs matplotlib.
 """
 
+import os
+
 from .campaign import Campaign
 from .stored import CampaignError, LAYOUT, NewerLayoutWarning
 
 __all__ = ["Campaign", "CampaignError", "LAYOUT", "NewerLayoutWarning", "open"]
 
 
-def open(path) -> Campaign:
+def open(path: str | os.PathLike) -> Campaign:
     """Opens a campaign file for reading, as a context manager or until close().
 
     Raises FileNotFoundError, or CampaignError where the file is damaged, is no campaign file, or has a newer major

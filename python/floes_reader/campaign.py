@@ -196,8 +196,9 @@ class Campaign:
     def summary(self, confidence: float = 0.95) -> pandas.DataFrame:
         """What `floes summarize` says of the cases, by (case, quantity): `units`; `n`, the arrangements with a value;
         `estimate`, the mean over them; `low` and `high`, the confidence interval of that mean by Student's t;
-        `prediction_low` and `prediction_high`, the prediction interval of one further run. NaN where undefined.
-        Bootstrap intervals and comparisons of cases are left to the program."""
+        `prediction_low` and `prediction_high`, the prediction interval of one further run. NaN where undefined. Until
+        the campaign is `complete` the figures are biased towards short runs. A quantity that an older layout does not
+        have has no row. Bootstrap intervals and comparisons of cases are left to the program."""
         shown = [one for one in with_times(tables.averaging_times(self._stored)) if one.key in self._quantities.index]
         rows = {}
         for case in self._cases.index:
@@ -239,7 +240,7 @@ class Campaign:
         """A group with a row for each member, and whose they are."""
         if not self._stored.has(group):
             return None
-        case = xarray.Variable("member", self._members.case, {"long_name": "case"})
+        case = xarray.Variable("member", self._members.case.to_numpy(), {"long_name": "case"})
         return self._stored.group(group).assign_coords(case_name=case)
 
     def _histories(self, members: list[int], case: str) -> xarray.Dataset:

@@ -50,19 +50,19 @@ def mean_interval(values: ArrayLike, confidence: float = 0.95, positive: bool = 
     """Mean of `values`, one an arrangement, by Student's t. `positive`: of values above 0 the prediction interval is
     that of their logarithms. Values that are not finite are left out; a single one gives only an estimate, none gives
     NaN."""
-    values = numpy.asarray(values, float)
-    values = values[numpy.isfinite(values)]
-    count = len(values)
+    finite = numpy.asarray(values, float)
+    finite = finite[numpy.isfinite(finite)]
+    count = len(finite)
     if count == 0:
         return Interval(NAN)
-    mean = float(values.mean())
+    mean = float(finite.mean())
     if count == 1:
         return Interval(mean)
-    width = student_t(count - 1, (1 - confidence) / 2) * float(values.std(ddof=1))
+    width = student_t(count - 1, (1 - confidence) / 2) * float(finite.std(ddof=1))
     of_mean, of_run = width / numpy.sqrt(count), width * numpy.sqrt(1 + 1 / count)
     made = Interval(mean, mean - of_mean, mean + of_mean, mean - of_run, mean + of_run)
-    if not positive or (values <= 0).any():
+    if not positive or (finite <= 0).any():
         return made
-    logarithmic = mean_interval(numpy.log(values), confidence)
+    logarithmic = mean_interval(numpy.log(finite), confidence)
     return made._replace(prediction_low=float(numpy.exp(logarithmic.prediction_low)),
                          prediction_high=float(numpy.exp(logarithmic.prediction_high)))
