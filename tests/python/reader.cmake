@@ -1,0 +1,8 @@
+# python/floes_reader, installed by pip without a network, beside what floes says of the same files; and docs/python.md.
+# Debian's own Python has what it needs (packages-test.txt); another one earlier in the path may not.
+if(TARGET floes)
+  add_test(NAME python.reader
+           COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/python/reader_test.py $<TARGET_FILE:floes>
+                   $<TARGET_FILE:synthetic_file> ${PROJECT_SOURCE_DIR})
+  set_tests_properties(python.reader PROPERTIES LABELS default TIMEOUT 300 PROCESSORS 2)
+endif()

@@ -1,0 +1,223 @@
+#!/usr/bin/python3
+"""reader_test.py FLOES SYNTHETIC_FILE PROJECT: what python/floes_reader makes of campaign files, beside what floes
+says of them and what h5py reads. The page docs/python.md shows what its blocks print."""
+
+import csv
+import io
+import json
+import subprocess
+import sys
+import unittest
+
+import h5py
+import numpy
+import pandas
+from campaigns import DESIGN, EMPTY, FLOES, FULL, PROJECT, SMOKE, run
+from figures import Figures  # noqa: F401
+from refusals import Refusals  # noqa: F401
+from scipy import stats
+
+import floes_reader
+from floes_reader import intervals, stored
+from floes_reader.quantities import with_times
+
+
+def summarize(path, part, form):
+    return run(FLOES, "summarize", path, "--parts", part, "--format", form)
+
+
+class Statistics(unittest.TestCase):
+    def test_student_t_is_that_of_scipy(self):
+        for freedom in [*range(1, 130), 999, 1000, 100_001]:
+            for tail in (0.05, 0.025, 0.005):
+                exceeded = stats.t.sf(intervals.student_t(freedom, tail), freedom)  # scipy's isf is good to 5e-9 only
+                self.assertAlmostEqual(exceeded / tail, 1, delta=1e-12 * max(10, freedom / 100), msg=f"{freedom}, {tail}")
+
+    def compare(self, path, parts, value_of):
+        """Every figure of `floes summarize`, and no other. `value_of`: (record of a case, name, part) -> number or
+        NaN."""
+        with floes_reader.open(path) as campaign:
+            summary = campaign.summary()
+            shown = with_times(campaign.quantities.averaging_time.unique()[1:])
+            for record in parts:
+                case = record["name"]
+                self.assertEqual(list(summary.loc[case].index), [one.key for one in shown])
+                for one in shown:
+                    for part in ("estimate", "low", "high", "prediction_low", "prediction_high"):
+                        expected, found = value_of(record, one.name, part), summary.loc[(case, one.key), part]
+                        numpy.testing.assert_allclose(found, expected, 1e-11, 1e-11, err_msg=f"{case} {one.key} {part}")
+                about = campaign.cases.loc[case]
+                for name, column in (("members", "members"), ("failed_members", "failed"),
+                                     ("missing_members", "missing"), ("not_steady", "not_steady")):
+                    self.assertEqual(int(record[name]), about[column], name)
+            self.assertEqual([record["name"] for record in parts], list(campaign.cases.index))
+            return shown
+
+    def test_summary_is_that_of_floes(self):
+        for path in (SMOKE, FULL, EMPTY, DESIGN):
+            with self.subTest(path=path.name):
+                cases = json.loads(summarize(path, "cases", "json"))["cases"]
+                shown = self.compare(path, cases, lambda record, name, part: numpy.nan if record[name][part] is None
+                                     else record[name][part])
+                estimated = [name for name, value in cases[0].items() if "estimate" in str(value)]
+                self.assertEqual([one.name for one in shown], estimated)
+                rows = list(csv.DictReader(io.StringIO(summarize(path, "cases", "csv"))))
+                self.compare(path, rows, lambda record, name, part: float(
+                    record[name if part == "estimate" else f"{name}_{part}"] or numpy.nan))
+
+    def test_another_confidence(self):
+        with floes_reader.open(SMOKE) as campaign:
+            loads = campaign.members.query("case == 'E60'").mean_load
+            found = campaign.summary(0.9).loc[("E60", "mean_load")]
+        low, high = stats.t.interval(0.9, len(loads) - 1, loads.mean(), stats.sem(loads))
+        numpy.testing.assert_allclose([found.low, found.high], [low, high])
+        self.assertEqual(found.n, 4)
+
+
+class Tables(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.full, cls.smoke, cls.designed = (floes_reader.open(path) for path in (FULL, SMOKE, DESIGN))
+
+    @classmethod
+    def tearDownClass(cls):
+        for campaign in (cls.full, cls.smoke, cls.designed):
+            campaign.close()
+
+    def test_the_reader_knows_the_layout_of_floes(self):
+        self.assertEqual(self.full.layout, floes_reader.LAYOUT)
+        self.assertEqual(set(self.full._stored.groups()), stored.GROUPS)
+
+    def test_members(self):
+        members = self.full.members
+        self.assertEqual(list(members.status.value_counts()[["done", "failed", "missing"]]), [10, 1, 1])
+        self.assertEqual(members.status[4], "failed")
+        self.assertIn("ran away at 12.34 s: 11 m/s, allowed ≤ 10 m/s", members.reason[4])
+        self.assertEqual(list(members.case[:4]), ["soft", "stiff", "open", "soft"])
+        self.assertEqual(list(members.arrangement_number[:4]), [0, 0, 0, 1])
+        self.assertEqual(list(members.steady[:5].fillna(False)), [True, False, True, False, False])
+        self.assertEqual(list(members.index[members.steady.isna()]), [4, 7])
+        with h5py.File(FULL) as file:
+            for key in (key for key, time in self.full.quantities.averaging_time.items() if time == 0):
+                numpy.testing.assert_array_equal(members[key], file["members"][key][:], key)
+                self.assertEqual(list(members.index[members[key].isna()]), [4, 7], key)
+                self.assertEqual(self.full.quantities.units[key], file["members"][key].attrs["units"])
+                self.assertEqual(self.full.quantities.long_name[key], file["members"][key].attrs["long_name"])
+            numpy.testing.assert_array_equal(members["sd_maximum_0.4s"], file["averaged/sd_maximum"][:, 2])
+        self.assertEqual(members.columns[6], "mean_load")
+        self.assertIn("averaged over 0.4 s", self.full.quantities.long_name["sd_maximum_0.4s"])
+        members.loc[:, "mean_load"] = 0.0
+        self.assertEqual(self.full.members.mean_load[0], 100.1, "a table is a copy")
+        self.assertFalse(self.full.complete)
+        self.assertTrue(self.smoke.complete)
+        self.assertEqual(repr(self.full), "<campaign synthetic: 12 members in 3 cases, 10 done, 1 failed>")
+
+    def test_cases_and_keys(self):
+        cases = self.full.cases
+        self.assertEqual(list(cases.far_end), ["ice_sheet", "ice_sheet", "open"])
+        self.assertEqual(list(cases.elastic_modulus), [60e6, 200e6, 200e6])
+        self.assertEqual(self.full.keys("open")["field.far_end"], "open")
+        self.assertEqual(self.full.keys("open")["ice.thickness_m"], 0.033)
+        self.assertNotIn("name", self.full.keys("open"))
+        self.assertEqual(list(self.smoke.overrides.columns), ["ice.elastic_modulus_MPa", "joint.cfm"])
+        self.assertEqual(list(self.smoke.overrides["joint.cfm"]), [0.03, 0.016, 1e-10])
+        self.assertEqual(self.full.overrides["analysis.averaging_s"]["open"], [0.2, 0.4])
+        self.assertEqual(self.full.configuration["campaign"]["seed"], 7)
+        self.assertIsNone(self.full.design)
+
+    def test_design_is_that_of_floes(self):
+        expected = pandas.read_csv(io.StringIO(summarize(DESIGN, "points", "csv")), index_col=0)
+        columns = ["base", "point", "structure.keel_radius_m", "general.time_step_s"]
+        pandas.testing.assert_frame_equal(self.designed.design, expected[columns], check_dtype=False)
+        self.assertNotIn("design.point", self.designed.keys("open+0.4_0.01"))
+
+    def test_histories(self):
+        history = self.full.history(3)
+        numpy.testing.assert_allclose(history.surge_load, 400 * numpy.sin(0.1 * numpy.arange(110)), rtol=1e-12)
+        numpy.testing.assert_allclose(history.time, 0.02 * numpy.arange(1, 111))
+        self.assertEqual(history.attrs, {"case": "soft", "steady_start": 1.0, "member": 3, "arrangement": 2})
+        self.assertEqual((history.heave_load.attrs["units"], history.time.attrs["units"]), ("N", "s"))
+        self.assertEqual(self.full.history(2).sizes["time"], 100)  # its case ends earlier
+        of_case = self.full.histories("stiff")
+        self.assertEqual(list(of_case.member.values), [1, 10])  # 4 failed, 7 is missing
+        numpy.testing.assert_array_equal(of_case.sway_load[1], self.full.history(10).sway_load)
+        with floes_reader.open(EMPTY) as empty:
+            self.assertEqual(empty.histories("open").sizes, {"member": 0, "time": 0})
+
+    def test_times_of_cases_that_differ_in_their_steps(self):
+        for case, about in self.designed.cases.iterrows():
+            loads = self.designed.histories(case).surge_load
+            self.assertEqual(loads.attrs["units"], "N")
+            numpy.testing.assert_allclose(loads.time, 2 * about.time_step * numpy.arange(1, loads.sizes["time"] + 1))
+            self.assertAlmostEqual(float(loads.time[-1]), 4)
+            means = loads.where(loads.time > about.steady_start + about.time_step, drop=True).mean("time")
+            numpy.testing.assert_allclose(means, self.designed.members.mean_load[means.member], rtol=1e-9)
+
+    def test_breaks(self):
+        breaks = self.full.breaks
+        with h5py.File(FULL) as file:
+            for name in ("member", "time", "floe", "joint"):
+                numpy.testing.assert_array_equal(breaks[name], file["breaks"][name][:])
+        modes = ["bending", "shear", "compression", "tension", "torsion", "in_plane_bending"]
+        self.assertEqual(list(breaks["mode"]), [modes[(member + k) % 6] for member in range(12) if member not in (4, 7)
+                                                for k in range(member % 4)])
+        self.assertEqual(list(breaks.case[:3]), ["stiff", "open", "open"])
+        bending = self.smoke.breaks.query("mode == 'bending'").groupby("member").size()
+        self.assertGreater(bending.sum(), 0)
+        found = self.smoke.members.failures_bending
+        self.assertEqual(bending.reindex(found.index, fill_value=0).tolist(), found.tolist())
+
+    def test_averaged_and_peaks(self):
+        averaged, peaks = self.full.averaged, self.full.peaks
+        self.assertEqual(float(averaged.mean_maximum.sel(member=3, averaging_time=0.4)), 404)
+        self.assertEqual(averaged.sd_load.attrs["units"], "N")
+        self.assertEqual(list(averaged.case_name.values[:3]), ["soft", "stiff", "open"])
+        own = peaks[(peaks.member == 8) & (peaks.averaging_time == 0.2)]
+        numpy.testing.assert_allclose(own.load, [900.4, 900.3, 900.2], rtol=1e-12)
+        self.assertEqual(set(own.case), {"open"})
+        self.assertEqual(len(peaks), numpy.isfinite(averaged.peaks).sum())
+
+    def test_exceedance_is_that_of_floes(self):
+        levels = json.loads(summarize(FULL, "exceedance", "json"))["load_levels"]
+        self.assertGreater(len(levels), 3)
+        means = self.full.exceedance.groupby("case_name").mean()
+        for row in levels:
+            found = means.sel(case_name=row["case"], level=row["level_N"])
+            self.assertAlmostEqual(float(found.time_above), row["time_above"]["estimate"], delta=1e-12)
+            self.assertAlmostEqual(float(found.upcrossings_per_s), row["upcrossings_per_s"]["estimate"], delta=1e-12)
+        self.assertIsNone(self.smoke.exceedance)
+
+    def test_load_map(self):
+        found = self.smoke.load_map
+        means = self.smoke.members.mean_load
+        numpy.testing.assert_allclose(found.surge_load.sum(["height", "angle"]), means, rtol=1e-9)
+        numpy.testing.assert_allclose(found.surge_load_along_tow.mean("tow"), means, rtol=1e-9)
+        self.assertEqual(found.angle.attrs["units"], "degree")
+
+    def test_provenance(self):
+        self.assertEqual(self.full.provenance["seed"], 7)
+        self.assertEqual(self.full.provenance["software"], "floes")
+        self.assertEqual(list(self.full.sessions.ranks), [2, 1])
+        self.assertEqual(self.full.sessions.started[0], "2026-01-01T10:00:00Z")
+        costs = self.full.costs
+        self.assertEqual((costs.wall_time[2], costs.host[1], costs.attempts[7]), (14.5, "node1", 0))
+        pose = self.full.group("arrangements").pose.sel(arrangement=2, floe=1)
+        self.assertEqual(list(pose.coordinate.values), ["x", "z", "yaw"])
+        numpy.testing.assert_allclose(pose, [7.1, 0.8, 0.01])
+
+    def test_a_file_without_results(self):
+        with floes_reader.open(EMPTY) as campaign:
+            self.assertTrue((campaign.members.status == "missing").all())
+            self.assertTrue(campaign.members.mean_load.isna().all())
+            self.assertEqual((len(campaign.breaks), len(campaign.peaks), len(campaign.summary())), (0, 0, 60))
+
+
+class Page(unittest.TestCase):
+    def test_blocks_print_what_the_page_shows(self):
+        script = PROJECT / "docs/figures/python_page.py"
+        page = subprocess.run(["/usr/bin/python3", script, SMOKE], capture_output=True, text=True)
+        self.assertEqual(page.returncode, 0, page.stdout + page.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
