@@ -137,7 +137,8 @@ def picture(page):
     figure = text[text.index("<svg", begin):text.index("</svg>", begin) + len("</svg>")]
     style = text[text.index("<style>"):text.index("</style>") + len("</style>")]
     page.write_text(f"<!doctype html><meta charset=utf-8>{style}<body style='margin:8px;max-width:none'>{figure}")
-    subprocess.run(["chromium", "--headless", "--no-sandbox", "--hide-scrollbars", "--window-size=760,800",
+    width, height = (16 + round(float(size)) for size in figure.split('viewBox="0 0 ')[1].split('"')[0].split())
+    subprocess.run(["chromium", "--headless", "--no-sandbox", "--hide-scrollbars", f"--window-size={width},{height}",
                     f"--screenshot={DATA / 'pairs.png'}", page.as_uri()], check=True, capture_output=True)
 
 

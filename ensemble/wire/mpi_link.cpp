@@ -13,6 +13,7 @@
 #include <exception>
 #include <iterator>
 #include <set>
+#include <string_view>
 #include <thread>
 #include <utility>
 
@@ -62,6 +63,33 @@ class CrashSignals {
     std::array<struct sigaction, signals.size()> former_{};
 };
 
+// MPI starts together. If a rank dies meanwhile and mpirun lets the others go on (--enable-recovery), they wait for it
+// forever.
+class StartDeadline {
+  public:
+    explicit StartDeadline(unsigned seconds) {
+        struct sigaction action {};
+        action.sa_handler = [](int) {
+            constexpr std::string_view text =
+                "floes: MPI did not start in time; another rank was lost while it did. Start the run again, with "
+                "--resume.\n";
+            [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
+            ::_exit(1);
+        };
+        ::sigaction(SIGALRM, &action, &former_);
+        ::alarm(seconds);
+    }
+    ~StartDeadline() {
+        ::alarm(0);
+        ::sigaction(SIGALRM, &former_, nullptr);
+    }
+    StartDeadline(const StartDeadline&) = delete;
+    StartDeadline& operator=(const StartDeadline&) = delete;
+
+  private:
+    struct sigaction former_ {};
+};
+
 std::vector<CoreMask> masks_of(MPI_Comm node) {
     int ranks = 0;
     FLOES_MPI(MPI_Comm_size(node, &ranks));
@@ -94,7 +122,8 @@ struct MpiLink::Transfer {
     }
 };
 
-MpiLink::MpiLink() : exceptions_(std::uncaught_exceptions()) {
+MpiLink::MpiLink(unsigned longest_start) : exceptions_(std::uncaught_exceptions()) {
+    const StartDeadline deadline(longest_start);
     int provided = MPI_THREAD_SINGLE;
     {
         const CrashSignals former;

@@ -12,8 +12,9 @@ namespace floes {
 
 class MpiLink final : public Link {
   public:
-    /// Collective over all ranks. Throws RunError if MPI cannot be started.
-    MpiLink();
+    /// Collective over all ranks. Throws RunError if MPI cannot be started. Where the ranks have not all started within
+    /// `longest_start` s, this process says so and ends with status 1.
+    explicit MpiLink(unsigned longest_start);
 
     /// Waits (asleep, for a limited time) until all messages are sent, then ends MPI. During an exception MPI_Finalize
     /// is not called, because the other ranks may never reach it: mpirun then sees an improper exit and ends them all,

@@ -14,8 +14,8 @@ bool started_by_mpi() {
     return false;
 }
 
-std::unique_ptr<Link> open_link() {
-    if (started_by_mpi()) return std::make_unique<MpiLink>();
+std::unique_ptr<Link> open_link(unsigned longest_start) {
+    if (started_by_mpi()) return std::make_unique<MpiLink>(longest_start);
     return std::make_unique<LocalLink>();
 }
 

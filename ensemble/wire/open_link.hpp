@@ -10,7 +10,7 @@ namespace floes {
 /// True if mpirun or srun started this process as one of its ranks. Reads only the environment.
 bool started_by_mpi();
 
-/// MPI under mpirun or srun, otherwise local without starting MPI.
-std::unique_ptr<Link> open_link();
+/// MPI under mpirun or srun, otherwise local without starting MPI. `longest_start`, s: MpiLink.
+std::unique_ptr<Link> open_link(unsigned longest_start = 600);
 
 }  // namespace floes

@@ -81,7 +81,7 @@ int main(int argc, char** argv) {
     const Patience patience = many ? Patience{.sign_of_life = 1, .with_a_worker = 20, .with_the_master = 40}
                                    : Patience{.sign_of_life = 0.1, .with_a_worker = 1, .with_the_master = 2};
     Helper helper(compute);
-    const std::unique_ptr<Link> link = open_link();
+    const std::unique_ptr<Link> link = open_link(20);
     std::ofstream(folder / ("rank" + std::to_string(link->rank()))) << ::getpid() << " " << helper.pid() << "\n";
     if (link->rank() != 0) return serve_campaign(*link, threads, compute, &helper, patience);
     return lead_ranks(*link, std::cerr, [&] {
