@@ -85,7 +85,7 @@ TEST(MpiLink, WaitingCostsAlmostNothing) {
 int main(int argc, char** argv) {
     testing::InitGoogleTest(&argc, argv);
     floes::handlers_before_mpi = floes::crash_handlers();
-    floes::MpiLink link;
+    floes::MpiLink link(60);
     floes::link = &link;
     return RUN_ALL_TESTS();
 }
