@@ -52,6 +52,19 @@ std::string percent(double share) {
     return shown > 0 && shown < 0.1 ? "< 0.1" : fixed(shown, shown < 10 ? 1 : 0);
 }
 
+/// The names of the targets that are not used, by the reason, in the order of the first.
+std::vector<std::pair<std::string, std::vector<std::string>>> unused_by_reason(
+    const std::vector<EmulatedTarget>& targets) {
+    std::vector<std::pair<std::string, std::vector<std::string>>> reasons;
+    for (const EmulatedTarget& target : targets) {
+        if (target.unused().empty()) continue;
+        auto known = std::ranges::find(reasons, target.unused(), [](const auto& one) { return one.first; });
+        if (known == reasons.end()) known = reasons.insert(known, {target.unused(), {}});
+        known->second.push_back(target.target().name());
+    }
+    return reasons;
+}
+
 std::string verdict_text(const std::vector<EmulatedTarget>& targets, const Matching& found) {
     const auto used = std::ranges::count_if(targets, [](const EmulatedTarget& one) { return one.unused().empty(); });
     std::string told = fmt::format("{} of {} used. ", used, counted(std::ssize(targets), "target"));
@@ -87,9 +100,8 @@ Section target_section(const std::vector<EmulatedTarget>& targets, const Matchin
         "implausibility:\n"
         "how far the target is from its prediction at the best point for it, in standard deviations. Rules out: share\n"
         "of the inputs' ranges where that is above 3; alone: that no other target rules out.\n";
-    for (const auto& [target, verdict] : rows)
-        if (!target->unused().empty())
-            section.after += fmt::format("Not used: {}: {}\n", target->target().name(), target->unused());
+    for (const auto& [reason, names] : unused_by_reason(targets))
+        section.after += fmt::format("Not used: {}: {}\n", fmt::join(names, ", "), reason);
     using Row = const TargetRow&;
     using Whole = const Matching&;
     section.records = {
