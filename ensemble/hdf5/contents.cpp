@@ -35,7 +35,17 @@ std::string link_name(hid_t group, hsize_t number, const std::string& path) {
     return name;
 }
 
+void visit_readable(hid_t file, const std::string& path, int depth, Paths& found);
+
 void visit(hid_t file, const std::string& path, int depth, Paths& found) {
+    try {
+        visit_readable(file, path, depth, found);
+    } catch (const DamagedFile&) {
+        found.unreadable.push_back(path);
+    }
+}
+
+void visit_readable(hid_t file, const std::string& path, int depth, Paths& found) {
     if (depth > most_deep || found.groups.size() + found.datasets.size() > most_objects)
         refuse_damaged(file, fmt::format("{} has more in it than floes writes", path));
     const Handle object = open_object(file, path);
@@ -80,6 +90,7 @@ Paths paths_of(hid_t file) {
 
 ContentsDigests contents_digests(hid_t file) {
     const Paths paths = paths_of(file);
+    for (const std::string& path : paths.unreadable) refuse_damaged(file, fmt::format("{} cannot be read", path));
     StreamingDigest contents;
     StreamingDigest provenance;
     for (const std::vector<std::string>* all : {&paths.groups, &paths.datasets}) {

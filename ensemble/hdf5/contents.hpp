@@ -13,8 +13,8 @@ namespace floes::hdf5 {
 struct Paths {
     std::vector<std::string> groups;  ///< the root "/" is the first
     std::vector<std::string> datasets;
+    std::vector<std::string> unreadable;  ///< of either: only who looks for damage goes on with these
 };
-/// Throws RunError where the groups cannot be read.
 Paths paths_of(hid_t file);
 
 /// The digest over all that does not say how the file was made: of groups and datasets outside /provenance in turn the

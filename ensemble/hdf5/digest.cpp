@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hdf5/attributes.hpp"
+#include "hdf5/checked_driver.hpp"
 #include "hdf5/damage.hpp"
 #include "hdf5/stored.hpp"
 #include "records/packed_checksum.hpp"
@@ -113,6 +114,7 @@ StoredDigest digest_of(hid_t id, DigestKind kind) {
             digest.add<double>(values, values.size());
         });
     } else {
+        const PassedValues until_compared(id);
         const hsize_t row_bytes = std::max<hsize_t>(1, shape.row_values * shape.value_bytes);
         for_pieces(dataset, name, shape, std::max<hsize_t>(1, piece_bytes / row_bytes),
                    [&](std::span<const std::byte> bytes) { digest.add_bytes(bytes); });

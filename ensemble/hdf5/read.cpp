@@ -69,6 +69,8 @@ std::vector<Value> read_values(hid_t parent, const std::string& name) {
     const Handle dataset = open_dataset(parent, name);
     const StoredShape shape = shape_of(dataset, name, Portion::whole);
     std::vector<Value> values(shape.count);
+    if (shape.is_text) refuse_damaged(parent, fmt::format("{} has texts where numbers belong", name));
+    const PassedValues until_compared(dataset.id());
     check_read(H5Dread(dataset.id(), native_type<Value>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), parent, name);
     compare(parent, dataset, name, [&](DatasetDigest& digest) {
         if (!has_type(dataset, stored_type<Value>())) refuse_damaged(parent, fmt::format("{} has another type", name));

@@ -51,6 +51,8 @@ void check_contents(hid_t file, FileCheck& check) {
     check.has_digests = !stored.contents.empty();
     const Paths paths = paths_of(file);
     check.datasets = paths.datasets.size();
+    for (const std::string& path : paths.unreadable)
+        check.damaged.push_back({path, fmt::format("{} cannot be read", path), false, {}});
     for (const std::string& path : paths.datasets) check_dataset(file, path, check);
     if (check.has_digests && check.damaged.empty() && stored != contents_digests(file))
         check.fault = "its attributes, or the names of its datasets, are not those that were written";
