@@ -8,7 +8,6 @@
 #include "core/error.hpp"
 #include "hdf5/attributes.hpp"
 #include "hdf5/damage.hpp"
-#include "hdf5/read.hpp"
 
 namespace floes::hdf5 {
 namespace {
@@ -118,7 +117,7 @@ void write_contents_digests(hid_t file) {
 
 ContentsDigests read_contents_digests(hid_t file) {
     const auto text = [&](const char* path, const char* name) -> std::string {
-        if (path != std::string("/") && !exists(file, std::string(path).substr(1))) return "";
+        if (path != std::string("/") && check_read(H5Lexists(file, path, H5P_DEFAULT), file, path) == 0) return "";
         const Handle object = open_object(file, path);
         return has_attribute(object.id(), name) ? read_text_attribute(object.id(), name) : "";
     };

@@ -9,6 +9,7 @@
 #include "hdf5/digest.hpp"
 #include "hdf5/pages.hpp"
 #include "hdf5/stored.hpp"
+#include "hdf5/trial.hpp"
 
 namespace floes::hdf5 {
 namespace {
@@ -50,7 +51,11 @@ Handle open_for_reading(const std::filesystem::path& path) {
     if (H5Fis_hdf5(path.c_str()) <= 0)
         throw InputError(fmt::format("{} is not an HDF5 file; give the .h5 that floes run wrote.", path.string()));
     const Handle access = access_without_locks();
-    if (CheckedPages::open(path)) read_by_pages(access);
+    if (CheckedPages::open(path)) {
+        read_by_pages(access);
+    } else {
+        try_out(path);
+    }
     const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id());
     if (file < 0) throw DamagedFile(path.string(), fmt::format("HDF5 cannot open it ({})", last_reason()));
     return Handle(file, H5Fclose, "H5Fopen", path.string());
