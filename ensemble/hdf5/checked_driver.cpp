@@ -68,16 +68,10 @@ haddr_t get_eof(const H5FD_t* file, H5FD_mem_t) {
     return mine(file).pages.size();
 }
 
-/// Whether HDF5 may go on with what was read although a page of it is damaged, so that what it says names the right
-/// dataset: one page has several in it.
-bool may_go_on(OpenFile& file, H5FD_mem_t of, haddr_t at, std::span<std::byte> bytes) {
-    if (of == H5FD_MEM_DRAW) return file.passes_values;
-    if (of == H5FD_MEM_OHDR && file.pages.fault_at() > at) {
-        // HDF5 reads more than a header at once; if the rest belongs to it, its own checksum fails.
-        std::ranges::fill(bytes.subspan(file.pages.fault_at() - at), std::byte{0});
-        return true;
-    }
-    return false;
+/// Whether HDF5 may have what was read although a page of it is damaged: a page has several datasets in it, and what is
+/// said should name the right one. Headers have checksums, which HDF5 compares before it reads them.
+bool may_have(const OpenFile& file, H5FD_mem_t of) {
+    return of == H5FD_MEM_OHDR || (of == H5FD_MEM_DRAW && file.passes_values);
 }
 
 herr_t read(H5FD_t* file, H5FD_mem_t of, hid_t, haddr_t at, std::size_t size, void* to) {
@@ -87,7 +81,7 @@ herr_t read(H5FD_t* file, H5FD_mem_t of, hid_t, haddr_t at, std::size_t size, vo
     const std::span bytes(static_cast<std::byte*>(to), size);
     std::ranges::fill(bytes.subspan(inside), std::byte{0});
     const bool good = caught([&] { return pages.read(at, bytes.first(inside)); }, false);
-    if (good || may_go_on(mine(file), of, at, bytes.first(inside))) return 0;
+    if (good || may_have(mine(file), of)) return 0;
     report(pages.fault());
     return -1;
 }

@@ -90,7 +90,6 @@ bool CheckedPages::read(std::uint64_t at, std::span<std::byte> to) {
     if (to.empty()) return true;
     const std::uint64_t first = at / page_bytes;
     const std::uint64_t begin = first * page_bytes;
-    fault_at_ = at;
     fault_ = fmt::format("bytes {} to {} lie behind its end", at, at + to.size() - 1);
     if (at > size_ || to.size() > size_ - at) return false;
     pages_.resize(std::min(pages_in(at + to.size()) * page_bytes, size_) - begin);
@@ -100,9 +99,9 @@ bool CheckedPages::read(std::uint64_t at, std::span<std::byte> to) {
         if (good_[first + k]) continue;
         good_[first + k] = page_digest(page(pages_, k)) == digests_[first + k];
         if (good_[first + k]) continue;
-        fault_at_ = begin + k * page_bytes;
-        fault_ = fmt::format("bytes {} to {} are not those that were written", fault_at_,
-                             std::min(fault_at_ + page_bytes, size_) - 1);
+        const std::uint64_t from = begin + k * page_bytes;
+        fault_ =
+            fmt::format("bytes {} to {} are not those that were written", from, std::min(from + page_bytes, size_) - 1);
         return false;
     }
     return true;

@@ -33,8 +33,7 @@ class CheckedPages {
     /// Reads `to.size()` bytes from `at` on; false where a page is not what was written, or the file ends. The bytes of
     /// such a page are read nevertheless.
     bool read(std::uint64_t at, std::span<std::byte> to);
-    /// Where the first page that the last read() found damaged begins, and a sentence about it.
-    std::uint64_t fault_at() const { return fault_at_; }
+    /// The first page that the last read() found damaged, as "bytes 4096 to 4607 are not those that were written".
     const std::string& fault() const { return fault_; }
 
   private:
@@ -46,7 +45,6 @@ class CheckedPages {
     std::vector<std::uint32_t> digests_;
     std::vector<bool> good_;  ///< pages that were read before
     Bytes pages_;
-    std::uint64_t fault_at_ = 0;
     std::string fault_;
 };
 
