@@ -37,6 +37,7 @@ void try_out(const std::filesystem::path& path) {
     if (child < 0) return;  // then without
     if (child == 0) {
         ::alarm(longest);
+        ::close(STDERR_FILENO);  // what a crash would print
         try {
             read_structure(path);
         } catch (const std::exception&) {
