@@ -34,4 +34,8 @@ void LoadMapTables::write(std::size_t member, const PackedLoadMap& map) {
     along_tow_.write(member, map.along_tow);
 }
 
+void LoadMapTables::finish() {
+    for (hdf5::Rows* one : {&surge_, &normal_, &along_tow_}) one->finish();
+}
+
 }  // namespace floes

@@ -2,7 +2,7 @@
 // /load_map of a campaign file, with its dimensions. For this room only.
 
 #include "campaign_file/campaign_content.hpp"
-#include "records/packed_history.hpp"
+#include "hdf5/rows.hpp"
 
 namespace floes {
 
@@ -11,6 +11,8 @@ class LoadMapTables {
     LoadMapTables(hid_t file, const CampaignScales& scales);
 
     void write(std::size_t member, const PackedLoadMap& map);
+    /// After the last member.
+    void finish();
 
   private:
     hdf5::Scale height_;

@@ -7,6 +7,8 @@
 #include "campaign_file/campaign_kind.hpp"
 #include "campaign_file/publish.hpp"
 #include "core/error.hpp"
+#include "hdf5/contents.hpp"
+#include "hdf5/pages.hpp"
 #include "records/file_calls.hpp"
 
 namespace floes {
@@ -30,8 +32,10 @@ void write_file(const std::filesystem::path& path, CampaignContent& content, std
         write_breaks(file.id(), content, scales);
         write_calibration(file.id(), content, calibrations);
         write_provenance(file.id(), content, sessions);
+        hdf5::write_contents_digests(file.id());
     }
     file.close("H5Fclose", path.string());
+    hdf5::append_page_digests(path);
 }
 
 }  // namespace

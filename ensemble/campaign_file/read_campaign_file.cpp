@@ -6,9 +6,8 @@
 
 #include "campaign/read.hpp"
 #include "campaign_file/campaign_kind.hpp"
+#include "campaign_file/columns.hpp"
 #include "campaign_file/read_campaign_file.hpp"
-#include "core/error.hpp"
-#include "hdf5/read.hpp"
 
 namespace floes {
 namespace {
@@ -16,12 +15,23 @@ namespace {
 using hdf5::Handle;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr std::int32_t most_segments = 1'000'000;
+constexpr std::int32_t most_stride = 1'000'000'000;
+
+/// A case has at most as many segments as a row is wide.
+void check_segments(hid_t file, int segments, std::size_t width) {
+    if (static_cast<std::size_t>(segments) > width)
+        hdf5::refuse_damaged(file, fmt::format("cases/segments has {} where {} are stored", segments, width));
+}
 
 std::vector<Shape> read_shapes(hid_t file, std::size_t cases) {
     std::vector<std::vector<double>> columns;
-    for (const ShapeColumn& column : Shape::columns)
-        columns.push_back(hdf5::read_values<double>(file, fmt::format("cases/profile_{}", column.name).c_str()));
-    const std::size_t points = cases == 0 ? 0 : columns.front().size() / cases;
+    std::size_t points = 0;
+    for (const ShapeColumn& column : Shape::columns) {
+        const std::string name = fmt::format("cases/profile_{}", column.name);
+        columns.push_back(read_table<double>(file, name, cases, points));
+        check_count(file, name, columns.back().size(), columns.front().size());
+    }
     std::vector<Shape> shapes;
     for (std::size_t k = 0; k < cases; ++k) {
         std::vector<std::vector<double>> rows;
@@ -37,7 +47,9 @@ std::vector<Shape> read_shapes(hid_t file, std::size_t cases) {
 
 /// Files before layout 1.5 say the laws in their configuration only.
 std::vector<ContactLaw> configured_contacts(hid_t file) {
-    const std::string text = hdf5::read_texts(file, "provenance/configuration").at(0);
+    const std::vector<std::string> texts = hdf5::read_texts(file, "provenance/configuration");
+    check_count(file, "provenance/configuration", texts.size(), 1);
+    const std::string& text = texts.front();
     std::vector<ContactLaw> laws;
     for (const Case& one : read_campaign({text, "its configuration", {}}, nullptr).cases) {
         laws.push_back(one.scenario.contact_law());
@@ -45,14 +57,14 @@ std::vector<ContactLaw> configured_contacts(hid_t file) {
     return laws;
 }
 
-std::vector<ContactLaw> read_contacts(hid_t file) {
+std::vector<ContactLaw> read_contacts(hid_t file, std::size_t count) {
     if (!hdf5::exists(file, "cases/contact_law")) return configured_contacts(file);
     std::vector<ContactLaw> laws;
-    for (const double erp : hdf5::read_values<double>(file, "cases/contact_erp")) laws.push_back({.erp = erp});
-    const auto friction = hdf5::read_values<std::int8_t>(file, "cases/friction");
-    const auto normal = hdf5::read_values<std::int8_t>(file, "cases/contact_law");
-    const auto pressure = hdf5::read_values<double>(file, "cases/crushing_pressure");
-    const auto internal_edges = hdf5::read_values<std::int8_t>(file, "cases/internal_edges");
+    for (const double erp : read_column<double>(file, "cases/contact_erp", count)) laws.push_back({.erp = erp});
+    const auto friction = read_numbers<std::int8_t>(file, "cases/friction", count, 0, 1);
+    const auto normal = read_numbers<std::int8_t>(file, "cases/contact_law", count, 0, 1);
+    const auto pressure = read_column<double>(file, "cases/crushing_pressure", count);
+    const auto internal_edges = read_numbers<std::int8_t>(file, "cases/internal_edges", count, 0, 1);
     for (std::size_t k = 0; k < laws.size(); ++k) {
         laws[k].friction = static_cast<Friction>(friction.at(k));
         laws[k].normal = static_cast<NormalLaw>(normal.at(k));
@@ -64,21 +76,22 @@ std::vector<ContactLaw> read_contacts(hid_t file) {
 
 std::vector<CaseRow> read_cases(hid_t file) {
     const auto names = hdf5::read_texts(file, "cases/name");
-    const auto cfm = hdf5::read_values<double>(file, "cases/cfm");
-    const auto modulus = hdf5::read_values<double>(file, "cases/elastic_modulus");
-    const auto far_end = hdf5::read_values<std::int8_t>(file, "cases/far_end");
-    const std::vector<ContactLaw> contacts = read_contacts(file);
+    const std::size_t count = names.size();
+    const auto cfm = read_column<double>(file, "cases/cfm", count);
+    const auto modulus = read_column<double>(file, "cases/elastic_modulus", count);
+    const auto far_end = read_numbers<std::int8_t>(file, "cases/far_end", count, 0, 1);
+    const std::vector<ContactLaw> contacts = read_contacts(file, count);
     const std::vector<Shape> shapes = read_shapes(file, names.size());
-    const auto steady_start = hdf5::read_values<double>(file, "cases/steady_start");
-    const auto window = hdf5::read_values<double>(file, "cases/window");
-    const auto segments = hdf5::read_values<std::int32_t>(file, "cases/segments");
-    const auto time_step = hdf5::read_values<double>(file, "cases/time_step");
+    const auto steady_start = read_column<double>(file, "cases/steady_start", count);
+    const auto window = read_column<double>(file, "cases/window", count);
+    const auto segments = read_numbers<std::int32_t>(file, "cases/segments", count, 1, most_segments);
+    const auto time_step = read_column<double>(file, "cases/time_step", count);
     std::vector<std::int32_t> stride(names.size(), 1);  // of files before layout 1.3
     if (hdf5::exists(file, "cases/history_stride"))
-        stride = hdf5::read_values<std::int32_t>(file, "cases/history_stride");
+        stride = read_numbers<std::int32_t>(file, "cases/history_stride", count, 1, most_stride);
     std::vector<double> separation(names.size(), Analysis{}.peak_separation);  // of files before layout 1.6
     if (hdf5::exists(file, "cases/peak_separation"))
-        separation = hdf5::read_values<double>(file, "cases/peak_separation");
+        separation = read_column<double>(file, "cases/peak_separation", count);
     std::vector<CaseRow> cases;
     for (std::size_t k = 0; k < names.size(); ++k) {
         CaseRow& row = cases.emplace_back();
@@ -99,14 +112,17 @@ std::vector<CaseRow> read_cases(hid_t file) {
 }
 
 std::vector<MemberRow> read_members(hid_t file, const std::vector<CaseRow>& cases) {
-    const auto case_index = hdf5::read_values<std::int32_t>(file, "members/case");
-    const auto arrangement = hdf5::read_values<std::int32_t>(file, "members/arrangement");
-    const auto status = hdf5::read_values<std::int8_t>(file, "members/status");
-    const auto steady = hdf5::read_values<std::int8_t>(file, "members/steady");
     const auto reason = hdf5::read_texts(file, "members/reason");
-    const auto maxima = hdf5::read_values<double>(file, "members/segment_maximum");
-    std::vector<MemberRow> members(case_index.size());
-    const std::size_t width = members.empty() ? 0 : maxima.size() / members.size();
+    const std::size_t count = reason.size();
+    const auto last_case = static_cast<std::int32_t>(cases.size()) - 1;
+    const auto last_member = static_cast<std::int32_t>(count);  // there are at most as many arrangements
+    const auto case_index = read_numbers<std::int32_t>(file, "members/case", count, 0, last_case);
+    const auto arrangement = read_numbers<std::int32_t>(file, "members/arrangement", count, 0, last_member);
+    const auto status = read_numbers<std::int8_t>(file, "members/status", count, -1, 1);
+    const auto steady = read_numbers<std::int8_t>(file, "members/steady", count, -1, 1);
+    std::size_t width = 0;
+    const auto maxima = read_table<double>(file, "members/segment_maximum", count, width);
+    std::vector<MemberRow> members(count);
     for (std::size_t k = 0; k < members.size(); ++k) {
         MemberRow& row = members[k];
         row.case_index = case_index[k];
@@ -116,13 +132,14 @@ std::vector<MemberRow> read_members(hid_t file, const std::vector<CaseRow>& case
         row.reason = reason.at(k);
         // Rows are as wide as the case with most segments needs.
         const int segments = cases.at(static_cast<std::size_t>(row.case_index)).analysis.segments;
+        check_segments(file, segments, width);
         const auto first = maxima.begin() + static_cast<std::ptrdiff_t>(k * width);
         row.load.segment_maximum.assign(first, first + segments);
     }
     for (const Quantity& one : quantities) {
         const std::string name = fmt::format("members/{}", one.key);
         std::vector<double> values(members.size(), nan);
-        if (one.since == 0 || hdf5::exists(file, name)) values = hdf5::read_values<double>(file, name);
+        if (one.since == 0 || hdf5::exists(file, name)) values = read_column<double>(file, name, count);
         for (std::size_t k = 0; k < members.size(); ++k) one.place.set(members[k], values.at(k));
     }
     return members;
@@ -135,9 +152,7 @@ void read_levels(hid_t file, CampaignTable& table) {
     table.levels = hdf5::read_values<double>(file, "level");
     const auto width = static_cast<std::ptrdiff_t>(table.levels.size());
     const auto counts = [&](const char* name, std::vector<double> MemberRow::*field) {
-        const auto values = hdf5::read_values<double>(file, name);
-        if (values.size() != table.members.size() * table.levels.size())
-            throw RunError(fmt::format("{} does not have a value for each member and level", name));
+        const auto values = read_column<double>(file, name, table.members.size() * table.levels.size());
         auto first = values.begin();
         for (MemberRow& row : table.members) {
             (row.*field).assign(first, first + width);
@@ -151,9 +166,9 @@ void read_levels(hid_t file, CampaignTable& table) {
 /// Before read_averaged() leaves times out.
 void read_peaks(hid_t file, CampaignTable& table) {
     if (!hdf5::exists(file, "averaged/peaks")) return;  // before layout 1.6
-    const auto values = hdf5::read_values<double>(file, "averaged/peaks");
     const std::size_t times = table.averaging_times.size();
-    const std::size_t width = values.size() / (table.members.size() * times);
+    std::size_t width = 0;
+    const auto values = read_table<double>(file, "averaged/peaks", table.members.size() * times, width);
     for (std::size_t k = 0; k < table.members.size(); ++k) {
         for (std::size_t i = 0; i < times; ++i) {
             const auto first = values.begin() + static_cast<std::ptrdiff_t>((k * times + i) * width);
@@ -168,11 +183,13 @@ void read_averaged(hid_t file, CampaignTable& table) {
     if (!hdf5::exists(file, "averaged")) return;  // before layout 1.4
     table.averaging_times = hdf5::read_values<double>(file, "averaging_time");
     const std::size_t times = table.averaging_times.size();
-    const auto maxima = hdf5::read_values<double>(file, "averaged/segment_maximum");
-    const std::size_t width = table.members.empty() ? 0 : maxima.size() / (table.members.size() * times);
+    const std::size_t count = table.members.size() * times;
+    std::size_t width = 0;
+    const auto maxima = read_table<double>(file, "averaged/segment_maximum", count, width);
     for (std::size_t k = 0; k < table.members.size(); ++k) {
         MemberRow& row = table.members[k];
         const auto segments = table.cases.at(static_cast<std::size_t>(row.case_index)).analysis.segments;
+        check_segments(file, segments, width);
         for (std::size_t i = 0; i < times; ++i) {
             const auto first = maxima.begin() + static_cast<std::ptrdiff_t>((k * times + i) * width);
             row.averaged.push_back(
@@ -181,7 +198,7 @@ void read_averaged(hid_t file, CampaignTable& table) {
     }
     for (const Quantity& one : quantities) {
         if (one.averaged == nullptr) continue;
-        const auto values = hdf5::read_values<double>(file, fmt::format("averaged/{}", one.key));
+        const auto values = read_column<double>(file, fmt::format("averaged/{}", one.key), count);
         for (std::size_t k = 0; k < table.members.size(); ++k)
             for (std::size_t i = 0; i < times; ++i)
                 table.members[k].averaged[i].*one.averaged = values.at(k * times + i);

@@ -3,20 +3,26 @@
 #include <cmath>
 
 #include "campaign/read.hpp"
-#include "hdf5/read.hpp"
+#include "campaign_file/columns.hpp"
+#include "quantities/member_outputs.hpp"
 
 namespace floes {
 namespace {
+
+constexpr auto last_mode = static_cast<std::int8_t>(std::size(failure_mode_names) - 1);
 
 constexpr const char* told_facts[]{"date",  "floes", "git_revision", "machine", "compiler", "compiler_flags", "bullet",
                                    "eigen", "hdf5",  "tbb",          "boost",   "mpi",      "math_library",   "seed"};
 
 std::string fact(hid_t group, const char* name) {
-    const hdf5::Handle attribute(H5Aopen(group, name, H5P_DEFAULT), H5Aclose, "H5Aopen", name);
+    const hdf5::Handle attribute(hdf5::check_read(H5Aopen(group, name, H5P_DEFAULT), group, name), H5Aclose, "H5Aopen",
+                                 name);
     const hdf5::Handle type(H5Aget_type(attribute.id()), H5Tclose, "H5Aget_type", name);
     if (H5Tget_class(type.id()) == H5T_STRING) return hdf5::read_text_attribute(group, name);
-    unsigned long long number = 0;
-    hdf5::check(H5Aread(attribute.id(), H5T_NATIVE_ULLONG, &number), "H5Aread", name);
+    if (H5Aget_storage_size(attribute.id()) != sizeof(std::uint64_t))
+        hdf5::refuse_damaged(group, fmt::format("the attribute {} is no single number", name));
+    std::uint64_t number = 0;
+    hdf5::check_read(H5Aread(attribute.id(), hdf5::native_type<std::uint64_t>(), &number), group, name);
     return std::to_string(number);
 }
 
@@ -25,9 +31,13 @@ std::string fact(hid_t group, const char* name) {
 CampaignOrigin read_origin(const std::filesystem::path& path) {
     const hdf5::QuietErrors quiet;
     const hdf5::Handle file = hdf5::open_for_reading(path);
-    const hdf5::Handle group(H5Gopen2(file.id(), "provenance", H5P_DEFAULT), H5Gclose, "H5Gopen", "provenance");
+    const hdf5::Handle group(
+        hdf5::check_read(H5Gopen2(file.id(), "provenance", H5P_DEFAULT), file.id(), "the group provenance"), H5Gclose,
+        "H5Gopen", "provenance");
     CampaignOrigin origin;
-    origin.configuration = hdf5::read_texts(file.id(), "provenance/configuration").at(0);
+    const std::vector<std::string> texts = hdf5::read_texts(file.id(), "provenance/configuration");
+    check_count(file.id(), "provenance/configuration", texts.size(), 1);
+    origin.configuration = texts.front();
     for (const char* name : told_facts) {
         if (hdf5::has_attribute(group.id(), name)) origin.facts.emplace_back(name, fact(group.id(), name));
     }
@@ -42,9 +52,10 @@ std::vector<PlanarPose> read_poses(const std::filesystem::path& path, int arrang
     const hdf5::QuietErrors quiet;
     const hdf5::Handle file = hdf5::open_for_reading(path);
     const auto rows = hdf5::read_values<double>(file.id(), "arrangements/psi4").size();
-    const auto values = hdf5::read_values<double>(file.id(), "arrangements/pose");
-    const std::size_t width = rows > 0 ? values.size() / rows : 0;
+    std::size_t width = 0;
+    const auto values = read_table<double>(file.id(), "arrangements/pose", rows, width);
     std::vector<PlanarPose> poses;
+    if (arrangement_row < 0 || static_cast<std::size_t>(arrangement_row) >= rows) return poses;
     const std::size_t first = static_cast<std::size_t>(arrangement_row) * width;
     for (std::size_t i = first; i + 2 < first + width; i += 3) {
         if (!std::isnan(values.at(i))) poses.push_back({values[i], values[i + 1], values[i + 2]});
@@ -63,10 +74,10 @@ std::vector<BreakRow> read_breaks(const std::filesystem::path& path) {
     const hdf5::Handle file = hdf5::open_for_reading(path);
     if (!hdf5::exists(file.id(), "breaks")) return {};
     const auto member = hdf5::read_values<std::int32_t>(file.id(), "breaks/member");
-    const auto time = hdf5::read_values<double>(file.id(), "breaks/time");
-    const auto floe = hdf5::read_values<std::int32_t>(file.id(), "breaks/floe");
-    const auto joint = hdf5::read_values<std::int32_t>(file.id(), "breaks/joint");
-    const auto mode = hdf5::read_values<std::int32_t>(file.id(), "breaks/mode");
+    const auto time = read_column<double>(file.id(), "breaks/time", member.size());
+    const auto floe = read_column<std::int32_t>(file.id(), "breaks/floe", member.size());
+    const auto joint = read_column<std::int32_t>(file.id(), "breaks/joint", member.size());
+    const auto mode = read_numbers<std::int8_t>(file.id(), "breaks/mode", member.size(), 0, last_mode);
     std::vector<BreakRow> rows;
     for (std::size_t i = 0; i < member.size(); ++i)
         rows.push_back({member[i], time.at(i), floe.at(i), joint.at(i), mode.at(i)});

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "campaign_file/campaign_table.hpp"
-#include "hdf5/read.hpp"
+#include "campaign_file/columns.hpp"
 
 namespace floes {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 std::vector<double> value_steps(hid_t file) {
     auto steps = hdf5::read_values<double>(file, "cases/time_step");
     if (!hdf5::exists(file, "cases/history_stride")) return steps;  // before layout 1.3
-    const auto strides = hdf5::read_values<std::int32_t>(file, "cases/history_stride");
+    const auto strides = read_column<std::int32_t>(file, "cases/history_stride", steps.size());
     for (std::size_t k = 0; k < steps.size(); ++k) steps[k] *= strides.at(k);
     return steps;
 }
@@ -26,8 +26,9 @@ void for_histories(const std::filesystem::path& path, const std::function<bool(i
     const char* name = "history/surge_load";
     if (!hdf5::exists(file.id(), name)) return;
     const std::vector<double> steps = value_steps(file.id());
-    const auto cases = hdf5::read_values<std::int32_t>(file.id(), "members/case");
     const auto status = hdf5::read_values<std::int8_t>(file.id(), "members/status");
+    const auto last_case = static_cast<std::int32_t>(steps.size()) - 1;
+    const auto cases = read_numbers<std::int32_t>(file.id(), "members/case", status.size(), 0, last_case);
     hdf5::RowReader<double> rows(file.id(), name);
     for (std::size_t member = 0; member < status.size(); ++member) {
         if (static_cast<RowStatus>(status[member]) != RowStatus::done || !wanted(static_cast<int>(member))) continue;

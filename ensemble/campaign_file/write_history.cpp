@@ -1,5 +1,6 @@
 #include "campaign_file/campaign_content.hpp"
 #include "campaign_file/load_map_tables.hpp"
+#include "hdf5/rows.hpp"
 
 namespace floes {
 
@@ -21,6 +22,8 @@ void write_history(hid_t file, const CampaignContent& content, const CampaignSca
         heave.write(member, history.heave);
         if (!history.map.empty()) maps.write(member, history.map);
     }
+    for (hdf5::Rows* one : {&surge, &sway, &heave}) one->finish();
+    maps.finish();
 }
 
 void write_breaks(hid_t file, const CampaignContent& content, const CampaignScales& scales) {

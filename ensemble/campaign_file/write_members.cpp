@@ -1,4 +1,5 @@
 #include "campaign_file/campaign_content.hpp"
+#include "hdf5/rows.hpp"
 
 namespace floes {
 namespace {

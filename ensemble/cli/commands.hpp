@@ -21,6 +21,7 @@ void add_hybrid(CLI::App& program, int& exit_status);
 void add_report(CLI::App& program, int& exit_status);
 void add_replay(CLI::App& program, int& exit_status);
 void add_match(CLI::App& program, int& exit_status);
+void add_verify(CLI::App& program, int& exit_status);
 
 /// The flag --version, and what it prints: a line each for name and version, git revision, compiler, libraries, lanes.
 void add_version(CLI::App& program);

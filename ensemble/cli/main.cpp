@@ -54,6 +54,7 @@ int main(int argc, char** argv) {
     floes::add_report(program, exit_status);
     floes::add_replay(program, exit_status);
     floes::add_match(program, exit_status);
+    floes::add_verify(program, exit_status);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -12,9 +12,11 @@
 #include "campaign_file/read_campaign_file.hpp"
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
+#include "cli/verify_file.hpp"
 #include "core/wording.hpp"
 #include "driver/merge.hpp"
 #include "findings/summary_section.hpp"
+#include "journal/journal.hpp"
 
 namespace floes {
 
@@ -26,8 +28,16 @@ struct MergeOptions {
     bool overwrite = false;
 };
 
+/// Damaged records are left out of a merge, and their members stand as missing.
+void tell_damage(const std::filesystem::path& journal) {
+    const FileVerdict verdict = verify_file(journal);
+    if (verdict.state != FileState::damaged) return;
+    for (const std::string& fault : verdict.faults) fmt::print(stderr, "floes: {}: {}\n", verdict.file, fault);
+}
+
 int merge(const MergeOptions& options) {
     const std::vector<std::filesystem::path> parts(options.parts.begin(), options.parts.end());
+    for (const std::filesystem::path& part : parts) tell_damage(journal_path(part));
     merge_campaigns(parts, options.output, options.overwrite);
     const CampaignTable table = read_campaign_file(options.output);
     const auto done = std::ranges::count(table.members, RowStatus::done, &MemberRow::status);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "hdf5/handle.hpp"
 
@@ -18,6 +19,13 @@ void write_attribute(hid_t object, const std::string& name, std::span<const std:
 /// An attribute of any type: `sizes` empty for a single value.
 void write_attribute_of(hid_t object, const std::string& name, std::span<const hsize_t> sizes, hid_t stored,
                         hid_t native, const void* value);
+
+bool has_attribute(hid_t object, const std::string& name);
+/// Of a single text. Throws RunError where there is no such attribute, or it is of another type; so does the other.
+std::string read_text_attribute(hid_t object, const std::string& name);
+std::vector<std::int32_t> read_int_attribute(hid_t object, const std::string& name);
+/// The names of all attributes, in alphabetical order.
+std::vector<std::string> attribute_names(hid_t object);
 
 /// A space of these sizes; of a single value without any.
 Handle simple_space(std::span<const hsize_t> sizes);

@@ -2,12 +2,17 @@
 
 #include <hdf5_hl.h>
 
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
 #include "hdf5/attributes.hpp"
 
 namespace floes::hdf5 {
 namespace {
 
 constexpr unsigned creation_order = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
+constexpr hsize_t most_in_a_chunk = hsize_t{1} << 20;  // bytes: what HDF5's cache of chunks holds
 
 }  // namespace
 
@@ -25,6 +30,18 @@ Handle compressed_properties(std::span<const hsize_t> chunk, unsigned level, con
     check(H5Pset_chunk(properties.id(), static_cast<int>(chunk.size()), chunk.data()), "H5Pset_chunk", name);
     check(H5Pset_shuffle(properties.id()), "H5Pset_shuffle", name);
     check(H5Pset_deflate(properties.id(), level), "H5Pset_deflate", name);
+    check(H5Pset_fletcher32(properties.id()), "H5Pset_fletcher32", name);
+    return properties;
+}
+
+Handle checked_properties(std::span<const hsize_t> sizes, std::size_t value_bytes, const std::string& name) {
+    Handle properties = creation_properties(H5P_DATASET_CREATE);
+    if (sizes.empty() || std::ranges::find(sizes, hsize_t{0}) != sizes.end()) return properties;
+    std::vector<hsize_t> chunk(sizes.begin(), sizes.end());
+    const hsize_t row = std::accumulate(chunk.begin() + 1, chunk.end(), hsize_t{value_bytes}, std::multiplies{});
+    chunk[0] = std::clamp<hsize_t>(most_in_a_chunk / row, 1, chunk[0]);
+    check(H5Pset_chunk(properties.id(), static_cast<int>(chunk.size()), chunk.data()), "H5Pset_chunk", name);
+    check(H5Pset_fletcher32(properties.id()), "H5Pset_fletcher32", name);
     return properties;
 }
 

@@ -12,7 +12,11 @@ namespace floes::hdf5 {
 /// Of a file, group or dataset: order of creation is kept, no times are stored.
 Handle creation_properties(hid_t kind);
 
-/// The same of a dataset whose chunks are compressed at `level`.
+/// The same of a dataset of numbers that is written whole, in chunks with checksums, of which every reader makes use.
+/// Without dimensions, or with one of size 0, there is nothing that a chunk could hold.
+Handle checked_properties(std::span<const hsize_t> sizes, std::size_t value_bytes, const std::string& name);
+
+/// The same of a dataset whose chunks are compressed at `level`, and then given a checksum.
 Handle compressed_properties(std::span<const hsize_t> chunk, unsigned level, const std::string& name);
 
 /// With its unit and long name.

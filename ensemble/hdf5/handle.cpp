@@ -17,10 +17,14 @@ herr_t keep_description(unsigned, const H5E_error2_t* error, void* data) {
 
 }  // namespace
 
-void fail(std::string_view call, std::string_view about) {
+std::string last_reason() {
     std::string reason;
     H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, keep_description, &reason);
-    throw RunError(fmt::format("{} of {} failed: {}", call, about, reason.empty() ? "no reason given" : reason));
+    return reason.empty() ? "no reason given" : reason;
+}
+
+void fail(std::string_view call, std::string_view about) {
+    throw RunError(fmt::format("{} of {} failed: {}", call, about, last_reason()));
 }
 
 void Handle::close(std::string_view call, std::string_view about) {
@@ -28,6 +32,10 @@ void Handle::close(std::string_view call, std::string_view about) {
 }
 
 QuietErrors::QuietErrors() {
+    // A damaged file can leave HDF5 with parts that it cannot close, of which it would complain when the program ends.
+    // All files are closed before.
+    static const bool left_alone = H5dont_atexit() >= 0;
+    static_cast<void>(left_alone);
     H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
@@ -39,6 +47,12 @@ QuietErrors::~QuietErrors() {
 Handle access_without_locks() {
     Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "H5Pcreate", "file access");
     check(H5Pset_file_locking(access.id(), false, true), "H5Pset_file_locking", "file access");
+    return access;
+}
+
+Handle access_for_writing() {
+    Handle access = access_without_locks();
+    check(H5Pset_libver_bounds(access.id(), H5F_LIBVER_V110, H5F_LIBVER_V110), "H5Pset_libver_bounds", "file access");
     return access;
 }
 

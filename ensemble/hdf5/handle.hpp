@@ -1,13 +1,17 @@
 #pragma once
-// HDF5 identifiers that close themselves, and calls that cannot fail unnoticed. Only for sources of rooms with HDF5 files
-// of their own. Not for two threads at once.
+// HDF5 identifiers that close themselves, and calls that cannot fail unnoticed. Only for sources of rooms with HDF5
+// files of their own. Not for two threads at once.
 
 #include <hdf5.h>
 
+#include <string>
 #include <string_view>
 #include <utility>
 
 namespace floes::hdf5 {
+
+/// What HDF5 says of the last call that failed.
+std::string last_reason();
 
 /// Throws RunError quoting the call, what it was about, and HDF5's own reason.
 [[noreturn]] void fail(std::string_view call, std::string_view about);
@@ -57,6 +61,9 @@ class QuietErrors {
 /// File access that leaves out HDF5's own locks: campaign files never change in place, and some cluster file systems
 /// refuse locks.
 Handle access_without_locks();
+
+/// The same for a new file, in the format of HDF5 1.10: its superblock, headers and indices of chunks have checksums.
+Handle access_for_writing();
 
 /// Memory type of a double, float, int32, int8, uint64.
 template <class Value>

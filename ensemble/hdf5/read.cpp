@@ -2,77 +2,85 @@
 
 #include <fmt/format.h>
 
-#include <functional>
-#include <numeric>
-
 #include "core/error.hpp"
+#include "core/utf8.hpp"
+#include "hdf5/checked_driver.hpp"
+#include "hdf5/damage.hpp"
+#include "hdf5/digest.hpp"
+#include "hdf5/pages.hpp"
+#include "hdf5/stored.hpp"
+#include "hdf5/trial.hpp"
 
 namespace floes::hdf5 {
 namespace {
 
-Handle open_attribute(hid_t object, const std::string& name) {
-    return Handle(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, "H5Aopen", name);
+constexpr std::size_t most_values_at_once = std::size_t{1} << 26;  // half a gigabyte of doubles
+
+bool has_type(const Handle& dataset, hid_t type) {
+    const Handle stored(H5Dget_type(dataset.id()), H5Tclose, "H5Dget_type", "a dataset");
+    return H5Tequal(stored.id(), type) > 0;
 }
 
-Handle open_dataset(hid_t parent, const std::string& name) {
-    return Handle(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, "H5Dopen", name);
+/// Whether the file is of a layout that gives every dataset a digest.
+bool has_digests(hid_t parent) {
+    const Handle root(check_read(H5Oopen(parent, "/", H5P_DEFAULT), parent, "its root"), H5Oclose, "H5Oopen", "/");
+    return has_attribute(root.id(), contents_attribute);
 }
 
-std::size_t count_of(const Handle& space, const std::string& name) {
-    return static_cast<std::size_t>(
-        check(H5Sget_simple_extent_npoints(space.id()), "H5Sget_simple_extent_npoints", name));
+/// Takes the digest of what was read by `add`, and compares. Files of older layouts have none.
+template <class Add>
+void compare(hid_t parent, const Handle& dataset, const std::string& name, const Add& add) {
+    const std::optional<StoredDigest> stored = read_digest(dataset.id());
+    if (!stored) {
+        if (has_digests(parent)) refuse_damaged(parent, fmt::format("{} has lost its digest", name));
+        return;
+    }
+    DatasetDigest digest(stored->kind);
+    add(digest);
+    check_digest(dataset.id(), name, *stored, digest.finish(dataset.id()));
 }
 
 Handle space_of(const Handle& dataset, const std::string& name) {
-    return Handle(H5Dget_space(dataset.id()), H5Sclose, "H5Dget_space", name);
+    return Handle(check_read(H5Dget_space(dataset.id()), dataset.id(), name), H5Sclose, "H5Dget_space", name);
 }
 
 }  // namespace
 
 Handle open_for_reading(const std::filesystem::path& path) {
     if (!std::filesystem::exists(path)) throw InputError(fmt::format("there is no file {}.", path.string()));
-    const Handle access = access_without_locks();
     if (H5Fis_hdf5(path.c_str()) <= 0)
         throw InputError(fmt::format("{} is not an HDF5 file; give the .h5 that floes run wrote.", path.string()));
-    return Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose, "H5Fopen", path.string());
+    const Handle access = access_without_locks();
+    if (CheckedPages::open(path)) {
+        read_by_pages(access);
+    } else {
+        try_out(path);
+    }
+    const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id());
+    if (file < 0) throw DamagedFile(path.string(), fmt::format("HDF5 cannot open it ({})", last_reason()));
+    return Handle(file, H5Fclose, "H5Fopen", path.string());
 }
 
 bool exists(hid_t parent, const std::string& name) {
     for (std::size_t end = 0; end != std::string::npos;) {  // each folder of the path must be there to be asked
         end = name.find('/', end + 1);
-        if (H5Lexists(parent, name.substr(0, end).c_str(), H5P_DEFAULT) <= 0) return false;
+        if (check_read(H5Lexists(parent, name.substr(0, end).c_str(), H5P_DEFAULT), parent, name) == 0) return false;
     }
     return true;
-}
-
-bool has_attribute(hid_t object, const std::string& name) {
-    return check(H5Aexists(object, name.c_str()), "H5Aexists", name) > 0;
-}
-
-std::string read_text_attribute(hid_t object, const std::string& name) {
-    const Handle attribute = open_attribute(object, name);
-    const Handle space(H5Aget_space(attribute.id()), H5Sclose, "H5Aget_space", name);
-    const Handle type = text_type();
-    char* text = nullptr;
-    check(H5Aread(attribute.id(), type.id(), &text), "H5Aread", name);
-    std::string value = text != nullptr ? text : "";
-    H5Dvlen_reclaim(type.id(), space.id(), H5P_DEFAULT, &text);
-    return value;
-}
-
-std::vector<std::int32_t> read_int_attribute(hid_t object, const std::string& name) {
-    const Handle attribute = open_attribute(object, name);
-    const Handle space(H5Aget_space(attribute.id()), H5Sclose, "H5Aget_space", name);
-    std::vector<std::int32_t> values(count_of(space, name));
-    check(H5Aread(attribute.id(), native_type<std::int32_t>(), values.data()), "H5Aread", name);
-    return values;
 }
 
 template <class Value>
 std::vector<Value> read_values(hid_t parent, const std::string& name) {
     const Handle dataset = open_dataset(parent, name);
-    std::vector<Value> values(count_of(space_of(dataset, name), name));
-    check(H5Dread(dataset.id(), native_type<Value>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "H5Dread", name);
+    const StoredShape shape = shape_of(dataset, name, Portion::whole);
+    std::vector<Value> values(shape.count);
+    if (shape.is_text) refuse_damaged(parent, fmt::format("{} has texts where numbers belong", name));
+    const PassedValues until_compared(dataset.id());
+    check_read(H5Dread(dataset.id(), native_type<Value>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), parent, name);
+    compare(parent, dataset, name, [&](DatasetDigest& digest) {
+        if (!has_type(dataset, stored_type<Value>())) refuse_damaged(parent, fmt::format("{} has another type", name));
+        digest.add<Value>(values, shape.row_values);
+    });
     return values;
 }
 template std::vector<double> read_values<double>(hid_t, const std::string&);
@@ -82,26 +90,30 @@ template std::vector<std::int8_t> read_values<std::int8_t>(hid_t, const std::str
 template <class Value>
 RowReader<Value>::RowReader(hid_t parent, const std::string& name)
     : name_(name), dataset_(open_dataset(parent, name)), space_(space_of(dataset_, name)) {
-    const int dimensions = check(H5Sget_simple_extent_ndims(space_.id()), "H5Sget_simple_extent_ndims", name_);
-    sizes_.resize(static_cast<std::size_t>(dimensions));
-    check(H5Sget_simple_extent_dims(space_.id(), sizes_.data(), nullptr), "H5Sget_simple_extent_dims", name_);
+    const StoredShape shape = shape_of(dataset_, name, Portion::row);
+    if (shape.sizes.empty()) refuse_damaged(parent, fmt::format("{} has no rows", name));
+    sizes_ = shape.sizes;
+    width_ = shape.row_values;
 }
 
 template <class Value>
 std::span<const Value> RowReader<Value>::read(std::size_t row, std::size_t rows) {
-    if (row + rows > sizes_[0]) throw RunError(fmt::format("{} ends before row {}.", name_, row + rows));
+    if (row > sizes_[0] || rows > sizes_[0] - row)
+        refuse_damaged(dataset_.id(), fmt::format("{} ends before row {}", name_, row + rows));
     std::vector<hsize_t> first(sizes_.size(), 0);
     std::vector<hsize_t> count = sizes_;
     first[0] = row;
     count[0] = rows;
-    const hsize_t length = std::accumulate(count.begin(), count.end(), hsize_t{1}, std::multiplies{});
+    const hsize_t length = rows * width_;
+    if (length > most_values_at_once)
+        refuse_damaged(dataset_.id(), fmt::format("{} rows of {} are too many", rows, name_));
     values_.resize(length);
     if (length == 0) return values_;
-    check(H5Sselect_hyperslab(space_.id(), H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr),
-          "H5Sselect_hyperslab", name_);
-    const Handle memory(H5Screate_simple(1, &length, nullptr), H5Sclose, "H5Screate_simple", name_);
-    check(H5Dread(dataset_.id(), native_type<Value>(), memory.id(), space_.id(), H5P_DEFAULT, values_.data()),
-          "H5Dread", name_);
+    check_read(H5Sselect_hyperslab(space_.id(), H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr),
+               dataset_.id(), name_);
+    const Handle memory = simple_space(std::span(&length, 1));
+    check_read(H5Dread(dataset_.id(), native_type<Value>(), memory.id(), space_.id(), H5P_DEFAULT, values_.data()),
+               dataset_.id(), fmt::format("row {} of {}", row, name_));
     return values_;
 }
 template class RowReader<double>;
@@ -110,13 +122,10 @@ template class RowReader<std::int32_t>;
 
 std::vector<std::string> read_texts(hid_t parent, const std::string& name) {
     const Handle dataset = open_dataset(parent, name);
-    const Handle space = space_of(dataset, name);
-    const Handle type = text_type();
-    std::vector<char*> pointers(count_of(space, name), nullptr);
-    check(H5Dread(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()), "H5Dread", name);
-    std::vector<std::string> texts;
-    for (const char* text : pointers) texts.emplace_back(text != nullptr ? text : "");
-    H5Dvlen_reclaim(type.id(), space.id(), H5P_DEFAULT, pointers.data());
+    std::vector<std::string> texts = texts_of(dataset, name);
+    compare(parent, dataset, name, [&](DatasetDigest& digest) { digest.add(std::span<const std::string>(texts)); });
+    for (const std::string& text : texts)
+        if (!is_utf8(text)) refuse_damaged(parent, fmt::format("a text of {} is not UTF-8", name));
     return texts;
 }
 

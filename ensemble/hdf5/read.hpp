@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "hdf5/handle.hpp"
+#include "hdf5/attributes.hpp"
 
 namespace floes::hdf5 {
 
@@ -17,23 +17,24 @@ Handle open_for_reading(const std::filesystem::path& path);
 /// Whether there is something of that name; `name` may be a path.
 bool exists(hid_t parent, const std::string& name);
 
-bool has_attribute(hid_t object, const std::string& name);
-std::string read_text_attribute(hid_t object, const std::string& name);
-std::vector<std::int32_t> read_int_attribute(hid_t object, const std::string& name);
-
-/// All values of a dataset, row-major; `name` may be a path. Throws RunError where it is not there.
+/// All values of a dataset, row-major; `name` may be a path. Throws RunError where it is not there, or does not fit its
+/// digest.
 template <class Value>
 std::vector<Value> read_values(hid_t parent, const std::string& name);
 extern template std::vector<double> read_values<double>(hid_t, const std::string&);
 extern template std::vector<std::int32_t> read_values<std::int32_t>(hid_t, const std::string&);
 extern template std::vector<std::int8_t> read_values<std::int8_t>(hid_t, const std::string&);
 
-/// A dataset of which some rows are read at a time. Value: double, float or int32.
+/// A dataset of which some rows are read at a time. Value: double, float or int32. HDF5 checks the sum of each chunk;
+/// the digest is of all rows, and is not compared.
 template <class Value>
 class RowReader {
   public:
     /// Throws RunError where there is no such dataset; `name` may be a path.
     RowReader(hid_t parent, const std::string& name);
+    /// Values of one row.
+    std::size_t width() const { return width_; }
+    std::size_t rows() const { return static_cast<std::size_t>(sizes_.at(0)); }
     /// The values of `count` rows from `row` on, row-major; valid until the next call. Throws RunError past the end.
     std::span<const Value> read(std::size_t row, std::size_t count = 1);
 
@@ -42,12 +43,14 @@ class RowReader {
     Handle dataset_;
     Handle space_;
     std::vector<hsize_t> sizes_;
+    std::size_t width_;
     std::vector<Value> values_;
 };
 extern template class RowReader<double>;
 extern template class RowReader<float>;
 extern template class RowReader<std::int32_t>;
 
+/// Likewise of texts, which are UTF-8.
 std::vector<std::string> read_texts(hid_t parent, const std::string& name);
 
 }  // namespace floes::hdf5

@@ -26,7 +26,6 @@ Handle space_of(std::span<const hsize_t> sizes, const hsize_t* most, const std::
 Handle create(hid_t parent, const Label& label, hid_t type, const std::vector<hsize_t>& row, hsize_t chunk_rows) {
     const std::vector<hsize_t> most = with_rows(H5S_UNLIMITED, row);
     const Handle properties = compressed_properties(with_rows(chunk_rows, row), fast_compression, label.name);
-    check(H5Pset_fletcher32(properties.id()), "H5Pset_fletcher32", label.name);
     return create_dataset(parent, label, type, space_of(with_rows(0, row), most.data(), label.name), properties);
 }
 
@@ -56,7 +55,13 @@ void Series<Value>::append(std::span<const Value> values) {
     const Handle here = space_of(count, nullptr, name_);
     check(H5Dwrite(dataset_.id(), native_type<Value>(), here.id(), there.id(), H5P_DEFAULT, values.data()), "H5Dwrite",
           name_);
+    digest_.add<Value>(values, product(row_));
     rows_ += added;
+}
+
+template <class Value>
+void Series<Value>::finish() {
+    write_digest(dataset_.id(), digest_.finish(dataset_.id()));
 }
 
 template <class Value>

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hdf5/digest.hpp"
 #include "hdf5/write.hpp"
 
 namespace floes::hdf5 {
@@ -21,6 +22,9 @@ class Series {
     void append(std::span<const Value> values);
     void append(const Value& value) { append(std::span(&value, 1)); }
 
+    /// Writes the dataset's digest, after its last row.
+    void finish();
+
     hsize_t rows() const { return rows_; }
 
     /// Makes it a scale of its own name.
@@ -34,6 +38,7 @@ class Series {
     std::vector<hsize_t> row_;
     hsize_t rows_ = 0;
     Handle dataset_;
+    DatasetDigest digest_;
 };
 
 extern template class Series<float>;

@@ -2,26 +2,19 @@
 
 #include <hdf5_hl.h>
 
-#include <algorithm>
 #include <array>
-#include <functional>
 #include <limits>
 #include <numeric>
 #include <optional>
 
 #include "hdf5/dataset.hpp"
+#include "hdf5/digest.hpp"
 
 namespace floes::hdf5 {
 namespace {
 
 void write_whole(const Handle& dataset, hid_t type, const void* values, const std::string& name) {
     check(H5Dwrite(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "H5Dwrite", name);
-}
-
-std::vector<hsize_t> sizes_of(const Scale& rows, const Dimensions& columns) {
-    std::vector<hsize_t> sizes = sizes_of(columns);
-    sizes.insert(sizes.begin(), rows.size());
-    return sizes;
 }
 
 std::vector<const char*> pointers_to(std::span<const std::string> texts) {
@@ -34,7 +27,7 @@ std::vector<const char*> pointers_to(std::span<const std::string> texts) {
 template <class Value>
 Handle write_numbers(hid_t parent, const Label& label, std::span<const hsize_t> sizes, std::span<const Value> values,
                      std::optional<Value> missing) {
-    const Handle properties = creation_properties(H5P_DATASET_CREATE);
+    const Handle properties = checked_properties(sizes, sizeof(Value), label.name);
     if (missing)
         check(H5Pset_fill_value(properties.id(), native_type<Value>(), &*missing), "H5Pset_fill_value", label.name);
     Handle dataset = create_dataset(parent, label, stored_type<Value>(), simple_space(sizes), properties);
@@ -42,6 +35,9 @@ Handle write_numbers(hid_t parent, const Label& label, std::span<const hsize_t> 
     if (missing)
         write_attribute_of(dataset.id(), "_FillValue", one, stored_type<Value>(), native_type<Value>(), &*missing);
     write_whole(dataset, native_type<Value>(), values.data(), label.name);
+    DatasetDigest digest;
+    digest.add<Value>(values, 1);
+    write_digest(dataset.id(), digest.finish(dataset.id()));
     return dataset;
 }
 
@@ -51,6 +47,9 @@ Handle write_texts(hid_t parent, const Label& label, std::span<const hsize_t> si
     Handle dataset =
         create_dataset(parent, label, type.id(), simple_space(sizes), creation_properties(H5P_DATASET_CREATE));
     write_whole(dataset, type.id(), pointers_to(texts).data(), label.name);
+    DatasetDigest digest;
+    digest.add(texts);
+    write_digest(dataset.id(), digest.finish(dataset.id()));
     return dataset;
 }
 
@@ -64,7 +63,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 
 Handle create_file(const std::filesystem::path& path) {
-    const Handle access = access_without_locks();
+    const Handle access = access_for_writing();
     return Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation_properties(H5P_FILE_CREATE).id(), access.id()),
                   H5Fclose, "H5Fcreate", path.string());
 }
@@ -134,62 +133,6 @@ Scale write_index_scale(hid_t parent, const char* name, const char* long_name, s
 
 void write_text(hid_t parent, const Label& label, const std::string& text) {
     write_texts(parent, label, {}, std::span(&text, 1));
-}
-
-namespace {
-
-Handle create_rows(hid_t parent, const Label& label, std::span<const hsize_t> sizes) {
-    std::vector<hsize_t> chunk{1};
-    for (const hsize_t size : sizes.subspan(1)) chunk.push_back(std::max<hsize_t>(size, 1));
-    const Handle properties = compressed_properties(chunk, static_cast<unsigned>(compression_level), label.name);
-    check(H5Pset_fill_value(properties.id(), native_type<double>(), &nan), "H5Pset_fill_value", label.name);
-    Handle dataset = create_dataset(parent, label, stored_type<double>(), simple_space(sizes), properties);
-    const std::array<hsize_t, 1> one{1};
-    write_attribute_of(dataset.id(), "_FillValue", one, stored_type<double>(), native_type<double>(), &nan);
-    return dataset;
-}
-
-}  // namespace
-
-Rows::Rows(hid_t parent, const Label& label, const Scale& rows, const Dimensions& columns)
-    : name_(label.name),
-      sizes_(sizes_of(rows, columns)),
-      width_(std::accumulate(sizes_.begin() + 1, sizes_.end(), hsize_t{1}, std::multiplies{})),
-      dataset_(create_rows(parent, label, sizes_)),
-      space_(simple_space(sizes_)) {
-    Dimensions all{rows};
-    all.insert(all.end(), columns.begin(), columns.end());
-    attach(dataset_, all, 0, name_);
-}
-
-void Rows::write(std::size_t row, std::span<const double> values) {
-    std::vector<hsize_t> first(sizes_.size(), 0);
-    std::vector<hsize_t> count = sizes_;
-    first[0] = row;
-    count[0] = 1;
-    if (count.size() == 2) count[1] = std::min<hsize_t>(values.size(), width_);
-    const std::array<hsize_t, 1> length{std::min<hsize_t>(values.size(), width_)};
-    if (length[0] == 0) return;
-    check(H5Sselect_hyperslab(space_.id(), H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr),
-          "H5Sselect_hyperslab", name_);
-    const Handle memory = simple_space(length);
-    check(H5Dwrite(dataset_.id(), native_type<double>(), memory.id(), space_.id(), H5P_DEFAULT, values.data()),
-          "H5Dwrite", name_);
-}
-
-void Rows::write(std::size_t row, const PackedNumbers& values) {
-    if (values.count != width_) return write(row, unpack(values));
-    std::vector<hsize_t> first(sizes_.size(), 0);
-    first[0] = row;
-    const std::uint32_t left_out = values.deflated() ? 0 : 0b11;  // of the two filters
-    check(H5Dwrite_chunk(dataset_.id(), H5P_DEFAULT, left_out, first.data(), values.chunk.size(), values.chunk.data()),
-          "H5Dwrite_chunk", name_);
-}
-
-void write_rows(hid_t parent, const Label& label, const Scale& rows, const Scale& columns,
-                const std::function<std::span<const double>(std::size_t)>& row_values) {
-    Rows table(parent, label, rows, {columns});
-    for (std::size_t row = 0; row < rows.size(); ++row) table.write(row, row_values(row));
 }
 
 }  // namespace floes::hdf5

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,7 +12,6 @@
 
 #include "hdf5/attributes.hpp"
 #include "hdf5/label.hpp"
-#include "records/packed_history.hpp"
 
 namespace floes::hdf5 {
 
@@ -43,27 +41,5 @@ void write_values(hid_t parent, const Label& label, const Dimensions& dimensions
                   const Flags& flags);
 /// One text, without dimensions.
 void write_text(hid_t parent, const Label& label, const std::string& text);
-
-/// A compressed table of doubles, a chunk a row, whose rows are written one at a time. A row may have dimensions of its
-/// own, and is then given in row-major order.
-class Rows {
-  public:
-    Rows(hid_t parent, const Label& label, const Scale& rows, const Dimensions& columns);
-    /// A row of one dimension may be shorter than the table is wide; the rest is NaN, as is a row never written.
-    void write(std::size_t row, std::span<const double> values);
-    /// Likewise; a row of full width goes into the file as it is.
-    void write(std::size_t row, const PackedNumbers& values);
-
-  private:
-    std::string name_;
-    std::vector<hsize_t> sizes_;
-    hsize_t width_;
-    Handle dataset_;
-    Handle space_;
-};
-
-/// Such a table whose rows are at hand.
-void write_rows(hid_t parent, const Label& label, const Scale& rows, const Scale& columns,
-                const std::function<std::span<const double>(std::size_t row)>& row_values);
 
 }  // namespace floes::hdf5

@@ -1,5 +1,7 @@
 #include "journal/journal_format.hpp"
 
+#include <fcntl.h>
+
 #include <cstring>
 
 #include <fmt/format.h>
@@ -226,6 +228,13 @@ Reading read(const Descriptor& file, const std::filesystem::path& path, Historie
     }
     contents.torn_bytes = size - contents.good_bytes;
     return reading;
+}
+
+bool tail_is_torn(const std::filesystem::path& path, const JournalContents& contents) {
+    if (contents.torn_bytes < record_head_bytes + crc_bytes) return true;
+    Bytes head(record_head_bytes);
+    if (!read_at(open_file(path, O_RDONLY), path, contents.good_bytes, head)) return true;
+    return ByteReader(head).u64() > contents.torn_bytes - record_head_bytes - crc_bytes;
 }
 
 }  // namespace floes::journal_format

@@ -49,4 +49,8 @@ struct Reading {
 };
 Reading read(const Descriptor& file, const std::filesystem::path& path, Histories histories);
 
+/// Whether what follows the last whole record, read of the file at `path`, is the begin of a record only. A whole one
+/// that is damaged is not.
+bool tail_is_torn(const std::filesystem::path& path, const JournalContents& contents);
+
 }  // namespace floes::journal_format

@@ -88,6 +88,16 @@ void FrameSeries::add(const Frame& frame) {
     add_contacts(frame.contacts);
 }
 
+void FrameSeries::finish() {
+    time_.finish();
+    contact_.finish();
+    const auto finish_all = [](auto&... series) { (series.finish(), ...); };
+    finish_all(elements_.position, elements_.orientation, elements_.velocity, elements_.piece, elements_.utilisation);
+    finish_all(numbers_.step, numbers_.structure, numbers_.surge, numbers_.sway, numbers_.heave, numbers_.first_contact,
+               numbers_.contacts);
+    finish_all(contacts_.element, contacts_.other, contacts_.point, contacts_.normal, contacts_.friction);
+}
+
 void FrameSeries::add_elements(const Frame& frame) {
     std::vector<float> position;
     std::vector<float> orientation;

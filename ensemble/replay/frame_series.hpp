@@ -20,6 +20,8 @@ class FrameSeries {
     FrameSeries(hid_t file, const RecordScales& scales);
 
     void add(const Frame& frame);
+    /// After the last frame.
+    void finish();
 
   private:
     void add_elements(const Frame& frame);

@@ -8,6 +8,7 @@
 
 #include "campaign/read.hpp"
 #include "core/error.hpp"
+#include "hdf5/damage.hpp"
 #include "hdf5/read.hpp"
 #include "replay/record_kind.hpp"
 
@@ -19,6 +20,12 @@ FloeGrid grid_of(const RecordSubject& subject) {
     return {floe.elements_long(), floe.elements_broad(), floe.element};
 }
 
+/// A record whose datasets do not belong together was damaged.
+void check_count(hid_t file, const char* name, std::size_t found, std::size_t wanted) {
+    if (found != wanted)
+        hdf5::refuse_damaged(file, fmt::format("{} has {} values where {} belong", name, found, wanted));
+}
+
 RecordSubject read_subject(hid_t file) {
     RecordSubject subject;
     subject.campaign = hdf5::read_text_attribute(file, "campaign");
@@ -26,7 +33,9 @@ RecordSubject read_subject(hid_t file) {
     subject.case_name = hdf5::read_text_attribute(file, "case");
     subject.member = hdf5::read_int_attribute(file, "member").at(0);
     subject.arrangement = hdf5::read_int_attribute(file, "arrangement").at(0);
-    subject.configuration = hdf5::read_texts(file, "configuration").at(0);
+    const std::vector<std::string> texts = hdf5::read_texts(file, "configuration");
+    check_count(file, "configuration", texts.size(), 1);
+    subject.configuration = texts.front();
     subject.scenario = read_campaign({subject.configuration, "its configuration", {}}, nullptr).cases.at(0).scenario;
     return subject;
 }
@@ -38,9 +47,14 @@ RecordOutcome read_outcome(hid_t file, int joints_each) {
     outcome.history.heave = hdf5::read_values<double>(file, "history/heave_load");
     const auto time = hdf5::read_values<double>(file, "joints/failure_time");
     const auto mode = hdf5::read_values<std::int8_t>(file, "joints/failure_mode");
+    check_count(file, "joints/failure_mode", mode.size(), time.size());
+    check_count(file, "history/sway_load", outcome.history.sway.size(), outcome.history.surge.size());
+    check_count(file, "history/heave_load", outcome.history.heave.size(), outcome.history.surge.size());
     for (std::size_t k = 0; k < time.size(); ++k) {
         if (std::isnan(time[k])) continue;
         const auto joint = static_cast<int>(k);
+        if (mode[k] < 0 || mode[k] >= static_cast<int>(std::size(failure_mode_names)))
+            hdf5::refuse_damaged(file, "joints/failure_mode has a mode that there is not");
         outcome.breaks.push_back(
             {time[k], joint / joints_each, joint % joints_each, static_cast<FailureMode>(mode.at(k))});
     }
@@ -107,6 +121,7 @@ class Record::File {
         first_contact_ = hdf5::read_values<std::int32_t>(file_.id(), "frames/first_contact");
         contact_count_ = hdf5::read_values<std::int32_t>(file_.id(), "frames/contacts");
         if (times.empty()) throw InputError(fmt::format("{} has no frames.", path.string()));
+        check_sizes();
     }
 
     void read(std::size_t number, Frame& frame) {
@@ -156,6 +171,21 @@ class Record::File {
         hdf5::Handle file = hdf5::open_for_reading(path);
         hdf5::check_kind(file.id(), record_kind, path);
         return file;
+    }
+
+    void check_sizes() const {
+        const auto count = static_cast<std::size_t>(elements);
+        check_count(file_.id(), "ice/floe", count % static_cast<std::size_t>(elements_of_a_floe(subject)), 0);
+        check_count(file_.id(), "frames/position", elements_.position.width(), 3 * count);
+        check_count(file_.id(), "frames/orientation", elements_.orientation.width(), 4 * count);
+        check_count(file_.id(), "frames/velocity", elements_.velocity.width(), 3 * count);
+        check_count(file_.id(), "frames/utilisation", elements_.utilisation.width(), count);
+        check_count(file_.id(), "frames/piece", elements_.piece.width(), count);
+        for (const hdf5::RowReader<float>* one : {&contacts_.point, &contacts_.normal, &contacts_.friction})
+            check_count(file_.id(), "a vector of contacts", one->width(), 3);
+        for (const std::size_t found : {step_.size(), structure_.size(), surge_.size(), sway_.size(), heave_.size(),
+                                        first_contact_.size(), contact_count_.size()})
+            check_count(file_.id(), "a number of frames", found, times.size());
     }
 
     void read_elements(std::size_t number, Frame& frame) {

@@ -5,6 +5,6 @@
 
 namespace floes {
 
-inline constexpr hdf5::FileKind record_kind{"floes replay", {1, 0}, "record of floes replay"};
+inline constexpr hdf5::FileKind record_kind{"floes replay", {1, 1}, "record of floes replay"};
 
 }  // namespace floes

@@ -6,6 +6,8 @@
 #include <system_error>
 
 #include "core/error.hpp"
+#include "hdf5/contents.hpp"
+#include "hdf5/pages.hpp"
 #include "records/file_calls.hpp"
 #include "replay/frame_series.hpp"
 #include "replay/record.hpp"
@@ -129,9 +131,12 @@ class RecordWriter::File {
     void finish(const RecordOutcome& outcome) {
         write_joints(file_->id(), subject_, floes_, outcome.breaks);
         write_history(file_->id(), outcome.history, subject_.scenario.general.time_step);
+        open_->series.finish();
+        hdf5::write_contents_digests(file_->id());
         open_.reset();  // only then does closing the file write everything
         file_->close("H5Fclose", path_.string());
         file_.reset();
+        hdf5::append_page_digests(aside_);
         sync_data(open_file(aside_, O_RDWR), aside_);
         rename_into_place(aside_, path_);
     }

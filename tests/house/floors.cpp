@@ -40,7 +40,7 @@ const std::vector<Room>& rooms() {
         {8, "inference", "Boost, Eigen, GSL"},
         {8, "attempt", "POSIX"},
         {9, "journal", "Boost, POSIX"},
-        {9, "hdf5", "HDF5"},
+        {9, "hdf5", "HDF5, POSIX"},
         {10, "campaign_file", "POSIX"},
         {11, "driver", "POSIX, TBB"},
         {11, "forecast", ""},

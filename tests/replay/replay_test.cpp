@@ -10,6 +10,7 @@
 #include "campaign_file/read_campaign_file.hpp"
 #include "core/error.hpp"
 #include "replay/jam.hpp"
+#include "support/file_bytes.hpp"
 #include "support/refusal.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -144,6 +145,42 @@ TEST_F(Replay, RefusesWhatThereIsNot) {
     EXPECT_THAT(refusal([&] { Record{file()}; }), HasSubstr("no record of floes replay"));
     EXPECT_FALSE(is_record(file()));
     EXPECT_FALSE(is_record(place("nothing.h5")));
+}
+
+// Every 1009th byte of a record, each with another bit.
+TEST_F(Replay, TakesNoDamagedByteForANumber) {
+    const auto path = place("damaged.h5");
+    replay(subject(0), {0, 300, 100}, path);
+    const auto all_of = [&] {
+        const Record record(path);
+        std::vector<double> numbers = record.outcome().history.surge;
+        for (int k = 0; k < record.frames(); ++k) {
+            const Frame frame = record.read(k);
+            numbers.push_back(frame.time);
+            numbers.insert(numbers.end(), frame.utilisation.begin(), frame.utilisation.end());
+            for (const BodyState& one : frame.elements)
+                for (const Vec3& v : {one.position, one.velocity}) numbers.insert(numbers.end(), v.begin(), v.end());
+            for (const FrameContact& one : frame.contacts)
+                for (const Vec3& v : {one.point, one.normal}) numbers.insert(numbers.end(), v.begin(), v.end());
+        }
+        return numbers;
+    };
+    const std::vector<double> right = all_of();
+    const Bytes whole = file_bytes(path);
+    int refused = 0;
+    int flips = 0;
+    for (std::size_t at = 0; at < whole.size(); at += 1009, ++flips) {
+        Bytes bytes = whole;
+        bytes[at] ^= std::byte{1} << (flips % 8);
+        write_file_bytes(path, bytes);
+        try {
+            EXPECT_EQ(all_of(), right) << at;
+        } catch (const std::runtime_error& error) {
+            ++refused;
+            EXPECT_THAT(error.what(), testing::AnyOf(HasSubstr("is damaged: "), HasSubstr("is not an HDF5 file")));
+        }
+    }
+    EXPECT_GT(refused, flips / 2);
 }
 
 TEST_F(Replay, LeavesNothingWhenItIsStopped) {

@@ -1,0 +1,47 @@
+#pragma once
+// Columns of a campaign file with as many values as they should have. Files with digests always have; older ones may
+// have been damaged unseen. For this room only.
+
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+#include "hdf5/damage.hpp"
+#include "hdf5/read.hpp"
+
+namespace floes {
+
+inline void check_count(hid_t file, const std::string& name, std::size_t found, std::size_t wanted) {
+    if (found != wanted)
+        hdf5::refuse_damaged(file, fmt::format("{} has {} values where {} belong", name, found, wanted));
+}
+
+/// Throws RunError unless there are `count` values.
+template <class Value>
+std::vector<Value> read_column(hid_t file, const std::string& name, std::size_t count) {
+    std::vector<Value> values = hdf5::read_values<Value>(file, name);
+    check_count(file, name, values.size(), count);
+    return values;
+}
+
+/// Throws RunError unless each value is one of least, …, most.
+template <class Value>
+std::vector<Value> read_numbers(hid_t file, const std::string& name, std::size_t count, Value least, Value most) {
+    std::vector<Value> values = read_column<Value>(file, name, count);
+    for (const Value value : values)
+        if (value < least || value > most)
+            hdf5::refuse_damaged(file, fmt::format("{} has the value {}, which there is not", name, value));
+    return values;
+}
+
+/// Values of `rows` rows, each as wide as the others; none where there are no rows.
+template <class Value>
+std::vector<Value> read_table(hid_t file, const std::string& name, std::size_t rows, std::size_t& width) {
+    std::vector<Value> values = hdf5::read_values<Value>(file, name);
+    width = rows == 0 ? 0 : values.size() / rows;
+    check_count(file, name, values.size(), rows * width);
+    return values;
+}
+
+}  // namespace floes

@@ -1,0 +1,144 @@
+#include "cli/verify_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+
+#include "core/error.hpp"
+#include "core/wording.hpp"
+#include "hdf5/verify.hpp"
+#include "journal/journal.hpp"
+#include "journal/journal_format.hpp"
+
+namespace floes {
+namespace {
+
+constexpr std::size_t most_told = 20;  // members in a sentence
+
+std::string first_bytes(const std::filesystem::path& path, std::size_t count) {
+    std::ifstream in(path, std::ios::binary);
+    std::string bytes(count, '\0');
+    in.read(bytes.data(), static_cast<std::streamsize>(count));
+    bytes.resize(static_cast<std::size_t>(in.gcount()));
+    return bytes;
+}
+
+std::string members_text(const std::set<std::size_t>& members) {
+    if (members.size() > most_told) return counted(static_cast<std::int64_t>(members.size()), "member");
+    return fmt::format("{} {}", members.size() == 1 ? "member" : "members", fmt::join(members, ", "));
+}
+
+/// Which results of a damaged campaign file are still whole.
+std::string whole_members(const hdf5::FileCheck& check) {
+    std::set<std::size_t> lost;
+    bool only_provenance = check.fault.empty();
+    bool only_rows = check.fault.empty();
+    for (const hdf5::DamagedDataset& one : check.damaged) {
+        if (one.path.starts_with("/provenance/")) continue;
+        only_provenance = false;
+        only_rows = only_rows && one.by_rows && !one.rows.empty();
+        lost.insert(one.rows.begin(), one.rows.end());
+    }
+    if (only_provenance) return "The results of all members are whole.";
+    if (only_rows) return fmt::format("What is damaged is of {}; all other members are whole.", members_text(lost));
+    return "It does not show which members are whole, so no number of it should be used.";
+}
+
+/// What makes a campaign file again.
+std::string campaign_remedy(const std::filesystem::path& path) {
+    const std::filesystem::path journal = journal_path(path);
+    const std::string otherwise = "restore it from a copy, or compute it again.";
+    if (!std::filesystem::exists(journal)) return fmt::format("There is no journal beside it: {}", otherwise);
+    const FileVerdict beside = verify_file(journal);
+    if (beside.counts.empty()) return fmt::format("Its journal is damaged as well: {}", otherwise);
+    return fmt::format(
+        "floes run CONFIG.toml -o {} --resume makes it anew from its journal{}.", path.string(),
+        beside.state == FileState::good ? ", which is whole" : ", and computes again what is damaged there");
+}
+
+void verify_hdf5(const std::filesystem::path& path, FileVerdict& verdict) {
+    const hdf5::FileCheck check = hdf5::check_file(path);
+    const bool is_record = check.filetype == "floes replay";
+    if (check.filetype == "floes campaign" || is_record) verdict.kind = is_record ? "record" : "campaign file";
+    if (verdict.kind.empty() && check.fault.empty()) {
+        verdict.state = FileState::not_of_floes;
+        verdict.faults.push_back("It is an HDF5 file, but neither a campaign nor a record of floes.");
+        return;
+    }
+    verdict.counts = counted(static_cast<std::int64_t>(check.datasets), "dataset");
+    verdict.digest = check.contents;
+    if (!check.has_digests && check.fault.empty())
+        verdict.notes.push_back(fmt::format(
+            "Layout {} carries no digests: what HDF5 itself checks is whole, but a changed number would not show.",
+            check.version));
+    if (check.good()) return;
+    verdict.state = FileState::damaged;
+    if (!check.fault.empty()) verdict.faults.push_back(fmt::format("The file: {}.", check.fault));
+    for (const hdf5::DamagedDataset& one : check.damaged)
+        verdict.faults.push_back(fmt::format(
+            "{}{}.", one.fault, one.rows.empty() ? "" : fmt::format("; rows {}", fmt::join(one.rows, ", "))));
+    if (!is_record) verdict.whole = whole_members(check);
+    verdict.remedy = is_record ? "floes replay makes the record anew." : campaign_remedy(path);
+}
+
+/// The bytes behind the last whole record of a journal.
+void judge_tail(const std::filesystem::path& path, const JournalContents& contents, FileVerdict& verdict) {
+    if (contents.torn_bytes == 0) return;
+    if (is_being_written(path)) {
+        verdict.notes.push_back("A run is writing it.");
+        return;
+    }
+    if (journal_format::tail_is_torn(path, contents)) {
+        verdict.notes.push_back(
+            fmt::format("Its last {} bytes are a record that was begun and never finished, as a killed run leaves it; "
+                        "--resume cuts "
+                        "them off.",
+                        contents.torn_bytes));
+        return;
+    }
+    verdict.faults.push_back(fmt::format("Its last {} bytes are damaged.", contents.torn_bytes));
+}
+
+void verify_journal(const std::filesystem::path& path, FileVerdict& verdict) {
+    verdict.kind = "journal";
+    try {
+        const JournalContents contents = read_journal(path, Histories::leave);
+        verdict.counts = fmt::format("{}, {}", counted(std::ssize(contents.members), "member"),
+                                     counted(std::ssize(contents.sessions), "session"));
+        if (contents.damaged_bytes > 0)
+            verdict.faults.push_back(
+                fmt::format("{} bytes inside it belong to no whole record.", contents.damaged_bytes));
+        judge_tail(path, contents, verdict);
+        if (verdict.faults.empty()) return;
+        verdict.whole = fmt::format("{} in it are whole.", counted(std::ssize(contents.members), "member"));
+        verdict.remedy = "floes run with --resume keeps these, and computes the members in the damaged parts again.";
+    } catch (const std::runtime_error& error) {
+        verdict.faults.push_back(error.what());
+        verdict.remedy = "Restore it from a copy.";
+    }
+    verdict.state = FileState::damaged;
+}
+
+}  // namespace
+
+FileVerdict verify_file(const std::filesystem::path& path) {
+    FileVerdict verdict;
+    verdict.file = path.string();
+    const std::string begin = first_bytes(path, journal_format::magic.size());
+    if (begin == journal_format::magic) {
+        verify_journal(path, verdict);
+        return verdict;
+    }
+    try {
+        verify_hdf5(path, verdict);
+    } catch (const InputError& error) {
+        verdict.state = FileState::not_of_floes;
+        verdict.faults.push_back(error.what());
+    }
+    return verdict;
+}
+
+}  // namespace floes

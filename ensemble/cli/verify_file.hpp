@@ -1,0 +1,28 @@
+#pragma once
+// Whether a file of floes is as it was written: a campaign file, a record of a replay or a journal.
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace floes {
+
+enum class FileState { good, damaged, not_of_floes };
+
+struct FileVerdict {
+    std::string file;
+    std::string kind;  ///< "campaign file", "record", "journal"; empty where it is none of these
+    FileState state = FileState::good;
+    std::string counts;               ///< what was checked: "84 datasets", "12 members, 2 sessions"
+    std::string digest;               ///< over the contents of an HDF5 file; empty where it has none
+    std::vector<std::string> notes;   ///< sentences: what is worth to know of a good file
+    std::vector<std::string> faults;  ///< sentences: what is damaged, one a dataset or part of a journal
+    std::string whole;                ///< a sentence: which members are still good
+    std::string remedy;               ///< a sentence: what to do
+};
+
+/// Reads the whole file once. Nothing is thrown for what is wrong with it.
+FileVerdict verify_file(const std::filesystem::path& path);
+
+}  // namespace floes

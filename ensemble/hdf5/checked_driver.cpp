@@ -1,0 +1,145 @@
+#include "hdf5/checked_driver.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "hdf5/pages.hpp"
+
+namespace floes::hdf5 {
+namespace {
+
+/// HDF5 hands its own part, which comes first, back to every function.
+struct OpenFile : H5FD_t {
+    explicit OpenFile(CheckedPages opened) : H5FD_t{}, pages(std::move(opened)) {}
+    CheckedPages pages;
+    bool passes_values = false;
+    haddr_t end_of_allocated = 0;
+};
+
+OpenFile& mine(H5FD_t* file) {
+    return *static_cast<OpenFile*>(file);
+}
+const OpenFile& mine(const H5FD_t* file) {
+    return *static_cast<const OpenFile*>(file);
+}
+
+void report(const std::string& fault) {
+    H5Epush2(H5E_DEFAULT, __FILE__, "CheckedPages::read", __LINE__, H5E_ERR_CLS, H5E_IO, H5E_READERROR, "%s",
+             fault.c_str());
+}
+
+// No exception may pass through HDF5, which is C.
+template <class Action, class Value>
+Value caught(const Action& action, Value otherwise) {
+    try {
+        return action();
+    } catch (const std::exception& error) {
+        report(error.what());
+        return otherwise;
+    }
+}
+
+H5FD_t* open(const char* name, unsigned, hid_t, haddr_t) {
+    return caught(
+        [name]() -> H5FD_t* {
+            std::optional<CheckedPages> pages = CheckedPages::open(name);
+            return pages ? std::make_unique<OpenFile>(std::move(*pages)).release() : nullptr;
+        },
+        static_cast<H5FD_t*>(nullptr));
+}
+
+herr_t close(H5FD_t* file) {
+    const std::unique_ptr<OpenFile> ended(&mine(file));
+    return 0;
+}
+
+haddr_t get_eoa(const H5FD_t* file, H5FD_mem_t) {
+    return mine(file).end_of_allocated;
+}
+
+herr_t set_eoa(H5FD_t* file, H5FD_mem_t, haddr_t end) {
+    mine(file).end_of_allocated = end;
+    return 0;
+}
+
+haddr_t get_eof(const H5FD_t* file, H5FD_mem_t) {
+    return mine(file).pages.size();
+}
+
+/// Whether HDF5 may have what was read although a page of it is damaged: a page has several datasets in it, and what is
+/// said should name the right one. Headers have checksums, which HDF5 compares before it reads them.
+bool may_have(const OpenFile& file, H5FD_mem_t of) {
+    return of == H5FD_MEM_OHDR || (of == H5FD_MEM_DRAW && file.passes_values);
+}
+
+herr_t read(H5FD_t* file, H5FD_mem_t of, hid_t, haddr_t at, std::size_t size, void* to) {
+    CheckedPages& pages = mine(file).pages;
+    // HDF5 guesses how long the superblock is and reads past the end of a tiny file; there are zeros.
+    const auto inside = static_cast<std::size_t>(std::min<haddr_t>(size, pages.size() - std::min(at, pages.size())));
+    const std::span bytes(static_cast<std::byte*>(to), size);
+    std::ranges::fill(bytes.subspan(inside), std::byte{0});
+    const bool good = caught([&] { return pages.read(at, bytes.first(inside)); }, false);
+    if (good || may_have(mine(file), of)) return 0;
+    report(pages.fault());
+    return -1;
+}
+
+herr_t get_handle(H5FD_t* file, hid_t, void** handle) {
+    *handle = file;
+    return 0;
+}
+
+herr_t write(H5FD_t*, H5FD_mem_t, hid_t, haddr_t, std::size_t, const void*) {
+    return -1;  // files are opened for reading only
+}
+
+H5FD_class_t driver_class() {
+    H5FD_class_t of{};
+#if H5_VERS_MAJOR > 1 || H5_VERS_MINOR >= 13
+    of.version = H5FD_CLASS_VERSION;
+    of.value = static_cast<H5FD_class_value_t>(511);  // of the range for drivers that are not registered with HDF5
+#endif
+    of.name = "floes_pages";
+    of.maxaddr = HADDR_MAX / 2;
+    of.fc_degree = H5F_CLOSE_WEAK;
+    of.open = open;
+    of.close = close;
+    of.get_eoa = get_eoa;
+    of.set_eoa = set_eoa;
+    of.get_eof = get_eof;
+    of.get_handle = get_handle;
+    of.read = read;
+    of.write = write;
+    std::ranges::fill(of.fl_map, H5FD_MEM_DEFAULT);
+    return of;
+}
+
+hid_t driver() {
+    static const H5FD_class_t of = driver_class();
+    static const hid_t registered = check(H5FDregister(&of), "H5FDregister", "the driver of checked pages");
+    return registered;
+}
+
+}  // namespace
+
+void read_by_pages(const Handle& access) {
+    check(H5Pset_driver(access.id(), driver(), nullptr), "H5Pset_driver", "file access");
+}
+
+PassedValues::PassedValues(hid_t object) : passes_(nullptr) {
+    const Handle file(H5Iget_file_id(object), H5Fclose, "H5Iget_file_id", "a dataset");
+    const Handle access(H5Fget_access_plist(file.id()), H5Pclose, "H5Fget_access_plist", "a file");
+    if (H5Pget_driver(access.id()) != driver()) return;
+    void* handle = nullptr;
+    check(H5Fget_vfd_handle(file.id(), H5P_DEFAULT, &handle), "H5Fget_vfd_handle", "a file");
+    passes_ = &mine(static_cast<H5FD_t*>(handle)).passes_values;
+    *passes_ = true;
+}
+
+PassedValues::~PassedValues() {
+    if (passes_ != nullptr) *passes_ = false;
+}
+
+}  // namespace floes::hdf5

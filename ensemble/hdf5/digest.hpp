@@ -1,0 +1,73 @@
+#pragma once
+// Digests of datasets: what HDF5's own checksums leave open, and what says that two files hold the same. They are made
+// of contents, not of how HDF5 stores them, and stand as the attribute `digest` of each dataset. Only for sources of
+// rooms with HDF5 files of their own.
+//
+//     values  XXH3-128 of all values, row-major, little endian; of texts the length of each (u64) and its bytes
+//     rows    XXH3-128 of the Adler-32 (u32) of each row's bytes, shuffled: of tables whose rows come packed
+//
+// and in both, at the end, path, type and sizes of the dataset.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <type_traits>
+
+#include "core/streaming_digest.hpp"
+#include "hdf5/handle.hpp"
+
+namespace floes::hdf5 {
+
+inline constexpr const char* digest_attribute = "digest";
+/// Of the root: over all that lies outside /provenance.
+inline constexpr const char* contents_attribute = "contents_digest";
+
+enum class DigestKind { values, rows };
+
+struct StoredDigest {
+    DigestKind kind = DigestKind::values;
+    std::string hex;
+    friend bool operator==(const StoredDigest&, const StoredDigest&) = default;
+};
+
+/// Taken while values are written or read.
+class DatasetDigest {
+  public:
+    explicit DatasetDigest(DigestKind kind = DigestKind::values) : kind_(kind) {}
+
+    void add_bytes(std::span<const std::byte> values) { digest_.add(values); }
+    /// Whole rows of values; a row has `width` of them.
+    template <class Value>
+    void add(std::span<const Value> values, std::size_t width) {
+        if constexpr (std::is_same_v<Value, double>) {
+            if (kind_ == DigestKind::rows) return add_rows(values, width);
+        }
+        add_bytes(std::as_bytes(values));
+    }
+    void add(std::span<const std::string> texts);
+    /// Of the kind `rows`: checksum() of each row in turn.
+    void add_row(std::uint32_t checksum) { add_bytes(std::as_bytes(std::span(&checksum, 1))); }
+
+    /// Takes path, type and sizes of the dataset, and is then complete.
+    StoredDigest finish(hid_t dataset);
+
+  private:
+    void add_rows(std::span<const double> values, std::size_t width);
+
+    DigestKind kind_;
+    StreamingDigest digest_;
+};
+
+void write_digest(hid_t dataset, const StoredDigest& digest);
+
+/// None where the dataset carries none: it is of an older layout, or was added by somebody else.
+std::optional<StoredDigest> read_digest(hid_t dataset);
+
+/// The digest of a dataset as it is stored now, read piece by piece. Throws RunError where it cannot be read.
+StoredDigest digest_of(hid_t dataset, DigestKind kind);
+
+/// Throws RunError unless the digests are equal.
+void check_digest(hid_t dataset, const std::string& name, const StoredDigest& stored, const StoredDigest& found);
+
+}  // namespace floes::hdf5

@@ -1,0 +1,51 @@
+#pragma once
+// Digests of a file's pages, which floes appends to an HDF5 file behind what HDF5 reads. They cover every byte: HDF5
+// has no checksum of its own for texts and for data without chunks, and can crash over damaged ones.
+//
+//     digest of each page of 512 bytes, the last one shorter (u32, the low half of XXH3-64)
+//     floespgs  bytes of a page (u32)  bytes of all pages (u64)  XXH3-64 of all this before it (u64)
+//
+// All numbers are little endian. A file that others have written to or packed anew has lost them and is read without.
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/bytes.hpp"
+#include "core/descriptor.hpp"
+
+namespace floes::hdf5 {
+
+/// Brings the digests of a closed file to its end. Throws RunError where the system refuses.
+void append_page_digests(const std::filesystem::path& path);
+
+/// A file with such digests, open for reading.
+class CheckedPages {
+  public:
+    /// None where the file has no digests of pages. Throws DamagedFile where it has and they are damaged themselves.
+    static std::optional<CheckedPages> open(const std::filesystem::path& path);
+
+    /// Bytes of all pages: what HDF5 takes for the file.
+    std::uint64_t size() const { return size_; }
+    /// Reads `to.size()` bytes from `at` on; false where a page is not what was written, or the file ends. The bytes of
+    /// such a page are read nevertheless.
+    bool read(std::uint64_t at, std::span<std::byte> to);
+    /// The first page that the last read() found damaged, as "bytes 4096 to 4607 are not those that were written".
+    const std::string& fault() const { return fault_; }
+
+  private:
+    CheckedPages(Descriptor file, std::filesystem::path path, std::uint64_t size, std::vector<std::uint32_t> digests);
+
+    Descriptor file_;
+    std::filesystem::path path_;
+    std::uint64_t size_;
+    std::vector<std::uint32_t> digests_;
+    std::vector<bool> good_;  ///< pages that were read before
+    Bytes pages_;
+    std::string fault_;
+};
+
+}  // namespace floes::hdf5

@@ -1,0 +1,41 @@
+#pragma once
+// Compressed tables whose rows are written one at a time, or come packed. Only for sources of rooms with HDF5 files of
+// their own.
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "hdf5/label.hpp"
+#include "records/packed_checksum.hpp"
+
+namespace floes::hdf5 {
+
+/// A compressed table of doubles, a chunk a row, whose rows are written one at a time. A row may have dimensions of its
+/// own, and is then given in row-major order.
+class Rows {
+  public:
+    Rows(hid_t parent, const Label& label, const Scale& rows, const Dimensions& columns);
+    /// A row of one dimension may be shorter than the table is wide; the rest is NaN, as is a row never written.
+    void write(std::size_t row, std::span<const double> values);
+    /// Likewise; a row of full width goes into the file as it is.
+    void write(std::size_t row, const PackedNumbers& values);
+    /// Writes the table's digest, after its last row.
+    void finish();
+
+  private:
+    std::string name_;
+    std::vector<hsize_t> sizes_;
+    hsize_t width_;
+    Handle dataset_;
+    Handle space_;
+    std::vector<std::uint32_t> checksums_;  ///< of each row
+};
+
+/// Such a table whose rows are at hand.
+void write_rows(hid_t parent, const Label& label, const Scale& rows, const Scale& columns,
+                const std::function<std::span<const double>(std::size_t row)>& row_values);
+
+}  // namespace floes::hdf5

@@ -1,0 +1,24 @@
+#include "core/utf8.hpp"
+
+#include <cstdint>
+
+namespace floes {
+
+bool is_utf8(std::string_view text) {
+    constexpr std::uint32_t least[]{0, 0x80, 0x800, 0x10000};  // that needs so many further bytes
+    while (!text.empty()) {
+        const auto first = static_cast<unsigned char>(text.front());
+        const int more = first < 0x80 ? 0 : first >> 5 == 0x6 ? 1 : first >> 4 == 0xe ? 2 : first >> 3 == 0x1e ? 3 : -1;
+        if (more < 0 || text.size() <= static_cast<std::size_t>(more)) return false;
+        std::uint32_t code = more == 0 ? first : first & (0x3fu >> more);
+        for (const char next : text.substr(1, static_cast<std::size_t>(more))) {
+            if ((static_cast<unsigned char>(next) & 0xc0) != 0x80) return false;
+            code = code << 6 | (static_cast<unsigned char>(next) & 0x3f);
+        }
+        if (code < least[more] || code > 0x10ffff || (code >= 0xd800 && code < 0xe000)) return false;
+        text.remove_prefix(static_cast<std::size_t>(more) + 1);
+    }
+    return true;
+}
+
+}  // namespace floes

@@ -1,0 +1,33 @@
+#include "core/streaming_digest.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/hash.hpp"
+#include "core/utf8.hpp"
+
+namespace floes {
+namespace {
+
+TEST(StreamingDigest, IsThatOfAllBytes) {
+    const std::string text(1000, 'x');
+    StreamingDigest digest;
+    digest.add(std::as_bytes(std::span(text).first(7)));
+    digest.add(std::as_bytes(std::span(text).subspan(7)));
+    EXPECT_EQ(digest.hex(), digest_hex(text));
+    StreamingDigest two;
+    two.add_text("ab");
+    two.add_text("c");
+    StreamingDigest others;
+    others.add_text("a");
+    others.add_text("bc");
+    EXPECT_NE(two.hex(), others.hex());
+}
+
+TEST(Utf8, IsToldFromOtherBytes) {
+    for (const char* good : {"", "floe", "Σ ≤ 10 m/s", "\xf0\x9f\xa7\x8a"}) EXPECT_TRUE(is_utf8(good)) << good;
+    for (const char* bad : {"\xff", "a\x80", "\xc3", "\xc0\xaf", "\xe0\x80\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80"})
+        EXPECT_FALSE(is_utf8(bad));
+}
+
+}  // namespace
+}  // namespace floes
