@@ -6,7 +6,7 @@ Usage:
     matching.py --check             writes nothing; fails if the page differs from the data
     matching.py --collect FOLDER [FLOES]
                                     first matches the finished campaigns of FOLDER with the program FLOES: physical.h5,
-                                    physical_2.h5, paper.h5 and pivot.h5; and takes the picture (needs chromium)
+                                    physical_2.h5 and paper.h5; and takes the picture (needs chromium)
 """
 import json
 import pathlib
@@ -20,12 +20,12 @@ from validation_tables import table
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 DATA = ROOT / "docs/matching"
 PAGE = ROOT / "docs/matching.md"
-# Name of a matching: contacts, files, targets, and whether the tank's design load is predicted.
+# Name of a matching: contacts, files, targets, and of how many runs these are taken for the mean.
 MATCHINGS = {
-    "physical_tank": ("physical", ["physical", "physical_2"], "tank"),
-    "physical_table3": ("physical", ["physical", "physical_2"], "table3"),
-    "paper_table3": ("paper's, moment about the element's centre", ["paper"], "table3"),
-    "pivot_table3": ("paper's, moment about the joint", ["pivot"], "table3"),
+    "physical_tank": ("physical", ["physical", "physical_2"], "tank", 1),
+    "physical_tank_of_ten": ("physical", ["physical", "physical_2"], "tank", 10),
+    "physical_table3": ("physical", ["physical", "physical_2"], "table3", 1),
+    "paper_table3": ("paper's", ["paper"], "table3", 1),
 }
 TARGETS = {"tank": "the tank test", "table3": "Table 3 at 60 MPa"}
 HELD_OUT = ["mean_load", "sd_load", "mean_maximum", "sd_maximum", "maximum_load", "failure_ratio"]
@@ -46,29 +46,36 @@ def there():
 
 def collect(folder, floes):
     DATA.mkdir(exist_ok=True)
-    for name, (_, files, targets) in MATCHINGS.items():
-        campaigns = [folder / f"{file}.h5" for file in files if (folder / f"{file}.h5").exists()]
-        if not campaigns:
-            continue
-        command = [floes, "match", *campaigns, "--targets", ROOT / f"configs/targets_{targets}.toml"]
-        if name == "physical_tank":
-            command += ["--exposure-h", "3"]
-        if name == "physical_table3" and len(campaigns) > 1:
-            command += [word for case in ("E30", "E200") for one in HELD_OUT for word in ("--predict", f"{case}:{one}")]
-        done = subprocess.run([*command, "--format", "json"], stdout=subprocess.PIPE, text=True)
-        if done.returncode != 0:
-            sys.exit(f"{name} cannot be matched")
-        (DATA / f"{name}.json").write_text(done.stdout)
-        with tempfile.TemporaryDirectory() as temporary:
-            page = pathlib.Path(temporary) / "match.html"
-            subprocess.run([*command, "-o", page], check=True, capture_output=True)
+    with tempfile.TemporaryDirectory() as temporary:
+        temporary = pathlib.Path(temporary)
+        for name, (_, files, targets, runs) in MATCHINGS.items():
+            campaigns = [folder / f"{file}.h5" for file in files if (folder / f"{file}.h5").exists()]
+            if not campaigns:
+                continue
+            text = (ROOT / f"configs/targets_{targets}.toml").read_text()
+            (temporary / "targets.toml").write_text(text.replace("uncertainty =", f"runs = {runs}\nuncertainty ="))
+            command = [floes, "match", *campaigns, "--targets", temporary / "targets.toml", "--format", "json"]
+            if targets == "tank":
+                command += ["--exposure-h", "3", "-o", temporary / "match.html"]
+            if name == "physical_table3" and len(campaigns) > 1:
+                command += [word for case in ("E30", "E200") for one in HELD_OUT
+                            for word in ("--predict", f"{case}:{one}")]
+            done = subprocess.run(command, stdout=subprocess.PIPE, text=True)
+            if done.returncode != 0:
+                sys.exit(f"{name} cannot be matched")
+            (DATA / f"{name}.json").write_text(done.stdout)
             if name == "physical_tank":
-                picture(page)
-    for name in {file for _, files, _ in MATCHINGS.values() for file in files}:
+                picture(temporary / "match.html")
+    for name in {file for _, files, _, _ in MATCHINGS.values() for file in files}:
         if (folder / f"{name}.h5").exists():
             rows = subprocess.run([floes, "summarize", folder / f"{name}.h5", "--parts", "members", "--format", "csv"],
                                   check=True, stdout=subprocess.PIPE, text=True).stdout
             (DATA / f"{name}.members.csv").write_text(rows)
+
+
+def words(name):
+    contacts, _, targets, runs = MATCHINGS[name]
+    return [contacts, TARGETS[targets] + (f", if it were the mean of {runs} runs" if runs > 1 else "")]
 
 
 def percent(share):
@@ -78,11 +85,10 @@ def percent(share):
 def left():
     rows = []
     for name in there():
-        contacts, _, targets = MATCHINGS[name]
         found = told(name)
         used = [target for target in found["targets"] if not target["unused"]]
         most = sorted(used, key=lambda target: -target["rules_out"])
-        rows.append([contacts, TARGETS[targets], f"{percent(found['left'])} %", f"{found['best_implausibility']:.1f}",
+        rows.append([*words(name), f"{percent(found['left'])} %", f"{found['best_implausibility']:.1f}",
                      "; ".join(f"{LABELS[target['quantity']].split(',')[0]} {percent(target['rules_out'])} %"
                                f" ({percent(target['alone'])})" for target in most[:3] if target["rules_out"] > 0)])
     return table(["contacts", "targets", "not ruled out", "best point's implausibility",
@@ -96,11 +102,10 @@ def number(value):
 def inputs():
     rows = []
     for name in there():
-        contacts, _, targets = MATCHINGS[name]
         for one in told(name)["inputs"]:
             if "low" not in one:
                 continue
-            rows.append([contacts, TARGETS[targets], INPUTS[one["key"]], f"{number(one['from'])} to {number(one['to'])}",
+            rows.append([*words(name), INPUTS[one["key"]], f"{number(one['from'])} to {number(one['to'])}",
                          f"{number(one['low'])} to {number(one['high'])}", number(one["median"])])
     return table(["contacts", "targets", "input", "range before", "not ruled out", "median of it"], rows)
 
@@ -122,12 +127,18 @@ def held_out():
 
 
 def design():
-    one = told("physical_tank")["design_load"][0]
     rows = []
-    for words, key in [("expected largest in 3 h", "expected"), ("exceeded in 3 h with 10 %", "quantile")]:
-        rows.append([words] + [f"{one[f'{key}{weight}_N']:.0f} [{one[f'{key}{weight}_low_N']:.0f}, "
-                               f"{one[f'{key}{weight}_high_N']:.0f}]" for weight in ("", "_weighted")])
-    return table(["load over 1 s, N [95 %]", "all that is left", "weighed by the targets"], rows)
+    for name in there():
+        for one in told(name).get("design_load", []):
+            if one["case"] != "E60":
+                continue
+            cells = [f"{one[f'{key}_N']:.0f} [{one[f'{key}_low_N']:.0f}, {one[f'{key}_high_N']:.0f}]"
+                     for key in ("expected", "expected_weighted", "quantile", "quantile_weighted")]
+            growth = (f"{one['growth_quantile']:.2f} [{one['growth_quantile_low']:.2f}, "
+                      f"{one['growth_quantile_high']:.2f}]")
+            rows.append([words(name)[1], *cells, growth])
+    return table(["targets", "expected in 3 h, N [95 %]", "weighed", "exceeded with 10 %, N", "weighed",
+                  "growth of the latter"], rows)
 
 
 def picture(page):

@@ -11,7 +11,7 @@ import h5py
 import numpy
 import xarray
 
-LAYOUT = (1, 7)  # of campaign files (docs/campaign_file.md), up to which this reader knows them
+LAYOUT = (1, 8)  # of campaign files (docs/campaign_file.md), up to which this reader knows them
 GROUPS = {"arrangements", "averaged", "breaks", "calibration", "cases", "exceedance", "history", "load_map", "members",
           "provenance"}  # of that layout
 FILETYPE = "floes campaign"
@@ -77,10 +77,10 @@ class Stored:
             return [name for name in self.names() if isinstance(self._file[name], h5py.Group)]
 
     def attributes_of(self, name: str) -> dict[str, Any]:
-        """Attributes of a group or dataset, without those that connect dimensions."""
+        """Attributes of a group or dataset, without those that connect dimensions, and the digest of its bytes."""
         with self.reading(f"the attributes of {name}"):
             return {key: value for key, value in self._file[name].attrs.items()
-                    if key not in ("CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST")}
+                    if key not in ("CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST", "digest")}
 
     def shape(self, name: str) -> tuple[int, ...]:
         with self.reading(f"/{name}"):
