@@ -1,6 +1,7 @@
 #include "records/member_record.hpp"
 
 #include <gmock/gmock.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <bit>
@@ -81,6 +82,24 @@ TEST_P(DamagedHistory, IsRefused) {
                                                              whole.chunk.begin() + static_cast<std::ptrdiff_t>(size))}),
                      RunError)
             << size;
+}
+
+// Half a megabyte that says truly that it holds 480 of zeros.
+TEST(PackedHistory, LongerThanAnyRunIsRefused) {
+    z_stream stream{};
+    ASSERT_EQ(deflateInit(&stream, compression_level), Z_OK);
+    PackedNumbers packed{60'000'000, Bytes(1 << 20)};
+    stream.next_out = reinterpret_cast<Bytef*>(packed.chunk.data());
+    stream.avail_out = static_cast<uInt>(packed.chunk.size());
+    std::vector<Bytef> zeros(8 * 1'000'000);
+    for (int million = 1; million <= 60; ++million) {
+        stream.next_in = zeros.data();
+        stream.avail_in = static_cast<uInt>(zeros.size());
+        ASSERT_GE(deflate(&stream, million == 60 ? Z_FINISH : Z_NO_FLUSH), Z_OK);
+    }
+    packed.chunk.resize(stream.total_out);
+    deflateEnd(&stream);
+    EXPECT_THROW(unpack(packed), RunError);
 }
 
 /// What a version wrote into its journals.
