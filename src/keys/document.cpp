@@ -153,6 +153,10 @@ bool is_text(std::string_view text) {
 
 Document parse_document(std::string_view text, const std::string& file) {
     refuse_what_cannot_be_held(text, file);
+    if (const std::size_t stray = stray_character(text); stray < text.size())
+        throw InputError(
+            fmt::format("{}:{}: this is not TOML (a character beyond ASCII outside a text in quotes, or after \\)",
+                        file, 1 + std::ranges::count(text.substr(0, stray), '\n')));
     try {
         const toml::table table = toml::parse(text, file);
         Flattener flattener(file);
@@ -176,7 +180,8 @@ Entry parse_override(const std::string& override_text, const std::string& option
     const std::string value = trimmed(std::string_view(override_text).substr(equals + 1));
     refuse_what_cannot_be_held(value, option + " " + path);
     try {
-        const toml::table table = toml::parse("value = " + value);
+        const bool may_be_toml = stray_character(value) >= value.size();
+        const toml::table table = may_be_toml ? toml::parse("value = " + value) : toml::table{};
         const bool alone = table.size() == 1;  // a line break could smuggle in a second key
         if (alone) return {path, to_value(*table.get("value")), where};
     } catch (const toml::parse_error&) {

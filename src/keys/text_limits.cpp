@@ -13,47 +13,69 @@ namespace {
 constexpr std::ptrdiff_t most_values = 4'000'000;
 constexpr int most_parts = 16;  // of a dotted key; ours have three at most
 
-/// Where the string that begins at `at` ends. A string of one line ends with its line at the latest: what follows is
-/// not TOML then.
-std::size_t end_of_string(std::string_view text, std::size_t at) {
-    const char quote = text[at];
-    const std::string three(3, quote);
-    const bool many_lines = text.substr(at, 3) == three;
-    for (at += many_lines ? 3 : 1; at < text.size(); ++at) {
-        if (quote == '"' && text[at] == '\\') {
-            ++at;
-        } else if (many_lines && text.substr(at, 3) == three) {
-            at += 3;
-            while (at < text.size() && text[at] == quote) ++at;  // quotes may stand just before the end
-            return at;
-        } else if (!many_lines && (text[at] == quote || text[at] == '\n')) {
-            return at + 1;
-        }
-    }
-    return text.size();
+bool is_ascii(char character) {
+    return static_cast<unsigned char>(character) < 0x80;
 }
 
-/// The most parts of a dotted key; a number with a point counts as two.
-int parts_of_keys(std::string_view text) {
-    const auto of_key = [](unsigned char c) {
-        return std::isalnum(c) || c == '_' || c == '-' || c == ' ' || c == '\t';
-    };
-    int most = 1;
-    int parts = 1;
-    for (std::size_t at = 0; at < text.size();) {
-        const char character = text[at];
+bool is_of_key(char character) {
+    return std::isalnum(static_cast<unsigned char>(character)) || character == '_' || character == '-' ||
+           character == ' ' || character == '\t';
+}
+
+/// A text read only so far that its strings, its comments and the rest are told apart.
+class Scan {
+  public:
+    explicit Scan(std::string_view text) : text_(text) {
+        if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;  // the mark that some editors begin with
+        while (at_ < text_.size()) step();
+    }
+
+    /// The most parts of a dotted key; a number with a point counts as two.
+    int most_parts() const { return most_; }
+    /// The place of the first character beyond ASCII outside strings and comments, or escaped.
+    std::size_t first_stray() const { return stray_; }
+
+  private:
+    void step() {
+        const char character = text_[at_];
         if (character == '#') {
-            at = std::min(text.find('\n', at), text.size());
-        } else if (character == '"' || character == '\'') {
-            at = end_of_string(text, at);
-        } else {
-            parts = character == '.' ? parts + 1 : of_key(static_cast<unsigned char>(character)) ? parts : 1;
-            most = std::max(most, parts);
-            ++at;
+            at_ = std::min(text_.find('\n', at_), text_.size());
+            return;
+        }
+        if (character == '"' || character == '\'') return skip_string(character);
+        note(at_);
+        parts_ = character == '.' ? parts_ + 1 : is_of_key(character) ? parts_ : 1;
+        most_ = std::max(most_, parts_);
+        ++at_;
+    }
+
+    /// A string of one line ends with its line at the latest: what follows is not TOML then.
+    void skip_string(char quote) {
+        const std::string three(3, quote);
+        const bool many_lines = text_.substr(at_, 3) == three;
+        for (at_ += many_lines ? 3 : 1; at_ < text_.size(); ++at_) {
+            if (quote == '"' && text_[at_] == '\\') {
+                note(++at_);
+            } else if (many_lines && text_.substr(at_, 3) == three) {
+                at_ = std::min(text_.find_first_not_of(quote, at_), text_.size());  // quotes may stand before the end
+                return;
+            } else if (!many_lines && (text_[at_] == quote || text_[at_] == '\n')) {
+                ++at_;
+                return;
+            }
         }
     }
-    return most;
-}
+
+    void note(std::size_t at) {
+        if (at < text_.size() && !is_ascii(text_[at])) stray_ = std::min(stray_, at);
+    }
+
+    std::string_view text_;
+    std::size_t at_ = 0;
+    int parts_ = 1;
+    int most_ = 1;
+    std::size_t stray_ = std::string_view::npos;
+};
 
 }  // namespace
 
@@ -66,10 +88,14 @@ void refuse_what_cannot_be_held(std::string_view text, const std::string& where)
         throw InputError(
             fmt::format("{}: a text with {} lines and commas has more values than can be held; allowed: {}", where,
                         values, most_values));
-    const int parts = parts_of_keys(text);
-    if (parts > most_parts)
+    const Scan scan(text);
+    if (scan.most_parts() > most_parts)
         throw InputError(fmt::format("{}: a key with {} parts between dots is none of floes; ours have three at most",
-                                     where, parts));
+                                     where, scan.most_parts()));
+}
+
+std::size_t stray_character(std::string_view text) {
+    return Scan(text).first_stray();
 }
 
 }  // namespace floes

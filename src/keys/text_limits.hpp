@@ -1,5 +1,5 @@
 #pragma once
-// What is refused of a text before it is parsed: toml++ would take more memory or stack than there is.
+// What is refused of a text before it is parsed, because toml++ could not stand it.
 
 #include <cstddef>
 #include <string>
@@ -14,5 +14,9 @@ inline constexpr std::size_t longest_text = 64 << 20;  // bytes
 /// (toml++ takes some 150 bytes for each), or with a key of more parts than any table has: toml++ makes a table of each
 /// part and takes them apart again by recursion.
 void refuse_what_cannot_be_held(std::string_view text, const std::string& where);
+
+/// The place of the first character beyond ASCII where TOML has none: outside strings and comments, or escaped; npos
+/// without one. What toml++ 3.3 does with some of them is undefined.
+std::size_t stray_character(std::string_view text);
 
 }  // namespace floes
