@@ -11,7 +11,7 @@ namespace floes {
 namespace {
 
 constexpr std::size_t width = sizeof(double);
-constexpr std::uint64_t most_numbers = 50'000'000;  // more than a run may have steps; 400 MB
+constexpr std::uint64_t most_numbers = 25'000'000;  // more than a run may have steps; 200 MB
 
 /// Position of byte k of number i.
 struct Layout {

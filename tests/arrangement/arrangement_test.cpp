@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
+#include <ctime>
 
 #include "arrangement/check.hpp"
 #include "arrangement/order.hpp"
@@ -224,11 +224,11 @@ TEST(GivenPoses, OfALargeFieldAreLookedAtInTime) {
     scenario.field = {.floes = floes, .concentration = 0.36, .begin = 0, .half_width = 0.5 * rows};
     std::vector<PlanarPose> poses;
     for (int k = 0; k < floes; ++k) poses.push_back({k / rows + 0.5, k % rows + 0.5 - 0.5 * rows, 0.01 * k});
-    const auto begin = std::chrono::steady_clock::now();
+    const std::clock_t begin = std::clock();  // of the processor
     EXPECT_EQ(find_fault(scenario, poses), std::nullopt);
     poses[80'000].x += 0.5;
     EXPECT_EQ(find_fault(scenario, poses)->floes, (std::vector<std::size_t>{80'000, 80'250}));
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
+    EXPECT_LT(std::clock() - begin, 5 * CLOCKS_PER_SEC);
 }
 
 // The cells must leave out no pair.

@@ -42,7 +42,7 @@ MemberRecord member() {
     const Campaign campaign = synthetic::campaign(1);
     MemberRecord record = synthetic::record(campaign, 0);
     record.result.reason = "none";
-    record.result.averaged = {{0.1, 1, 2, 3, {4, 5}, {6}}};
+    record.result.averaged = {{0.1, 1, {4, 5}, 2, 3, {6}}};
     record.history = pack(LoadHistory{{1, 2}, {3, 4}, {5, 6}}, LoadMap{{7}, {8}, {9}});
     return record;
 }

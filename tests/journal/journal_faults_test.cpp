@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <sys/resource.h>
 
-#include <chrono>
 #include <csignal>
+#include <ctime>
 #include <fstream>
 
 #include "core/error.hpp"
@@ -57,9 +57,9 @@ TEST(JournalFaults, DamageAtManyPlacesIsSkippedInTime) {
         bytes.insert(bytes.end(), one.begin(), one.end());
     }
     write_file_bytes(path, bytes);
-    const auto begin = std::chrono::steady_clock::now();
+    const std::clock_t begin = std::clock();  // of the processor
     const JournalContents contents = read_journal(path);
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
+    EXPECT_LT(std::clock() - begin, 10 * CLOCKS_PER_SEC);
     EXPECT_EQ(contents.members.size(), static_cast<std::size_t>(members));
     EXPECT_EQ(contents.damaged_bytes, static_cast<std::uint64_t>(members));
 }
@@ -77,10 +77,10 @@ TEST(JournalFaults, BytesThatAllLookLikeRecordsAreRefusedInTime) {
     bytes.push_back(std::byte{0xff});
     bytes.insert(bytes.end(), head.bytes().begin(), head.bytes().end());
     write_file_bytes(path, bytes);
-    const auto begin = std::chrono::steady_clock::now();
+    const std::clock_t begin = std::clock();  // of the processor
     EXPECT_THAT(refusal([&] { read_journal(path); }),
                 HasSubstr("is a journal with so much that looks like a record after byte "));
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
+    EXPECT_LT(std::clock() - begin, 10 * CLOCKS_PER_SEC);
 }
 
 TEST(JournalFaults, FlippedBitAtEveryByteNeverGivesAFalseRecord) {

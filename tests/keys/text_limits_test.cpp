@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include <chrono>
+#include <ctime>
 
 #include "keys/document.hpp"
 #include "keys/edit_distance.hpp"
@@ -80,9 +80,9 @@ TEST(TextLimits, LongTextsAreCutShortInMessages) {
 
 // Before, a name of a megabyte took half a minute.
 TEST(TextLimits, LongWordsAreComparedByTheirBeginning) {
-    const auto begin = std::chrono::steady_clock::now();
+    const std::clock_t begin = std::clock();  // of the processor
     EXPECT_EQ(edit_distance(std::string(10'000'000, 'a'), "ab"), 199u);
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
+    EXPECT_LT(std::clock() - begin, 5 * CLOCKS_PER_SEC);
 }
 
 // Its resolved configuration could not be read again.
