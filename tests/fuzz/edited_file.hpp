@@ -4,7 +4,7 @@
 // all. So no file of HDF5 stands in the corpus, and all inputs are of the file's present layout.
 
 #include <fcntl.h>
-#include <sys/mman.h>
+#include <unistd.h>
 
 #include <cstring>
 #include <filesystem>
@@ -13,18 +13,19 @@
 #include "core/bytes.hpp"
 #include "fuzz/fuzz.hpp"
 #include "records/file_calls.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace floes::fuzz {
 
 class EditedFile {
   public:
-    explicit EditedFile(const std::filesystem::path& whole) : file_(::memfd_create("file", MFD_CLOEXEC)) {
+    explicit EditedFile(const std::filesystem::path& whole) : file_(open_file(path(), O_RDWR | O_CREAT)) {
         const Descriptor opened = open_file(whole, O_RDONLY);
         whole_.resize(file_size(opened, whole));
         require(read_at(opened, whole, 0, whole_), "the file cannot be read");
     }
 
-    std::filesystem::path path() const { return "/proc/self/fd/" + std::to_string(file_.get()); }
+    std::filesystem::path path() const { return folder_ / "edited.h5"; }
 
     void edit(std::span<const std::uint8_t> input) {
         Bytes bytes = whole_;
@@ -44,6 +45,7 @@ class EditedFile {
     }
 
   private:
+    TemporaryFolder folder_;  // not in memory: HDF5 asks for the real path
     Descriptor file_;
     Bytes whole_;
 };
