@@ -102,6 +102,17 @@ TEST(PackedHistory, LongerThanAnyRunIsRefused) {
     EXPECT_THROW(unpack(packed), RunError);
 }
 
+// It became a number that nobody had counted: the conversion is undefined.
+TEST(MemberRecord, ACountThatIsNoneIsRefused) {
+    const std::string key = "failures_bending";
+    Bytes bytes = encode(synthetic::record(synthetic::campaign(), 0));
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    ByteWriter number;
+    number.f64(1e300);
+    std::ranges::copy(number.bytes(), bytes.begin() + static_cast<std::ptrdiff_t>(text.find(key) + key.size()));
+    EXPECT_THROW(decode_member_record(bytes), RunError);
+}
+
 /// What a version wrote into its journals.
 enum class Written { schema_2, schema_1, before_levels, before_processor_time };
 
