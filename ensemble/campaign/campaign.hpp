@@ -41,6 +41,9 @@ struct MemberKey {
     friend bool operator==(const MemberKey&, const MemberKey&) = default;
 };
 
+/// The most members of a campaign: the master keeps some hundred bytes for each.
+inline constexpr std::int64_t most_members = 2'000'000;
+
 int member_count(const Campaign& campaign);
 /// number in [0, member_count): arrangement * cases + case.
 MemberKey member_key(const Campaign& campaign, int number);

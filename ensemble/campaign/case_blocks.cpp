@@ -17,6 +17,28 @@ namespace floes {
 namespace {
 
 constexpr const char* case_block = "case";
+constexpr std::size_t longest_name = 200;
+constexpr std::size_t most_axis_values = 2'000'000;  // over all cases; each takes some 150 bytes
+
+/// How many numbers it holds, texts by their length.
+std::size_t size_of(const Value& value) {
+    if (const auto* text = std::get_if<std::string>(&value.data)) return 1 + text->size() / 16;
+    std::size_t size = 1;
+    if (const auto* list = std::get_if<std::vector<Value>>(&value.data))
+        for (const Value& item : *list) size += size_of(item);
+    return size;
+}
+
+/// Of the values that a case has of all axes, the largest ones taken.
+std::size_t values_of_a_case(const Design& design) {
+    std::size_t size = 0;
+    for (const DesignAxis& axis : design.axes) {
+        std::size_t largest = 1;
+        for (const Value& value : axis.values) largest = std::max(largest, size_of(value));
+        size += largest;
+    }
+    return size;
+}
 
 void refuse_stranger(const Block& block) {
     if (block.path == case_block || block.path == axis_block) return;
@@ -31,18 +53,21 @@ std::string case_name(const Block& block, std::set<std::string>& taken) {
     if (entry == block.entries.end()) {
         throw InputError(fmt::format("{}: this [[case]] has no name; begin it with name = \"E60\"", block.where));
     }
-    Case one;
-    assign(describe(one).front(), *entry);
+    std::string name;
+    assign(text_key("name", name, "", "Name of the case."), *entry);
     const auto plain = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-' || c == '+' || c == '.'; };
-    if (one.name.empty() || !std::ranges::all_of(one.name, plain)) {
+    if (name.size() > longest_name)
+        throw InputError(fmt::format("{}: name = {} is longer than the {} characters that the name of a case may have",
+                                     entry->where, to_text(entry->value), longest_name));
+    if (name.empty() || !std::ranges::all_of(name, plain)) {
         throw InputError(fmt::format("{}: name = {} cannot name a case; allowed: letters, digits and any of _ - + .",
-                                     entry->where, text_literal(one.name)));
+                                     entry->where, text_literal(name)));
     }
-    if (!taken.insert(one.name).second) {
+    if (!taken.insert(name).second) {
         throw InputError(fmt::format("{}: name = {} names an earlier case too; give each case its own name",
-                                     entry->where, text_literal(one.name)));
+                                     entry->where, text_literal(name)));
     }
-    return one.name;
+    return name;
 }
 
 /// Some case says which point it is: then all are points, written out.
@@ -74,6 +99,12 @@ std::vector<CaseBlock> at_points(std::vector<CaseBlock> given, const Design& des
         throw InputError(fmt::format("{}: {} at {} are {}; no more than {} are allowed", file,
                                      counted(std::ssize(given), "case"), counted(point_count(design), "point"),
                                      counted(all, "case"), most_cases));
+    const std::size_t values = static_cast<std::size_t>(all) * values_of_a_case(design);
+    if (values > most_axis_values)
+        throw InputError(
+            fmt::format("{}: {} of the design have {} values of its axes, more than the {} that can be "
+                        "held; take fewer points or fewer axes",
+                        file, counted(all, "case"), values, most_axis_values));
     const std::vector<DesignPoint> points = design_points(design, seed);
     std::vector<CaseBlock> cases;
     for (const CaseBlock& one : given) {
@@ -81,6 +112,11 @@ std::vector<CaseBlock> at_points(std::vector<CaseBlock> given, const Design& des
         for (std::size_t p = 0; p < points.size(); ++p) {
             CaseBlock& at_point = cases.emplace_back(one);
             at_point.name = one.name.empty() ? points[p].name : one.name + "+" + points[p].name;
+            if (at_point.name.size() > longest_name)
+                throw InputError(
+                    fmt::format("{}: the name of the point {} is longer than {} characters; give the "
+                                "[[case]] a shorter one",
+                                file, at_point.name, longest_name));
             at_point.base = one.name;
             at_point.point = static_cast<int>(p);
             for (std::size_t axis = 0; axis < design.axes.size(); ++axis) {
@@ -90,6 +126,16 @@ std::vector<CaseBlock> at_points(std::vector<CaseBlock> given, const Design& des
         }
     }
     return cases;
+}
+
+void refuse_members(std::size_t cases, int arrangements, const std::string& file) {
+    const auto members = static_cast<std::int64_t>(cases) * arrangements;
+    if (members > most_members)
+        throw InputError(
+            fmt::format("{}: {} with {} make {} members, more than the {} that a campaign can hold; take fewer of "
+                        "either, or run several campaigns",
+                        file, counted(static_cast<std::int64_t>(cases), "case"), counted(arrangements, "arrangement"),
+                        members, most_members));
 }
 
 void refuse_axis(const Entry& entry, const Origins& axes) {

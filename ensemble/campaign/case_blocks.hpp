@@ -25,9 +25,12 @@ std::vector<CaseBlock> given_cases(const Document& document, const std::string& 
 
 /// Each case at each point of the design; the cases as they are without a design, and where they say their
 /// design.point. `axes`: where each axis is given. Throws InputError for a case that sets an axis itself, and for more
-/// cases than most_cases.
+/// cases than most_cases, or more values of axes than can be held.
 std::vector<CaseBlock> at_points(std::vector<CaseBlock> given, const Design& design, const Origins& axes,
                                  std::uint64_t seed, const std::string& file);
+
+/// Throws InputError for more members than the master of a campaign can hold.
+void refuse_members(std::size_t cases, int arrangements, const std::string& file);
 
 /// Throws InputError when `entry`, which sets `path`, sets an axis.
 void refuse_axis(const Entry& entry, const Origins& axes);

@@ -13,6 +13,7 @@ namespace {
 
 constexpr const char* header = "x_m,z_m,yaw_deg";
 constexpr std::size_t columns = 3;
+constexpr std::size_t most_poses = 1'000'000;
 
 /// The line without blanks, tabs and the carriage return of other systems.
 std::string squeezed(const std::string& line) {
@@ -61,12 +62,15 @@ PoseFile read_poses(const std::string& text, const std::string& file) {
             throw InputError(fmt::format("{}:{}: {} is not a pose; write three numbers, {}", file, number,
                                          text_literal(line), header));
         }
+        if (poses.size() == most_poses)
+            throw InputError(fmt::format("{}:{}: there are more than {} poses, the most floes of a field", file, number,
+                                         most_poses));
         poses.emplace_back(std::move(numbers));
         places.push_back(number);
     }
     if (poses.empty())
         throw InputError(fmt::format("{}: there are no poses; write {} and a line for each floe", file, header));
-    return {file, std::move(poses), std::move(places)};
+    return {file, {std::move(poses)}, std::move(places)};
 }
 
 }  // namespace floes

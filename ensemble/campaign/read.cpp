@@ -6,10 +6,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <set>
 
+#include "arrangement/arrangement.hpp"
 #include "arrangement/check.hpp"
 #include "campaign/campaign_keys.hpp"
 #include "campaign/case_blocks.hpp"
+#include "campaign/held_numbers.hpp"
 #include "campaign/name_list.hpp"
 #include "campaign/pose_file.hpp"
 #include "campaign/read_design.hpp"
@@ -44,7 +47,7 @@ class Reader {
         std::vector<CaseBlock> given = given_cases(
             document_, fmt::format("E{:.6g}", base_.ice.elastic_modulus / unit::megapascal), source_.file, design_);
         find_case_overrides(given);
-        if (head_.name.empty()) head_.name = std::filesystem::path(source_.file).stem().string();
+        if (head_.name.empty()) head_.name = name_of_file();
         Campaign campaign{.name = head_.name,
                           .seed = head_.seed,
                           .arrangements = head_.arrangements,
@@ -54,7 +57,15 @@ class Reader {
                           .design = design_,
                           .common_arrangements = head_.common_arrangements};
         const std::vector<CaseBlock> blocks = at_points(std::move(given), design_, axes_, head_.seed, source_.file);
-        for (const CaseBlock& block : blocks) campaign.cases.push_back(read_case(block, blocks.size() > 1));
+        refuse_members(blocks.size(), campaign.arrangements, source_.file);
+        Case one;
+        const Keys keys = describe(one);  // once: it takes longer than all else of a case
+        HeldNumbers held(source_.file);
+        for (const CaseBlock& block : blocks) {
+            read_case(block, blocks.size() > 1, one, keys);
+            held.add(one.scenario);
+            campaign.cases.push_back(one);
+        }
         check_points(campaign, source_.file);
         if (const auto fault = stop_quantity_fault(campaign))
             throw InputError(
@@ -167,10 +178,16 @@ class Reader {
         }
     }
 
-    /// Messages name the case where it is `one_of_many`.
-    Case read_case(const CaseBlock& block, bool one_of_many) const {
-        Case one{block.name, base_};
-        const Keys keys = describe(one);
+    std::string name_of_file() const {
+        const std::string stem = std::filesystem::path(source_.file).stem().string();
+        if (is_text(stem)) return stem;
+        throw InputError(
+            "The name of the configuration file is not UTF-8, so it cannot name the campaign; give campaign.name.");
+    }
+
+    /// Into `one`, to which `keys` are bound. Messages name the case where it is `one_of_many`.
+    void read_case(const CaseBlock& block, bool one_of_many, Case& one, const Keys& keys) {
+        one = {block.name, base_};
         Origins own;
         for (const Entry& entry : in_order_of_reading(keys, block.block.entries)) {
             refuse_campaign_key(entry);
@@ -198,7 +215,6 @@ class Reader {
         const std::optional<PoseFile> file = resolve_poses(one.scenario, own, label);
         refuse_contradictions(one.scenario, own, label);
         if (source_.from_user) refuse_poses(one.scenario, file, own, label);
-        return one;
     }
 
     static void refuse_campaign_key(const Entry& entry) {
@@ -231,9 +247,10 @@ class Reader {
     }
 
     /// Given poses are input: what make_arrangement() would refuse in every member is refused here, with its place.
-    static void refuse_poses(const Scenario& scenario, const std::optional<PoseFile>& file, const Origins& origins,
-                             const std::string& label) {
+    void refuse_poses(const Scenario& scenario, const std::optional<PoseFile>& file, const Origins& origins,
+                      const std::string& label) {
         if (scenario.arrangement.method != ArrangementMethod::file) return;
+        if (!looked_at_.insert(geometry_key(scenario)).second) return;  // of an earlier case
         const std::optional<Fault> fault = find_fault(scenario, scenario.arrangement.poses);
         if (!fault) return;
         std::string where = file ? file->path : origins.at("arrangement.poses");
@@ -268,6 +285,7 @@ class Reader {
     Origins origins_;
     Origins axes_;                                               ///< where each axis of the design is given
     std::vector<std::pair<std::size_t, Entry>> case_overrides_;  ///< for which [[case]], as if it stood there
+    std::set<std::uint64_t> looked_at_;                          ///< geometries of given poses
 };
 
 }  // namespace

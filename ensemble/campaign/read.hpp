@@ -5,8 +5,12 @@
 #include <vector>
 
 #include "campaign/campaign.hpp"
+#include "keys/text_limits.hpp"
 
 namespace floes {
+
+/// The longest text of a configuration or of poses, bytes.
+inline constexpr std::size_t longest_configuration = longest_text;
 
 /// Where a campaign is read from.
 struct CampaignSource {

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "campaign/campaign_keys.hpp"
 #include "core/error.hpp"
@@ -102,10 +104,14 @@ class AxisReader {
         if (values == nullptr || values->empty())
             throw wrong(entry.where,
                         fmt::format("has values = {}; allowed: a list of one value or more", to_text(entry.value)));
+        if (std::ssize(*values) > most_cases)
+            throw wrong(entry.where,
+                        fmt::format("has {} values; no more than {} are allowed", values->size(), most_cases));
+        std::set<std::pair<std::size_t, std::string>> seen;  // kind and text
         for (const Value& value : *values) {
             assign(key, {key.path, value, entry.where});
             if (axis_.numeric) refuse_log_of(number(key, {key.path, value, entry.where}), entry.where);
-            const bool repeated = std::ranges::find(axis_.values, value) != axis_.values.end();
+            const bool repeated = !seen.emplace(value.data.index(), exact_text(key)).second;
             if (repeated && design_.method == DesignMethod::grid)
                 throw wrong(entry.where, fmt::format("has {} twice; keep one", to_text(value)));
             axis_.values.push_back(value);

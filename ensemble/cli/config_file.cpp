@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <vector>
 
 #include "campaign/read.hpp"
 #include "core/error.hpp"
@@ -19,7 +20,14 @@ std::string read_text(const std::string& path) {
     }
     std::ifstream file(path, std::ios::binary);
     if (!file) throw InputError(fmt::format("{}: this file cannot be read ({})", path, std::strerror(errno)));
-    return {std::istreambuf_iterator<char>(file), {}};
+    std::string text;
+    for (std::vector<char> some(1 << 16); file; text.append(some.data(), static_cast<std::size_t>(file.gcount()))) {
+        if (text.size() > longest_configuration)
+            throw InputError(fmt::format("{}: this file is longer than {} bytes, the most that are read", path,
+                                         longest_configuration));
+        file.read(some.data(), std::ssize(some));
+    }
+    return text;
 }
 
 Campaign load_campaign(const std::string& path, const std::vector<std::string>& overrides) {

@@ -1,11 +1,22 @@
 #include "driver/messages.hpp"
 
+#include "core/error.hpp"
+
 namespace floes {
 
 namespace {
 
 constexpr std::size_t assignment_bytes = 4 + 4 + 1;
 constexpr std::size_t least_answer_bytes = 4 + 8;
+
+/// What `read` takes of a whole message.
+template <class Read>
+auto whole(const Bytes& bytes, const Read& read) {
+    ByteReader reader(bytes);
+    auto message = read(reader);
+    if (reader.left() != 0) throw RunError("a message is longer than what it says; another version of floes sent it");
+    return message;
+}
 
 }  // namespace
 
@@ -52,42 +63,48 @@ Bytes encode_text(std::string_view text) {
 }
 
 Hello decode_hello(const Bytes& bytes) {
-    ByteReader reader(bytes);
-    Hello hello;
-    hello.cores = reader.i32();
-    hello.host = reader.text();
-    hello.fingerprint = reader.text();
-    hello.pid = reader.i32();
-    return hello;
+    return whole(bytes, [](ByteReader& reader) {
+        Hello hello;
+        hello.cores = reader.i32();
+        hello.host = reader.text();
+        hello.fingerprint = reader.text();
+        hello.pid = reader.i32();
+        return hello;
+    });
 }
 
 std::vector<Assignment> decode_assignments(const Bytes& bytes) {
-    ByteReader reader(bytes);
-    std::vector<Assignment> assignments(reader.count(assignment_bytes));
-    for (Assignment& assignment : assignments) {
-        assignment.number = reader.i32();
-        assignment.attempt = reader.i32();
-        assignment.apart = reader.u8() != 0;
-    }
-    return assignments;
+    return whole(bytes, [](ByteReader& reader) {
+        std::vector<Assignment> assignments(reader.count(assignment_bytes));
+        for (Assignment& assignment : assignments) {
+            assignment.number = reader.i32();
+            assignment.attempt = reader.i32();
+            const std::uint8_t apart = reader.u8();
+            if (apart > 1) throw RunError("an assignment is neither apart nor not; another version of floes sent it");
+            assignment.apart = apart == 1;
+        }
+        return assignments;
+    });
 }
 
 std::vector<Answer> decode_answers(const Bytes& bytes) {
-    ByteReader reader(bytes);
-    std::vector<Answer> answers(reader.count(least_answer_bytes));
-    for (Answer& answer : answers) {
-        answer.number = reader.i32();
-        answer.record = decode_member_record(reader.blob());
-    }
-    return answers;
+    return whole(bytes, [](ByteReader& reader) {
+        const std::size_t count = reader.count(least_answer_bytes);
+        std::vector<Answer> answers;  // grows with what is there: an answer is far larger than its fewest bytes
+        while (answers.size() < count) {
+            const int number = reader.i32();
+            answers.push_back({number, decode_member_record(reader.blob())});
+        }
+        return answers;
+    });
 }
 
 int decode_status(const Bytes& bytes) {
-    return ByteReader(bytes).i32();
+    return whole(bytes, [](ByteReader& reader) { return reader.i32(); });
 }
 
 std::string decode_text(const Bytes& bytes) {
-    return ByteReader(bytes).text();
+    return whole(bytes, [](ByteReader& reader) { return reader.text(); });
 }
 
 }  // namespace floes

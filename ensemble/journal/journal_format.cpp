@@ -12,6 +12,8 @@
 namespace floes::journal_format {
 namespace {
 
+constexpr std::uint64_t least_effort = 1 << 30;  // bytes; a second
+
 using Crc32c = boost::crc_optimal<32, 0x1EDC6F41, 0xFFFFFFFF, 0xFFFFFFFF, true, true>;
 
 #ifdef __x86_64__
@@ -82,22 +84,30 @@ bool read_record(const Descriptor& file, const std::filesystem::path& path, std:
 }
 
 /// Offset of the next whole record from `at` on; `size` if there is none. Records after a damaged one were acknowledged
-/// too and must not be lost.
+/// too and must not be lost. `effort`: bytes that may still be read for what only looks like a record; bytes made for
+/// it look like one everywhere.
 std::uint64_t next_record(const Descriptor& file, const std::filesystem::path& path, std::uint64_t at,
-                          std::uint64_t size) {
-    constexpr std::uint64_t window_bytes = 1 << 20;
+                          std::uint64_t size, std::uint64_t& effort) {
+    constexpr std::uint64_t most_in_window = 1 << 20;
     constexpr std::uint32_t types = 256;  // a filter: more types than there will ever be
     Bytes bytes;
+    std::uint64_t window_bytes = 1 << 12;  // most damage is short
     for (Bytes window; size > at && size - at >= record_head_bytes + crc_bytes;) {
         window.resize(std::min(window_bytes, size - at));
+        window_bytes = std::min(2 * window_bytes, most_in_window);
         if (!read_at(file, path, at, window)) break;
         const std::uint64_t heads = window.size() - record_head_bytes + 1;
         for (std::uint64_t k = 0; k < heads; ++k) {
             ByteReader head{std::span<const std::byte>(window).subspan(k, record_head_bytes)};
             const std::uint64_t payload = head.u64();
             const std::uint32_t type = head.u32();
-            if (payload < size && type > 0 && type < types && read_record(file, path, at + k, size, bytes))
-                return at + k;
+            if (payload >= size - at - k || type == 0 || type >= types) continue;
+            if (payload > effort)
+                refuse(path, fmt::format("is a journal with so much that looks like a record after byte {} that its "
+                                         "records cannot be found",
+                                         at));
+            effort -= payload;
+            if (read_record(file, path, at + k, size, bytes)) return at + k;
         }
         at += heads;
     }
@@ -211,9 +221,10 @@ Reading read(const Descriptor& file, const std::filesystem::path& path, Historie
     contents.good_bytes = fixed_header_bytes + length + crc_bytes;
 
     std::uint64_t at = contents.good_bytes;
+    std::uint64_t effort = std::max(4 * size, least_effort);
     for (Bytes bytes; true;) {
         if (!read_record(file, path, at, size, bytes)) {
-            const std::uint64_t next = next_record(file, path, at + 1, size);
+            const std::uint64_t next = next_record(file, path, at + 1, size, effort);
             if (next == size) break;
             contents.damaged_bytes += next - at;
             at = next;

@@ -27,7 +27,7 @@ const Entry* find_entry(const Block& block, const std::string& path) {
 std::vector<double> time_in(std::string_view key) {
     double time = 0;
     const char* const end = key.data() + key.size();
-    const auto [stop, fault] = std::from_chars(key.data() + key.rfind('_') + 1, end, time);
+    const auto [stop, fault] = std::from_chars(key.data() + (key.rfind('_') + 1), end, time);
     const bool whole = fault == std::errc{} && std::string_view(stop, end) == "s";
     return whole && time > 0 ? std::vector{time} : std::vector<double>{};
 }

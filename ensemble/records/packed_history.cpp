@@ -11,6 +11,7 @@ namespace floes {
 namespace {
 
 constexpr std::size_t width = sizeof(double);
+constexpr std::uint64_t most_numbers = 25'000'000;  // more than a run may have steps; 200 MB
 
 /// Position of byte k of number i.
 struct Layout {
@@ -76,7 +77,8 @@ std::vector<double> unpack(const PackedNumbers& packed) {
     constexpr std::uint64_t most_in_a_byte = 1032 / width + 1;
     const bool possible = packed.deflated() ? packed.count <= most_in_a_byte * packed.chunk.size()
                                             : packed.chunk.size() == width * packed.count;
-    if (!possible) throw RunError("a stored load history does not have the stated length; it was damaged");
+    if (!possible || packed.count > most_numbers)
+        throw RunError("a stored load history does not have the stated length; it was damaged");
     const Layout at = layout(packed.deflated(), packed.count);
     return numbers_of(packed.deflated() ? inflated(packed.chunk, width * packed.count) : packed.chunk, at);
 }

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 namespace floes {
 
@@ -62,6 +64,33 @@ std::string edge_text(const Scenario& scenario, const PlanarPose& pose, Turn tur
                        worst.room < 0 ? "beyond" : "from", worst.axis, worst.at, scenario.arrangement.clearance);
 }
 
+/// The first floe that overlaps an earlier one, and the first such earlier one. Floes that overlap are of one cell of a
+/// diagonal's width, or of cells side by side.
+std::optional<std::pair<std::size_t, std::size_t>> overlapping_pair(const Rectangle& grown, std::span<const Turn> turns,
+                                                                    std::span<const PlanarPose> poses) {
+    const double width = 2 * grown.half_diagonal();
+    std::map<std::pair<double, double>, std::vector<std::size_t>> cells;
+    for (std::size_t j = 0; j < poses.size(); ++j) {
+        const double column = std::floor(poses[j].x / width);
+        const double row = std::floor(poses[j].z / width);
+        std::size_t first = j;
+        for (const double dc : {-1.0, 0.0, 1.0}) {
+            for (const double dr : {-1.0, 0.0, 1.0}) {
+                const auto cell = cells.find({column + dc, row + dr});
+                if (cell == cells.end()) continue;
+                for (const std::size_t i : cell->second) {
+                    if (i < first &&
+                        overlap(grown, turns[i], turns[j], poses[j].x - poses[i].x, poses[j].z - poses[i].z))
+                        first = i;
+                }
+            }
+        }
+        if (first < j) return std::pair(first, j);
+        cells[{column, row}].push_back(j);
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 Rectangle floe_shape(const Scenario& scenario) {
@@ -99,20 +128,15 @@ std::optional<Fault> find_fault(const Scenario& scenario, std::span<const Planar
                          {i}};
         }
     }
-    for (std::size_t i = 0; i < poses.size(); ++i) {
-        for (std::size_t j = i + 1; j < poses.size(); ++j) {
-            const double dx = poses[j].x - poses[i].x;
-            const double dz = poses[j].z - poses[i].z;
-            if (overlap(grown, turns[i], turns[j], dx, dz)) {
-                return Fault{
-                    fmt::format("floes {} and {}, at x = {:.4f} m, z = {:.4f} m and x = {:.4f} m, z = {:.4f} m, {}", i,
-                                j, poses[i].x, poses[i].z, poses[j].x, poses[j].z,
-                                gap_text(widest_gap(shape, grown, turns[i], turns[j], dx, dz), clearance)),
-                    {i, j}};
-            }
-        }
-    }
-    return std::nullopt;
+    const std::optional<std::pair<std::size_t, std::size_t>> pair = overlapping_pair(grown, turns, poses);
+    if (!pair) return std::nullopt;
+    const auto [i, j] = *pair;
+    const double dx = poses[j].x - poses[i].x;
+    const double dz = poses[j].z - poses[i].z;
+    return Fault{fmt::format("floes {} and {}, at x = {:.4f} m, z = {:.4f} m and x = {:.4f} m, z = {:.4f} m, {}", i, j,
+                             poses[i].x, poses[i].z, poses[j].x, poses[j].z,
+                             gap_text(widest_gap(shape, grown, turns[i], turns[j], dx, dz), clearance)),
+                 {i, j}};
 }
 
 }  // namespace floes

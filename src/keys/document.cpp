@@ -8,9 +8,18 @@
 
 #include "core/error.hpp"
 #include "keys/literal.hpp"
+#include "keys/text_limits.hpp"
 
 namespace floes {
 namespace {
+
+constexpr std::size_t longest_path = 200;  // bytes; ours have 40 at most
+
+void refuse_long_path(const std::string& path, const std::string& where) {
+    if (path.size() > longest_path)
+        throw InputError(fmt::format("{}: {}... is a key of more than {} characters, and none of floes", where,
+                                     text_literal(path.substr(0, 20)), longest_path));
+}
 
 Value to_value(const toml::node& node) {
     if (const auto* boolean = node.as_boolean()) return {boolean->get()};
@@ -64,6 +73,7 @@ class Flattener {
     void collect(const toml::table& table, const std::string& prefix, bool in_block, std::vector<Placed>& placed) {
         for (const auto& [key, node] : table) {
             const std::string path = prefix + std::string(key.str());
+            refuse_long_path(path, where(key.source().begin));
             const toml::table* inner = node.as_table();
             const toml::array* array = node.as_array();
             if (inner != nullptr && !inner->empty()) {
@@ -133,7 +143,20 @@ std::string trimmed(std::string_view text) {
 
 }  // namespace
 
+bool is_text(std::string_view text) {
+    try {
+        return toml::parse("text = " + text_literal(text)).size() == 1;
+    } catch (const toml::parse_error&) {
+        return false;
+    }
+}
+
 Document parse_document(std::string_view text, const std::string& file) {
+    refuse_what_cannot_be_held(text, file);
+    if (const std::size_t stray = stray_character(text); stray < text.size())
+        throw InputError(
+            fmt::format("{}:{}: this is not TOML (a character beyond ASCII outside a text in quotes, or after \\)",
+                        file, 1 + std::ranges::count(text.substr(0, stray), '\n')));
     try {
         const toml::table table = toml::parse(text, file);
         Flattener flattener(file);
@@ -153,24 +176,32 @@ Entry parse_override(const std::string& override_text, const std::string& option
     if (equals == std::string::npos || path.empty()) {
         throw InputError(fmt::format("{}: this is not key=value; write {} general.iterations=50", where, option));
     }
+    refuse_long_path(path, option);
     const std::string value = trimmed(std::string_view(override_text).substr(equals + 1));
+    refuse_what_cannot_be_held(value, option + " " + path);
     try {
-        const toml::table table = toml::parse("value = " + value);
+        const bool may_be_toml = stray_character(value) >= value.size();
+        const toml::table table = may_be_toml ? toml::parse("value = " + value) : toml::table{};
         const bool alone = table.size() == 1;  // a line break could smuggle in a second key
         if (alone) return {path, to_value(*table.get("value")), where};
     } catch (const toml::parse_error&) {
         // Not TOML: a bare word.
     }
+    if (!is_text(path) || !is_text(value))
+        throw InputError(fmt::format("{}: this is not text in UTF-8, as configurations are", option));
     return {path, {value}, where};
 }
 
 std::string to_text(const Value& value) {
     constexpr std::size_t most = 60;
+    constexpr std::size_t longest = 200;
     struct Writer {
         std::string operator()(bool boolean) const { return boolean ? "true" : "false"; }
         std::string operator()(std::int64_t integer) const { return fmt::format("{}", integer); }
         std::string operator()(double number) const { return number_literal(number); }
-        std::string operator()(const std::string& text) const { return text_literal(text); }
+        std::string operator()(const std::string& text) const {
+            return text.size() <= longest ? text_literal(text) : text_literal(text.substr(0, most)) + "...";
+        }
         std::string operator()(const Value::Strange& strange) const { return strange.kind; }
         std::string operator()(const std::vector<Value>& values) const {
             std::string text = "[";

@@ -21,7 +21,7 @@ struct Value {
     friend bool operator==(const Value&, const Value&) = default;
 };
 
-/// The value as TOML would write it, on one line; long lists are cut short with "...".
+/// The value as TOML would write it, on one line; long lists and long texts are cut short with "...".
 std::string to_text(const Value& value);
 
 struct Entry {
@@ -43,12 +43,16 @@ struct Document {
     std::vector<Block> blocks;
 };
 
-/// Reads TOML; `file` names it in messages. Throws InputError with file, line and column if the text is not TOML, and
-/// with file, line and key if a key is given twice.
+/// Reads TOML; `file` names it in messages. Throws InputError with file, line and column if the text is not TOML, with
+/// file, line and key if a key is given twice or longer than any of ours, and as refuse_what_cannot_be_held() does.
 Document parse_document(std::string_view text, const std::string& file);
 
 /// Reads "key=value" of a command line option. A value that is not TOML is taken as a word, so that
-/// field.far_end=open needs no quotes. `option` ("--set") begins the message. Throws InputError without "=".
+/// field.far_end=open needs no quotes. `option` ("--set") begins the message. Throws InputError without
+/// "=", for bytes that are not UTF-8, and as parse_document() does for what cannot be held.
 Entry parse_override(const std::string& override_text, const std::string& option);
+
+/// Whether TOML can say it: UTF-8.
+bool is_text(std::string_view text);
 
 }  // namespace floes

@@ -164,11 +164,13 @@ Key part_key(Key key) {
 }
 
 std::vector<Entry> in_order_of_reading(std::span<const Key> keys, std::vector<Entry> entries) {
-    const auto place = [&](const Entry& entry) {
+    const auto is = [&](const Entry& entry, bool Key::*kind) {
         const Key* key = find_key(keys, entry.path);
-        return key == nullptr ? 1 : key->preset ? 0 : key->part ? 2 : 1;
+        return key != nullptr && key->*kind;
     };
-    std::ranges::stable_sort(entries, {}, place);
+    const auto others =
+        std::ranges::stable_partition(entries, [&](const Entry& entry) { return is(entry, &Key::preset); });
+    std::ranges::stable_partition(others, [&](const Entry& entry) { return !is(entry, &Key::part); });
     return entries;
 }
 

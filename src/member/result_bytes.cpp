@@ -1,5 +1,8 @@
 #include "member/result_bytes.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include "core/error.hpp"
 #include "quantities/quantity.hpp"
 
@@ -17,6 +20,16 @@ std::uint8_t read_below(ByteReader& in, std::uint8_t limit) {
     return value;
 }
 
+/// A count takes the whole part of a number, and none that an int does not hold.
+void put(const Quantity& one, MemberOutputs& outputs, double value) {
+    if (std::abs(value) > std::numeric_limits<int>::max()) {
+        MemberOutputs probe;
+        one.place.set(probe, 0.5);
+        if (one.place.get(probe) == 0) throw RunError("a stored member has a count beyond all counts; it was damaged");
+    }
+    one.place.set(outputs, value);
+}
+
 /// Writes each with its key, so that a reader of another version can identify it.
 void write_quantities(ByteWriter& out, const MemberOutputs& outputs) {
     out.u32(static_cast<std::uint32_t>(quantities.size()));
@@ -32,7 +45,7 @@ void read_quantities(ByteReader& in, MemberOutputs& outputs) {
     for (std::uint32_t left = in.u32(); left > 0; --left) {
         const Quantity* known = find_quantity(in.text());
         const double value = in.f64();
-        if (known != nullptr) known->place.set(outputs, value);
+        if (known != nullptr) put(*known, outputs, value);
     }
 }
 

@@ -14,6 +14,8 @@
 namespace floes {
 namespace {
 
+constexpr std::size_t most_points = 1000;
+
 bool is_a_point(const ProfilePoint& point) {
     return std::isfinite(point.height) && std::isfinite(point.radius) && point.radius >= 0;
 }
@@ -48,6 +50,7 @@ Shape Shape::of_rows(const std::vector<std::vector<double>>& rows) {
 
 std::optional<std::string> Shape::fault() const {
     if (profile_.size() < 2) return "is not a body; give at least two [height_m, radius_m] points";
+    if (profile_.size() > most_points) return fmt::format("has more than {} points", most_points);
     if (!std::ranges::all_of(profile_, is_a_point))
         return "has a point that is none; heights must be finite, radii finite and at least 0";
     if (std::ranges::adjacent_find(profile_, falls) != profile_.end())

@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ctime>
 
 #include "arrangement/check.hpp"
 #include "arrangement/order.hpp"
 #include "arrangement/starts.hpp"
 #include "core/error.hpp"
+#include "core/random.hpp"
 #include "support/refusal.hpp"
 
 namespace floes {
@@ -212,6 +214,45 @@ TEST(GivenPoses, AreRefusedWithTheFloesAndHowFarTheyAreOff) {
     EXPECT_THAT(fault_of({6.304, 0, 0}, {8, 0, 0}), HasSubstr("it lies 0.004 m from its edge at x = 6 m"));
     EXPECT_EQ(find_fault(scenario, std::vector<PlanarPose>{{8, 0, 0}, {8.1, 0, 0}})->floes,
               (std::vector<std::size_t>{0, 1}));
+}
+
+// Every pair was looked at: 200,000 poses took minutes.
+TEST(GivenPoses, OfALargeFieldAreLookedAtInTime) {
+    Scenario scenario = quick();
+    constexpr int floes = 100'000;
+    constexpr int rows = 250;
+    scenario.field = {.floes = floes, .concentration = 0.36, .begin = 0, .half_width = 0.5 * rows};
+    std::vector<PlanarPose> poses;
+    for (int k = 0; k < floes; ++k) poses.push_back({k / rows + 0.5, k % rows + 0.5 - 0.5 * rows, 0.01 * k});
+    const std::clock_t begin = std::clock();  // of the processor
+    EXPECT_EQ(find_fault(scenario, poses), std::nullopt);
+    poses[80'000].x += 0.5;
+    EXPECT_EQ(find_fault(scenario, poses)->floes, (std::vector<std::size_t>{80'000, 80'250}));
+    EXPECT_LT(std::clock() - begin, 5 * CLOCKS_PER_SEC);
+}
+
+// The cells must leave out no pair.
+TEST(GivenPoses, OverlapExactlyWhenAPairOfThemDoes) {
+    Scenario scenario = quick();
+    constexpr int floes = 8;
+    scenario.field = {.floes = floes, .concentration = 0.1, .begin = 0, .half_width = 3};
+    RandomStream random(1, 0, StreamId::scattering, 0);
+    int faults = 0;
+    for (int round = 0; round < 1000; ++round) {
+        std::vector<PlanarPose> poses;
+        for (int k = 0; k < floes; ++k)
+            poses.push_back({0.5 + 3.8 * random.uniform(), -2.5 + 5 * random.uniform(), 6 * random.uniform()});
+        bool some = false;
+        const Rectangle grown = floe_shape(scenario).grown(0.5 * scenario.arrangement.clearance);
+        for (int i = 0; i < floes; ++i)
+            for (int j = 0; j < i; ++j)
+                some = some || overlap(grown, turn_of(poses[i].yaw), turn_of(poses[j].yaw), poses[j].x - poses[i].x,
+                                       poses[j].z - poses[i].z);
+        EXPECT_EQ(find_fault(scenario, poses).has_value(), some);
+        faults += some ? 1 : 0;
+    }
+    EXPECT_GT(faults, 200);
+    EXPECT_LT(faults, 980);
 }
 
 TEST(FourfoldOrder, OfKnownYaws) {

@@ -36,5 +36,20 @@ TEST(Messages, AreRefusedWhenCutShort) {
     EXPECT_THROW(decode_assignments({}), RunError);
 }
 
+TEST(Messages, AreRefusedWhenTheyAreMoreThanTheySay) {
+    const auto longer = [](Bytes bytes) {
+        bytes.push_back(std::byte{0});
+        return bytes;
+    };
+    EXPECT_THROW(decode_hello(longer(encode(Hello{}))), RunError);
+    EXPECT_THROW(decode_assignments(longer(encode(std::vector<Assignment>{{1, 1}}))), RunError);
+    EXPECT_THROW(decode_answers(longer(encode(std::vector<Answer>{}))), RunError);
+    EXPECT_THROW(decode_status(longer(encode_status(0))), RunError);
+    EXPECT_THROW(decode_text(longer(encode_text("a"))), RunError);
+    Bytes neither = encode(std::vector<Assignment>{{1, 1}});
+    neither.back() = std::byte{2};
+    EXPECT_THROW(decode_assignments(neither), RunError);
+}
+
 }  // namespace
 }  // namespace floes

@@ -4,10 +4,12 @@
 #include <sys/resource.h>
 
 #include <csignal>
+#include <ctime>
 #include <fstream>
 
 #include "core/error.hpp"
 #include "journal/journal.hpp"
+#include "journal/journal_format.hpp"
 #include "support/file_bytes.hpp"
 #include "support/small_journal.hpp"
 
@@ -41,6 +43,44 @@ TEST(JournalFaults, CutAtEveryByteKeepsEveryWholeRecordAndGoesOn) {
         expect_small_records(read_journal(torn).members, kept + 1);
         EXPECT_EQ(read_journal(torn).torn_bytes, 0u);
     }
+}
+
+// Reading a megabyte for each took minutes.
+TEST(JournalFaults, DamageAtManyPlacesIsSkippedInTime) {
+    const TemporaryFolder folder;
+    const auto path = folder / "many.journal";
+    Bytes bytes = journal_format::header("name = \"many\"\n");
+    const Bytes one = journal_format::record(journal_format::RecordType::member, encode(small_record(1)));
+    constexpr int members = 10'000;
+    for (int k = 0; k < members; ++k) {
+        bytes.push_back(std::byte{0xff});
+        bytes.insert(bytes.end(), one.begin(), one.end());
+    }
+    write_file_bytes(path, bytes);
+    const std::clock_t begin = std::clock();  // of the processor
+    const JournalContents contents = read_journal(path);
+    EXPECT_LT(std::clock() - begin, 10 * CLOCKS_PER_SEC);
+    EXPECT_EQ(contents.members.size(), static_cast<std::size_t>(members));
+    EXPECT_EQ(contents.damaged_bytes, static_cast<std::uint64_t>(members));
+}
+
+// Each place looked like a record as long as the file, of which the checksum was computed.
+TEST(JournalFaults, BytesThatAllLookLikeRecordsAreRefusedInTime) {
+    const TemporaryFolder folder;
+    const auto path = folder / "made.journal";
+    Bytes bytes = journal_format::header("name = \"made\"\n");
+    ByteWriter head;
+    for (int k = 0; k < 200'000; ++k) {
+        head.u64(1'000'000);
+        head.u32(static_cast<std::uint32_t>(journal_format::RecordType::member));
+    }
+    bytes.push_back(std::byte{0xff});
+    bytes.insert(bytes.end(), head.bytes().begin(), head.bytes().end());
+    write_file_bytes(path, bytes);
+    const std::clock_t begin = std::clock();  // of the processor
+    EXPECT_THAT(refusal([&] { read_journal(path); }),
+                HasSubstr("is a journal with so much that looks like a record after byte "));
+    EXPECT_LT(std::clock() - begin, 10 * CLOCKS_PER_SEC);
 }
 
 TEST(JournalFaults, FlippedBitAtEveryByteNeverGivesAFalseRecord) {

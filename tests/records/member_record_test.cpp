@@ -1,6 +1,7 @@
 #include "records/member_record.hpp"
 
 #include <gmock/gmock.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <bit>
@@ -81,6 +82,35 @@ TEST_P(DamagedHistory, IsRefused) {
                                                              whole.chunk.begin() + static_cast<std::ptrdiff_t>(size))}),
                      RunError)
             << size;
+}
+
+// A fifth of a megabyte that says truly that it holds 208 of zeros.
+TEST(PackedHistory, LongerThanAnyRunIsRefused) {
+    z_stream stream{};
+    ASSERT_EQ(deflateInit(&stream, 1), Z_OK);
+    PackedNumbers packed{26'000'000, Bytes(1 << 20)};
+    stream.next_out = reinterpret_cast<Bytef*>(packed.chunk.data());
+    stream.avail_out = static_cast<uInt>(packed.chunk.size());
+    std::vector<Bytef> zeros(8 * 1'000'000);
+    for (int million = 1; million <= 26; ++million) {
+        stream.next_in = zeros.data();
+        stream.avail_in = static_cast<uInt>(zeros.size());
+        ASSERT_GE(deflate(&stream, million == 26 ? Z_FINISH : Z_NO_FLUSH), Z_OK);
+    }
+    packed.chunk.resize(stream.total_out);
+    deflateEnd(&stream);
+    EXPECT_THROW(unpack(packed), RunError);
+}
+
+// It became a number that nobody had counted: the conversion is undefined.
+TEST(MemberRecord, ACountThatIsNoneIsRefused) {
+    const std::string key = "failures_bending";
+    Bytes bytes = encode(synthetic::record(synthetic::campaign(), 0));
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    ByteWriter number;
+    number.f64(1e300);
+    std::ranges::copy(number.bytes(), bytes.begin() + static_cast<std::ptrdiff_t>(text.find(key) + key.size()));
+    EXPECT_THROW(decode_member_record(bytes), RunError);
 }
 
 /// What a version wrote into its journals.

@@ -78,7 +78,7 @@ TEST(Validate, EveryContradictionIsOneSentence) {
         {[](Scenario& s) { s.general.time_step = 1e-6; },
          "general.time_step_s = 1e-06 with analysis.steady_start_s = 120.0 and analysis.window_s = 150.0 makes 2.7e+08 "
          "steps, "
-         "more than the 1e+08 a run may have; take a longer step or a shorter run"},
+         "more than the 2e+07 a run may have; take a longer step or a shorter run"},
         {[](Scenario& s) { s.analysis.steady_start = 80.01; },
          "analysis.steady_start_s = 80.01 is not a whole number of steps of general.time_step_s = 0.02; the nearest "
          "that is: "

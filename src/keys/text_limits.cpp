@@ -1,0 +1,101 @@
+#include "keys/text_limits.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "core/error.hpp"
+
+namespace floes {
+namespace {
+
+constexpr std::ptrdiff_t most_values = 4'000'000;
+constexpr int most_parts = 16;  // of a dotted key; ours have three at most
+
+bool is_ascii(char character) {
+    return static_cast<unsigned char>(character) < 0x80;
+}
+
+bool is_of_key(char character) {
+    return std::isalnum(static_cast<unsigned char>(character)) || character == '_' || character == '-' ||
+           character == ' ' || character == '\t';
+}
+
+/// A text read only so far that its strings, its comments and the rest are told apart.
+class Scan {
+  public:
+    explicit Scan(std::string_view text) : text_(text) {
+        if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;  // the mark that some editors begin with
+        while (at_ < text_.size()) step();
+    }
+
+    /// The most parts of a dotted key; a number with a point counts as two.
+    int most_parts() const { return most_; }
+    /// The place of the first character beyond ASCII outside strings and comments, or escaped.
+    std::size_t first_stray() const { return stray_; }
+
+  private:
+    void step() {
+        const char character = text_[at_];
+        if (character == '#') {
+            at_ = std::min(text_.find('\n', at_), text_.size());
+            return;
+        }
+        if (character == '"' || character == '\'') return skip_string(character);
+        note(at_);
+        parts_ = character == '.' ? parts_ + 1 : is_of_key(character) ? parts_ : 1;
+        most_ = std::max(most_, parts_);
+        ++at_;
+    }
+
+    /// A string of one line ends with its line at the latest: what follows is not TOML then.
+    void skip_string(char quote) {
+        const std::string three(3, quote);
+        const bool many_lines = text_.substr(at_, 3) == three;
+        for (at_ += many_lines ? 3 : 1; at_ < text_.size(); ++at_) {
+            if (quote == '"' && text_[at_] == '\\') {
+                note(++at_);
+            } else if (many_lines && text_.substr(at_, 3) == three) {
+                at_ = std::min(text_.find_first_not_of(quote, at_), text_.size());  // quotes may stand before the end
+                return;
+            } else if (!many_lines && (text_[at_] == quote || text_[at_] == '\n')) {
+                ++at_;
+                return;
+            }
+        }
+    }
+
+    void note(std::size_t at) {
+        if (at < text_.size() && !is_ascii(text_[at])) stray_ = std::min(stray_, at);
+    }
+
+    std::string_view text_;
+    std::size_t at_ = 0;
+    int parts_ = 1;
+    int most_ = 1;
+    std::size_t stray_ = std::string_view::npos;
+};
+
+}  // namespace
+
+void refuse_what_cannot_be_held(std::string_view text, const std::string& where) {
+    if (text.size() > longest_text)
+        throw InputError(
+            fmt::format("{}: a text of {} bytes is too long; allowed: {} bytes", where, text.size(), longest_text));
+    const auto values = std::ranges::count(text, ',') + std::ranges::count(text, '\n');
+    if (values > most_values)
+        throw InputError(
+            fmt::format("{}: a text with {} lines and commas has more values than can be held; allowed: {}", where,
+                        values, most_values));
+    const Scan scan(text);
+    if (scan.most_parts() > most_parts)
+        throw InputError(fmt::format("{}: a key with {} parts between dots is none of floes; ours have three at most",
+                                     where, scan.most_parts()));
+}
+
+std::size_t stray_character(std::string_view text) {
+    return Scan(text).first_stray();
+}
+
+}  // namespace floes

@@ -1,0 +1,48 @@
+// Messages between ranks. The first byte chooses the kind.
+
+#include "driver/messages.hpp"
+#include "fuzz/fuzz.hpp"
+
+namespace {
+
+using floes::Bytes;
+
+template <class Decode, class Encode>
+void require_same_bytes(const Bytes& bytes, const Decode& decode, const Encode& encode) {
+    const auto message = floes::fuzz::taken([&] { return decode(bytes); });
+    if (message) floes::fuzz::require(encode(*message) == bytes, "a message is not what was sent");
+}
+
+/// Their records may lack what came later, so the first bytes can be others.
+void require_one_writing(const Bytes& bytes) {
+    const auto answers = floes::fuzz::taken([&] { return floes::decode_answers(bytes); });
+    if (!answers) return;
+    const Bytes written = floes::encode(*answers);
+    floes::fuzz::require(floes::encode(floes::decode_answers(written)) == written, "an answer is not what was sent");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    if (size == 0) return 0;
+    const auto rest = floes::fuzz::as_bytes(data, size).subspan(1);
+    const Bytes bytes(rest.begin(), rest.end());
+    const auto encode = [](const auto& message) { return floes::encode(message); };
+    switch (data[0] % 5) {
+        case 0:
+            require_one_writing(bytes);
+            break;
+        case 1:
+            require_same_bytes(bytes, floes::decode_hello, encode);
+            break;
+        case 2:
+            require_same_bytes(bytes, floes::decode_assignments, encode);
+            break;
+        case 3:
+            require_same_bytes(bytes, floes::decode_status, floes::encode_status);
+            break;
+        default:
+            require_same_bytes(bytes, floes::decode_text, floes::encode_text);
+    }
+    return 0;
+}
