@@ -13,7 +13,7 @@ find_package(ZLIB REQUIRED)
 # Bullet's own CMake package names a library that Debian does not ship; pkg-config does not.
 pkg_check_modules(bullet REQUIRED IMPORTED_TARGET bullet-float64)
 pkg_check_modules(hdf5 REQUIRED IMPORTED_TARGET hdf5-serial)
-pkg_check_modules(gsl REQUIRED IMPORTED_TARGET gsl)
+pkg_check_modules(nlopt REQUIRED IMPORTED_TARGET nlopt)
 pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
 
