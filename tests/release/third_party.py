@@ -63,7 +63,7 @@ def wanted_packages(text):
 
 def libraries_of_cmake(text):
     """Names by which cmake/FloesLibraries.cmake finds packages and files."""
-    return re.findall(r"^\s*(?:find_package|pkg_check_modules|find_file)\((\w+)", text, re.M)
+    return re.findall(r"^\s*(?:find_package|pkg_\w+_modules?|find_file)\((\w+)", text, re.M)
 
 
 def version_of(package):
@@ -85,13 +85,12 @@ def copyright_of(package):
 def loaded_packages(program):
     """Packages of the libraries that the dynamic linker loads for the program."""
     loaded = subprocess.run(["ldd", program], capture_output=True, text=True, check=True).stdout
-    for path in re.findall(r"=> (/\S+)", loaded):
-        real = pathlib.Path(path).resolve()
-        for name in (str(real), str(real).removeprefix("/usr")):
-            owner = subprocess.run(["dpkg-query", "-S", name], capture_output=True, text=True)
-            if owner.returncode == 0:
-                yield owner.stdout.split(":")[0]
-                break
+    real = [str(pathlib.Path(path).resolve()) for path in re.findall(r"=> (/\S+)", loaded)]
+    names = real + [path.removeprefix("/usr") for path in real]  # packages name some of them by /lib
+    owners = subprocess.run(["dpkg-query", "-S", *names], capture_output=True, text=True).stdout
+    owned = {line.split(": ")[1]: line.split(":")[0] for line in owners.splitlines()}
+    for path in real:
+        yield owned.get(path) or owned.get(path.removeprefix("/usr")) or f"no package ({path})"
 
 
 def faults(project, program):

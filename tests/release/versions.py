@@ -13,6 +13,10 @@ import yaml
 # (file, what the version stands in); CMakeLists.txt is the place from which it comes.
 PLACES = [
     ("CITATION.cff", r"^version: (\S+)$"),
+    ("packaging/spack/package.py", r'^    version\("([^"]+)"\)$'),
+    ("packaging/conda/recipe/meta.yaml", r'^  version: "([^"]+)"$'),
+    ("README.md", r"floes_([0-9.]+)_amd64\.deb"),
+    ("docs/install.md", r"floes_([0-9.]+)_amd64\.deb"),
 ]
 
 
