@@ -20,13 +20,14 @@ set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_MAINTAINER "the floes developers <floes@localhost.localdomain>")
-set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "ensembles of the ice load on a structure in managed ice floes
- floes computes the ice load on a structure that is towed through managed ice
- floes, and its scatter over many random arrangements of the floes. Members of
- a campaign are rigid-body simulations of floes with breakable joints; they
- run on every core of a laptop or of a cluster and end in one HDF5 file, from
- which floes reports mean loads, maxima and broken floes with confidence
- intervals.")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "ensembles of the ice load on a structure in managed ice floes")
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
+"floes computes the ice load on a structure that is towed through managed ice
+floes, and its scatter over many random arrangements of the floes. Members of
+a campaign are rigid-body simulations of floes with breakable joints; they
+run on every core of a laptop or of a cluster and end in one HDF5 file, from
+which floes reports mean loads, maxima and broken floes with confidence
+intervals.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS openmpi-bin)  # run --ranks
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "ffmpeg, slurm-wlm")
