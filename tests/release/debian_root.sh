@@ -11,7 +11,7 @@ stage=$(mktemp -d)
 trap 'rm -rf -- "$stage"' EXIT
 fail() { echo "FAILED: $*" >&2; exit 1; }
 
-(cd "$build" && cpack -G DEB -B "$stage") >"$stage/log" || fail "cpack: $(<"$stage/log")"
+(cd "$build" && cpack -G "DEB;TGZ" -B "$stage") >"$stage/log" || fail "cpack: $(<"$stage/log")"
 package=$(echo "$stage"/floes_*.deb)
 [[ -e $package ]] || fail "no package was made: $(<"$stage/log")"
 
@@ -45,6 +45,10 @@ here sh -c 'cd /root && floes run smoke >/dev/null' || fail "floes run smoke end
 "$program" run "$stage/root/usr/share/floes/configs/smoke.toml" -o "$stage/smoke.h5" >/dev/null 2>&1
 h5diff --exclude-path /provenance "$stage/root/root/smoke.h5" "$stage/smoke.h5" || fail "the members differ"
 here floes run smoke -o /root/two.h5 --ranks 2 2>&1 | grep -q 'could not be started' || fail "mpirun is there unasked"
+# The tarball, from a folder of its own.
+tar -C "$stage/root/opt" -xf "$stage"/floes-*.tar.gz
+# shellcheck disable=SC2016
+here sh -c '/opt/floes-*/bin/floes config --check smoke' | grep -q '^ok: ' || fail "the tarball does not run"
 here dpkg --verify floes || fail "files changed"
 here apt-get -q purge -y floes >/dev/null 2>&1
 [[ ! -e $stage/root/usr/share/floes ]] || fail "purge leaves files"
