@@ -42,14 +42,16 @@ here apt-get -q install -y --no-install-recommends "/tmp/$(basename "$package")"
 here sh -c '! command -v g++ && ! command -v cmake' || fail "the package brings a compiler along"
 [[ $(here floes --version | head -1) == "$("$program" --version | head -1)" ]] || fail "another version is installed"
 here sh -c 'cd /root && floes run smoke >/dev/null' || fail "floes run smoke ended with $?"
-"$program" run "$stage/root/usr/share/floes/configs/smoke.toml" -o "$stage/smoke.h5" >/dev/null 2>&1
+"$program" run "$stage/root/usr/share/floes/configs/smoke.toml" -o "$stage/smoke.h5" >"$stage/log" 2>&1 ||
+    fail "the same here ended with $?: $(<"$stage/log")"
 h5diff --exclude-path /provenance "$stage/root/root/smoke.h5" "$stage/smoke.h5" || fail "the members differ"
-here floes run smoke -o /root/two.h5 --ranks 2 2>&1 | grep -q 'could not be started' || fail "mpirun is there unasked"
+here floes run smoke -o /root/two.h5 --ranks 2 >"$stage/log" 2>&1 && fail "mpirun is there unasked"
+[[ $(<"$stage/log") == *"could not be started"* ]] || fail "without mpirun it says $(<"$stage/log")"
 # The tarball, from a folder of its own.
 tar -C "$stage/root/opt" -xf "$stage"/floes-*.tar.gz
 # shellcheck disable=SC2016
-here sh -c '/opt/floes-*/bin/floes config --check smoke' | grep -q '^ok: ' || fail "the tarball does not run"
+[[ $(here sh -c '/opt/floes-*/bin/floes config --check smoke') == "ok: "* ]] || fail "the tarball does not run"
 here dpkg --verify floes || fail "files changed"
-here apt-get -q purge -y floes >/dev/null 2>&1
+here apt-get -q purge -y floes >"$stage/log" 2>&1 || fail "apt-get purge: $(<"$stage/log")"
 [[ ! -e $stage/root/usr/share/floes ]] || fail "purge leaves files"
 echo "installed in a bare root, ran, same members"

@@ -21,12 +21,15 @@ if(TARGET floes)
     floes_release_test(install LABELS default TIMEOUT 120
       COMMAND bash ${release_tests}/install.sh ${PROJECT_BINARY_DIR} ${PROJECT_SOURCE_DIR})
     floes_release_test(scripts LABELS default TIMEOUT 60
-      COMMAND shellcheck install.sh debian_root.sh ${PROJECT_SOURCE_DIR}/pbs/campaign.pbs ${PROJECT_SOURCE_DIR}/lsf/campaign.lsf)
+      COMMAND shellcheck install.sh debian_root.sh old_processor.sh
+              ${PROJECT_SOURCE_DIR}/pbs/campaign.pbs ${PROJECT_SOURCE_DIR}/lsf/campaign.lsf)
     set_tests_properties(release.scripts PROPERTIES WORKING_DIRECTORY ${release_tests})
     floes_release_test(debian_root LABELS slow TIMEOUT 1800
       COMMAND bash ${release_tests}/debian_root.sh ${PROJECT_BINARY_DIR} $<TARGET_FILE:floes>)
   endif()
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND CMAKE_BUILD_TYPE STREQUAL "Release")
+    floes_release_test(old_processor LABELS slow TIMEOUT 300
+      COMMAND bash ${release_tests}/old_processor.sh $<TARGET_FILE:floes>)
     floes_release_test(kernels LABELS default TIMEOUT 120
       COMMAND /usr/bin/python3 ${release_tests}/kernels.py ${PROJECT_BINARY_DIR} $<TARGET_FILE:floes>)
   endif()
