@@ -178,9 +178,16 @@ check "--ranks is the program's" "program <run> <--ranks> <3> <c d.toml>" "$out"
 
 # -- packages
 machine
-mkdir -p "$home/build/release"
+printf 'zeta\n' >"$home/packages-release.txt"
+launch package
+check_has "packages need their packages" "missing: zeta" "$err"
+echo zeta >>"$stage/installed"
+launch package
+check "no packages, no names" "" "$out"
 touch "$home/build/release/floes_1.0.0_amd64.deb" "$home/build/release/floes-1.0.0-Linux.tar.gz"
 launch package
+check "their names" "$home/build/release/floes_1.0.0_amd64.deb
+$home/build/release/floes-1.0.0-Linux.tar.gz" "$out"
 check_has "packages" "cmake --build $home/build/release --target package" "$(calls)"
 
 # -- under mpirun it only executes
