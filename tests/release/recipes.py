@@ -29,16 +29,24 @@ def commands_in(text):
                 yield found[1], re.findall(r"(?<!\S)(--[a-z-]+|-[a-z])(?=[ =]|$)", found[2])
 
 
+def code_in(page):
+    """What a page shows as code: indented lines, and words between backquotes."""
+    return "\n".join(re.findall(r"^    .*$", page, re.M) + re.findall(r"`([^`\n]+)`", page))
+
+
 def options_of(program, verb):
     """Options of a verb; None if there is no such verb."""
     shown = subprocess.run([program, verb, "--help"], capture_output=True, text=True)
-    return set(re.findall(r"(?<!\S)(--?[a-z][a-z-]*)", shown.stdout.replace(",", " "))) if shown.returncode == 0 else None
+    if not re.search(rf"^Usage: \S+ {verb} ", shown.stdout, re.M):  # --help answers for unknown verbs as well
+        return None
+    return set(re.findall(r"(?<!\S)(--?[a-z][a-z-]*)", shown.stdout.replace(",", " ")))
 
 
 def faults(project, program):
     known = {}
     for name in COMMANDS_IN:
-        for verb, options in commands_in((project / name).read_text(encoding="utf-8")):
+        text = (project / name).read_text(encoding="utf-8")
+        for verb, options in commands_in(code_in(text) if name.endswith(".md") else text):
             if verb in ("package", "test"):
                 continue  # of the launcher
             known.setdefault(verb, options_of(program, verb))
