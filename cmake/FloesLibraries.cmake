@@ -1,4 +1,4 @@
-# Every foreign library the project uses, all from Debian 12 (packages.txt).
+# Every foreign library the project uses: all are in Debian 12 (packages.txt), and other systems have them by other names.
 find_package(PkgConfig REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(fmt REQUIRED)
@@ -10,10 +10,14 @@ find_package(TBB REQUIRED)
 find_package(MPI REQUIRED COMPONENTS CXX)
 find_package(ZLIB REQUIRED)
 
-# Bullet's own CMake package names a library that Debian does not ship; pkg-config does not.
-pkg_check_modules(bullet REQUIRED IMPORTED_TARGET bullet-float64)
-pkg_check_modules(hdf5 REQUIRED IMPORTED_TARGET hdf5-serial)
-pkg_check_modules(gsl REQUIRED IMPORTED_TARGET gsl)
+# Bullet's own CMake package names a library that Debian does not ship; pkg-config does not. It must be the one with
+# double precision, which is called bullet where it was built so.
+pkg_search_module(bullet REQUIRED IMPORTED_TARGET bullet-float64 bullet)
+if(NOT bullet_CFLAGS MATCHES "BT_USE_DOUBLE_PRECISION")
+  message(FATAL_ERROR "This Bullet computes in single precision; build it with USE_DOUBLE_PRECISION=ON (docs/clusters.md).")
+endif()
+pkg_search_module(hdf5 REQUIRED IMPORTED_TARGET hdf5-serial hdf5)
+pkg_check_modules(nlopt REQUIRED IMPORTED_TARGET nlopt)
 pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
 

@@ -1,13 +1,14 @@
 # Sourced by the scripts of this folder, inside a job: finds the program and runs a campaign in the job.
 #
-# FLOES_HOME      the folder of floes; default: the folder where sbatch was called
-# FLOES           the program; default: the release build in that folder
+# FLOES_HOME      the folder of floes; default: the folder where sbatch was called, or where floes is installed
+# FLOES           the program; default: the release build in that folder, or the installed one
 # FLOES_RESTARTS  how often a job may requeue itself; default: 100
 # shellcheck shell=bash
 
-FLOES=${FLOES:-${FLOES_HOME:-$SLURM_SUBMIT_DIR}/build/release/floes}
+FLOES=${FLOES:-${home:?}/build/release/floes}
+[[ -x $FLOES ]] || FLOES=$(command -v floes || echo "$FLOES")
 if [[ ! -x $FLOES ]]; then
-    echo "floes: the program $FLOES does not exist; build it with ./floes --help before you submit" >&2
+    echo "floes: the program $FLOES does not exist; build it with ./floes --help before you submit, or install it" >&2
     exit 2
 fi
 

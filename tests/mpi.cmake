@@ -1,5 +1,12 @@
 # Tests that run under mpirun. Included by tests/CMakeLists.txt.
 
+# Open MPI wants to be told that ranks may outnumber cores, and that root is meant; others do not know these options.
+execute_process(COMMAND ${MPIEXEC_EXECUTABLE} --version OUTPUT_VARIABLE mpiexec_version ERROR_QUIET)
+set(floes_mpi_options)
+if(mpiexec_version MATCHES "Open MPI|OpenRTE")
+  set(floes_mpi_options --allow-run-as-root --oversubscribe --bind-to none)
+endif()
+
 # floes_mpi_test(NAME RANKS n… COMMAND program arguments…)
 #   CTest tests NAME.1_rank, NAME.2_ranks, … : the command on that many ranks, whatever the machine and the user.
 function(floes_mpi_test name)
@@ -10,7 +17,7 @@ function(floes_mpi_test name)
   foreach(ranks ${TEST_RANKS})
     set(full_name ${name}.${ranks}_ranks)
     add_test(NAME ${full_name}
-             COMMAND ${MPIEXEC_EXECUTABLE} --allow-run-as-root --oversubscribe --bind-to none -n ${ranks} ${TEST_COMMAND})
+             COMMAND ${MPIEXEC_EXECUTABLE} ${floes_mpi_options} -n ${ranks} ${TEST_COMMAND})
     set_tests_properties(${full_name} PROPERTIES LABELS "default;mpi" TIMEOUT ${TEST_TIMEOUT} PROCESSORS 2
                          ENVIRONMENT "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1")
   endforeach()

@@ -3,12 +3,17 @@
 // 0 every member done, 1 a member was set aside or the run failed, 2 bad input or usage, 85 stopped and resumable.
 
 #include <CLI/CLI.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace floes {
 
-void add_run(CLI::App& program, int& exit_status);
+/// All verbs, the program's description and --version. `command`: the words of this process.
+void add_verbs(CLI::App& program, int& exit_status, std::span<char* const> command);
+
+/// With --ranks it starts `command` again, under mpirun.
+void add_run(CLI::App& program, int& exit_status, std::span<char* const> command);
 void add_merge(CLI::App& program, int& exit_status);
 void add_status(CLI::App& program, int& exit_status);
 void add_plan(CLI::App& program, int& exit_status);

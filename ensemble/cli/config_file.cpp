@@ -30,7 +30,19 @@ std::string read_text(const std::string& path) {
     return text;
 }
 
-Campaign load_campaign(const std::string& path, const std::vector<std::string>& overrides) {
+std::string find_config(const std::string& name) {
+    const bool word = !name.empty() && name.find_first_of("/.") == std::string::npos;
+    if (!word || std::filesystem::exists(name)) return name;
+    std::error_code unknown;
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown);
+    if (unknown) return name;
+    const std::filesystem::path installed =
+        (program.parent_path() / FLOES_SHARE_FROM_PROGRAM / "configs" / (name + ".toml")).lexically_normal();
+    return std::filesystem::exists(installed) ? installed.string() : name;
+}
+
+Campaign load_campaign(const std::string& name, const std::vector<std::string>& overrides) {
+    const std::string path = find_config(name);
     return read_campaign({read_text(path), path, overrides, true}, read_text);
 }
 

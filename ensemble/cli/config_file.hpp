@@ -11,7 +11,12 @@ namespace floes {
 /// The text of a file. Throws InputError when it cannot be read.
 std::string read_text(const std::string& path);
 
-/// Reads and checks the campaign of the configuration at `path`, with "key=value" overrides (--set). Throws InputError.
-Campaign load_campaign(const std::string& path, const std::vector<std::string>& overrides);
+/// Where a configuration lies: `name` itself, or, if there is no such file and `name` is a word such as "smoke", the
+/// installed configuration of that name, if there is one.
+std::string find_config(const std::string& name);
+
+/// Reads and checks the campaign of the configuration find_config(`name`), with "key=value" overrides (--set). Throws
+/// InputError.
+Campaign load_campaign(const std::string& name, const std::vector<std::string>& overrides);
 
 }  // namespace floes

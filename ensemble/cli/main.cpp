@@ -1,4 +1,4 @@
-// floes: the program. Each verb has its own file; this one only dispatches.
+// floes: the program. Each verb has its own file and verbs.cpp lists them; this one only dispatches.
 
 #include <csignal>
 #include <cstdio>
@@ -37,24 +37,9 @@ int refuse(const CLI::App& program, const CLI::ParseError& error) {
 
 int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is reported as an error, like a full disk
-    CLI::App program{"floes: the load of managed ice floes on a structure, over many random arrangements"};
-    program.require_subcommand(1);
-    floes::add_version(program);
+    CLI::App program;
     int exit_status = 0;
-    floes::add_run(program, exit_status);
-    floes::add_merge(program, exit_status);
-    floes::add_status(program, exit_status);
-    floes::add_plan(program, exit_status);
-    floes::add_summarize(program, exit_status);
-    floes::add_design(program, exit_status);
-    floes::add_config(program, exit_status);
-    floes::add_calibrate(program, exit_status);
-    floes::add_cantilever(program, exit_status);
-    floes::add_hybrid(program, exit_status);
-    floes::add_report(program, exit_status);
-    floes::add_replay(program, exit_status);
-    floes::add_match(program, exit_status);
-    floes::add_verify(program, exit_status);
+    floes::add_verbs(program, exit_status, {argv, static_cast<std::size_t>(argc)});
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "campaign_file/read_campaign_file.hpp"
 #include "cli/commands.hpp"
 #include "cli/config_file.hpp"
+#include "cli/ranks.hpp"
 #include "cli/terminal.hpp"
 #include "core/error.hpp"
 #include "core/wording.hpp"
@@ -35,6 +37,7 @@ struct RunVerb {
     bool overwrite = false;
     bool retry_failed = false;
     int threads = 0;
+    int ranks = 0;
     std::string part;
     std::string isolation;
     double time_left = 0;
@@ -89,6 +92,9 @@ Existing existing_of(const RunVerb& verb) {
 }
 
 int lead(const RunVerb& verb, const std::string& program, Link& link, Helper& helper) {
+    if (verb.ranks > 0 && verb.ranks != link.size())
+        throw InputError(fmt::format("--ranks {} inside mpirun, which started {}; leave --ranks out there.", verb.ranks,
+                                     counted(link.size(), "rank")));
     const Walltime walltime(find_time_left(verb.time_left));
     Campaign campaign = load_campaign(verb.config, verb.overrides);
     RunOptions options{.places = {.campaign_file = output_of(verb),
@@ -126,10 +132,12 @@ int run(const RunVerb& verb, const std::string& program) {
 
 }  // namespace
 
-void add_run(CLI::App& program, int& exit_status) {
+void add_run(CLI::App& program, int& exit_status, std::span<char* const> command) {
     auto options = std::make_shared<RunVerb>();
     CLI::App* verb = program.add_subcommand("run", "Run a campaign on every core, alone or under mpirun");
-    verb->add_option("config", options->config, "The configuration (CONFIG.toml)")->required();
+    verb->add_option("config", options->config,
+                     "The configuration (CONFIG.toml), or the name of an installed one, as smoke")
+        ->required();
     verb->add_option("-o,--output", options->output, "The campaign file; default: CONFIG.h5 in this folder");
     CLI::Option* resume =
         verb->add_flag("--resume", options->resume, "Resume an existing campaign, or start if there is none");
@@ -140,6 +148,10 @@ void add_run(CLI::App& program, int& exit_status) {
         ->excludes(resume);
     verb->add_option("--threads", options->threads,
                      "Number of members at a time on each rank; default: one for each of its cores")
+        ->check(CLI::Range(1, 4096));
+    verb->add_option("--ranks", options->ranks,
+                     "Start that many ranks on this machine with mpirun (FLOES_MPIRUN names another); on several nodes "
+                     "call mpirun yourself")
         ->check(CLI::Range(1, 4096));
     verb->add_option(
         "--part", options->part,
@@ -153,7 +165,11 @@ void add_run(CLI::App& program, int& exit_status) {
             "Seconds until the run must have ended; default inside a Slurm job: the time left according to Slurm")
         ->check(CLI::PositiveNumber);
     add_overrides(*verb, options->overrides);
-    verb->callback([options, &program, &exit_status] {
+    verb->callback([options, &program, &exit_status, command] {
+        if (options->ranks > 0 && !started_by_mpi()) {
+            exit_status = run_ranks(options->ranks, command);
+            return;
+        }
         if (!options->isolation.empty()) options->overrides.push_back("run.isolation=" + options->isolation);
         exit_status = run(*options, program.get_name());
     });

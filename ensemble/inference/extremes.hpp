@@ -36,7 +36,7 @@ inline constexpr std::size_t fewest_maxima = 10;
 ExtremeFit fit_by_l_moments(std::span<const double> maxima, ExtremeKind kind);
 
 /// Maximum likelihood, started from L-moments: Gumbel's scale is the root of its likelihood equation, GEV's three
-/// parameters are found by the Nelder-Mead simplex of GSL with -1 < ξ < 1 (below -1 the likelihood has no maximum).
+/// parameters are found by the Nelder-Mead simplex of NLopt with -1 < ξ < 1 (below -1 the likelihood has no maximum).
 /// Invalid for fewer than `fewest_maxima` or if all are equal. `start`: another starting point, for resamples.
 ExtremeFit fit_maxima(std::span<const double> maxima, ExtremeKind kind, const ExtremeFit* start = nullptr);
 

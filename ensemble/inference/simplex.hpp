@@ -1,5 +1,5 @@
 #pragma once
-// The local minimum of a function of a few parameters without derivatives: the Nelder-Mead simplex of GSL.
+// The local minimum of a function of a few parameters without derivatives: the Nelder-Mead simplex of NLopt.
 
 #include <functional>
 #include <span>
@@ -17,8 +17,8 @@ struct Minimum {
 
 struct SimplexOptions {
     double size;          ///< edge of the first simplex, the same along all parameters
-    double small_enough;  ///< ends when the RMS distance of the corners from their centre is below it
-    int most_steps = 2000;
+    double small_enough;  ///< ends when no corner is farther than this from their centre along any parameter
+    int most_costs = 4000;
 };
 
 /// Walks from `start`. Scale the parameters so that one size suits all. Deterministic.

@@ -13,7 +13,7 @@ struct Software {
     friend bool operator==(const Software&, const Software&) = default;
 };
 
-/// Version of floes, e.g. "0.1.0".
+/// Version of floes, e.g. "1.0.0".
 std::string floes_version();
 
 /// Revision of the source tree, with "-dirty" appended if files differed from it; "unknown" outside a git checkout.

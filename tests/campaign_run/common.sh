@@ -4,7 +4,10 @@ set -euo pipefail
 FLOES=$1
 MPIEXEC=$2
 # Whatever the machine and the user: "${MPIRUN[@]}" -n 2 program …
-MPIRUN=("$MPIEXEC" --allow-run-as-root --oversubscribe --bind-to none)
+MPIRUN=("$MPIEXEC")
+if [[ $("$MPIEXEC" --version 2>&1) == *"Open MPI"* || $("$MPIEXEC" --version 2>&1) == *OpenRTE* ]]; then
+    MPIRUN+=(--allow-run-as-root --oversubscribe --bind-to none)
+fi
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 
 unset FLOES_LAUNCHER

@@ -12,7 +12,7 @@ said alone_resumed "resumed: "
 same whole.h5 alone.h5
 
 for victim in 0 1; do
-    "${MPIRUN[@]}" -n 2 bash -c 'if [ "$OMPI_COMM_WORLD_RANK" = "$0" ]; then echo $$ > victim.pid; fi; exec "$@"' \
+    "${MPIRUN[@]}" -n 2 bash -c 'if [ "${OMPI_COMM_WORLD_RANK:-$PMI_RANK}" = "$0" ]; then echo $$ > victim.pid; fi; exec "$@"' \
         "$victim" "$FLOES" run campaign.toml -o "ranks$victim.h5" > "ranks$victim.log" 2>&1 &
     wait_for_a_member "ranks$victim.journal"
     kill -9 "$(cat victim.pid)" || true

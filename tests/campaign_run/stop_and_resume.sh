@@ -45,8 +45,22 @@ said ranks "to resume: mpirun -n 2 $FLOES run campaign.toml -o ranks.h5 --resume
 expect 0 ranks_resumed "${MPIRUN[@]}" -n 3 "$FLOES" run campaign.toml -o ranks.h5 --resume
 same whole.h5 ranks.h5
 
+# --ranks calls mpirun, and Ctrl-C asks its ranks to stop. What a script starts in the background ignores SIGINT.
+env FLOES_MPIRUN="$MPIEXEC" --default-signal=INT "$FLOES" run --ranks 2 campaign.toml -o own.h5 \
+    --set campaign.arrangements=20 > own.log 2>&1 &
+wait_for_a_member own.journal
+stopped own INT $!
+said own "to resume: $FLOES run --ranks 2 campaign.toml -o own.h5 --resume --set campaign.arrangements=20"
+expect 0 own_resumed env FLOES_MPIRUN="$MPIEXEC" bash -c "$(sed -n 's/.*to resume: //p' own.log)"
+said own_resumed "40 of 40 done"
+expect 2 own_wrong "${MPIRUN[@]}" -n 2 "$FLOES" run --ranks 3 campaign.toml -o wrong.h5
+said own_wrong "--ranks 3 inside mpirun, which started 2 ranks"
+expect 1 own_missing env FLOES_MPIRUN=no-such-mpirun "$FLOES" run --ranks 2 campaign.toml -o missing.h5
+said own_missing "no-such-mpirun could not be started"
+for ranks in 0 -1 two 1.5 ''; do expect 2 own_refused "$FLOES" run campaign.toml --ranks "$ranks"; done
+
 # A signal to one worker alone stops them all.
-"${MPIRUN[@]}" -n 2 bash -c 'if [ "$OMPI_COMM_WORLD_RANK" = 1 ]; then echo $$ > worker.pid; fi; exec "$@"' _ \
+"${MPIRUN[@]}" -n 2 bash -c 'if [ "${OMPI_COMM_WORLD_RANK:-$PMI_RANK}" = 1 ]; then echo $$ > worker.pid; fi; exec "$@"' _ \
     "$FLOES" run campaign.toml -o worker.h5 > worker.log 2>&1 &
 wait_for_a_member worker.journal
 kill -USR1 "$(cat worker.pid)"

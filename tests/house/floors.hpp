@@ -13,7 +13,7 @@ struct Room {
     int floor = 0;
     std::string name;
     std::string
-        doors;  ///< foreign libraries that may be included here: "Eigen, GSL"; those "(all rooms)" in all of them
+        doors;  ///< foreign libraries that may be included here: "Eigen, NLopt"; those "(all rooms)" in all of them
     friend bool operator==(const Room&, const Room&) = default;
 };
 

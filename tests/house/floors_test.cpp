@@ -123,9 +123,8 @@ TEST(BrokenRules, RefuseAForeignLibraryOutsideItsDoor) {
 }
 
 TEST(BrokenRules, EveryLibraryHasADoorAndIsRefusedElsewhere) {
-    for (const char* header :
-         {"Random123/philox.h", "xxhash.h", "zlib.h", "Eigen/Dense", "boost/crc.hpp", "CLI/CLI.hpp",
-          "nlohmann/json.hpp", "tbb/parallel_for.h", "gsl/gsl_errno.h", "unistd.h"}) {
+    for (const char* header : {"Random123/philox.h", "xxhash.h", "zlib.h", "Eigen/Dense", "boost/crc.hpp",
+                               "CLI/CLI.hpp", "nlohmann/json.hpp", "tbb/parallel_for.h", "nlopt.h", "unistd.h"}) {
         const auto library =
             std::ranges::find_if(libraries(), [&](const Library& one) { return std::regex_match(header, one.header); });
         ASSERT_NE(library, libraries().end()) << header;

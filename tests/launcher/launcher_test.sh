@@ -72,14 +72,6 @@ STUB
 #!/bin/sh
 echo "ctest in $PWD: $*"
 STUB
-    stub mpirun <<'STUB'
-#!/bin/bash
-trap 'echo "mpirun was asked to stop"; exit 85' USR1
-printf 'mpirun'; printf ' <%s>' "$@"; echo
-echo "root $OMPI_ALLOW_RUN_AS_ROOT$OMPI_ALLOW_RUN_AS_ROOT_CONFIRM, copies $OMPI_MCA_btl_vader_single_copy_mechanism"
-if [[ -e $STAGE/long_run ]]; then touch "$STAGE/running"; for _ in {1..200}; do sleep 0.05; done; fi
-exit ${PROGRAM_STATUS-0}
-STUB
 }
 # launch ARGUMENT…: sets out, err, status.
 launch() {
@@ -179,39 +171,24 @@ rm "$stage/slow_build"
 check "one build at a time" "" "$(calls | grep overlap)"
 check "one configuration" 1 "$(calls | grep -c -- --preset)"
 
-# -- ranks
+# -- the program itself starts ranks
 machine
-expected="mpirun <-n> <3> <--oversubscribe> <--bind-to> <none> <$home/build/release/floes> <run> <c d.toml> <-o> <x.h5>
-root 11, copies none"
-launch run --ranks 3 "c d.toml" -o x.h5
-check "--ranks 3 first" "$expected" "$out"
-launch run "c d.toml" -o x.h5 --ranks=3
-check "--ranks=3 last" "$expected" "$out"
-PROGRAM_STATUS=85 launch run --ranks 3 c.toml
-check "status through mpirun" 85 "$status"
-for wrong in 0 -1 two 1.5 ''; do
-    launch run --ranks "$wrong" c.toml
-    check "--ranks '$wrong' is refused" 2 "$status"
-    check_has "--ranks '$wrong' is refused in words" "--ranks" "$err"
-done
-launch run c.toml --ranks
-check "--ranks without a number" 2 "$status"
-launch summarize --ranks 2
-check "--ranks belongs to run" "program <summarize> <--ranks> <2>" "$out"
+launch run --ranks 3 "c d.toml"
+check "--ranks is the program's" "program <run> <--ranks> <3> <c d.toml>" "$out"
 
-# -- Ctrl-C and SIGTERM reach the ranks as a request to stop, and their answer comes back
-for signal in INT TERM; do
-    touch "$stage/long_run"
-    rm -f "$stage/running"
-    # What a script starts in the background ignores SIGINT unless told otherwise.
-    PATH=$bin:$PATH env --default-signal=INT "$home/floes" run --ranks 2 c.toml >"$stage/out" 2>&1 &
-    for _ in {1..100}; do [[ -e $stage/running ]] && break; sleep 0.05; done
-    kill -"$signal" $!
-    wait $!
-    check "status after SIG$signal" 85 $?
-    check_has "SIG$signal" "mpirun was asked to stop" "$(cat "$stage/out")"
-    rm "$stage/long_run"
-done
+# -- packages
+machine
+printf 'zeta\n' >"$home/packages-release.txt"
+launch package
+check_has "packages need their packages" "missing: zeta" "$err"
+echo zeta >>"$stage/installed"
+launch package
+check "no packages, no names" "" "$out"
+touch "$home/build/release/floes_1.0.0_amd64.deb" "$home/build/release/floes-1.0.0-Linux.tar.gz"
+launch package
+check "their names" "$home/build/release/floes_1.0.0_amd64.deb
+$home/build/release/floes-1.0.0-Linux.tar.gz" "$out"
+check_has "packages" "cmake --build $home/build/release --target package" "$(calls)"
 
 # -- under mpirun it only executes
 for variable in OMPI_COMM_WORLD_RANK PMIX_RANK; do

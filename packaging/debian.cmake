@@ -1,0 +1,20 @@
+# Read by CPack when a package's files are in place: what Debian asks of a package and nobody else.
+if(NOT CPACK_GENERATOR STREQUAL "DEB")
+  return()
+endif()
+set(share ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/usr/share)
+file(RENAME ${share}/doc/floes/LICENSE ${share}/doc/floes/copyright)
+file(MAKE_DIRECTORY ${share}/zsh/vendor-completions)
+file(RENAME ${share}/zsh/site-functions/_floes ${share}/zsh/vendor-completions/_floes)
+file(REMOVE ${share}/zsh/site-functions)
+
+execute_process(COMMAND date -u -R -d ${CPACK_FLOES_RELEASE_DATE} OUTPUT_VARIABLE date OUTPUT_STRIP_TRAILING_WHITESPACE
+                COMMAND_ERROR_IS_FATAL ANY)
+file(WRITE ${share}/doc/floes/changelog
+"floes (${CPACK_PACKAGE_VERSION}) unstable; urgency=medium
+
+  * Released. CHANGELOG.md beside this file has every change.
+
+ -- ${CPACK_DEBIAN_PACKAGE_MAINTAINER}  ${date}
+")
+execute_process(COMMAND gzip -9nf ${share}/doc/floes/changelog COMMAND_ERROR_IS_FATAL ANY)

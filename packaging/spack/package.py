@@ -1,0 +1,42 @@
+from spack.package import *
+
+
+class Floes(CMakePackage):
+    """Ensembles of the ice load on a structure that is towed through managed ice floes."""
+
+    # `spack install floes` from a checkout: spack dev-build floes@1.0.0, in the folder of floes.
+    maintainers = ["floes"]
+    license = "BSD-3-Clause"
+
+    version("1.0.0")
+
+    depends_on("cmake@3.22:", type="build")
+    depends_on("ninja", type="build")
+    depends_on("pkgconfig", type="build")
+    depends_on("bullet3+double_precision")
+    depends_on("eigen@3.4:")
+    depends_on("random123")
+    depends_on("boost@1.74:")
+    depends_on("nlopt")
+    depends_on("xxhash")
+    depends_on("mpi")
+    depends_on("intel-oneapi-tbb")
+    depends_on("hdf5@1.10:+hl~mpi")
+    depends_on("zlib")
+    depends_on("nlohmann-json@3.11:")
+    depends_on("tomlplusplus@3.3:")
+    depends_on("cli11@2.1:")
+    depends_on("fmt@9:")
+    depends_on("cairo")
+
+    # three.js, which pages of replays contain, is no package of Spack: a file three.min.js of release 111.
+    variant("three", default="", values=str, description="Where three.min.js lies")
+
+    generator = "Ninja"
+
+    def cmake_args(self):
+        return [
+            self.define("FLOES_TESTS", False),
+            self.define("FLOES_WARNINGS_AS_ERRORS", False),
+            self.define("FLOES_THREE", self.spec.variants["three"].value),
+        ]

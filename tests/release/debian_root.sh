@@ -1,0 +1,57 @@
+#!/usr/bin/env bash
+# The package in a bare Debian 12: what lintian says of it, whether apt installs it, and whether floes gives there the
+# members that it gives here. Needs root, mmdebstrap and lintian; apt's own sources of this machine serve the new root.
+#   debian_root.sh BUILD_FOLDER PROGRAM
+# FLOES_BARE_ROOT names a tarball of such a root, for those who run this often.
+set -euo pipefail
+build=$1
+program=$2
+[[ $(id -u) == 0 ]] || { echo "this test needs root" >&2; exit 1; }
+stage=$(mktemp -d)
+trap 'rm -rf -- "$stage"' EXIT
+fail() { echo "FAILED: $*" >&2; exit 1; }
+
+(cd "$build" && cpack -G "DEB;TGZ" -B "$stage") >"$stage/log" || fail "cpack: $(<"$stage/log")"
+package=$(echo "$stage"/floes_*.deb)
+[[ -e $package ]] || fail "no package was made: $(<"$stage/log")"
+
+# The project has no address of its own; nothing else is suppressed.
+lintian --allow-root --fail-on error,warning \
+    --suppress-tags bogus-mail-host,bogus-mail-host-in-debian-changelog "$package" ||
+    fail "lintian is not content"
+
+sources=(/etc/apt/sources.list.d/debian.sources)
+[[ -e ${sources[0]} ]] || sources=(/etc/apt/sources.list)
+if [[ ${FLOES_BARE_ROOT-} ]]; then
+    mkdir "$stage/root" && tar -C "$stage/root" -xf "$FLOES_BARE_ROOT"
+else
+    mmdebstrap --quiet --variant=minbase bookworm "$stage/root" "${sources[@]}" || fail "mmdebstrap"
+fi
+cp "$package" "$stage/root/tmp/"
+# With /proc, which is gone with the command.
+here() {
+    # shellcheck disable=SC2016  # expanded by that shell
+    unshare -m sh -c 'mount -t proc proc "$0/proc" && exec chroot "$0" env -i PATH=/usr/bin:/bin:/usr/sbin:/sbin HOME=/root \
+        DEBIAN_FRONTEND=noninteractive "$@"' "$stage/root" "$@"
+}
+
+cp -L /etc/resolv.conf "$stage/root/etc/resolv.conf"
+here apt-get -q update >"$stage/log" 2>&1 || fail "apt-get update: $(<"$stage/log")"
+here apt-get -q install -y --no-install-recommends "/tmp/$(basename "$package")" >"$stage/log" 2>&1 ||
+    fail "apt: $(tail -20 "$stage/log")"
+here sh -c '! command -v g++ && ! command -v cmake' || fail "the package brings a compiler along"
+[[ $(here floes --version | head -1) == "$("$program" --version | head -1)" ]] || fail "another version is installed"
+here sh -c 'cd /root && floes run smoke >/dev/null' || fail "floes run smoke ended with $?"
+"$program" run "$stage/root/usr/share/floes/configs/smoke.toml" -o "$stage/smoke.h5" >"$stage/log" 2>&1 ||
+    fail "the same here ended with $?: $(<"$stage/log")"
+h5diff --exclude-path /provenance "$stage/root/root/smoke.h5" "$stage/smoke.h5" || fail "the members differ"
+here floes run smoke -o /root/two.h5 --ranks 2 >"$stage/log" 2>&1 && fail "mpirun is there unasked"
+[[ $(<"$stage/log") == *"could not be started"* ]] || fail "without mpirun it says $(<"$stage/log")"
+# The tarball, from a folder of its own.
+tar -C "$stage/root/opt" -xf "$stage"/floes-*.tar.gz
+# shellcheck disable=SC2016
+[[ $(here sh -c '/opt/floes-*/bin/floes config --check smoke') == "ok: "* ]] || fail "the tarball does not run"
+here dpkg --verify floes || fail "files changed"
+here apt-get -q purge -y floes >"$stage/log" 2>&1 || fail "apt-get purge: $(<"$stage/log")"
+[[ ! -e $stage/root/usr/share/floes ]] || fail "purge leaves files"
+echo "installed in a bare root, ran, same members"
