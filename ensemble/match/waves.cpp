@@ -13,6 +13,7 @@
 #include "campaign_file/read_campaign_file.hpp"
 #include "campaign_file/read_details.hpp"
 #include "core/error.hpp"
+#include "scenario/keys.hpp"
 
 namespace floes {
 namespace {
@@ -64,17 +65,32 @@ MatchAxis match_axis(const MatchWave& wave, const DesignAxis& axis) {
                     wave.file, axis.key, made.from));
 }
 
+/// Gives a case the values of another one on the axes. An axis may be a part of another key's value, so it is not
+/// enough to leave out the axes' own keys in a comparison.
+void take_axes(Scenario& to, Scenario from, const std::set<std::string>& axes) {
+    const Keys to_keys = describe(to);
+    const Keys from_keys = describe(from);
+    for (const std::string& axis : axes) {
+        const auto& there = find_key(to_keys, axis)->field;
+        const auto& here = find_key(from_keys, axis)->field;
+        if (const auto* number = std::get_if<NumberField>(&there))
+            number->set(std::get<NumberField>(here).get());
+        else if (const auto* count = std::get_if<IntegerField>(&there))
+            count->set(std::get<IntegerField>(here).get());
+    }
+}
+
 /// What differs between two cases beside the axes.
 std::vector<std::string> other_conditions(Case there, Case here, const std::set<std::string>& axes) {
     there.name = here.name;
+    take_axes(there.scenario, here.scenario, axes);
     Campaign of_there;
     Campaign of_here;
     of_there.cases = {std::move(there)};
     of_here.cases = {std::move(here)};
     std::vector<std::string> lines = differences(of_there, of_here);
     std::erase_if(lines, [&](const std::string& line) {
-        const std::string key = line.substr(0, line.find(':'));
-        return axes.contains(key) || std::ranges::find(storage_keys, key) != storage_keys.end();
+        return std::ranges::find(storage_keys, line.substr(0, line.find(':'))) != storage_keys.end();
     });
     return lines;
 }

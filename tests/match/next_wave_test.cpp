@@ -7,6 +7,7 @@
 #include "campaign/identity.hpp"
 #include "campaign/read.hpp"
 #include "campaign/write.hpp"
+#include "core/error.hpp"
 
 namespace floes {
 namespace {
@@ -14,15 +15,15 @@ namespace {
 MatchWave wave() {
     MatchWave made;
     made.file = "wave1.h5";
-    made.campaign = read_campaign(
-        {"[campaign]\narrangements = 3\n[design]\nmethod = \"sobol\"\npoints = 4\n"
-         "[[design.axis]]\nkey = \"contact.ice_ice_friction\"\nfrom = 0.1\nto = 0.5\n"
-         "[[design.axis]]\nkey = \"joint.cfm\"\nfrom = 0.001\nto = 0.1\nscale = \"log\"\n"
-         "[[design.axis]]\nkey = \"arrangement.ordering_sweeps\"\nfrom = 0\nto = 10\n"
-         "[arrangement]\nmethod = \"scattered\"\n[[case]]\nname = \"A\"\n[[case]]\nname = \"B\"\ngeneral.iterations = 20\n",
-         "wave1.toml",
-         {}},
-        nullptr);
+    made.campaign = read_campaign({"[campaign]\narrangements = 3\n[design]\nmethod = \"sobol\"\npoints = 4\n"
+                                   "[[design.axis]]\nkey = \"contact.ice_ice_friction\"\nfrom = 0.1\nto = 0.5\n"
+                                   "[[design.axis]]\nkey = \"joint.cfm\"\nfrom = 0.001\nto = 0.1\nscale = \"log\"\n"
+                                   "[[design.axis]]\nkey = \"arrangement.ordering_sweeps\"\nfrom = 0\nto = 10\n"
+                                   "[arrangement]\nmethod = \"scattered\"\n[[case]]\nname = \"A\"\n[[case]]\nname = "
+                                   "\"B\"\ngeneral.iterations = 20\n",
+                                   "wave1.toml",
+                                   {}},
+                                  nullptr);
     return made;
 }
 
@@ -49,6 +50,27 @@ TEST(NextWave, IsTheCampaignAtThePointsThatWereChosen) {
     EXPECT_EQ(again.design.axes.size(), 3u);
     EXPECT_EQ(again.cases[3].base, "B");
     EXPECT_EQ(again.cases[3].point, 1);
+}
+
+// The radius at the keel is a part of the profile, which stands in full in the text of the next wave.
+TEST(NextWave, VariesAPartOfAnotherKey) {
+    MatchWave first;
+    first.file = "wave1.h5";
+    first.campaign = read_campaign({"[design]\nmethod = \"sobol\"\npoints = 4\n[[design.axis]]\n"
+                                    "key = \"structure.keel_radius_m\"\nfrom = 0.3\nto = 0.5\n",
+                                    "wave1.toml",
+                                    {}},
+                                   nullptr);
+    const std::vector<MatchAxis> axes = match_axes(std::span(&first, 1));
+    const Campaign next = next_wave(first, axes, Eigen::MatrixXd::Constant(1, 1, 0.5), "wave2", 8);
+    MatchWave second;
+    second.file = "wave2.h5";
+    second.campaign = read_campaign({write_campaign(next), "wave2.toml", {}}, nullptr);
+    EXPECT_EQ(numeric_value(second.campaign.cases[0], "structure.keel_radius_m"), 0.45);
+    std::vector<MatchWave> both{first, second};
+    EXPECT_EQ(match_axes(both).size(), 1u);
+    both[1].campaign.cases[0].scenario.structure.speed = 1;
+    EXPECT_THROW(match_axes(both), InputError);
 }
 
 }  // namespace
