@@ -24,7 +24,8 @@ struct TargetData {
     std::vector<int> point;               ///< index into MatchData::points, rising
     std::vector<double> mean;             ///< over the done runs
     std::vector<double> sample_variance;  ///< of single runs, n - 1; NaN for one run
-    std::vector<double> variance;         ///< of single runs, steadied by the other points; see match_data()
+    std::vector<double> variance;         ///< of single runs, steadied by the other points; see match_data(). It counts
+                                          ///< where the scatter cannot be emulated
     std::vector<int> runs;                ///< done, at least 1
     /// Part of the variance that an arrangement has in common at all points, 0-1: where points begin from the same
     /// floes, their means err together. The error of the mean of n runs has variance v / n, and two such errors at

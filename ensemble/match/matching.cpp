@@ -28,17 +28,20 @@ Eigen::MatrixXd sample_of(std::size_t axes, int samples, std::uint64_t seed) {
     return sample;
 }
 
+Eigen::VectorXd coordinates_of(const MatchPoint& point) {
+    return Eigen::Map<const Eigen::VectorXd>(point.coordinates.data(),
+                                             static_cast<Eigen::Index>(point.coordinates.size()));
+}
+
 /// Rows of the points that have data of the target, and the data.
 EmulatorData data_of(const MatchData& data, const std::vector<int>& points, std::vector<double> values,
                      std::vector<double> noise) {
     const auto count = static_cast<Eigen::Index>(points.size());
     EmulatorData made;
     made.at.resize(count, static_cast<Eigen::Index>(data.axes.size()));
-    for (Eigen::Index k = 0; k < count; ++k) {
-        const std::vector<double>& at =
-            data.points[static_cast<std::size_t>(points[static_cast<std::size_t>(k)])].coordinates;
-        made.at.row(k) = Eigen::Map<const Eigen::RowVectorXd>(at.data(), static_cast<Eigen::Index>(at.size()));
-    }
+    for (Eigen::Index k = 0; k < count; ++k)
+        made.at.row(k) =
+            coordinates_of(data.points[static_cast<std::size_t>(points[static_cast<std::size_t>(k)])]).transpose();
     made.values = Eigen::Map<const Eigen::VectorXd>(values.data(), count);
     made.noise = Eigen::Map<const Eigen::VectorXd>(noise.data(), count);
     return made;
@@ -51,7 +54,7 @@ std::shared_ptr<const Emulator> scatter_emulator(const MatchData& data, const Ta
     std::vector<double> logs;
     std::vector<double> noise;
     for (std::size_t k = 0; k < target.point.size(); ++k) {
-        if (target.runs[k] < 3 || !(target.sample_variance[k] > 0)) continue;
+        if (target.runs[k] < 2 || !(target.sample_variance[k] > 0)) continue;
         const double freedom = target.runs[k] - 1;
         const double off = boost::math::digamma(freedom / 2) + std::log(2 / freedom);
         points.push_back(target.point[k]);
@@ -78,7 +81,10 @@ EmulatedTarget::EmulatedTarget(const MatchData& data, const TargetData& target)
     for (std::size_t k = 0; k < target.point.size(); ++k) {
         sum += target.variance[k] * target.runs[k];
         weight += target.runs[k];
-        noise.push_back((1 - target.shared) * target.variance[k] / target.runs[k]);
+        const double variance = log_scatter_
+                                    ? scatter(coordinates_of(data.points[static_cast<std::size_t>(target.point[k])]))
+                                    : target.variance[k];
+        noise.push_back((1 - target.shared) * variance / target.runs[k]);
     }
     pooled_scatter_ = weight > 0 ? sum / weight : 0;
     if (target.point.empty()) {
