@@ -36,7 +36,8 @@ void check_dataset(hid_t file, const std::string& path, FileCheck& check) {
         const StoredDigest found = digest_of(dataset.id(), stored.value_or(StoredDigest{}).kind);
         if (stored) check_digest(dataset.id(), path, *stored, found);
     } catch (const DamagedFile& damage) {
-        one.fault = damage.fault();
+        const std::string& fault = damage.fault();
+        one.fault = fault.find(path) == std::string::npos ? fmt::format("{}: {}", path, fault) : fault;
         if (one.by_rows) one.rows = unreadable_rows(file, path);
     }
     if (!one.fault.empty()) check.damaged.push_back(std::move(one));
