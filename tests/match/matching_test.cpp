@@ -194,6 +194,43 @@ TEST(Matching, CountsTheErrorThatPointsHaveInCommon) {
     EXPECT_GT(match(data, emulate(data), 1024, 1).share(), 1.2 * apart);
 }
 
+/// Forty points of a load that scatters with a standard deviation of 2 + 1.5 x, with two runs each.
+EmulatedTarget uneven(unsigned seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    MatchData data;
+    data.axes = {{"structure.keel_radius_m", 0.4, 0.5}};
+    TargetData target;
+    target.target.quantity = *any_quantity("mean_load");
+    constexpr int points = 40;
+    for (int k = 0; k < points; ++k) {
+        const double x = 2.0 * k / (points - 1) - 1;
+        data.points.push_back({{x}, 0, k});
+        const double one = 30 + 10 * x + (2 + 1.5 * x) * normal(random);
+        const double other = 30 + 10 * x + (2 + 1.5 * x) * normal(random);
+        target.point.push_back(k);
+        target.mean.push_back((one + other) / 2);
+        target.sample_variance.push_back((one - other) * (one - other) / 2);
+        target.variance.push_back(4);
+        target.runs.push_back(2);
+    }
+    return EmulatedTarget(data, target);
+}
+
+// Two runs a point are enough to know that high loads scatter more, and low ones are not taken for as uncertain.
+TEST(Matching, KnowsThatTheScatterDependsOnTheInputs) {
+    const auto at = [](double x) { return Eigen::VectorXd::Constant(1, x); };
+    constexpr unsigned repetitions = 10;
+    for (const double x : {-0.8, 0.0, 0.8}) {
+        double off = 0;
+        for (unsigned seed = 1; seed <= repetitions; ++seed)
+            off += std::log(std::sqrt(uneven(seed).scatter(at(x))) / (2 + 1.5 * x)) / repetitions;
+        EXPECT_GT(std::exp(off), 0.8) << x;
+        EXPECT_LT(std::exp(off), 1.4) << x << ": pooled over all points it would be 2.7 at -0.8";
+    }
+    EXPECT_LT(uneven(1).mean().at(at(-0.7)).variance, 0.4 * uneven(1).mean().at(at(0.7)).variance);
+}
+
 // From many runs of two quantities a third one is known, one that was not measured; from one run it is less so.
 TEST(Predicted, HoldsTheTruthOfAQuantityThatWasNotMeasured) {
     std::vector<double> widths;
