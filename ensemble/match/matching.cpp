@@ -28,11 +28,6 @@ Eigen::MatrixXd sample_of(std::size_t axes, int samples, std::uint64_t seed) {
     return sample;
 }
 
-Eigen::VectorXd coordinates_of(const MatchPoint& point) {
-    return Eigen::Map<const Eigen::VectorXd>(point.coordinates.data(),
-                                             static_cast<Eigen::Index>(point.coordinates.size()));
-}
-
 /// Rows of the points that have data of the target, and the data.
 EmulatorData data_of(const MatchData& data, const std::vector<int>& points, std::vector<double> values,
                      std::vector<double> noise) {
@@ -72,6 +67,11 @@ double quantile(std::vector<double> values, double share) {
 }
 
 }  // namespace
+
+Eigen::VectorXd coordinates_of(const MatchPoint& point) {
+    return Eigen::Map<const Eigen::VectorXd>(point.coordinates.data(),
+                                             static_cast<Eigen::Index>(point.coordinates.size()));
+}
 
 EmulatedTarget::EmulatedTarget(const MatchData& data, const TargetData& target)
     : target_(target.target), log_scatter_(scatter_emulator(data, target)) {
@@ -193,8 +193,7 @@ Eigen::MatrixXd next_points(const Matching& matching, const MatchData& data, int
     const auto keep_away_from = [&](const Eigen::RowVectorXd& point) {
         nearest = nearest.cwiseMin((candidates.rowwise() - point).rowwise().squaredNorm());
     };
-    for (const MatchPoint& point : data.points)
-        keep_away_from(Eigen::Map<const Eigen::RowVectorXd>(point.coordinates.data(), candidates.cols()));
+    for (const MatchPoint& point : data.points) keep_away_from(coordinates_of(point).transpose());
     std::vector<Eigen::Index> chosen;
     while (static_cast<int>(chosen.size()) < count) {
         Eigen::Index farthest = 0;

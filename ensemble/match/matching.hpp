@@ -25,6 +25,8 @@ namespace floes {
 
 inline constexpr double ruled_out_above = 3;
 
+Eigen::VectorXd coordinates_of(const MatchPoint& point);
+
 /// A target with its emulators.
 class EmulatedTarget {
   public:
@@ -42,6 +44,8 @@ class EmulatedTarget {
     /// The difference from the target that is expected there, as one standard deviation.
     double expected_difference(const Eigen::VectorXd& x) const;
     double implausibility(const Eigen::VectorXd& x) const;
+    /// Whether it is used and rules the point out.
+    bool rules_out(const Eigen::VectorXd& x) const { return unused_.empty() && implausibility(x) > ruled_out_above; }
     /// Why it is not used: its emulator fails its check, or it is held out; empty when it is used.
     const std::string& unused() const { return unused_; }
 

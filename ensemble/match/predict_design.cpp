@@ -34,12 +34,6 @@ DividedRows rows_of(std::span<const DividedRun> runs) {
     return made;
 }
 
-bool is_left(const Eigen::VectorXd& x, const std::vector<EmulatedTarget>& targets) {
-    return std::ranges::none_of(targets, [&](const EmulatedTarget& target) {
-        return target.unused().empty() && target.implausibility(x) > ruled_out_above;
-    });
-}
-
 /// How the rows of a case were measured, and its runs.
 struct CaseRuns {
     Measured measured;
@@ -52,10 +46,10 @@ CaseRuns runs_of(std::span<const MatchWave> waves, const MatchData& data, const 
     for (const MatchPoint& point : data.points) {
         const MatchWave& wave = waves[static_cast<std::size_t>(point.wave)];
         const double time = averaging_time(wave.table, request);
-        const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(
-            point.coordinates.data(), static_cast<Eigen::Index>(point.coordinates.size()));
+        const Eigen::VectorXd x = coordinates_of(point);
         const double index = mean_maximum.mean().at(x).mean;
-        const bool left = is_left(x, targets);
+        const bool left =
+            std::ranges::none_of(targets, [&](const EmulatedTarget& target) { return target.rules_out(x); });
         for (const MemberRow& row : wave.table.members) {
             const auto number = static_cast<std::size_t>(row.case_index);
             const Case& about = wave.campaign.cases[number];

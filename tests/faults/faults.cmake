@@ -15,5 +15,5 @@ add_test(NAME faults.soak COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/f
                                   ${MPIEXEC_EXECUTABLE} 1000)
 set_tests_properties(faults.soak PROPERTIES LABELS "slow;mpi;soak" TIMEOUT 6000 PROCESSORS 2)
 add_test(NAME faults.week COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/faults/week.py $<TARGET_FILE:faulty>
-                                  $<TARGET_FILE:floes> ${MPIEXEC_EXECUTABLE} 100002 8)
+                                  ${MPIEXEC_EXECUTABLE} $<TARGET_FILE:floes> 100002 8)
 set_tests_properties(faults.week PROPERTIES LABELS "slow;mpi;soak" TIMEOUT 6000 PROCESSORS 2)
