@@ -5,8 +5,10 @@
 # FLOES_RESTARTS  how often a job may requeue itself; default: 100
 # shellcheck shell=bash
 
-FLOES=${FLOES:-${home:?}/build/release/floes}
-[[ -x $FLOES ]] || FLOES=$(command -v floes || echo "$FLOES")
+if [[ -z ${FLOES-} ]]; then
+    FLOES=${home:?}/build/release/floes
+    [[ -x $FLOES ]] || FLOES=$(command -v floes || echo "$FLOES")
+fi
 if [[ ! -x $FLOES ]]; then
     echo "floes: the program $FLOES does not exist; build it with ./floes --help before you submit, or install it" >&2
     exit 2

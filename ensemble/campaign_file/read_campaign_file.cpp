@@ -6,8 +6,8 @@
 
 #include "campaign/read.hpp"
 #include "campaign_file/campaign_kind.hpp"
-#include "campaign_file/columns.hpp"
 #include "campaign_file/read_campaign_file.hpp"
+#include "hdf5/columns.hpp"
 
 namespace floes {
 namespace {
@@ -29,8 +29,8 @@ std::vector<Shape> read_shapes(hid_t file, std::size_t cases) {
     std::size_t points = 0;
     for (const ShapeColumn& column : Shape::columns) {
         const std::string name = fmt::format("cases/profile_{}", column.name);
-        columns.push_back(read_table<double>(file, name, cases, points));
-        check_count(file, name, columns.back().size(), columns.front().size());
+        columns.push_back(hdf5::read_table<double>(file, name, cases, points));
+        hdf5::check_count(file, name, columns.back().size(), columns.front().size());
     }
     std::vector<Shape> shapes;
     for (std::size_t k = 0; k < cases; ++k) {
@@ -47,9 +47,7 @@ std::vector<Shape> read_shapes(hid_t file, std::size_t cases) {
 
 /// Files before layout 1.5 say the laws in their configuration only.
 std::vector<ContactLaw> configured_contacts(hid_t file) {
-    const std::vector<std::string> texts = hdf5::read_texts(file, "provenance/configuration");
-    check_count(file, "provenance/configuration", texts.size(), 1);
-    const std::string& text = texts.front();
+    const std::string text = hdf5::read_text(file, "provenance/configuration");
     std::vector<ContactLaw> laws;
     for (const Case& one : read_campaign({text, "its configuration", {}}, nullptr).cases) {
         laws.push_back(one.scenario.contact_law());
@@ -60,11 +58,11 @@ std::vector<ContactLaw> configured_contacts(hid_t file) {
 std::vector<ContactLaw> read_contacts(hid_t file, std::size_t count) {
     if (!hdf5::exists(file, "cases/contact_law")) return configured_contacts(file);
     std::vector<ContactLaw> laws;
-    for (const double erp : read_column<double>(file, "cases/contact_erp", count)) laws.push_back({.erp = erp});
-    const auto friction = read_numbers<std::int8_t>(file, "cases/friction", count, 0, 1);
-    const auto normal = read_numbers<std::int8_t>(file, "cases/contact_law", count, 0, 1);
-    const auto pressure = read_column<double>(file, "cases/crushing_pressure", count);
-    const auto internal_edges = read_numbers<std::int8_t>(file, "cases/internal_edges", count, 0, 1);
+    for (const double erp : hdf5::read_column<double>(file, "cases/contact_erp", count)) laws.push_back({.erp = erp});
+    const auto friction = hdf5::read_numbers<std::int8_t>(file, "cases/friction", count, 0, 1);
+    const auto normal = hdf5::read_numbers<std::int8_t>(file, "cases/contact_law", count, 0, 1);
+    const auto pressure = hdf5::read_column<double>(file, "cases/crushing_pressure", count);
+    const auto internal_edges = hdf5::read_numbers<std::int8_t>(file, "cases/internal_edges", count, 0, 1);
     for (std::size_t k = 0; k < laws.size(); ++k) {
         laws[k].friction = static_cast<Friction>(friction.at(k));
         laws[k].normal = static_cast<NormalLaw>(normal.at(k));
@@ -77,21 +75,21 @@ std::vector<ContactLaw> read_contacts(hid_t file, std::size_t count) {
 std::vector<CaseRow> read_cases(hid_t file) {
     const auto names = hdf5::read_texts(file, "cases/name");
     const std::size_t count = names.size();
-    const auto cfm = read_column<double>(file, "cases/cfm", count);
-    const auto modulus = read_column<double>(file, "cases/elastic_modulus", count);
-    const auto far_end = read_numbers<std::int8_t>(file, "cases/far_end", count, 0, 1);
+    const auto cfm = hdf5::read_column<double>(file, "cases/cfm", count);
+    const auto modulus = hdf5::read_column<double>(file, "cases/elastic_modulus", count);
+    const auto far_end = hdf5::read_numbers<std::int8_t>(file, "cases/far_end", count, 0, 1);
     const std::vector<ContactLaw> contacts = read_contacts(file, count);
     const std::vector<Shape> shapes = read_shapes(file, names.size());
-    const auto steady_start = read_column<double>(file, "cases/steady_start", count);
-    const auto window = read_column<double>(file, "cases/window", count);
-    const auto segments = read_numbers<std::int32_t>(file, "cases/segments", count, 1, most_segments);
-    const auto time_step = read_column<double>(file, "cases/time_step", count);
+    const auto steady_start = hdf5::read_column<double>(file, "cases/steady_start", count);
+    const auto window = hdf5::read_column<double>(file, "cases/window", count);
+    const auto segments = hdf5::read_numbers<std::int32_t>(file, "cases/segments", count, 1, most_segments);
+    const auto time_step = hdf5::read_column<double>(file, "cases/time_step", count);
     std::vector<std::int32_t> stride(names.size(), 1);  // of files before layout 1.3
     if (hdf5::exists(file, "cases/history_stride"))
-        stride = read_numbers<std::int32_t>(file, "cases/history_stride", count, 1, most_stride);
+        stride = hdf5::read_numbers<std::int32_t>(file, "cases/history_stride", count, 1, most_stride);
     std::vector<double> separation(names.size(), Analysis{}.peak_separation);  // of files before layout 1.6
     if (hdf5::exists(file, "cases/peak_separation"))
-        separation = read_column<double>(file, "cases/peak_separation", count);
+        separation = hdf5::read_column<double>(file, "cases/peak_separation", count);
     std::vector<CaseRow> cases;
     for (std::size_t k = 0; k < names.size(); ++k) {
         CaseRow& row = cases.emplace_back();
@@ -115,13 +113,13 @@ std::vector<MemberRow> read_members(hid_t file, const std::vector<CaseRow>& case
     const auto reason = hdf5::read_texts(file, "members/reason");
     const std::size_t count = reason.size();
     const auto last_case = static_cast<std::int32_t>(cases.size()) - 1;
-    const auto last_member = static_cast<std::int32_t>(count);  // there are at most as many arrangements
-    const auto case_index = read_numbers<std::int32_t>(file, "members/case", count, 0, last_case);
-    const auto arrangement = read_numbers<std::int32_t>(file, "members/arrangement", count, 0, last_member);
-    const auto status = read_numbers<std::int8_t>(file, "members/status", count, -1, 1);
-    const auto steady = read_numbers<std::int8_t>(file, "members/steady", count, -1, 1);
+    const auto last_row = static_cast<std::int32_t>(count) - 1;  // of /arrangements: each is some member's
+    const auto case_index = hdf5::read_numbers<std::int32_t>(file, "members/case", count, 0, last_case);
+    const auto arrangement = hdf5::read_numbers<std::int32_t>(file, "members/arrangement", count, 0, last_row);
+    const auto status = hdf5::read_numbers<std::int8_t>(file, "members/status", count, -1, 1);
+    const auto steady = hdf5::read_numbers<std::int8_t>(file, "members/steady", count, -1, 1);
     std::size_t width = 0;
-    const auto maxima = read_table<double>(file, "members/segment_maximum", count, width);
+    const auto maxima = hdf5::read_table<double>(file, "members/segment_maximum", count, width);
     std::vector<MemberRow> members(count);
     for (std::size_t k = 0; k < members.size(); ++k) {
         MemberRow& row = members[k];
@@ -139,7 +137,7 @@ std::vector<MemberRow> read_members(hid_t file, const std::vector<CaseRow>& case
     for (const Quantity& one : quantities) {
         const std::string name = fmt::format("members/{}", one.key);
         std::vector<double> values(members.size(), nan);
-        if (one.since == 0 || hdf5::exists(file, name)) values = read_column<double>(file, name, count);
+        if (one.since == 0 || hdf5::exists(file, name)) values = hdf5::read_column<double>(file, name, count);
         for (std::size_t k = 0; k < members.size(); ++k) one.place.set(members[k], values.at(k));
     }
     return members;
@@ -152,7 +150,7 @@ void read_levels(hid_t file, CampaignTable& table) {
     table.levels = hdf5::read_values<double>(file, "level");
     const auto width = static_cast<std::ptrdiff_t>(table.levels.size());
     const auto counts = [&](const char* name, std::vector<double> MemberRow::*field) {
-        const auto values = read_column<double>(file, name, table.members.size() * table.levels.size());
+        const auto values = hdf5::read_column<double>(file, name, table.members.size() * table.levels.size());
         auto first = values.begin();
         for (MemberRow& row : table.members) {
             (row.*field).assign(first, first + width);
@@ -168,7 +166,7 @@ void read_peaks(hid_t file, CampaignTable& table) {
     if (!hdf5::exists(file, "averaged/peaks")) return;  // before layout 1.6
     const std::size_t times = table.averaging_times.size();
     std::size_t width = 0;
-    const auto values = read_table<double>(file, "averaged/peaks", table.members.size() * times, width);
+    const auto values = hdf5::read_table<double>(file, "averaged/peaks", table.members.size() * times, width);
     for (std::size_t k = 0; k < table.members.size(); ++k) {
         for (std::size_t i = 0; i < times; ++i) {
             const auto first = values.begin() + static_cast<std::ptrdiff_t>((k * times + i) * width);
@@ -185,7 +183,7 @@ void read_averaged(hid_t file, CampaignTable& table) {
     const std::size_t times = table.averaging_times.size();
     const std::size_t count = table.members.size() * times;
     std::size_t width = 0;
-    const auto maxima = read_table<double>(file, "averaged/segment_maximum", count, width);
+    const auto maxima = hdf5::read_table<double>(file, "averaged/segment_maximum", count, width);
     for (std::size_t k = 0; k < table.members.size(); ++k) {
         MemberRow& row = table.members[k];
         const auto segments = table.cases.at(static_cast<std::size_t>(row.case_index)).analysis.segments;
@@ -198,7 +196,7 @@ void read_averaged(hid_t file, CampaignTable& table) {
     }
     for (const Quantity& one : quantities) {
         if (one.averaged == nullptr) continue;
-        const auto values = read_column<double>(file, fmt::format("averaged/{}", one.key), count);
+        const auto values = hdf5::read_column<double>(file, fmt::format("averaged/{}", one.key), count);
         for (std::size_t k = 0; k < table.members.size(); ++k)
             for (std::size_t i = 0; i < times; ++i)
                 table.members[k].averaged[i].*one.averaged = values.at(k * times + i);

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "campaign/read.hpp"
-#include "campaign_file/columns.hpp"
+#include "hdf5/columns.hpp"
 #include "quantities/member_outputs.hpp"
 
 namespace floes {
@@ -35,9 +35,7 @@ CampaignOrigin read_origin(const std::filesystem::path& path) {
         hdf5::check_read(H5Gopen2(file.id(), "provenance", H5P_DEFAULT), file.id(), "the group provenance"), H5Gclose,
         "H5Gopen", "provenance");
     CampaignOrigin origin;
-    const std::vector<std::string> texts = hdf5::read_texts(file.id(), "provenance/configuration");
-    check_count(file.id(), "provenance/configuration", texts.size(), 1);
-    origin.configuration = texts.front();
+    origin.configuration = hdf5::read_text(file.id(), "provenance/configuration");
     for (const char* name : told_facts) {
         if (hdf5::has_attribute(group.id(), name)) origin.facts.emplace_back(name, fact(group.id(), name));
     }
@@ -53,7 +51,7 @@ std::vector<PlanarPose> read_poses(const std::filesystem::path& path, int arrang
     const hdf5::Handle file = hdf5::open_for_reading(path);
     const auto rows = hdf5::read_values<double>(file.id(), "arrangements/psi4").size();
     std::size_t width = 0;
-    const auto values = read_table<double>(file.id(), "arrangements/pose", rows, width);
+    const auto values = hdf5::read_table<double>(file.id(), "arrangements/pose", rows, width);
     std::vector<PlanarPose> poses;
     if (arrangement_row < 0 || static_cast<std::size_t>(arrangement_row) >= rows) return poses;
     const std::size_t first = static_cast<std::size_t>(arrangement_row) * width;
@@ -74,10 +72,10 @@ std::vector<BreakRow> read_breaks(const std::filesystem::path& path) {
     const hdf5::Handle file = hdf5::open_for_reading(path);
     if (!hdf5::exists(file.id(), "breaks")) return {};
     const auto member = hdf5::read_values<std::int32_t>(file.id(), "breaks/member");
-    const auto time = read_column<double>(file.id(), "breaks/time", member.size());
-    const auto floe = read_column<std::int32_t>(file.id(), "breaks/floe", member.size());
-    const auto joint = read_column<std::int32_t>(file.id(), "breaks/joint", member.size());
-    const auto mode = read_numbers<std::int8_t>(file.id(), "breaks/mode", member.size(), 0, last_mode);
+    const auto time = hdf5::read_column<double>(file.id(), "breaks/time", member.size());
+    const auto floe = hdf5::read_column<std::int32_t>(file.id(), "breaks/floe", member.size());
+    const auto joint = hdf5::read_column<std::int32_t>(file.id(), "breaks/joint", member.size());
+    const auto mode = hdf5::read_numbers<std::int8_t>(file.id(), "breaks/mode", member.size(), 0, last_mode);
     std::vector<BreakRow> rows;
     for (std::size_t i = 0; i < member.size(); ++i)
         rows.push_back({member[i], time.at(i), floe.at(i), joint.at(i), mode.at(i)});

@@ -1,10 +1,11 @@
 #include "campaign_file/read_history.hpp"
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "campaign_file/campaign_table.hpp"
-#include "campaign_file/columns.hpp"
+#include "hdf5/columns.hpp"
 
 namespace floes {
 namespace {
@@ -13,7 +14,8 @@ namespace {
 std::vector<double> value_steps(hid_t file) {
     auto steps = hdf5::read_values<double>(file, "cases/time_step");
     if (!hdf5::exists(file, "cases/history_stride")) return steps;  // before layout 1.3
-    const auto strides = read_column<std::int32_t>(file, "cases/history_stride", steps.size());
+    const auto strides = hdf5::read_numbers<std::int32_t>(file, "cases/history_stride", steps.size(), 1,
+                                                          std::numeric_limits<std::int32_t>::max());
     for (std::size_t k = 0; k < steps.size(); ++k) steps[k] *= strides.at(k);
     return steps;
 }
@@ -28,7 +30,7 @@ void for_histories(const std::filesystem::path& path, const std::function<bool(i
     const std::vector<double> steps = value_steps(file.id());
     const auto status = hdf5::read_values<std::int8_t>(file.id(), "members/status");
     const auto last_case = static_cast<std::int32_t>(steps.size()) - 1;
-    const auto cases = read_numbers<std::int32_t>(file.id(), "members/case", status.size(), 0, last_case);
+    const auto cases = hdf5::read_numbers<std::int32_t>(file.id(), "members/case", status.size(), 0, last_case);
     hdf5::RowReader<double> rows(file.id(), name);
     for (std::size_t member = 0; member < status.size(); ++member) {
         if (static_cast<RowStatus>(status[member]) != RowStatus::done || !wanted(static_cast<int>(member))) continue;

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "campaign_file/campaign_table.hpp"
-#include "campaign_file/columns.hpp"
+#include "hdf5/columns.hpp"
 
 namespace floes {
 
@@ -15,9 +15,9 @@ void for_each_load_map(const std::filesystem::path& path, const std::function<vo
     hdf5::RowReader<double> surge(file.id(), "load_map/surge_load");
     hdf5::RowReader<double> normal(file.id(), "load_map/normal_force");
     hdf5::RowReader<double> along_tow(file.id(), "load_map/surge_load_along_tow");
-    check_count(file.id(), "load_map/surge_load", surge.width(), LoadMap::heights * LoadMap::angles);
-    check_count(file.id(), "load_map/normal_force", normal.width(), LoadMap::heights * LoadMap::angles);
-    check_count(file.id(), "load_map/surge_load_along_tow", along_tow.width(), LoadMap::parts);
+    hdf5::check_count(file.id(), "load_map/surge_load", surge.width(), LoadMap::heights * LoadMap::angles);
+    hdf5::check_count(file.id(), "load_map/normal_force", normal.width(), LoadMap::heights * LoadMap::angles);
+    hdf5::check_count(file.id(), "load_map/surge_load_along_tow", along_tow.width(), LoadMap::parts);
     const auto values = [](std::span<const double> row) { return std::vector(row.begin(), row.end()); };
     for (std::size_t member = 0; member < status.size(); ++member) {
         if (static_cast<RowStatus>(status[member]) != RowStatus::done) continue;

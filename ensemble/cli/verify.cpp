@@ -15,7 +15,7 @@
 namespace floes {
 namespace {
 
-constexpr const char* state_words[]{"good", "damaged", "not of floes"};
+constexpr const char* state_words[]{"good", "damaged", "not of floes", "of a newer floes"};
 
 const char* state_word(const FileVerdict& verdict) {
     return state_words[static_cast<std::size_t>(verdict.state)];
@@ -59,7 +59,7 @@ int verify(const std::vector<std::string>& files, const std::string& format) {
     }
     if (format == "json") std::fputs(json_of(verdicts).c_str(), stdout);
     const auto any = [&](FileState state) { return std::ranges::count(verdicts, state, &FileVerdict::state) > 0; };
-    return any(FileState::damaged) ? 1 : any(FileState::not_of_floes) ? 2 : 0;
+    return any(FileState::damaged) ? 1 : any(FileState::not_of_floes) || any(FileState::newer) ? 2 : 0;
 }
 
 }  // namespace
@@ -77,7 +77,9 @@ void add_verify(CLI::App& program, int& exit_status) {
     verb->add_option("--format", options->format, "table or json")
         ->check(CLI::IsMember({"table", "json"}))
         ->capture_default_str();
-    verb->footer("Exit status: 0 all good, 1 one is damaged, 2 none is damaged but one is no file of floes.");
+    verb->footer(
+        "Exit status: 0 all good, 1 one is damaged, 2 none is damaged but one is no file of floes, or of a\nnewer "
+        "one.");
     verb->callback([options, &exit_status] { exit_status = verify(options->files, options->format); });
 }
 

@@ -47,43 +47,6 @@ std::string whole_members(const hdf5::FileCheck& check) {
     return "It does not show which members are whole, so no number of it should be used.";
 }
 
-/// What makes a campaign file again.
-std::string campaign_remedy(const std::filesystem::path& path) {
-    const std::filesystem::path journal = journal_path(path);
-    const std::string otherwise = "restore it from a copy, or compute it again.";
-    if (!std::filesystem::exists(journal)) return fmt::format("There is no journal beside it: {}", otherwise);
-    const FileVerdict beside = verify_file(journal);
-    if (beside.counts.empty()) return fmt::format("Its journal is damaged as well: {}", otherwise);
-    return fmt::format(
-        "floes run CONFIG.toml -o {} --resume makes it anew from its journal{}.", path.string(),
-        beside.state == FileState::good ? ", which is whole" : ", and computes again what is damaged there");
-}
-
-void verify_hdf5(const std::filesystem::path& path, FileVerdict& verdict) {
-    const hdf5::FileCheck check = hdf5::check_file(path);
-    const bool is_record = check.filetype == "floes replay";
-    if (check.filetype == "floes campaign" || is_record) verdict.kind = is_record ? "record" : "campaign file";
-    if (verdict.kind.empty() && check.fault.empty()) {
-        verdict.state = FileState::not_of_floes;
-        verdict.faults.push_back("It is an HDF5 file, but neither a campaign nor a record of floes.");
-        return;
-    }
-    verdict.counts = counted(static_cast<std::int64_t>(check.datasets), "dataset");
-    verdict.digest = check.contents;
-    if (!check.has_digests && check.fault.empty())
-        verdict.notes.push_back(fmt::format(
-            "Layout {} carries no digests: what HDF5 itself checks is whole, but a changed number would not show.",
-            check.version));
-    if (check.good()) return;
-    verdict.state = FileState::damaged;
-    if (!check.fault.empty()) verdict.faults.push_back(fmt::format("The file: {}.", check.fault));
-    for (const hdf5::DamagedDataset& one : check.damaged)
-        verdict.faults.push_back(fmt::format(
-            "{}{}.", one.fault, one.rows.empty() ? "" : fmt::format("; rows {}", fmt::join(one.rows, ", "))));
-    if (!is_record) verdict.whole = whole_members(check);
-    verdict.remedy = is_record ? "floes replay makes the record anew." : campaign_remedy(path);
-}
-
 /// The bytes behind the last whole record of a journal.
 void judge_tail(const std::filesystem::path& path, const JournalContents& contents, FileVerdict& verdict) {
     if (contents.torn_bytes == 0) return;
@@ -115,11 +78,55 @@ void verify_journal(const std::filesystem::path& path, FileVerdict& verdict) {
         if (verdict.faults.empty()) return;
         verdict.whole = fmt::format("{} in it are whole.", counted(std::ssize(contents.members), "member"));
         verdict.remedy = "floes run with --resume keeps these, and computes the members in the damaged parts again.";
+    } catch (const journal_format::NewerJournal& error) {
+        verdict.faults.push_back(error.what());
+        verdict.state = FileState::newer;
+        return;
     } catch (const std::runtime_error& error) {
         verdict.faults.push_back(error.what());
         verdict.remedy = "Restore it from a copy.";
     }
     verdict.state = FileState::damaged;
+}
+
+/// What makes a campaign file again.
+std::string campaign_remedy(const std::filesystem::path& path) {
+    const std::filesystem::path journal = journal_path(path);
+    const std::string otherwise = "restore it from a copy, or compute it again.";
+    if (!std::filesystem::exists(journal)) return fmt::format("There is no journal beside it: {}", otherwise);
+    FileVerdict beside;
+    verify_journal(journal, beside);
+    if (beside.counts.empty()) return fmt::format("Its journal is damaged as well: {}", otherwise);
+    return fmt::format(
+        "floes run CONFIG.toml -o {} --resume makes it anew from its journal{}.", path.string(),
+        beside.state == FileState::good ? ", which is whole" : ", and computes again what is damaged there");
+}
+
+void verify_hdf5(const std::filesystem::path& path, FileVerdict& verdict) {
+    const hdf5::FileCheck check = hdf5::check_file(path);
+    const bool is_record = check.filetype == "floes replay";
+    if (check.filetype == "floes campaign" || is_record) verdict.kind = is_record ? "record" : "campaign file";
+    if (verdict.kind.empty() && check.fault.empty()) {
+        verdict.state = FileState::not_of_floes;
+        verdict.faults.push_back("It is an HDF5 file, but neither a campaign nor a record of floes.");
+        return;
+    }
+    verdict.counts = counted(static_cast<std::int64_t>(check.datasets), "dataset");
+    verdict.digest = check.contents;
+    if (!check.has_digests && check.fault.empty())
+        verdict.notes.push_back(fmt::format(
+            "Layout {} carries no digests: what HDF5 itself checks is whole, but a changed number would not show.",
+            check.version));
+    if (check.good()) return;
+    verdict.state = FileState::damaged;
+    if (!check.fault.empty()) verdict.faults.push_back(fmt::format("The file: {}.", check.fault));
+    if (!check.between.empty())
+        verdict.faults.push_back(fmt::format("Outside all that is stored in it, {}.", check.between));
+    for (const hdf5::DamagedDataset& one : check.damaged)
+        verdict.faults.push_back(fmt::format(
+            "{}{}.", one.fault, one.rows.empty() ? "" : fmt::format("; rows {}", fmt::join(one.rows, ", "))));
+    if (!is_record) verdict.whole = whole_members(check);
+    verdict.remedy = is_record ? "Remove it; floes replay makes it anew." : campaign_remedy(path);
 }
 
 }  // namespace

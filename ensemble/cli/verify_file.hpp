@@ -8,7 +8,7 @@
 
 namespace floes {
 
-enum class FileState { good, damaged, not_of_floes };
+enum class FileState { good, damaged, not_of_floes, newer };
 
 struct FileVerdict {
     std::string file;
@@ -22,7 +22,7 @@ struct FileVerdict {
     std::string remedy;               ///< a sentence: what to do
 };
 
-/// Reads the whole file once. Nothing is thrown for what is wrong with it.
+/// Reads the whole file. Nothing is thrown for what is wrong with it.
 FileVerdict verify_file(const std::filesystem::path& path);
 
 }  // namespace floes

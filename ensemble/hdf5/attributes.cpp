@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "hdf5/damage.hpp"
@@ -95,7 +96,9 @@ std::vector<std::int32_t> read_int_attribute(hid_t object, const std::string& na
 std::vector<std::string> attribute_names(hid_t object) {
     std::vector<std::string> names;
     hsize_t at = 0;
-    check_read(H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, &at, keep_name, &names), object, "its attributes");
+    // Ordered here: HDF5 may free what it has not read where it orders those of a damaged file.
+    check_read(H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_NATIVE, &at, keep_name, &names), object, "its attributes");
+    std::ranges::sort(names);
     return names;
 }
 

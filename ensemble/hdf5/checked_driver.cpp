@@ -7,6 +7,10 @@
 
 #include "hdf5/pages.hpp"
 
+#if H5_VERS_MAJOR > 1 || H5_VERS_MINOR >= 13
+#include <H5FDdevelop.h>
+#endif
+
 namespace floes::hdf5 {
 namespace {
 

@@ -23,15 +23,17 @@ Handle open_object(hid_t file, const std::string& path) {
     return Handle(check_read(H5Oopen(file, path.c_str(), H5P_DEFAULT), file, path), H5Oclose, "H5Oopen", path);
 }
 
-std::string link_name(hid_t group, hsize_t number, const std::string& path) {
-    const auto get = [&](char* text, std::size_t size) {
-        return check_read(H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, number, text, size, H5P_DEFAULT),
-                          group, path);
-    };
-    std::string name(static_cast<std::size_t>(get(nullptr, 0)) + 1, '\0');
-    get(name.data(), name.size());
-    name.pop_back();
-    return name;
+herr_t add_name(hid_t, const char* name, const H5L_info_t*, void* names) {
+    static_cast<std::vector<std::string>*>(names)->emplace_back(name);
+    return 0;
+}
+
+/// Ordered here: HDF5 may free what it has not read where it orders the links of a damaged group.
+std::vector<std::string> link_names(hid_t group, const std::string& path) {
+    std::vector<std::string> names;
+    check_read(H5Literate(group, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, add_name, &names), group, path);
+    std::ranges::sort(names);
+    return names;
 }
 
 void visit_readable(hid_t file, const std::string& path, int depth, Paths& found);
@@ -51,12 +53,8 @@ void visit_readable(hid_t file, const std::string& path, int depth, Paths& found
     if (H5Iget_type(object.id()) == H5I_DATASET) return found.datasets.push_back(path);
     if (H5Iget_type(object.id()) != H5I_GROUP) return;
     found.groups.push_back(path);
-    H5G_info_t info;
-    check_read(H5Gget_info(object.id(), &info), file, path);
-    for (hsize_t number = 0; number < info.nlinks; ++number) {
-        const std::string name = link_name(object.id(), number, path);
+    for (const std::string& name : link_names(object.id(), path))
         visit(file, path == "/" ? path + name : path + "/" + name, depth + 1, found);
-    }
 }
 
 void add_attribute(hid_t object, const std::string& name, StreamingDigest& digest) {
@@ -89,7 +87,7 @@ Paths paths_of(hid_t file) {
 
 ContentsDigests contents_digests(hid_t file) {
     const Paths paths = paths_of(file);
-    for (const std::string& path : paths.unreadable) refuse_damaged(file, fmt::format("{} cannot be read", path));
+    if (!paths.unreadable.empty()) refuse_damaged(file, fmt::format("{} cannot be read", paths.unreadable.front()));
     StreamingDigest contents;
     StreamingDigest provenance;
     for (const std::vector<std::string>* all : {&paths.groups, &paths.datasets}) {

@@ -90,10 +90,15 @@ bool CheckedPages::read(std::uint64_t at, std::span<std::byte> to) {
     if (to.empty()) return true;
     const std::uint64_t first = at / page_bytes;
     const std::uint64_t begin = first * page_bytes;
-    fault_ = fmt::format("bytes {} to {} lie behind its end", at, at + to.size() - 1);
-    if (at > size_ || to.size() > size_ - at) return false;
+    if (at > size_ || to.size() > size_ - at) {
+        fault_ = fmt::format("bytes {} to {} lie behind its end", at, at + to.size() - 1);
+        return false;
+    }
     pages_.resize(std::min(pages_in(at + to.size()) * page_bytes, size_) - begin);
-    if (!read_at(file_, path_, begin, pages_)) return false;
+    if (!read_at(file_, path_, begin, pages_)) {
+        fault_ = fmt::format("it ends before byte {}", begin + pages_.size());
+        return false;
+    }
     std::ranges::copy(std::span(pages_).subspan(at - begin, to.size()), to.begin());
     for (std::uint64_t k = 0; k < pages_in(pages_.size()); ++k) {
         if (good_[first + k]) continue;
@@ -105,6 +110,15 @@ bool CheckedPages::read(std::uint64_t at, std::span<std::byte> to) {
         return false;
     }
     return true;
+}
+
+std::string CheckedPages::first_fault() {
+    Bytes bytes;
+    for (std::uint64_t at = 0; at < size_; at += at_once) {
+        bytes.resize(std::min(at_once, size_ - at));
+        if (!read(at, bytes)) return fault_;
+    }
+    return "";
 }
 
 }  // namespace floes::hdf5

@@ -35,6 +35,8 @@ class CheckedPages {
     bool read(std::uint64_t at, std::span<std::byte> to);
     /// The first page that the last read() found damaged, as "bytes 4096 to 4607 are not those that were written".
     const std::string& fault() const { return fault_; }
+    /// Reads all pages: fault() of the first damaged one, empty where all are good.
+    std::string first_fault();
 
   private:
     CheckedPages(Descriptor file, std::filesystem::path path, std::uint64_t size, std::vector<std::uint32_t> digests);

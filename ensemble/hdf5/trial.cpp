@@ -1,6 +1,7 @@
 #include "hdf5/trial.hpp"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -14,7 +15,8 @@
 namespace floes::hdf5 {
 namespace {
 
-constexpr unsigned longest = 10;  // s
+constexpr rlim_t longest = 10;          // s of the processor: a slow disk is no fault of the file
+constexpr unsigned longest_wait = 600;  // s
 
 void read_structure(const std::filesystem::path& path) {
     const Handle access = access_without_locks();
@@ -36,7 +38,11 @@ void try_out(const std::filesystem::path& path) {
     const pid_t child = ::fork();
     if (child < 0) return;  // then without
     if (child == 0) {
-        ::alarm(longest);
+        const rlimit processor{longest, longest};
+        const rlimit no_core{0, 0};
+        ::setrlimit(RLIMIT_CPU, &processor);
+        ::setrlimit(RLIMIT_CORE, &no_core);
+        ::alarm(longest_wait);
         ::close(STDERR_FILENO);  // what a crash would print
         try {
             read_structure(path);

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/error.hpp"
 #include "hdf5/attributes.hpp"
 #include "hdf5/contents.hpp"
 #include "hdf5/damage.hpp"
 #include "hdf5/digest.hpp"
+#include "hdf5/pages.hpp"
 #include "hdf5/read.hpp"
 #include "hdf5/stored.hpp"
 
@@ -39,6 +41,8 @@ void check_dataset(hid_t file, const std::string& path, FileCheck& check) {
         const std::string& fault = damage.fault();
         one.fault = fault.find(path) == std::string::npos ? fmt::format("{}: {}", path, fault) : fault;
         if (one.by_rows) one.rows = unreadable_rows(file, path);
+    } catch (const RunError& error) {  // of the disk
+        one.fault = error.what();
     }
     if (!one.fault.empty()) check.damaged.push_back(std::move(one));
 }
@@ -67,8 +71,13 @@ FileCheck check_file(const std::filesystem::path& path) {
     try {
         const Handle file = open_for_reading(path);
         check_contents(file.id(), check);
+        // HDF5 does not read every byte: what lies between its objects, for one.
+        if (check.good())
+            if (std::optional<CheckedPages> pages = CheckedPages::open(path)) check.between = pages->first_fault();
     } catch (const DamagedFile& damage) {
         check.fault = damage.fault();
+    } catch (const RunError& error) {
+        check.fault = error.what();
     }
     return check;
 }

@@ -23,12 +23,13 @@ struct FileCheck {
     std::string contents;      ///< the digest over all outside /provenance, as written
     std::string fault;         ///< of the file as a whole; empty where there is none
     std::vector<DamagedDataset> damaged;
+    std::string between;  ///< fault of bytes that belong to none of what is stored, where all that is fits its digests
 
-    bool good() const { return fault.empty() && damaged.empty(); }
+    bool good() const { return fault.empty() && damaged.empty() && between.empty(); }
 };
 
-/// Reads the whole file once. What cannot be read is in the answer; throws InputError only where there is no such file
-/// or it is no HDF5 file.
+/// Reads the whole file. What cannot be read is in the answer; throws InputError only where there is no such file or it
+/// is no HDF5 file.
 FileCheck check_file(const std::filesystem::path& path);
 
 }  // namespace floes::hdf5

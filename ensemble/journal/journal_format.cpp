@@ -62,7 +62,7 @@ std::uint64_t check_fixed_header(std::span<const std::byte> bytes, const std::fi
     const std::uint64_t length = in.u64();
     const bool whole = crc_is_right(bytes);
     if (whole && found > schema)
-        throw InputError(
+        throw NewerJournal(
             fmt::format("{} is a journal of schema {}, and this program knows schemas up to {}. Use the "
                         "version of floes that wrote it, or a newer one.",
                         path.string(), found, schema));

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "core/bytes.hpp"
+#include "core/error.hpp"
 #include "journal/journal_contents.hpp"
 #include "records/file_calls.hpp"
 
@@ -32,6 +33,12 @@ enum class RecordType : std::uint32_t {
     attempt_started = 5,
     campaign = 6,
     member = 7
+};
+
+/// A whole journal, of a schema that only a newer floes reads.
+class NewerJournal : public InputError {
+  public:
+    using InputError::InputError;
 };
 
 std::uint32_t crc32c(std::span<const std::byte> bytes);

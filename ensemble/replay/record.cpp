@@ -8,8 +8,7 @@
 
 #include "campaign/read.hpp"
 #include "core/error.hpp"
-#include "hdf5/damage.hpp"
-#include "hdf5/read.hpp"
+#include "hdf5/columns.hpp"
 #include "replay/record_kind.hpp"
 
 namespace floes {
@@ -20,12 +19,6 @@ FloeGrid grid_of(const RecordSubject& subject) {
     return {floe.elements_long(), floe.elements_broad(), floe.element};
 }
 
-/// A record whose datasets do not belong together was damaged.
-void check_count(hid_t file, const char* name, std::size_t found, std::size_t wanted) {
-    if (found != wanted)
-        hdf5::refuse_damaged(file, fmt::format("{} has {} values where {} belong", name, found, wanted));
-}
-
 RecordSubject read_subject(hid_t file) {
     RecordSubject subject;
     subject.campaign = hdf5::read_text_attribute(file, "campaign");
@@ -33,30 +26,28 @@ RecordSubject read_subject(hid_t file) {
     subject.case_name = hdf5::read_text_attribute(file, "case");
     subject.member = hdf5::read_int_attribute(file, "member").at(0);
     subject.arrangement = hdf5::read_int_attribute(file, "arrangement").at(0);
-    const std::vector<std::string> texts = hdf5::read_texts(file, "configuration");
-    check_count(file, "configuration", texts.size(), 1);
-    subject.configuration = texts.front();
+    subject.configuration = hdf5::read_text(file, "configuration");
     subject.scenario = read_campaign({subject.configuration, "its configuration", {}}, nullptr).cases.at(0).scenario;
     return subject;
 }
 
-RecordOutcome read_outcome(hid_t file, int joints_each) {
+/// Of `floes` floes.
+RecordOutcome read_outcome(hid_t file, const RecordSubject& subject, int floes) {
     RecordOutcome outcome;
     outcome.history.surge = hdf5::read_values<double>(file, "history/surge_load");
-    outcome.history.sway = hdf5::read_values<double>(file, "history/sway_load");
-    outcome.history.heave = hdf5::read_values<double>(file, "history/heave_load");
-    const auto time = hdf5::read_values<double>(file, "joints/failure_time");
-    const auto mode = hdf5::read_values<std::int8_t>(file, "joints/failure_mode");
-    check_count(file, "joints/failure_mode", mode.size(), time.size());
-    check_count(file, "history/sway_load", outcome.history.sway.size(), outcome.history.surge.size());
-    check_count(file, "history/heave_load", outcome.history.heave.size(), outcome.history.surge.size());
-    for (std::size_t k = 0; k < time.size(); ++k) {
+    const std::size_t steps = outcome.history.surge.size();
+    outcome.history.sway = hdf5::read_column<double>(file, "history/sway_load", steps);
+    outcome.history.heave = hdf5::read_column<double>(file, "history/heave_load", steps);
+    const int each = static_cast<int>(joints_of(subject, 1).size());
+    const auto joints = static_cast<std::size_t>(each) * static_cast<std::size_t>(floes);
+    const auto time = hdf5::read_column<double>(file, "joints/failure_time", joints);
+    const auto last_mode = static_cast<std::int8_t>(std::size(failure_mode_names) - 1);
+    const auto mode = hdf5::read_numbers<std::int8_t>(file, "joints/failure_mode", joints, -1, last_mode);
+    for (std::size_t k = 0; k < joints; ++k) {
         if (std::isnan(time[k])) continue;
         const auto joint = static_cast<int>(k);
-        if (mode[k] < 0 || mode[k] >= static_cast<int>(std::size(failure_mode_names)))
-            hdf5::refuse_damaged(file, "joints/failure_mode has a mode that there is not");
-        outcome.breaks.push_back(
-            {time[k], joint / joints_each, joint % joints_each, static_cast<FailureMode>(mode.at(k))});
+        if (mode[k] < 0) hdf5::refuse_damaged(file, "joints/failure_mode has no mode for a joint that failed");
+        outcome.breaks.push_back({time[k], joint / each, joint % each, static_cast<FailureMode>(mode[k])});
     }
     std::ranges::stable_sort(outcome.breaks, {}, &BreakEvent::time);
     return outcome;
@@ -111,8 +102,10 @@ class Record::File {
         : file_(opened(path)), elements_(file_.id()), contacts_(file_.id()) {
         subject = read_subject(file_.id());
         elements = static_cast<int>(hdf5::read_values<std::int32_t>(file_.id(), "ice/floe").size());
+        if (elements % elements_of_a_floe(subject) != 0)
+            hdf5::refuse_damaged(file_.id(), "ice/floe has a floe that is not whole");
         times = hdf5::read_values<double>(file_.id(), "time");
-        outcome = read_outcome(file_.id(), std::max(1, static_cast<int>(joints_of(subject, 1).size())));
+        outcome = read_outcome(file_.id(), subject, elements / elements_of_a_floe(subject));
         step_ = hdf5::read_values<std::int32_t>(file_.id(), "frames/step");
         structure_ = hdf5::read_values<double>(file_.id(), "frames/structure");
         surge_ = hdf5::read_values<double>(file_.id(), "frames/surge_load");
@@ -175,17 +168,16 @@ class Record::File {
 
     void check_sizes() const {
         const auto count = static_cast<std::size_t>(elements);
-        check_count(file_.id(), "ice/floe", count % static_cast<std::size_t>(elements_of_a_floe(subject)), 0);
-        check_count(file_.id(), "frames/position", elements_.position.width(), 3 * count);
-        check_count(file_.id(), "frames/orientation", elements_.orientation.width(), 4 * count);
-        check_count(file_.id(), "frames/velocity", elements_.velocity.width(), 3 * count);
-        check_count(file_.id(), "frames/utilisation", elements_.utilisation.width(), count);
-        check_count(file_.id(), "frames/piece", elements_.piece.width(), count);
+        hdf5::check_count(file_.id(), "frames/position", elements_.position.width(), 3 * count);
+        hdf5::check_count(file_.id(), "frames/orientation", elements_.orientation.width(), 4 * count);
+        hdf5::check_count(file_.id(), "frames/velocity", elements_.velocity.width(), 3 * count);
+        hdf5::check_count(file_.id(), "frames/utilisation", elements_.utilisation.width(), count);
+        hdf5::check_count(file_.id(), "frames/piece", elements_.piece.width(), count);
         for (const hdf5::RowReader<float>* one : {&contacts_.point, &contacts_.normal, &contacts_.friction})
-            check_count(file_.id(), "a vector of contacts", one->width(), 3);
+            hdf5::check_count(file_.id(), "a vector of contacts", one->width(), 3);
         for (const std::size_t found : {step_.size(), structure_.size(), surge_.size(), sway_.size(), heave_.size(),
                                         first_contact_.size(), contact_count_.size()})
-            check_count(file_.id(), "a number of frames", found, times.size());
+            hdf5::check_count(file_.id(), "a number of frames", found, times.size());
     }
 
     void read_elements(std::size_t number, Frame& frame) {

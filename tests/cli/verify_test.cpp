@@ -10,6 +10,7 @@
 #include "cli/verify_file.hpp"
 #include "core/error.hpp"
 #include "journal/journal.hpp"
+#include "journal/journal_format.hpp"
 #include "support/file_bytes.hpp"
 #include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
@@ -75,6 +76,39 @@ TEST_F(Verify, SaysWhatIsDamagedAndHowToMakeItAnew) {
                 HasSubstr("--resume makes it anew from its journal, which is whole"));
     std::filesystem::remove(journal_);
     EXPECT_THAT(verify(file_.string()).first, HasSubstr("There is no journal beside it"));
+}
+
+// Also between what HDF5 stores, and where HDF5 passes a damaged byte on.
+TEST_F(Verify, NoticesAFlippedByteOfEveryPage) {
+    const Bytes whole = file_bytes(file_);
+    std::filesystem::remove(journal_);
+    for (std::size_t k = 77; k < whole.size(); k += 512) {
+        Bytes bytes = whole;
+        bytes[k] ^= std::byte{1};
+        write_file_bytes(file_, bytes);
+        EXPECT_EQ(verify_file(file_).state, FileState::damaged) << k;
+    }
+}
+
+TEST_F(Verify, EndsForADamagedFileUnderTheNameOfAJournal) {
+    Bytes bytes = file_bytes(file_);
+    bytes[bytes.size() / 2] ^= std::byte{1};
+    write_file_bytes(journal_, bytes);
+    const FileVerdict verdict = verify_file(journal_);
+    EXPECT_EQ(verdict.state, FileState::damaged);
+    EXPECT_THAT(verdict.remedy, HasSubstr("Its journal is damaged as well"));
+}
+
+TEST_F(Verify, CallsAJournalOfANewerFloesNeitherGoodNorDamaged) {
+    Bytes bytes = file_bytes(journal_);
+    bytes[8] = std::byte{journal_format::schema + 1};
+    const std::uint32_t crc = journal_format::crc32c(std::span(bytes).first(journal_format::fixed_header_bytes - 4));
+    for (int k = 0; k < 4; ++k) bytes[20 + static_cast<std::size_t>(k)] = static_cast<std::byte>(crc >> 8 * k);
+    write_file_bytes(journal_, bytes);
+    const auto [text, status] = verify(journal_.string());
+    EXPECT_EQ(status, 2);
+    EXPECT_THAT(text, HasSubstr("a.journal: of a newer floes, journal\n  "));
+    EXPECT_THAT(text, HasSubstr("Use the version of floes that wrote it"));
 }
 
 TEST_F(Verify, TellsATornJournalFromADamagedOne) {

@@ -9,7 +9,7 @@ endfunction()
 
 if(TARGET floes)
   set(release_tests ${CMAKE_CURRENT_SOURCE_DIR}/release)
-  foreach(script third_party versions recipes)
+  foreach(script versions recipes)
     floes_release_test(${script} LABELS default TIMEOUT 120
       COMMAND /usr/bin/python3 ${release_tests}/${script}.py ${PROJECT_SOURCE_DIR} $<TARGET_FILE:floes>)
   endforeach()
@@ -21,7 +21,7 @@ if(TARGET floes)
     floes_release_test(install LABELS default TIMEOUT 120
       COMMAND bash ${release_tests}/install.sh ${PROJECT_BINARY_DIR} ${PROJECT_SOURCE_DIR})
     floes_release_test(scripts LABELS default TIMEOUT 60
-      COMMAND shellcheck install.sh debian_root.sh old_processor.sh
+      COMMAND shellcheck -x install.sh debian_root.sh old_processor.sh
               ${PROJECT_SOURCE_DIR}/pbs/campaign.pbs ${PROJECT_SOURCE_DIR}/lsf/campaign.lsf)
     set_tests_properties(release.scripts PROPERTIES WORKING_DIRECTORY ${release_tests})
     floes_release_test(debian_root LABELS slow TIMEOUT 1800
@@ -29,7 +29,10 @@ if(TARGET floes)
   endif()
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND CMAKE_BUILD_TYPE STREQUAL "Release")
     floes_release_test(old_processor LABELS slow TIMEOUT 300
-      COMMAND bash ${release_tests}/old_processor.sh $<TARGET_FILE:floes>)
+      COMMAND bash ${release_tests}/old_processor.sh $<TARGET_FILE:floes> ${MPIEXEC_EXECUTABLE})
+    # Not in builds with sanitizers, which load libraries of their own.
+    floes_release_test(third_party LABELS default TIMEOUT 120
+      COMMAND /usr/bin/python3 ${release_tests}/third_party.py ${PROJECT_SOURCE_DIR} $<TARGET_FILE:floes>)
     floes_release_test(kernels LABELS default TIMEOUT 120
       COMMAND /usr/bin/python3 ${release_tests}/kernels.py ${PROJECT_BINARY_DIR} $<TARGET_FILE:floes>)
   endif()

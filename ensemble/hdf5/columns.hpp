@@ -1,6 +1,6 @@
 #pragma once
-// Columns of a campaign file with as many values as they should have. Files with digests always have; older ones may
-// have been damaged unseen. For this room only.
+// Datasets with as many values as they should have, each of which there is. Files with digests always have; older ones
+// may have been damaged unseen. Only for sources of rooms with HDF5 files of their own.
 
 #include <fmt/format.h>
 
@@ -10,17 +10,16 @@
 #include "hdf5/damage.hpp"
 #include "hdf5/read.hpp"
 
-namespace floes {
+namespace floes::hdf5 {
 
 inline void check_count(hid_t file, const std::string& name, std::size_t found, std::size_t wanted) {
-    if (found != wanted)
-        hdf5::refuse_damaged(file, fmt::format("{} has {} values where {} belong", name, found, wanted));
+    if (found != wanted) refuse_damaged(file, fmt::format("{} has {} values where {} belong", name, found, wanted));
 }
 
 /// Throws RunError unless there are `count` values.
 template <class Value>
 std::vector<Value> read_column(hid_t file, const std::string& name, std::size_t count) {
-    std::vector<Value> values = hdf5::read_values<Value>(file, name);
+    std::vector<Value> values = read_values<Value>(file, name);
     check_count(file, name, values.size(), count);
     return values;
 }
@@ -31,17 +30,24 @@ std::vector<Value> read_numbers(hid_t file, const std::string& name, std::size_t
     std::vector<Value> values = read_column<Value>(file, name, count);
     for (const Value value : values)
         if (value < least || value > most)
-            hdf5::refuse_damaged(file, fmt::format("{} has the value {}, which there is not", name, value));
+            refuse_damaged(file, fmt::format("{} has the value {}, which there is not", name, value));
     return values;
+}
+
+/// Of a single text.
+inline std::string read_text(hid_t file, const std::string& name) {
+    const std::vector<std::string> texts = read_texts(file, name);
+    check_count(file, name, texts.size(), 1);
+    return texts.front();
 }
 
 /// Values of `rows` rows, each as wide as the others; none where there are no rows.
 template <class Value>
 std::vector<Value> read_table(hid_t file, const std::string& name, std::size_t rows, std::size_t& width) {
-    std::vector<Value> values = hdf5::read_values<Value>(file, name);
+    std::vector<Value> values = read_values<Value>(file, name);
     width = rows == 0 ? 0 : values.size() / rows;
     check_count(file, name, values.size(), rows * width);
     return values;
 }
 
-}  // namespace floes
+}  // namespace floes::hdf5
