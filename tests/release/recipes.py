@@ -80,6 +80,9 @@ def faults(project, program):
     spack = ast.parse((project / "packaging/spack/package.py").read_text(encoding="utf-8"))
     if not any(isinstance(node, ast.ClassDef) and node.name == "Floes" for node in spack.body):
         yield "packaging/spack/package.py has no class Floes"
+    called = {node.func.id for node in ast.walk(spack) if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)}
+    if not {"version", "license", "generator"} <= called:
+        yield f"packaging/spack/package.py lacks a directive; it has {sorted(called)}"
     # conda-build fills in the templates first; the selectors behind # are comments of YAML.
     meta = re.sub(r"\{\{.*?\}\}", "compiler", (project / "packaging/conda/recipe/meta.yaml").read_text(encoding="utf-8"))
     recipe = yaml.safe_load(meta)
