@@ -1,5 +1,5 @@
-# floes_build_info(TARGET): gives the room records/build_facts.hpp (what was configured) and records/git_revision.hpp (looked
-# up at every build, written only when it changed, so that nothing is compiled for nothing).
+# floes_build_info(TARGET): gives the room records/build_facts.hpp (what was configured) and records/git_revision.hpp
+# (looked up at every build, written only when it changed, so that nothing is compiled for nothing).
 function(floes_build_info target)
   if(NOT TARGET ${target})
     return()

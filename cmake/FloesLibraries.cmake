@@ -1,4 +1,5 @@
-# Every foreign library the project uses: all are in Debian 12 (packages.txt), and other systems have them by other names.
+# Every foreign library that the project uses. All are in Debian 12 (packages.txt); other systems may name them
+# otherwise.
 find_package(PkgConfig REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(fmt REQUIRED)
@@ -14,7 +15,8 @@ find_package(ZLIB REQUIRED)
 # double precision, which is called bullet where it was built so.
 pkg_search_module(bullet REQUIRED IMPORTED_TARGET bullet-float64 bullet)
 if(NOT bullet_CFLAGS MATCHES "BT_USE_DOUBLE_PRECISION")
-  message(FATAL_ERROR "This Bullet computes in single precision; build it with USE_DOUBLE_PRECISION=ON (docs/clusters.md).")
+  message(FATAL_ERROR "This Bullet computes in single precision; build it with USE_DOUBLE_PRECISION=ON "
+                      "(docs/clusters.md).")
 endif()
 pkg_search_module(hdf5 REQUIRED IMPORTED_TARGET hdf5-serial hdf5)
 pkg_check_modules(nlopt REQUIRED IMPORTED_TARGET nlopt)

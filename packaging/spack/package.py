@@ -4,14 +4,15 @@ from spack.package import *
 class Floes(CMakePackage):
     """Ensembles of the ice load on a structure that is towed through managed ice floes."""
 
-    # `spack install floes` from a checkout: spack dev-build floes@1.0.0, in the folder of floes.
-    maintainers = ["floes"]
-    license = "BSD-3-Clause"
+    # Not in Spack's own repository and without an address to fetch it from: docs/install.md says how to build with it.
+    license("BSD-3-Clause")
 
     version("1.0.0")
 
+    generator("ninja")
+
+    depends_on("cxx", type="build")
     depends_on("cmake@3.22:", type="build")
-    depends_on("ninja", type="build")
     depends_on("pkgconfig", type="build")
     depends_on("bullet3+double_precision")
     depends_on("eigen@3.4:")
@@ -31,8 +32,6 @@ class Floes(CMakePackage):
 
     # three.js, which pages of replays contain, is no package of Spack: a file three.min.js of release 111.
     variant("three", default="", values=str, description="Where three.min.js lies")
-
-    generator = "Ninja"
 
     def cmake_args(self):
         return [

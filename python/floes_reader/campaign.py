@@ -44,7 +44,8 @@ class Campaign:
             return f"<campaign {self.title}, closed>"
         status = self._members.status
         done, failed = ((status == word).sum() for word in ("done", "failed"))
-        return f"<campaign {self.title}: {len(status)} members in {len(self._cases)} cases, {done} done, {failed} failed>"
+        return (f"<campaign {self.title}: {len(status)} members in {len(self._cases)} cases, "
+                f"{done} done, {failed} failed>")
 
     # -- members and cases
 

@@ -1,4 +1,4 @@
-"""An open HDF5 file, checked as it is read. No other file of the package touches h5py."""
+"""Reads the HDF5 file, and checks it while reading. This is the only module of the package that uses h5py."""
 
 import contextlib
 import os
@@ -11,23 +11,23 @@ import h5py
 import numpy
 import xarray
 
-LAYOUT = (1, 8)  # of campaign files (docs/campaign_file.md), up to which this reader knows them
+LAYOUT = (1, 8)  # the newest layout of campaign files that this reader knows (docs/campaign_file.md)
 GROUPS = {"arrangements", "averaged", "breaks", "calibration", "cases", "exceedance", "history", "load_map", "members",
-          "provenance"}  # of that layout
+          "provenance"}  # those of that layout
 FILETYPE = "floes campaign"
-BAD = (OSError, RuntimeError, KeyError, ValueError, TypeError, AttributeError)  # of h5py, where it cannot read
+BAD = (OSError, RuntimeError, KeyError, ValueError, TypeError, AttributeError)  # what h5py raises over damaged data
 
 
 class CampaignError(Exception):
-    """The file cannot be read, or does not have what was asked for. The message is a sentence."""
+    """The file cannot be read, or lacks what was asked for. The message says what to do."""
 
 
 class NewerLayoutWarning(UserWarning):
-    """A newer floes wrote the file; it may have more than the tables show."""
+    """A newer floes wrote the file, which may contain more than the tables show."""
 
 
 class Stored:
-    """The datasets of one campaign file by name, "members/mean_load"."""
+    """The datasets of one campaign file, by their names, such as "members/mean_load"."""
 
     def __init__(self, path: str | os.PathLike):
         self.path = pathlib.Path(path)
@@ -52,7 +52,7 @@ class Stored:
 
     @contextlib.contextmanager
     def reading(self, what: str) -> Iterator[None]:
-        """Within it, whatever the file cannot give is damage."""
+        """Turns any failure to read `what` within the block into a CampaignError."""
         if self.closed:
             raise CampaignError(f"{self.path} is closed; read it within its `with`, or before close().")
         try:
@@ -65,7 +65,7 @@ class Stored:
             return name in self._file
 
     def names(self, group: str = "/") -> list[str]:
-        """Of what is in a group, in order of creation."""
+        """Names of the members of a group, in the order of their creation."""
         found: list[bytes] = []
         with self.reading(f"the names in {group}"):
             opened = self._file[group]  # must outlive the loop over its links
@@ -77,7 +77,7 @@ class Stored:
             return [name for name in self.names() if isinstance(self._file[name], h5py.Group)]
 
     def attributes_of(self, name: str) -> dict[str, Any]:
-        """Attributes of a group or dataset, without those that connect dimensions, and the digest of its bytes."""
+        """Attributes of a group or dataset, except the digest of its bytes and those that connect dimensions."""
         with self.reading(f"the attributes of {name}"):
             return {key: value for key, value in self._file[name].attrs.items()
                     if key not in ("CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST", "digest")}
@@ -87,13 +87,13 @@ class Stored:
             return self._file[name].shape
 
     def kind(self, name: str) -> str:
-        """Letter of numpy: "f" for floating point."""
+        """The kind of a dataset's values, as numpy's letter: "f" for floating point."""
         with self.reading(f"/{name}"):
             return self._file[name].dtype.kind
 
     def read(self, name: str, rows: Any = ()) -> numpy.ndarray:
-        """Values of a dataset, of all `rows` unless some are given; texts as str. Every value of the file comes through
-        here."""
+        """Values of a dataset, all of them or those of `rows`; texts as str. Every value that the package takes from
+        the file is read here."""
         with self.reading(f"/{name}"):
             dataset = self._file[name]
             for length, dimension in zip(dataset.shape, dataset.dims):
@@ -103,7 +103,7 @@ class Stored:
             return numpy.asarray(dataset.asstr()[rows] if text else dataset[rows])
 
     def array(self, name: str, rows: Any = ()) -> xarray.DataArray:
-        """The same with the names of its dimensions, `units` and `long_name`; what is missing is NaN."""
+        """A dataset with the names of its dimensions and its attributes, such as units. Missing values are NaN."""
         values, attributes = self.read(name, rows), self.attributes_of(name)
         missing = attributes.pop("_FillValue", None)
         if missing is not None and values.dtype.kind == "i":
@@ -112,7 +112,7 @@ class Stored:
             return xarray.DataArray(values, dims=list(self._scales(name)), attrs=attributes)
 
     def group(self, name: str) -> xarray.Dataset:
-        """A group with its coordinates."""
+        """All datasets of a group, with their coordinates."""
         if name not in self.groups():
             raise CampaignError(f"{self.path} has no group {name}; it has {', '.join(self.groups())}.")
         columns, scales = {}, {}
@@ -125,14 +125,14 @@ class Stored:
             return xarray.Dataset(columns, coords=coordinates, attrs=self.attributes_of(name))
 
     def words(self, name: str) -> numpy.ndarray:
-        """A dataset of flags as their meanings; None where the value is missing."""
+        """A dataset of flags, each replaced by its meaning; None where it is missing."""
         attributes = self.attributes_of(name)
         with self.reading(f"the meanings of /{name}"):
             meanings = dict(zip(attributes["flag_values"].tolist(), attributes["flag_meanings"].split(), strict=True))
         return numpy.array([meanings.get(value) for value in self.read(name).tolist()], object)
 
     def _scales(self, name: str) -> dict[str, str]:
-        """The dimensions of a dataset: name -> dataset of the coordinate. A coordinate is its own."""
+        """Names of a dataset's dimensions -> path of their coordinates. A coordinate is its own."""
         with self.reading(f"the dimensions of /{name}"):
             dataset = self._file[name]
             if h5py.h5ds.is_scale(dataset.id):

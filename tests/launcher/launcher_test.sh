@@ -4,7 +4,7 @@
 set -uo pipefail
 
 project=$1
-unset OMPI_COMM_WORLD_RANK PMIX_RANK
+unset OMPI_COMM_WORLD_RANK PMIX_RANK PMI_RANK
 stage=$(mktemp -d)
 trap 'rm -rf -- "$stage"' EXIT
 home="$stage/a folder with spaces"
@@ -32,6 +32,7 @@ machine() {
     printf '# why\nalpha   # because\n\nbeta\n' >"$home/packages.txt"
     printf 'gamma\n' >"$home/packages-test.txt"
     printf 'epsilon\n' >"$home/packages-slow.txt"
+    printf 'zeta\n' >"$home/packages-release.txt"
     printf 'alpha\nbeta\ngamma\n' >"$stage/installed"
     echo 1000 >"$stage/uid"
     : >"$stage/calls"
@@ -63,8 +64,14 @@ else
     touch "$STAGE/in_build"
     [[ -e $STAGE/slow_build ]] && sleep 0.5
     rm "$STAGE/in_build"
+    if [[ $* == *"--target package"* ]]; then touch "$2/floes_1.1.0_amd64.deb" "$2/floes-1.1.0-Linux.tar.gz"; exit; fi
     if [[ -e $STAGE/broken_build ]]; then echo "no such header"; exit 1; fi
-    printf '#!/bin/bash\nprintf "program"; printf " <%%s>" "$@"; echo; echo "launcher $FLOES_LAUNCHER" >"$STAGE/launcher"; exit ${PROGRAM_STATUS-0}\n' >"$2/floes"
+    cat >"$2/floes" <<'PROGRAM'
+#!/bin/bash
+printf "program"; printf " <%s>" "$@"; echo
+echo "launcher $FLOES_LAUNCHER" >"$STAGE/launcher"
+exit ${PROGRAM_STATUS-0}
+PROGRAM
     chmod +x "$2/floes"
 fi
 STUB
@@ -114,7 +121,8 @@ echo alpha >"$stage/installed"
 launch run c.toml
 check "no root: status" 2 "$status"
 check_has "no root: the missing package is named" "missing: beta" "$err"
-check_has "no root: the command is named" "sudo apt-get update && sudo apt-get install -y --no-install-recommends beta" "$err"
+check_has "no root: the command is named" \
+    "sudo apt-get update && sudo apt-get install -y --no-install-recommends beta" "$err"
 check "no root: nothing was tried" "" "$(calls)"
 launch test
 check_has "tests need their packages too" "missing: beta gamma" "$err"
@@ -176,22 +184,25 @@ machine
 launch run --ranks 3 "c d.toml"
 check "--ranks is the program's" "program <run> <--ranks> <3> <c d.toml>" "$out"
 
-# -- packages
+# -- packages: those just made, whatever an earlier version left
 machine
-printf 'zeta\n' >"$home/packages-release.txt"
 launch package
 check_has "packages need their packages" "missing: zeta" "$err"
 echo zeta >>"$stage/installed"
-launch package
-check "no packages, no names" "" "$out"
+launch status c.h5  # builds
 touch "$home/build/release/floes_1.0.0_amd64.deb" "$home/build/release/floes-1.0.0-Linux.tar.gz"
 launch package
-check "their names" "$home/build/release/floes_1.0.0_amd64.deb
-$home/build/release/floes-1.0.0-Linux.tar.gz" "$out"
+check "their names" "$home/build/release/floes_1.1.0_amd64.deb
+$home/build/release/floes-1.1.0-Linux.tar.gz" "$out"
 check_has "packages" "cmake --build $home/build/release --target package" "$(calls)"
+launch package --tested
+check "packages of what was tested" "$home/build/ci/floes_1.1.0_amd64.deb
+$home/build/ci/floes-1.1.0-Linux.tar.gz" "$out"
+launch package --fast
+check "packages with another argument" 2 "$status"
 
 # -- under mpirun it only executes
-for variable in OMPI_COMM_WORLD_RANK PMIX_RANK; do
+for variable in OMPI_COMM_WORLD_RANK PMIX_RANK PMI_RANK; do
     machine
     : >"$stage/installed"
     export "$variable=0"
@@ -214,10 +225,14 @@ check "test" "ctest in $home: --preset ci -j2 -LE slow" "$out"
 check "test builds the ci preset" "cmake --preset ci
 cmake --build $home/build/ci" "$(calls)"
 launch test --slow -R wire
-check_has "slow tests need their packages too" "missing: epsilon" "$err"
-echo epsilon >>"$stage/installed"
+check_has "slow tests need their packages too, and those that make packages" "missing: epsilon zeta" "$err"
+printf 'epsilon\nzeta\n' >>"$stage/installed"
 launch test --slow -R wire
 check "test --slow" "ctest in $home: --preset ci -j2 -R wire" "$out"
+: >"$stage/installed"
+launch test -L soak
+check_has "test -L needs them as well" "missing: alpha beta epsilon gamma zeta" "$err"
+printf '%s\n' alpha beta gamma epsilon zeta >"$stage/installed"
 launch test -L soak
 check "test -L" "ctest in $home: --preset ci -j2 -L soak" "$out"
 

@@ -33,12 +33,15 @@ def run(*command):
 
 
 def install():
-    """Into SITE, from a copy: building leaves files behind."""
+    """Into SITE, by way of a source distribution, which must need nothing above python/. Made from a copy: building
+    leaves files behind."""
     tree = FOLDER / "tree"
-    shutil.copytree(PROJECT / "python", tree / "python", ignore=shutil.ignore_patterns("build", "*.egg-info"))
-    shutil.copy(PROJECT / "CMakeLists.txt", tree)  # has the version
+    shutil.copytree(PROJECT / "python", tree, ignore=shutil.ignore_patterns("build", "*.egg-info"))
+    made = subprocess.run(["/usr/bin/python3", "-c", "from setuptools import build_meta; build_meta.build_sdist('.')"],
+                          cwd=tree, check=True, capture_output=True, text=True)
+    source = next(tree.glob("floes*reader-*.tar.gz"), None) or sys.exit(f"no source distribution: {made.stdout}")
     run("/usr/bin/python3", "-m", "pip", "install", "--quiet", "--no-index", "--no-build-isolation", "--no-deps",
-        "--target", SITE, tree / "python")
+        "--target", SITE, source)
 
 
 def compute():

@@ -31,7 +31,8 @@ class Statistics(unittest.TestCase):
         for freedom in [*range(1, 130), 999, 1000, 100_001]:
             for tail in (0.05, 0.025, 0.005):
                 exceeded = stats.t.sf(intervals.student_t(freedom, tail), freedom)  # scipy's isf is good to 5e-9 only
-                self.assertAlmostEqual(exceeded / tail, 1, delta=1e-12 * max(10, freedom / 100), msg=f"{freedom}, {tail}")
+                self.assertAlmostEqual(exceeded / tail, 1, delta=1e-12 * max(10, freedom / 100),
+                                       msg=f"{freedom}, {tail}")
 
     def compare(self, path, parts, value_of):
         """Every figure of `floes summarize`, and no other. `value_of`: (record of a case, name, part) -> number or

@@ -31,8 +31,8 @@ cp "$package" "$stage/root/tmp/"
 # With /proc, which is gone with the command.
 here() {
     # shellcheck disable=SC2016  # expanded by that shell
-    unshare -m sh -c 'mount -t proc proc "$0/proc" && exec chroot "$0" env -i PATH=/usr/bin:/bin:/usr/sbin:/sbin HOME=/root \
-        DEBIAN_FRONTEND=noninteractive "$@"' "$stage/root" "$@"
+    unshare -m sh -c 'mount -t proc proc "$0/proc" && exec chroot "$0" env -i PATH=/usr/bin:/bin:/usr/sbin:/sbin \
+        HOME=/root DEBIAN_FRONTEND=noninteractive "$@"' "$stage/root" "$@"
 }
 
 cp -L /etc/resolv.conf "$stage/root/etc/resolv.conf"

@@ -10,7 +10,8 @@ fail() { echo "FAILED: $*" >&2; exit 1; }
 unset FLOES_HOME FLOES
 
 # Nothing outside the prefix, nor outside DESTDIR.
-DESTDIR=$stage/destdir cmake --install "$build" --prefix /opt/floes >"$stage/log" || fail "cmake --install: $(<"$stage/log")"
+DESTDIR=$stage/destdir cmake --install "$build" --prefix /opt/floes >"$stage/log" ||
+    fail "cmake --install: $(<"$stage/log")"
 [[ $(cd "$stage/destdir" && find . -mindepth 2 -maxdepth 2) == ./opt/floes ]] || fail "files outside the prefix"
 mkdir "$stage/a folder"
 mv "$stage/destdir/opt/floes" "$stage/a folder/moved"
@@ -24,7 +25,8 @@ for path in bin/floes share/floes/configs/smoke.toml share/floes/configs/validat
     [[ -e $root/$path ]] || fail "$path is not installed"
 done
 cd "$root"
-others=$(find . -type f | grep -vE '^\./(bin/floes$|share/(floes|man/man1|doc/floes|bash-completion|zsh|fish)/)') || true
+allowed='^\./(bin/floes$|share/(floes|man/man1|doc/floes|bash-completion|zsh|fish)/)'
+others=$(find . -type f | grep -vE "$allowed") || true
 [[ -z $others ]] || fail "installed as well: $others"
 
 # The moved tree works without the clone: no word of where it was built, no path of libraries in the program.

@@ -73,16 +73,21 @@ def faults(project, program):
         if not any("campaign.h5" in str(job) or "floes_*.deb" in str(job) for job in jobs.values()):
             yield f"{name} keeps nothing"
     if shutil.which("yamllint"):
-        lint = subprocess.run(["yamllint", "-s", "-d", YAMLLINT, *CI_FILES], cwd=project, capture_output=True, text=True)
+        lint = subprocess.run(["yamllint", "-s", "-d", YAMLLINT, *CI_FILES], cwd=project, capture_output=True,
+                              text=True)
         if lint.returncode:
             yield lint.stdout.strip()
 
     spack = ast.parse((project / "packaging/spack/package.py").read_text(encoding="utf-8"))
     if not any(isinstance(node, ast.ClassDef) and node.name == "Floes" for node in spack.body):
         yield "packaging/spack/package.py has no class Floes"
+    calls = [node.func for node in ast.walk(spack) if isinstance(node, ast.Call)]
+    called = {function.id for function in calls if isinstance(function, ast.Name)}
+    if not {"version", "license", "generator"} <= called:
+        yield f"packaging/spack/package.py lacks a directive; it has {sorted(called)}"
     # conda-build fills in the templates first; the selectors behind # are comments of YAML.
-    meta = re.sub(r"\{\{.*?\}\}", "compiler", (project / "packaging/conda/recipe/meta.yaml").read_text(encoding="utf-8"))
-    recipe = yaml.safe_load(meta)
+    meta = (project / "packaging/conda/recipe/meta.yaml").read_text(encoding="utf-8")
+    recipe = yaml.safe_load(re.sub(r"\{\{.*?\}\}", "compiler", meta))
     for part in ("package", "source", "build", "requirements", "test", "about"):
         if part not in recipe:
             yield f"packaging/conda/recipe/meta.yaml has no {part}"

@@ -68,8 +68,8 @@ def libraries_of_cmake(text):
 
 def version_of(package):
     """Upstream version of an installed package; None if it is not installed."""
-    found = subprocess.run(["dpkg-query", "-W", "-f", "${db:Status-Status} ${source:Upstream-Version} ${Version}", package],
-                           capture_output=True, text=True)
+    form = "${db:Status-Status} ${source:Upstream-Version} ${Version}"
+    found = subprocess.run(["dpkg-query", "-W", "-f", form, package], capture_output=True, text=True)
     words = found.stdout.split()
     if found.returncode or words[0] != "installed":
         return None

@@ -15,6 +15,7 @@ PLACES = [
     ("CITATION.cff", r"^version: (\S+)$"),
     ("packaging/spack/package.py", r'^    version\("([^"]+)"\)$'),
     ("packaging/conda/recipe/meta.yaml", r'^  version: "([^"]+)"$'),
+    ("python/pyproject.toml", r'^version = "([^"]+)"$'),
     ("README.md", r"floes_([0-9.]+)_amd64\.deb"),
     ("docs/install.md", r"floes_([0-9.]+)_amd64\.deb"),
 ]
@@ -22,7 +23,8 @@ PLACES = [
 
 def main():
     project, program = pathlib.Path(sys.argv[1]), sys.argv[2]
-    text = {name: (project / name).read_text(encoding="utf-8") for name in ("CMakeLists.txt", "CHANGELOG.md", "CITATION.cff")}
+    files = ("CMakeLists.txt", "CHANGELOG.md", "CITATION.cff")
+    text = {name: (project / name).read_text(encoding="utf-8") for name in files}
     version = re.search(r"^project\(floes VERSION (\S+)", text["CMakeLists.txt"], re.M)[1]
     faults = []
 
@@ -36,7 +38,7 @@ def main():
     headings = re.findall(r"^## (.*)$", text["CHANGELOG.md"], re.M)
     released = [heading for heading in headings if heading != "Unreleased"]
     if headings[0] != "Unreleased" or not re.fullmatch(rf"{re.escape(version)} - \d{{4}}-\d\d-\d\d", released[0]):
-        faults.append(f"CHANGELOG.md begins with {headings[:2]}, not with Unreleased and the release {version} and its date")
+        faults.append(f"CHANGELOG.md begins with {headings[:2]}, not with Unreleased, then {version} and its date")
     for name, place in PLACES:
         found = re.search(place, (project / name).read_text(encoding="utf-8"), re.M)
         if found is None or found[1] != version:

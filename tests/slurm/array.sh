@@ -1,5 +1,5 @@
-# slurm/array.sbatch computes a campaign in parts without MPI, one of them stopped and requeued; slurm/merge.sbatch, which
-# waits for all, makes the file of an undisturbed campaign.
+# slurm/array.sbatch computes a campaign in parts without MPI, one of them stopped and requeued; slurm/merge.sbatch,
+# which waits for all, makes the file of an undisturbed campaign.
 source "$(dirname "$0")/cluster.sh"
 PROGRAM=$FLOES
 
@@ -7,7 +7,8 @@ PROGRAM=$FLOES
 held=$(HELD_FLOES=$PROGRAM HELD_JOURNAL=$FOLDER/campaign.part2.journal FLOES=$FLOES_HOME/tests/slurm/held_floes \
     submit --array=2 --cpus-per-task=1 --time=5 "$FLOES_HOME/slurm/array.sbatch" 3 campaign.toml)
 others=$(submit --array=1,3 --cpus-per-task=1 --time=5 "$FLOES_HOME/slurm/array.sbatch" 3 campaign.toml)
-merge=$(submit --dependency="afterany:$held:$others" "$FLOES_HOME/slurm/merge.sbatch" campaign.h5 campaign.part{1,2,3}.h5)
+merge=$(submit --dependency="afterany:$held:$others" "$FLOES_HOME/slurm/merge.sbatch" \
+    campaign.h5 campaign.part{1,2,3}.h5)
 
 is_asleep() {
     grep -qs "held: asleep" "floes-${held}_2.log"

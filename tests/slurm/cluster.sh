@@ -42,8 +42,8 @@ end_cluster() {
 trap end_cluster EXIT
 trap 'exit 1' INT TERM HUP
 
-# The trap does not run when the test is killed. This one outlives it and is nobody's child, so that whoever kills a tree
-# of processes does not find it.
+# The trap does not run when the test is killed. This one outlives it and is nobody's child, so that whoever kills a
+# tree of processes does not find it.
 watch_over_test() {
     while kill -0 "$TEST" 2> /dev/null; do sleep 1; done
     [ ! -e "$FOLDER" ] || end_cluster

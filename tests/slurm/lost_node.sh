@@ -4,8 +4,8 @@ source "$(dirname "$0")/cluster.sh"
 export HELD_FLOES=$FLOES
 FLOES=$FLOES_HOME/tests/slurm/held_floes
 
-# lose_node NAME: kills its slurmd, the steps, which write to the same log, and the processes of the jobs. An answer that
-# the slurmd still gave may be read after that: ReturnToService=1 keeps a node down that a test has set down.
+# lose_node NAME: kills its slurmd, the steps, which write to the same log, and the processes of the jobs. An answer
+# that the slurmd still gave may be read after that: ReturnToService=1 keeps a node down that a test has set down.
 lose_node() {
     local pids
     mapfile -t pids < <(

@@ -3,8 +3,8 @@ source "$(dirname "$0")/cluster.sh"
 export HELD_FLOES=$FLOES HELD_JOURNAL=$FOLDER/campaign.journal
 FLOES=$FLOES_HOME/tests/slurm/held_floes
 
-# Slurm gives the signal up to a minute early: at its next look at the limits, one every half a minute. The campaign must
-# have begun by then, also on a slow machine.
+# Slurm gives the signal up to a minute early: at its next look at the limits, one every half a minute. The campaign
+# must have begun by then, also on a slow machine.
 phase=$(((SECONDS - CONTROLLER_START) % 30))
 [ "$phase" -lt 12 ] || sleep $((31 - phase))
 job=$(submit --nodes=2 --time=1 --signal=B:USR1@30 "$FLOES_HOME/slurm/campaign.sbatch" campaign.toml -o campaign.h5)
