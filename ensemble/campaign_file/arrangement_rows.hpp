@@ -13,6 +13,8 @@ class ArrangementRows {
     explicit ArrangementRows(const Campaign& campaign);
 
     int count() const { return groups_ * arrangements_; }
+    /// Rows of each arrangement number.
+    int groups() const { return groups_; }
     int row(MemberKey member) const;
     /// Arrangement number of a row.
     int number(int row) const { return row / groups_; }

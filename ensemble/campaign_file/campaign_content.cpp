@@ -1,6 +1,5 @@
 #include "campaign_file/campaign_content.hpp"
 
-#include <numeric>
 #include <set>
 #include <string>
 
@@ -26,25 +25,31 @@ Scale time_scale(hid_t file, const CampaignContent& content) {
         times);
 }
 
+template <class Use>
+void for_each_done(const CampaignContent& content, const Use& use) {
+    for (const std::optional<std::size_t>& record : content.records)
+        if (record && content.members.notes()[*record].done()) use(content.members.notes()[*record]);
+}
+
 }  // namespace
 
-CampaignContent::CampaignContent(const Campaign& of, std::span<const MemberRecord> all_records)
+CampaignContent::CampaignContent(const Campaign& of, const StoredMembers& all_members)
     : campaign(of),
-      records(match_records(of, all_records)),
-      attempts(last_attempts(of, all_records)),
-      table(campaign_table(of, all_records)),
-      arrangement_rows(of) {}
-
-const MemberResult* CampaignContent::done(std::size_t member) const {
-    const MemberRecord* record = records[member];
-    return record != nullptr && record->result.status == MemberStatus::done ? &record->result : nullptr;
-}
+      members(all_members),
+      records(match_records(of, all_members.notes())),
+      attempts(last_attempts(of, all_members.notes())),
+      rows(of) {}
 
 std::size_t CampaignContent::break_count() const {
     std::size_t count = 0;
-    for (std::size_t member = 0; member < records.size(); ++member)
-        if (const MemberResult* result = done(member)) count += result->breaks.size();
+    for_each_done(*this, [&](const MemberNote& note) { count += static_cast<std::size_t>(note.breaks); });
     return count;
+}
+
+std::size_t CampaignContent::most_peaks() const {
+    std::size_t most = 0;
+    for_each_done(*this, [&](const MemberNote& note) { most = std::max(most, static_cast<std::size_t>(note.peaks)); });
+    return most;
 }
 
 CampaignScales::CampaignScales(hid_t file, const CampaignContent& content)
@@ -52,7 +57,7 @@ CampaignScales::CampaignScales(hid_t file, const CampaignContent& content)
                                      content.records.size())),
       case_(hdf5::write_index_scale(file, "case", "case, a row of /cases", content.campaign.cases.size())),
       arrangement(hdf5::write_index_scale(file, "arrangement", "arrangement, a row of /arrangements",
-                                          static_cast<std::size_t>(content.arrangement_rows.count()))),
+                                          static_cast<std::size_t>(content.rows.arrangements().count()))),
       segment(hdf5::write_index_scale(file, "segment", "equal part of the analysis window",
                                       content.largest([](const Scenario& s) { return s.analysis.segments; }))),
       floe(hdf5::write_index_scale(file, "floe", "floe of an arrangement",

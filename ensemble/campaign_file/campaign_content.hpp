@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "campaign_file/arrangement_rows.hpp"
-#include "campaign_file/campaign_table.hpp"
+#include "campaign_file/member_rows.hpp"
+#include "campaign_file/member_tables.hpp"
 #include "hdf5/write.hpp"
 #include "records/calibration_record.hpp"
 #include "records/session.hpp"
@@ -15,17 +16,19 @@
 namespace floes {
 
 struct CampaignContent {
-    CampaignContent(const Campaign& of, std::span<const MemberRecord> all_records);
+    CampaignContent(const Campaign& of, const StoredMembers& all_members);
 
     const Campaign& campaign;
-    std::vector<const MemberRecord*> records;  ///< by member; nullptr where there is none
-    std::vector<int> attempts;                 ///< by member
-    CampaignTable table;
-    ArrangementRows arrangement_rows;
+    const StoredMembers& members;
+    std::vector<std::optional<std::size_t>> records;  ///< by member: number of its record; none where there is none
+    std::vector<int> attempts;                        ///< by member
+    MemberRows rows;
 
-    /// The result of a done member, else nullptr: of a failed one nothing stands in the file but that it failed.
-    const MemberResult* done(std::size_t member) const;
+    const CampaignTable& table() const { return rows.table(); }
+    /// Of done members.
     std::size_t break_count() const;
+    /// The most of an averaged load of a done member.
+    std::size_t most_peaks() const;
     /// The largest of a count over the cases' scenarios.
     template <class Function>
     std::size_t largest(Function function) const {
@@ -51,19 +54,25 @@ struct CampaignScales {
     hdf5::Scale break_;
 };
 
-void write_members(hid_t file, const CampaignContent& content, const CampaignScales& scales);
+// These make datasets that are filled as `tables` get one member after another.
+
+void add_members(hid_t file, const CampaignContent& content, const CampaignScales& scales, MemberTables& tables);
 /// Nothing where no case counts steps above a load level.
-void write_levels(hid_t file, const CampaignContent& content, const CampaignScales& scales);
+void add_levels(hid_t file, const CampaignContent& content, const CampaignScales& scales, MemberTables& tables);
 /// Nothing where no case averages the load.
-void write_averaged(hid_t file, const CampaignContent& content, const CampaignScales& scales);
-void write_cases(hid_t file, const CampaignContent& content, const CampaignScales& scales);
-void write_arrangements(hid_t file, const CampaignContent& content, const CampaignScales& scales);
+void add_averaged(hid_t file, const CampaignContent& content, const CampaignScales& scales, MemberTables& tables);
+void add_arrangements(hid_t file, const CampaignContent& content, const CampaignScales& scales, MemberTables& tables);
 /// With /load_map, which a record has beside its history.
-void write_history(hid_t file, const CampaignContent& content, const CampaignScales& scales,
-                   const HistoryOf& history_of);
-void write_breaks(hid_t file, const CampaignContent& content, const CampaignScales& scales);
+void add_history(hid_t file, const CampaignScales& scales, MemberTables& tables);
+void add_breaks(hid_t file, const CampaignScales& scales, MemberTables& tables);
+/// /provenance, with all that is not of members.
+void add_provenance(hid_t file, const CampaignContent& content, std::span<const Session> sessions,
+                    MemberTables& tables);
+
+// These write what is not of members.
+
+void write_cases(hid_t file, const CampaignContent& content, const CampaignScales& scales);
 /// Nothing where no case was calibrated.
 void write_calibration(hid_t file, const CampaignContent& content, std::span<const CalibrationRecord> calibrations);
-void write_provenance(hid_t file, const CampaignContent& content, std::span<const Session> sessions);
 
 }  // namespace floes

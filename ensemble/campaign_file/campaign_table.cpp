@@ -1,51 +1,14 @@
+#include "campaign_file/campaign_table.hpp"
+
 #include <algorithm>
-#include <functional>
 #include <limits>
 
-#include "campaign_file/arrangement_rows.hpp"
-#include "campaign_file/campaign_table.hpp"
-#include "campaign_file/followed_cfm.hpp"
+#include "campaign_file/member_rows.hpp"
 
 namespace floes {
-namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-/// What a function gives of the scenarios of all cases, rising, each value once.
-template <class Function>
-std::vector<double> of_all_cases(const Campaign& campaign, Function function) {
-    std::vector<double> values;
-    for (const Case& one : campaign.cases) {
-        const std::vector<double> own = std::invoke(function, one.scenario);
-        values.insert(values.end(), own.begin(), own.end());
-    }
-    std::ranges::sort(values);
-    values.erase(std::ranges::unique(values).begin(), values.end());
-    return values;
-}
-
-void set_missing(MemberRow& row, int segments, std::size_t levels) {
-    static_cast<MemberOutputs&>(row) = unmeasured(segments);
-    row.steps_above.assign(levels, nan);
-    row.upcrossings.assign(levels, nan);
-}
-
-CaseRow case_row(const Case& one) {
-    const Scenario& scenario = one.scenario;
-    return {one.name,
-            followed_cfm(scenario.joint),
-            scenario.ice.elastic_modulus,
-            scenario.field.far_end,
-            scenario.contact_law(),
-            scenario.structure.shape,
-            scenario.analysis,
-            scenario.general.time_step};
-}
-
-}  // namespace
 
 double MemberRow::value(const Quantity& quantity) const {
-    return done() ? quantity.of(*this) : nan;
+    return done() ? quantity.of(*this) : std::numeric_limits<double>::quiet_NaN();
 }
 
 const AveragedLoad* MemberRow::averaged_over(double time) const {
@@ -62,30 +25,12 @@ void set_levels(MemberRow& row, std::span<const double> all, std::span<const dou
     }
 }
 
-CampaignTable campaign_table(const Campaign& campaign, std::span<const MemberRecord> records) {
-    CampaignTable table;
-    table.title = campaign.name;
-    for (const Case& one : campaign.cases) table.cases.push_back(case_row(one));
-    table.levels = of_all_cases(campaign, [](const Scenario& s) { return s.analysis.exceedance_levels; });
-    table.averaging_times = of_all_cases(campaign, &Scenario::averaging_times);
-    const ArrangementRows arrangements(campaign);
-    int number = 0;
-    for (const MemberRecord* record : match_records(campaign, records)) {
-        const MemberKey key = member_key(campaign, number++);
-        MemberRow& row = table.members.emplace_back();
-        row.case_index = key.case_index;
-        row.arrangement = arrangements.row(key);
-        const Analysis& analysis = table.cases[static_cast<std::size_t>(key.case_index)].analysis;
-        set_missing(row, analysis.segments, table.levels.size());
-        if (record == nullptr) continue;
-        row.reason = record->result.reason;
-        if (record->result.status == MemberStatus::done) {
-            row.status = RowStatus::done;
-            static_cast<MemberOutputs&>(row) = record->result;
-            set_levels(row, table.levels, analysis.exceedance_levels, record->result.levels);
-        } else {
-            row.status = RowStatus::failed;
-        }
+CampaignTable campaign_table(const Campaign& campaign, const StoredMembers& members) {
+    const MemberRows rows(campaign);
+    CampaignTable table = rows.table();
+    for (const std::optional<std::size_t>& known : match_records(campaign, members.notes())) {
+        const std::optional<MemberRecord> record = known ? std::optional(members.read(*known)) : std::nullopt;
+        table.members.push_back(rows.row(table.members.size(), record ? &*record : nullptr));
     }
     return table;
 }

@@ -11,7 +11,7 @@
 
 #include "campaign/campaign.hpp"
 #include "quantities/quantity.hpp"
-#include "records/member_record.hpp"
+#include "records/stored_members.hpp"
 
 namespace floes {
 
@@ -69,6 +69,6 @@ std::optional<int> member_with_largest_load(const CampaignTable& table,
                                             const std::function<bool(const MemberRow&)>& counts);
 
 /// The table that read_campaign_file() gives after publish() of the same members.
-CampaignTable campaign_table(const Campaign& campaign, std::span<const MemberRecord> records);
+CampaignTable campaign_table(const Campaign& campaign, const StoredMembers& members);
 
 }  // namespace floes

@@ -14,8 +14,18 @@
 namespace floes {
 namespace {
 
-void write_file(const std::filesystem::path& path, CampaignContent& content, std::span<const Session> sessions,
-                std::span<const CalibrationRecord> calibrations, const HistoryOf& history_of) {
+void write_members(const CampaignContent& content, const MemberTables& tables) {
+    for (std::size_t member = 0; member < content.records.size(); ++member) {
+        std::optional<MemberRecord> record;
+        if (const auto known = content.records[member]) record = content.members.read(*known);
+        const MemberRecord* found = record ? &*record : nullptr;
+        tables.write({member, found, content.rows.row(member, found)});
+    }
+    tables.finish();
+}
+
+void write_file(const std::filesystem::path& path, const CampaignContent& content, std::span<const Session> sessions,
+                std::span<const CalibrationRecord> calibrations) {
     const hdf5::QuietErrors quiet;
     hdf5::Handle file = hdf5::create_file(path);
     {
@@ -23,15 +33,17 @@ void write_file(const std::filesystem::path& path, CampaignContent& content, std
         hdf5::write_kind(file.id(), campaign_kind, content.campaign.name);
         hdf5::write_attribute(file.id(), "fingerprint", fingerprint(content.campaign));
         const CampaignScales scales(file.id(), content);
-        write_members(file.id(), content, scales);
-        write_levels(file.id(), content, scales);
-        write_averaged(file.id(), content, scales);
+        MemberTables tables;
+        add_members(file.id(), content, scales, tables);
+        add_levels(file.id(), content, scales, tables);
+        add_averaged(file.id(), content, scales, tables);
         write_cases(file.id(), content, scales);
-        write_arrangements(file.id(), content, scales);
-        write_history(file.id(), content, scales, history_of);
-        write_breaks(file.id(), content, scales);
+        add_arrangements(file.id(), content, scales, tables);
+        add_history(file.id(), scales, tables);
+        add_breaks(file.id(), scales, tables);
         write_calibration(file.id(), content, calibrations);
-        write_provenance(file.id(), content, sessions);
+        add_provenance(file.id(), content, sessions, tables);
+        write_members(content, tables);
         hdf5::write_contents_digests(file.id());
     }
     file.close("H5Fclose", path.string());
@@ -40,13 +52,12 @@ void write_file(const std::filesystem::path& path, CampaignContent& content, std
 
 }  // namespace
 
-void publish(const std::filesystem::path& path, const Campaign& campaign, std::span<const MemberRecord> records,
-             std::span<const Session> sessions, std::span<const CalibrationRecord> calibrations,
-             const HistoryOf& history_of) {
-    CampaignContent content(campaign, records);
+void publish(const std::filesystem::path& path, const Campaign& campaign, const StoredMembers& members,
+             std::span<const Session> sessions, std::span<const CalibrationRecord> calibrations) {
+    const CampaignContent content(campaign, members);
     const std::filesystem::path aside = path.string() + ".tmp";
     try {
-        write_file(aside, content, sessions, calibrations, history_of);
+        write_file(aside, content, sessions, calibrations);
         sync_data(open_file(aside, O_RDWR), aside);
     } catch (const RunError&) {
         std::error_code ignored;

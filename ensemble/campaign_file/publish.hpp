@@ -6,18 +6,17 @@
 
 #include "campaign/campaign.hpp"
 #include "records/calibration_record.hpp"
-#include "records/member_record.hpp"
 #include "records/session.hpp"
+#include "records/stored_members.hpp"
 
 namespace floes {
 
 /// Writes the file aside, brings it to the disk, and renames it into place: at every moment `path` is the old file or
 /// the new one, whole. Members without a record stand as missing. Outside /provenance the values depend on the campaign
-/// and the results alone, not on the order or origin of `records`. `sessions`: the last one is the publishing one.
-/// `calibrations`: those that gave cases of the campaign their Σ stand in /calibration. `history_of` is asked for one
-/// done member after another. Throws RunError naming the call that failed.
-void publish(const std::filesystem::path& path, const Campaign& campaign, std::span<const MemberRecord> records,
-             std::span<const Session> sessions, std::span<const CalibrationRecord> calibrations = {},
-             const HistoryOf& history_of = own_history);
+/// and the results alone, not on the order or origin of the records. `sessions`: the last one is the publishing one.
+/// `calibrations`: those that gave cases of the campaign their Σ stand in /calibration. Each record that counts is read
+/// once, one after another in member order. Throws RunError naming the call that failed.
+void publish(const std::filesystem::path& path, const Campaign& campaign, const StoredMembers& members,
+             std::span<const Session> sessions, std::span<const CalibrationRecord> calibrations = {});
 
 }  // namespace floes

@@ -3,16 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <limits>
-
 #include "campaign_file/followed_cfm.hpp"
 
 namespace floes {
 namespace {
 
 using hdf5::Handle;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 template <class Value, class Function>
 std::vector<Value> of_cases(const CampaignContent& content, Function function) {
@@ -27,8 +23,8 @@ void write_shapes(hid_t group, const CampaignContent& content, const CampaignSca
     for (std::size_t column = 0; column < Shape::columns.size(); ++column) {
         const auto& [name, unit, text, low, high] = Shape::columns[column];
         std::vector<double> values(scales.case_.size() * points, nan);
-        for (std::size_t k = 0; k < content.table.cases.size(); ++k) {
-            const std::vector<std::vector<double>> rows = content.table.cases[k].shape.rows();
+        for (std::size_t k = 0; k < content.table().cases.size(); ++k) {
+            const std::vector<std::vector<double>> rows = content.table().cases[k].shape.rows();
             for (std::size_t p = 0; p < rows.size(); ++p) values[k * points + p] = rows[p][column];
         }
         hdf5::write_values(group, {fmt::format("profile_{}", name), std::string(unit), std::string(text)},
@@ -43,7 +39,7 @@ void write_cases(hid_t file, const CampaignContent& content, const CampaignScale
     const hid_t id = group.id();
     const hdf5::Dimensions one{scales.case_};
     std::vector<std::string> names;
-    for (const CaseRow& row : content.table.cases) names.push_back(row.name);
+    for (const CaseRow& row : content.table().cases) names.push_back(row.name);
     hdf5::write_values(id, {"name", "1", "name of the case"}, one, names);
     const auto real = [&](const char* name, const char* unit, const char* long_name, auto function) {
         hdf5::write_values(id, {name, unit, long_name}, one, of_cases<double>(content, function));
@@ -80,33 +76,6 @@ void write_cases(hid_t file, const CampaignContent& content, const CampaignScale
     choice("far_end", "what stands behind the ice field", "ice_sheet open",
            [](const Scenario& s) { return s.field.far_end; });
     write_shapes(id, content, scales);
-}
-
-void write_arrangements(hid_t file, const CampaignContent& content, const CampaignScales& scales) {
-    const Handle group = hdf5::create_group(file, "arrangements");
-    const std::size_t floes = scales.floe.size();
-    std::vector<double> poses(scales.arrangement.size() * floes * 3, nan);
-    std::vector<double> psi4(scales.arrangement.size(), nan);
-    std::vector<std::int32_t> numbers;
-    for (int row = 0; row < content.arrangement_rows.count(); ++row)
-        numbers.push_back(content.arrangement_rows.number(row));
-    for (std::size_t member = 0; member < content.records.size(); ++member) {
-        if (content.records[member] == nullptr || content.records[member]->result.arrangement.empty()) continue;
-        const MemberResult& result = content.records[member]->result;
-        const auto row = static_cast<std::size_t>(content.table.members[member].arrangement);
-        psi4[row] = result.psi4;
-        for (std::size_t floe = 0; floe < std::min(floes, result.arrangement.size()); ++floe) {
-            double* pose = &poses[(row * floes + floe) * 3];
-            pose[0] = result.arrangement[floe].x;
-            pose[1] = result.arrangement[floe].z;
-            pose[2] = result.arrangement[floe].yaw;
-        }
-    }
-    hdf5::write_values(group.id(), {"number", "1", "arrangement number"}, {scales.arrangement}, numbers);
-    hdf5::write_values(group.id(), {"pose", "m, m, rad", "pose of each floe at the start: x, z, yaw"},
-                       {scales.arrangement, scales.floe, scales.coordinate}, poses);
-    hdf5::write_values(group.id(), {"psi4", "1", "fourfold orientational order of the arrangement"},
-                       {scales.arrangement}, psi4);
 }
 
 }  // namespace floes

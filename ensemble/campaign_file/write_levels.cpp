@@ -2,17 +2,14 @@
 
 namespace floes {
 
-void write_levels(hid_t file, const CampaignContent& content, const CampaignScales& scales) {
-    const CampaignTable& table = content.table;
-    if (table.levels.empty()) return;
+void add_levels(hid_t file, const CampaignContent& content, const CampaignScales& scales, MemberTables& tables) {
+    if (content.table().levels.empty()) return;
     const hdf5::Scale level =
-        hdf5::write_scale(file, {"level", "N", "surge load that steps are counted above"}, table.levels);
+        hdf5::write_scale(file, {"level", "N", "surge load that steps are counted above"}, content.table().levels);
     const hdf5::Handle group = hdf5::create_group(file, "exceedance");
     const auto counts = [&](const char* name, const char* long_name, std::vector<double> MemberRow::*field) {
-        std::vector<double> values;
-        for (const MemberRow& row : table.members)
-            values.insert(values.end(), (row.*field).begin(), (row.*field).end());
-        hdf5::write_values(group.id(), {name, "1", long_name}, {scales.member, level}, values);
+        tables.add_numbers<double>(group.id(), {name, "1", long_name}, {scales.member, level}, nan,
+                                   [field](const FiledMember& m) { return std::span<const double>(m.row.*field); });
     };
     counts("steps_above", "steps of the window with a surge load above the level", &MemberRow::steps_above);
     counts("upcrossings", "rises of the surge load through the level within the window", &MemberRow::upcrossings);

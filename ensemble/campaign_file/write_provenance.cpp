@@ -1,5 +1,3 @@
-#include <limits>
-
 #include <fmt/format.h>
 
 #include "campaign/write.hpp"
@@ -11,32 +9,25 @@ namespace {
 using hdf5::Handle;
 using hdf5::Scale;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-// Of members, in member order.
-void write_member_provenance(hid_t group, const CampaignContent& content) {
-    // Not the root's scale: a scale refers to what it is attached to, and comparing two files follows the reference.
+// Not the root's scale: a scale refers to what it is attached to, and comparing two files follows the reference.
+void add_members(hid_t group, const CampaignContent& content, MemberTables& tables) {
     const Scale member = hdf5::write_index_scale(group, "member", "member", content.records.size());
-    std::vector<double> wall_time;
-    std::vector<double> cpu_time;
-    std::vector<double> peak_memory;
-    std::vector<std::int32_t> rank;
-    std::vector<std::string> host;
-    for (const MemberRecord* record : content.records) {
-        wall_time.push_back(record != nullptr ? record->result.wall_time : nan);
-        cpu_time.push_back(record != nullptr ? record->result.cpu_time : nan);
-        peak_memory.push_back(record != nullptr ? static_cast<double>(record->peak_memory) : nan);
-        rank.push_back(record != nullptr ? record->rank : -1);
-        host.push_back(record != nullptr ? record->host : "");
-    }
     const hdf5::Dimensions one{member};
-    hdf5::write_values(group, {"wall_time", "s", "wall time of the member"}, one, wall_time);
-    hdf5::write_values(group, {"cpu_time", "s", "processor time of the member"}, one, cpu_time);
-    hdf5::write_values(group, {"peak_memory", "byte", "largest resident set of the process by the member's end"}, one,
-                       peak_memory);
-    hdf5::write_values(group, {"rank", "1", "rank that computed the member"}, one, rank, -1);
-    hdf5::write_values(group, {"host", "1", "host that computed the member"}, one, host);
-    hdf5::write_values(group, {"attempts", "1", "attempts at the member"}, one, content.attempts);
+    const auto reals = [&](const char* name, const char* unit, const char* long_name, auto of) {
+        tables.add_numbers<double>(group, {name, unit, long_name}, one, nan, [of](const FiledMember& m) {
+            return m.record != nullptr ? static_cast<double>(of(*m.record)) : nan;
+        });
+    };
+    reals("wall_time", "s", "wall time of the member", [](const MemberRecord& r) { return r.result.wall_time; });
+    reals("cpu_time", "s", "processor time of the member", [](const MemberRecord& r) { return r.result.cpu_time; });
+    reals("peak_memory", "byte", "largest resident set of the process by the member's end",
+          [](const MemberRecord& r) { return r.peak_memory; });
+    tables.add_numbers<std::int32_t>(group, {"rank", "1", "rank that computed the member"}, one, std::int32_t{-1},
+                                     [](const FiledMember& m) { return m.record != nullptr ? m.record->rank : -1; });
+    tables.add_texts(group, {"host", "1", "host that computed the member"}, one,
+                     [](const FiledMember& m) { return m.record != nullptr ? m.record->host : ""; });
+    tables.add_numbers<std::int32_t>(group, {"attempts", "1", "attempts at the member"}, one, std::nullopt,
+                                     [&content](const FiledMember& m) { return content.attempts[m.number]; });
 }
 
 void write_sessions(hid_t group, std::span<const Session> sessions) {
@@ -81,7 +72,8 @@ std::string lower_case(std::string text) {
 
 }  // namespace
 
-void write_provenance(hid_t file, const CampaignContent& content, std::span<const Session> sessions) {
+void add_provenance(hid_t file, const CampaignContent& content, std::span<const Session> sessions,
+                    MemberTables& tables) {
     const Handle group = hdf5::create_group(file, "provenance");
     const hid_t id = group.id();
     hdf5::write_attribute(id, "date", utc_now());
@@ -92,7 +84,7 @@ void write_provenance(hid_t file, const CampaignContent& content, std::span<cons
             hdf5::write_attribute(id, lower_case(software.name), software.version);
     }
     hdf5::write_text(id, {"configuration", "1", "resolved configuration, TOML"}, write_campaign(content.campaign));
-    write_member_provenance(id, content);
+    add_members(id, content, tables);
     write_sessions(id, sessions);
 }
 

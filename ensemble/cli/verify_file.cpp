@@ -68,15 +68,16 @@ void judge_tail(const std::filesystem::path& path, const JournalContents& conten
 void verify_journal(const std::filesystem::path& path, FileVerdict& verdict) {
     verdict.kind = "journal";
     try {
-        const JournalContents contents = read_journal(path, Histories::leave);
-        verdict.counts = fmt::format("{}, {}", counted(std::ssize(contents.members), "member"),
+        const JournalContents contents = read_journal(path);
+        verdict.counts = fmt::format("{}, {}", counted(static_cast<std::int64_t>(contents.members.size()), "member"),
                                      counted(std::ssize(contents.sessions), "session"));
         if (contents.damaged_bytes > 0)
             verdict.faults.push_back(
                 fmt::format("{} bytes inside it belong to no whole record.", contents.damaged_bytes));
         judge_tail(path, contents, verdict);
         if (verdict.faults.empty()) return;
-        verdict.whole = fmt::format("{} in it are whole.", counted(std::ssize(contents.members), "member"));
+        verdict.whole =
+            fmt::format("{} in it are whole.", counted(static_cast<std::int64_t>(contents.members.size()), "member"));
         verdict.remedy = "floes run with --resume keeps these, and computes the members in the damaged parts again.";
     } catch (const journal_format::NewerJournal& error) {
         verdict.faults.push_back(error.what());

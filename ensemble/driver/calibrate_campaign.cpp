@@ -81,7 +81,7 @@ std::vector<CalibrationRecord> kept_calibrations(const Recorder::Places& places)
     const std::filesystem::path journal = journal_path(places.campaign_file);
     if (places.existing != Existing::resume || !std::filesystem::exists(journal)) return {};
     try {
-        return read_journal(journal, Histories::leave).calibrations;
+        return read_journal(journal).calibrations;
     } catch (const InputError&) {
         return {};  // nothing usable; whether the run can resume from it is decided when it is opened
     }

@@ -9,62 +9,82 @@
 #include "campaign_file/read_campaign_file.hpp"
 #include "campaign_file/read_details.hpp"
 #include "core/error.hpp"
+#include "driver/inventory.hpp"
 #include "driver/precision.hpp"
 #include "journal/journal.hpp"
 
 namespace floes {
 namespace {
 
+using Matched = std::vector<std::optional<std::size_t>>;  // as match_records() gives it
+
+/// Counts the next member in member order; reason() is asked for of a failed one.
+template <class Function>
+void count(CampaignStatus& status, int number, RowStatus state, const Function& reason) {
+    const int cases = static_cast<int>(status.cases.size());
+    CaseStatus& one = status.cases.at(static_cast<std::size_t>(number % cases));
+    switch (state) {
+        case RowStatus::done:
+            ++one.done;
+            break;
+        case RowStatus::missing:
+            ++one.missing;
+            break;
+        case RowStatus::failed:
+            ++one.failed;
+            status.failures.push_back({number, one.name, number / cases, reason()});
+            break;
+    }
+}
+
 CampaignStatus status_of(const CampaignTable& table) {
     CampaignStatus status;
     status.title = table.title;
     for (const CaseRow& row : table.cases) status.cases.push_back({row.name, 0, 0, 0});
-    for (std::size_t k = 0; k < table.members.size(); ++k) {
-        const MemberRow& row = table.members[k];
-        CaseStatus& one = status.cases.at(static_cast<std::size_t>(row.case_index));
-        switch (row.status) {
-            case RowStatus::done:
-                ++one.done;
-                break;
-            case RowStatus::missing:
-                ++one.missing;
-                break;
-            case RowStatus::failed:
-                ++one.failed;
-                const int number = static_cast<int>(k);
-                status.failures.push_back(
-                    {number, one.name, number / static_cast<int>(table.cases.size()), row.reason});
-                break;
-        }
+    for (int number = 0; const MemberRow& row : table.members)
+        count(status, number++, row.status, [&] { return row.reason; });
+    return status;
+}
+
+CampaignStatus status_of(const Campaign& campaign, const StoredMembers& members, const Matched& records) {
+    CampaignStatus status;
+    status.title = campaign.name;
+    for (const Case& one : campaign.cases) status.cases.push_back({one.name, 0, 0, 0});
+    for (int number = 0; const auto& record : records) {
+        const RowStatus state = !record                           ? RowStatus::missing
+                                : members.notes()[*record].done() ? RowStatus::done
+                                                                  : RowStatus::failed;
+        count(status, number++, state, [&] { return members.read(*record).result.reason; });
     }
     return status;
 }
 
-std::optional<StopStatus> stop_status(const Campaign& campaign, const CampaignTable& table) {
-    const std::optional<PrecisionStop> rule = stop_rule_of(campaign, table);
+std::optional<StopStatus> stop_status(const Campaign& campaign, const std::optional<PrecisionStop>& rule) {
     if (!rule) return {};
     return StopStatus{campaign.stop, rule->met(), rule->arrangements(), campaign.arrangements, rule->achieved()};
 }
 
-/// The arrangements that count. Parts of a merged campaign were run in full, regardless of the stop rule.
-Campaign wanted(Campaign campaign, const CampaignTable& table, const std::optional<StopStatus>& stop) {
-    const auto missing = [](const MemberRow& row) { return row.status == RowStatus::missing; };
-    if (stop && stop->met && std::ranges::any_of(table.members, missing)) campaign.arrangements = stop->arrangements;
-    return campaign;
+/// The rule with every member that has a record.
+std::optional<PrecisionStop> told_rule(const Campaign& campaign, const StoredMembers& members, const Matched& records) {
+    std::optional<PrecisionStop> rule = stop_rule_of(campaign);
+    for (std::size_t k = 0; rule && k < records.size(); ++k)
+        if (records[k])
+            tell(rule, campaign, member_key(campaign, static_cast<int>(k)), members.read(*records[k]).result);
+    return rule;
 }
 
 // Assumes that members of a case take equally long and that the threads of the session share the remaining work.
-std::optional<double> seconds_left(const Campaign& campaign, const CampaignStatus& status,
-                                   const std::vector<const MemberRecord*>& records, int threads) {
+std::optional<double> seconds_left(const Campaign& campaign, const CampaignStatus& status, const MemberNotes& notes,
+                                   const Matched& records, int threads) {
     double wall_time_per_cost = 0;
     int done = 0;
     double cost_left = 0;
     for (std::size_t k = 0; k < records.size(); ++k) {
         const double cost = expected_cost(campaign, static_cast<int>(k));
-        if (records[k] == nullptr) {
+        if (!records[k]) {
             cost_left += cost;
-        } else if (records[k]->result.status == MemberStatus::done) {
-            wall_time_per_cost += records[k]->result.wall_time / cost;
+        } else if (notes[*records[k]].done()) {
+            wall_time_per_cost += notes[*records[k]].wall_time / cost;
             ++done;
         }
     }
@@ -77,13 +97,17 @@ TimedMember timed(const Campaign& campaign, int number, int attempt, double seco
     return {number, campaign.cases[static_cast<std::size_t>(key.case_index)].name, key.arrangement, attempt, seconds};
 }
 
-std::vector<TimedMember> slowest(const Campaign& campaign, const std::vector<const MemberRecord*>& records) {
-    std::vector<TimedMember> members;
+std::vector<TimedMember> slowest(const Campaign& campaign, const MemberNotes& notes, const Matched& records) {
+    std::vector<std::size_t> done;
     for (std::size_t k = 0; k < records.size(); ++k)
-        if (records[k] != nullptr && records[k]->result.status == MemberStatus::done)
-            members.push_back(timed(campaign, static_cast<int>(k), records[k]->attempt, records[k]->result.wall_time));
-    std::ranges::stable_sort(members, std::greater(), &TimedMember::seconds);
-    if (members.size() > 5) members.resize(5);
+        if (records[k] && notes[*records[k]].done()) done.push_back(k);
+    std::ranges::stable_sort(done, std::greater(), [&](std::size_t k) { return notes[*records[k]].wall_time; });
+    if (done.size() > 5) done.resize(5);
+    std::vector<TimedMember> members;
+    for (const std::size_t k : done) {
+        const MemberNote& note = notes[*records[k]];
+        members.push_back(timed(campaign, static_cast<int>(k), note.attempt, note.wall_time));
+    }
     return members;
 }
 
@@ -101,30 +125,46 @@ void add_heartbeat(CampaignStatus& status, const Campaign& campaign, std::option
     status.heartbeat = std::move(heartbeat);
 }
 
-CampaignSnapshot snapshot_of_journal(const std::filesystem::path& path) {
-    const JournalContents contents = read_journal(path, Histories::leave);
-    const Campaign whole = read_stored_campaign(contents, path);
-    CampaignTable table = campaign_table(whole, contents.members);
-    const std::optional<StopStatus> stop = stop_status(whole, table);
-    Campaign campaign = wanted(whole, table, stop);
-    if (campaign.arrangements < whole.arrangements) table = campaign_table(campaign, contents.members);
-    CampaignStatus status = status_of(table);
+/// What a journal says, without the results.
+struct JournalStatus {
+    JournalContents contents;
+    CampaignStatus status;
+    Campaign campaign;  ///< as its stop rule wants it
+};
+
+JournalStatus status_of_journal(const std::filesystem::path& path) {
+    JournalContents contents = read_journal(path);
+    Campaign campaign = read_stored_campaign(contents, path);
+    const StoredMembers members = stored_members(contents, path);
+    Matched records = match_records(campaign, contents.members);
+    const std::optional<StopStatus> stop = stop_status(campaign, told_rule(campaign, members, records));
+    // Parts of a merged campaign were run in full, regardless of the stop rule.
+    if (stop && stop->met && std::ranges::any_of(records, [](const auto& record) { return !record; })) {
+        campaign.arrangements = stop->arrangements;
+        records.resize(static_cast<std::size_t>(member_count(campaign)));
+    }
+    CampaignStatus status = status_of(campaign, members, records);
     status.stop = stop;
     status.sessions = contents.sessions;
-    const std::vector<const MemberRecord*> records = match_records(campaign, contents.members);
-    status.slowest = slowest(campaign, records);
+    status.slowest = slowest(campaign, contents.members, records);
     status.at_work = is_being_written(path);
     const int threads = contents.sessions.empty() ? 0 : contents.sessions.back().threads;
     add_heartbeat(status, campaign, read_heartbeat(heartbeat_path(path)));
-    if (!status.seconds_left) status.seconds_left = seconds_left(campaign, status, records, threads);
-    return {std::move(status), std::move(campaign), std::move(table)};
+    if (!status.seconds_left) status.seconds_left = seconds_left(campaign, status, contents.members, records, threads);
+    return {std::move(contents), std::move(status), std::move(campaign)};
+}
+
+CampaignSnapshot snapshot_of_journal(const std::filesystem::path& path) {
+    JournalStatus found = status_of_journal(path);
+    CampaignTable table = campaign_table(found.campaign, stored_members(found.contents, path));
+    return {std::move(found.status), std::move(found.campaign), std::move(table)};
 }
 
 CampaignSnapshot snapshot_of_file(const std::filesystem::path& path) {
     CampaignTable table = read_campaign_file(path);
     Campaign campaign = campaign_of(read_origin(path), path);
     CampaignStatus status = status_of(table);
-    status.stop = stop_status(campaign, table);
+    status.stop = stop_status(campaign, stop_rule_of(campaign, table));
     return {std::move(status), std::move(campaign), std::move(table)};
 }
 
@@ -139,7 +179,8 @@ CampaignSnapshot read_snapshot(const std::filesystem::path& campaign_file) {
 }
 
 CampaignStatus read_status(const std::filesystem::path& campaign_file) {
-    return read_snapshot(campaign_file).status;
+    const std::filesystem::path journal = journal_path(campaign_file);
+    return std::filesystem::exists(journal) ? status_of_journal(journal).status : read_snapshot(campaign_file).status;
 }
 
 }  // namespace floes

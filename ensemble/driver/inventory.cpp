@@ -14,30 +14,34 @@ std::optional<PrecisionStop> stop_rule_of(const Campaign& campaign, const Part& 
     return stop_rule_of(campaign);
 }
 
-Inventory take_inventory(const Campaign& campaign, std::span<const MemberRecord> records, const AttemptBook& attempts,
+Inventory take_inventory(const Campaign& campaign, const StoredMembers& members, const AttemptBook& attempts,
                          const Part& part, bool retry_failed) {
     Inventory found;
     found.precision = stop_rule_of(campaign, part);
-    const std::vector<const MemberRecord*> kept = match_records(campaign, records);
+    const std::vector<std::optional<std::size_t>> kept = match_records(campaign, members.notes());
+    const auto tell_rule = [&](const MemberKey& key, std::size_t record) {
+        if (found.precision) tell(found.precision, campaign, key, members.read(record).result);
+    };
     const std::vector<std::string> case_keys = case_fingerprints(campaign);
     for (int number = 0; number < member_count(campaign); ++number) {
-        const MemberRecord* record = kept[static_cast<std::size_t>(number)];
+        const std::optional<std::size_t> record = kept[static_cast<std::size_t>(number)];
+        const MemberNote* note = record ? &members.notes()[*record] : nullptr;
         const MemberKey key = member_key(campaign, number);
         const double cost = expected_cost(campaign, number);
-        if (record != nullptr && record->result.status == MemberStatus::done) {
+        if (note != nullptr && note->done()) {
             ++found.total;
             ++found.done;
-            tell(found.precision, campaign, key, record->result);
-            found.pace = std::max(found.pace, record->result.wall_time / cost);
+            tell_rule(key, *record);
+            found.pace = std::max(found.pace, note->wall_time / cost);
             continue;
         }
         if (!part.has(key.arrangement)) continue;
         ++found.total;
         const int lost = attempts.lost({case_keys[static_cast<std::size_t>(key.case_index)], key.arrangement});
-        const int failures = record == nullptr || retry_failed ? 0 : record->attempt;
+        const int failures = note == nullptr || retry_failed ? 0 : note->attempt;
         if (failures >= campaign.run.attempts) {
             found.set_aside.push_back(key.arrangement);
-            tell(found.precision, campaign, key, record->result);
+            tell_rule(key, *record);
             continue;
         }
         found.tasks.push_back({.number = number,
@@ -47,7 +51,7 @@ Inventory take_inventory(const Campaign& campaign, std::span<const MemberRecord>
                                .failures = failures,
                                .suspect = lost > 0});
         found.tasks_cost += cost;
-        if (record != nullptr || lost > 0) ++found.retried;
+        if (note != nullptr || lost > 0) ++found.retried;
     }
     if (found.precise()) {
         found.tasks.clear();

@@ -1,15 +1,15 @@
 #pragma once
-// What is done in a campaign and what is still to do, computed from the records of its journal. No file, no clock.
+// What is done in a campaign and what is still to do, computed from the notes of its journal. No clock, and records are
+// read for a stop rule only.
 
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "campaign/campaign.hpp"
 #include "inference/precision_stop.hpp"
 #include "records/attempt_book.hpp"
-#include "records/member_record.hpp"
+#include "records/stored_members.hpp"
 #include "schedule/events.hpp"
 
 namespace floes {
@@ -45,9 +45,9 @@ struct Inventory {
     bool precise() const { return precision && precision->met(); }
 };
 
-/// `records` and `attempts`: of the campaign's journal, with no member running. `retry_failed` gives members that were
+/// `members` and `attempts`: of the campaign's journal, with no member running. `retry_failed` gives members that were
 /// set aside the full number of attempts again. Throws InputError as stop_rule_of() does.
-Inventory take_inventory(const Campaign& campaign, std::span<const MemberRecord> records, const AttemptBook& attempts,
+Inventory take_inventory(const Campaign& campaign, const StoredMembers& members, const AttemptBook& attempts,
                          const Part& part = {}, bool retry_failed = false);
 
 /// The fingerprint of each case.

@@ -69,7 +69,7 @@ void copy_records(const Descriptor& out, const fs::path& out_path, const fs::pat
 
 void merge_campaigns(std::span<const fs::path> parts, const fs::path& output, bool overwrite) {
     check_output(parts, output, overwrite);
-    const JournalContents first = read_journal(journal_path(parts.front()), Histories::leave);
+    const JournalContents first = read_journal(journal_path(parts.front()));
     const Campaign campaign = read_stored_campaign(first, journal_path(parts.front()));
 
     const fs::path journal = journal_path(output);
@@ -79,7 +79,7 @@ void merge_campaigns(std::span<const fs::path> parts, const fs::path& output, bo
         write_all(out, aside, journal_format::header(first.campaign_text));
         for (const fs::path& part : parts) {
             const fs::path path = journal_path(part);
-            const JournalContents contents = read_journal(path, Histories::leave);
+            const JournalContents contents = read_journal(path);
             check_part(campaign, contents, path);
             copy_records(out, aside, path, contents.good_bytes);
         }
@@ -92,8 +92,7 @@ void merge_campaigns(std::span<const fs::path> parts, const fs::path& output, bo
     fs::rename(aside, journal);
     sync_folder_of(journal);
     const Journal merged = open_journal(journal, campaign, Existing::resume);
-    publish(output, campaign, merged.records(), merged.sessions(), merged.calibrations(),
-            [&merged](const MemberRecord& record) { return merged.history(record); });
+    publish(output, campaign, merged.members(), merged.sessions(), merged.calibrations());
 }
 
 }  // namespace floes

@@ -49,7 +49,7 @@ Recorder::Recorder(const Campaign& campaign, Places places)
     : places_(std::move(places)),
       journal_(open(campaign, places_)),
       tally_(campaign,
-             take_inventory(campaign, journal_.records(), journal_.attempts(), places_.part, places_.retry_failed),
+             take_inventory(campaign, journal_.members(), journal_.attempts(), places_.part, places_.retry_failed),
              Clock::now()),
       timer_(Clock::now(), places_.publish_every) {}
 
@@ -118,8 +118,8 @@ void Recorder::finish(const std::string& outcome) {
 }
 
 void Recorder::publish_now() {
-    publish(places_.campaign_file, tally_.published(), journal_.records(), journal_.sessions(), journal_.calibrations(),
-            [this](const MemberRecord& record) { return journal_.history(record); });
+    publish(places_.campaign_file, tally_.published(), journal_.members(), journal_.sessions(),
+            journal_.calibrations());
 }
 
 }  // namespace floes

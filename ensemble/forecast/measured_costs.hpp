@@ -28,6 +28,8 @@ struct DriverCosts {
     double publish_interval = 0;  ///< minimum time between two publications
     double publish_share = 0;     ///< largest share of the time during the run
 
+    double memory_per_member = 0;  ///< bytes: the plan of what is to do, the notes of what is done, publishing
+
     // -- a worker
     double member = 0;             ///< begin and end a member on a core
     double member_per_byte = 0;    ///< for each byte of the packed histories

@@ -1,6 +1,7 @@
 #include "forecast/measured_run.hpp"
 
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -15,11 +16,11 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 MeasuredRun of_journal(const std::filesystem::path& journal, const std::filesystem::path& campaign_file) {
-    const JournalContents contents = read_journal(journal, Histories::leave);
+    const JournalContents contents = read_journal(journal);
     MeasuredRun run{read_stored_campaign(contents, journal), {}, 0};
-    for (const MemberRecord* record : match_records(run.campaign, contents.members)) {
-        const bool done = record != nullptr && record->result.status == MemberStatus::done;
-        run.wall_time.push_back(done ? record->result.wall_time : nan);
+    for (const std::optional<std::size_t>& record : match_records(run.campaign, contents.members)) {
+        const bool done = record && contents.members[*record].done();
+        run.wall_time.push_back(done ? contents.members[*record].wall_time : nan);
     }
     // During a run the file is older than the journal.
     const bool complete = !contents.sessions.empty() && !contents.sessions.back().ended.empty();

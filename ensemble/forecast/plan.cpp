@@ -70,7 +70,7 @@ double scatter(const std::array<double, 2>& uniform, double variation) {
 std::vector<SimulatedMember> members_of(const Campaign& campaign,
                                         const std::function<double(double history, double others)>& file_of) {
     std::vector<HistoryBytes> histories;
-    std::vector<double> others;  // stay in the master's memory; histories stay in the journal
+    std::vector<double> others;
     std::vector<double> costs;
     for (const Case& one : campaign.cases) {
         histories.emplace_back(one.scenario.analysis, one.scenario.step_count());
@@ -84,7 +84,6 @@ std::vector<SimulatedMember> members_of(const Campaign& campaign,
         members.push_back({.expected_cost = costs[k],
                            .record_bytes = histories[k].all + others[k],
                            .file_bytes = file_of(histories[k].all, others[k]),
-                           .memory_bytes = others[k],
                            .packed_bytes = histories[k].deflated});
     }
     return members;
@@ -161,7 +160,6 @@ void set_record_bytes(PlannedMembers& planned, double bytes) {
         member.file_bytes *= bytes / member.record_bytes;
         member.packed_bytes *= bytes / member.record_bytes;
         member.record_bytes = bytes;
-        member.memory_bytes = std::min(member.memory_bytes, bytes);
     }
 }
 
@@ -170,9 +168,8 @@ int usual_ranks(int cores) {
 }
 
 PlanRow plan_row(std::span<const SimulatedMember> members, int cores, int ranks, const DriverCosts& costs) {
-    PlanRow row{cores, ranks, simulate(members, machine_of(cores, ranks), costs), 0};
-    for (const SimulatedMember& member : members) row.master_memory += member.memory_bytes;
-    return row;
+    return {cores, ranks, simulate(members, machine_of(cores, ranks), costs),
+            costs.memory_per_member * static_cast<double>(members.size())};
 }
 
 }  // namespace floes

@@ -35,7 +35,7 @@ struct PlanRow {
     int cores = 1;
     int ranks = 1;
     Forecast forecast;
-    double master_memory = 0;  ///< bytes: all records of the run without histories
+    double master_memory = 0;  ///< bytes: of its heap for all members, done or not
 };
 
 /// Default number of ranks for this number of cores: one for each node of up to 64.

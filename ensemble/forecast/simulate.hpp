@@ -18,7 +18,6 @@ struct SimulatedMember {
     double expected_cost = 1;  ///< used by the scheduler, any unit, > 0
     double record_bytes = 0;   ///< in a message and in the journal
     double file_bytes = 0;     ///< in the campaign file
-    double memory_bytes = 0;   ///< kept by the master
     double packed_bytes = 0;   ///< part of the record: histories that the rank has to pack
 };
 

@@ -6,13 +6,10 @@
 #include <functional>
 #include <numeric>
 
-#include "hdf5/attributes.hpp"
-
 namespace floes::hdf5 {
 namespace {
 
 constexpr unsigned creation_order = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
-constexpr hsize_t most_in_a_chunk = hsize_t{1} << 20;  // bytes: what HDF5's cache of chunks holds
 
 }  // namespace
 
@@ -34,23 +31,34 @@ Handle compressed_properties(std::span<const hsize_t> chunk, unsigned level, con
     return properties;
 }
 
-Handle checked_properties(std::span<const hsize_t> sizes, std::size_t value_bytes, const std::string& name) {
+hsize_t rows_in_a_chunk(std::span<const hsize_t> sizes, std::size_t value_bytes, hsize_t most_in_a_chunk) {
+    const hsize_t row = std::accumulate(sizes.begin() + 1, sizes.end(), hsize_t{value_bytes}, std::multiplies{});
+    return std::clamp<hsize_t>(most_in_a_chunk / std::max<hsize_t>(row, 1), 1, std::max<hsize_t>(sizes[0], 1));
+}
+
+Handle checked_properties(std::span<const hsize_t> sizes, std::size_t value_bytes, const std::string& name,
+                          hsize_t most_in_a_chunk) {
     Handle properties = creation_properties(H5P_DATASET_CREATE);
     if (sizes.empty() || std::ranges::find(sizes, hsize_t{0}) != sizes.end()) return properties;
     std::vector<hsize_t> chunk(sizes.begin(), sizes.end());
-    const hsize_t row = std::accumulate(chunk.begin() + 1, chunk.end(), hsize_t{value_bytes}, std::multiplies{});
-    chunk[0] = std::clamp<hsize_t>(most_in_a_chunk / row, 1, chunk[0]);
+    chunk[0] = rows_in_a_chunk(sizes, value_bytes, most_in_a_chunk);
     check(H5Pset_chunk(properties.id(), static_cast<int>(chunk.size()), chunk.data()), "H5Pset_chunk", name);
     check(H5Pset_fletcher32(properties.id()), "H5Pset_fletcher32", name);
     return properties;
 }
 
-Handle create_dataset(hid_t parent, const Label& label, hid_t type, const Handle& space, const Handle& properties) {
-    Handle dataset(H5Dcreate2(parent, label.name.c_str(), type, space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT),
+Handle create_dataset(hid_t parent, const Label& label, hid_t type, const Handle& space, const Handle& properties,
+                      hid_t access) {
+    Handle dataset(H5Dcreate2(parent, label.name.c_str(), type, space.id(), H5P_DEFAULT, properties.id(), access),
                    H5Dclose, "H5Dcreate", label.name);
     write_attribute(dataset.id(), "units", label.unit);
     write_attribute(dataset.id(), "long_name", label.long_name);
     return dataset;
+}
+
+void write_flags(const Handle& dataset, const Flags& flags) {
+    write_attribute(dataset.id(), "flag_values", flags.values);
+    write_attribute(dataset.id(), "flag_meanings", flags.meanings);
 }
 
 std::vector<hsize_t> sizes_of(const Dimensions& dimensions) {

@@ -88,11 +88,4 @@ void Rows::finish() {
     write_digest(dataset_.id(), digest.finish(dataset_.id()));
 }
 
-void write_rows(hid_t parent, const Label& label, const Scale& rows, const Scale& columns,
-                const std::function<std::span<const double>(std::size_t)>& row_values) {
-    Rows table(parent, label, rows, {columns});
-    for (std::size_t row = 0; row < rows.size(); ++row) table.write(row, row_values(row));
-    table.finish();
-}
-
 }  // namespace floes::hdf5

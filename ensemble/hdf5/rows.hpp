@@ -3,7 +3,6 @@
 // their own.
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -33,9 +32,5 @@ class Rows {
     Handle space_;
     std::vector<std::uint32_t> checksums_;  ///< of each row
 };
-
-/// Such a table whose rows are at hand.
-void write_rows(hid_t parent, const Label& label, const Scale& rows, const Scale& columns,
-                const std::function<std::span<const double>(std::size_t row)>& row_values);
 
 }  // namespace floes::hdf5

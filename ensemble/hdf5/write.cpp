@@ -23,17 +23,11 @@ std::vector<const char*> pointers_to(std::span<const std::string> texts) {
     return pointers;
 }
 
-// A dataset of numbers; with a missing value both HDF5's fill and CF's _FillValue say so.
 template <class Value>
 Handle write_numbers(hid_t parent, const Label& label, std::span<const hsize_t> sizes, std::span<const Value> values,
                      std::optional<Value> missing) {
-    const Handle properties = checked_properties(sizes, sizeof(Value), label.name);
-    if (missing)
-        check(H5Pset_fill_value(properties.id(), native_type<Value>(), &*missing), "H5Pset_fill_value", label.name);
-    Handle dataset = create_dataset(parent, label, stored_type<Value>(), simple_space(sizes), properties);
-    const std::array<hsize_t, 1> one{1};
-    if (missing)
-        write_attribute_of(dataset.id(), "_FillValue", one, stored_type<Value>(), native_type<Value>(), &*missing);
+    Handle dataset =
+        create_numbers<Value>(parent, label, sizes, missing, checked_properties(sizes, sizeof(Value), label.name));
     write_whole(dataset, native_type<Value>(), values.data(), label.name);
     DatasetDigest digest;
     digest.add<Value>(values, 1);
@@ -111,8 +105,7 @@ void write_values(hid_t parent, const Label& label, const Dimensions& dimensions
 void write_values(hid_t parent, const Label& label, const Dimensions& dimensions, std::span<const std::int8_t> values,
                   const Flags& flags) {
     const Handle dataset = write_numbers<std::int8_t>(parent, label, sizes_of(dimensions), values, flags.missing);
-    write_attribute(dataset.id(), "flag_values", flags.values);
-    write_attribute(dataset.id(), "flag_meanings", flags.meanings);
+    write_flags(dataset, flags);
     attach(dataset, dimensions, 0, label.name);
 }
 

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 #include <exception>
+#include <memory>
 #include <set>
 #include <utility>
 
@@ -81,7 +82,7 @@ Journal open_journal(const std::filesystem::path& path, const std::string& campa
     Descriptor file = open_file(path, O_RDWR | O_CREAT | O_APPEND);
     lock_for_writing(file, path);
     if (existing != Existing::replace) {
-        journal_format::Reading reading = journal_format::read(file, path, Histories::leave);
+        journal_format::Reading reading = journal_format::read(file, path);
         if (reading.begun) {
             if (existing == Existing::refuse)
                 throw InputError(
@@ -158,12 +159,12 @@ void Journal::hand_over() {
 void Journal::append(const MemberRecord& record) {
     const std::uint64_t offset = contents_.good_bytes;
     write_record(static_cast<std::uint32_t>(RecordType::member), encode(record));
-    contents_.add(record, {offset, contents_.good_bytes - offset}, Histories::leave);
+    contents_.add(record, {offset, contents_.good_bytes - offset});
 }
 
-PackedHistory Journal::history(const MemberRecord& record) const {
-    const auto index = static_cast<std::size_t>(&record - contents_.members.data());
-    return journal_format::read_member(file_, path_, contents_.places.at(index)).history;
+StoredMembers Journal::members() const {
+    return {contents_.members,
+            [this](std::size_t k) { return journal_format::read_member(file_, path_, contents_.places.at(k)); }};
 }
 
 void Journal::append(const CalibrationRecord& record) {
@@ -206,11 +207,18 @@ void Journal::end_session(const std::string& outcome) {
     sync();
 }
 
-JournalContents read_journal(const std::filesystem::path& path, Histories histories) {
+JournalContents read_journal(const std::filesystem::path& path) {
     const Descriptor file = open_file(path, O_RDONLY);
-    journal_format::Reading reading = journal_format::read(file, path, histories);
+    journal_format::Reading reading = journal_format::read(file, path);
     if (!reading.begun) throw InputError(fmt::format("{} is still empty.", path.string()));
     return std::move(reading.contents);
+}
+
+StoredMembers stored_members(const JournalContents& contents, const std::filesystem::path& path) {
+    const auto file = std::make_shared<const Descriptor>(open_file(path, O_RDONLY));
+    return {contents.members, [&contents, path, file](std::size_t k) {
+                return journal_format::read_member(*file, path, contents.places.at(k));
+            }};
 }
 
 Campaign read_stored_campaign(const JournalContents& contents, const std::filesystem::path& path) {

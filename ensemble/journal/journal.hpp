@@ -48,11 +48,8 @@ class Journal {
     /// Records that the latest session has ended now, and syncs.
     void end_session(const std::string& outcome);
 
-    /// All members, without their load histories.
-    const std::vector<MemberRecord>& records() const { return contents_.members; }
-    /// The load history of one of records() that was handed over, read from the file. Throws RunError if it cannot be
-    /// read.
-    PackedHistory history(const MemberRecord& record) const;
+    /// All members. Their records are in the file alone, and can be read once they were handed over.
+    StoredMembers members() const;
     const std::vector<Session>& sessions() const { return contents_.sessions; }
     const std::vector<CalibrationRecord>& calibrations() const { return contents_.calibrations; }
     /// Attempts that were lost with earlier sessions are counted as lost() here.
@@ -93,7 +90,10 @@ Journal open_journal(const std::filesystem::path& path, const std::string& campa
 Journal open_journal(const std::filesystem::path& path, const Campaign& campaign, Existing existing);
 
 /// Reads without locking or changing anything, also during a run. Throws as open_journal() does.
-JournalContents read_journal(const std::filesystem::path& path, Histories histories = Histories::keep);
+JournalContents read_journal(const std::filesystem::path& path);
+
+/// The members of a journal that was read from `path`; `contents` must outlive them.
+StoredMembers stored_members(const JournalContents& contents, const std::filesystem::path& path);
 
 /// The campaign that a journal belongs to. Throws InputError if this program does not accept its configuration.
 Campaign read_stored_campaign(const JournalContents& contents, const std::filesystem::path& path);

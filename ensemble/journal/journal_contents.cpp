@@ -1,17 +1,14 @@
 #include "journal/journal_contents.hpp"
 
-#include <utility>
-
 namespace floes {
 
-void JournalContents::add(MemberRecord record, Place place, Histories histories) {
+void JournalContents::add(const MemberRecord& record, Place place) {
     attempts.finished(identity(record));
     if (!sessions.empty()) {
         Session& session = sessions.back();
         ++(record.result.status == MemberStatus::done ? session.computed : session.set_aside);
     }
-    if (histories == Histories::leave) record.history = {};
-    members.push_back(std::move(record));
+    members.add(record);
     places.push_back(place);
 }
 

@@ -124,11 +124,11 @@ MemberRecord decode_member(std::uint32_t type, std::span<const std::byte> payloa
 }
 
 void take_record(JournalContents& contents, std::uint32_t type, std::span<const std::byte> payload,
-                 JournalContents::Place place, Histories histories) {
+                 JournalContents::Place place) {
     switch (static_cast<RecordType>(type)) {
         case RecordType::member:
         case RecordType::older_member:
-            contents.add(decode_member(type, payload), place, histories);
+            contents.add(decode_member(type, payload), place);
             break;
         case RecordType::session_begin:
             contents.begin(decode_session(payload));
@@ -200,7 +200,7 @@ Bytes record(RecordType type, std::span<const std::byte> payload) {
     return bytes;
 }
 
-Reading read(const Descriptor& file, const std::filesystem::path& path, Histories histories) {
+Reading read(const Descriptor& file, const std::filesystem::path& path) {
     Reading reading;
     // The size is read once: data that a live writer adds meanwhile is left to the next reader.
     const std::uint64_t size = file_size(file, path);
@@ -232,8 +232,7 @@ Reading read(const Descriptor& file, const std::filesystem::path& path, Historie
         }
         const std::uint64_t payload = bytes.size() - record_head_bytes - crc_bytes;
         const std::uint32_t type = type_of(bytes);
-        take_record(contents, type, std::span(bytes).subspan(record_head_bytes, payload), {at, bytes.size()},
-                    histories);
+        take_record(contents, type, std::span(bytes).subspan(record_head_bytes, payload), {at, bytes.size()});
         at += bytes.size();
         contents.good_bytes = at;
     }

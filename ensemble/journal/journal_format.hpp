@@ -54,7 +54,7 @@ struct Reading {
     bool begun = false;
     JournalContents contents;
 };
-Reading read(const Descriptor& file, const std::filesystem::path& path, Histories histories);
+Reading read(const Descriptor& file, const std::filesystem::path& path);
 
 /// Whether what follows the last whole record, read of the file at `path`, is the begin of a record only. A whole one
 /// that is damaged is not.

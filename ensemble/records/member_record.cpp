@@ -1,30 +1,13 @@
 #include "records/member_record.hpp"
 
-#include <algorithm>
 #include <array>
-#include <map>
 #include <utility>
 
-#include "campaign/identity.hpp"
 #include "core/error.hpp"
 #include "member/result_bytes.hpp"
 
 namespace floes {
 namespace {
-
-// Cases of equal physics share their records, so an identity can have several member numbers.
-std::multimap<MemberIdentity, std::size_t> member_numbers(const Campaign& campaign) {
-    std::vector<std::string> keys;
-    for (std::size_t k = 0; k < campaign.cases.size(); ++k)
-        keys.push_back(case_fingerprint(campaign, static_cast<int>(k)));
-    std::multimap<MemberIdentity, std::size_t> numbers;
-    for (int number = 0; number < member_count(campaign); ++number) {
-        const MemberKey key = member_key(campaign, number);
-        numbers.emplace(MemberIdentity{keys[static_cast<std::size_t>(key.case_index)], key.arrangement},
-                        static_cast<std::size_t>(number));
-    }
-    return numbers;
-}
 
 void write(ByteWriter& out, const PackedNumbers& numbers) {
     out.u64(numbers.count);
@@ -106,30 +89,6 @@ MemberRecord decode_older_member_record(std::span<const std::byte> bytes) {
         read_history(in, record);
     }
     return record;
-}
-
-std::vector<const MemberRecord*> match_records(const Campaign& campaign, std::span<const MemberRecord> records) {
-    std::vector<const MemberRecord*> matched(static_cast<std::size_t>(member_count(campaign)), nullptr);
-    const auto numbers = member_numbers(campaign);
-    for (const MemberRecord& record : records) {
-        const auto [first, last] = numbers.equal_range({record.case_key, record.arrangement});
-        for (auto place = first; place != last; ++place) {
-            const MemberRecord*& known = matched[place->second];
-            if (known == nullptr || known->result.status == MemberStatus::failed) known = &record;
-        }
-    }
-    return matched;
-}
-
-std::vector<int> last_attempts(const Campaign& campaign, std::span<const MemberRecord> records) {
-    std::vector<int> attempts(static_cast<std::size_t>(member_count(campaign)), 0);
-    const auto numbers = member_numbers(campaign);
-    for (const MemberRecord& record : records) {
-        const auto [first, last] = numbers.equal_range({record.case_key, record.arrangement});
-        for (auto place = first; place != last; ++place)
-            attempts[place->second] = std::max(attempts[place->second], record.attempt);
-    }
-    return attempts;
 }
 
 }  // namespace floes

@@ -2,7 +2,6 @@
 // A finished member as stored: its identity, its provenance, and the result to the last bit.
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,13 +27,6 @@ struct MemberRecord {
     PackedHistory history;          ///< of the load
 };
 
-/// Gives the load history (and map) of a record whose own was left in the journal.
-using HistoryOf = std::function<PackedHistory(const MemberRecord&)>;
-
-inline PackedHistory own_history(const MemberRecord& record) {
-    return record.history;
-}
-
 MemberIdentity identity(const MemberRecord& record);
 
 /// The bytes of a record, the same on every machine.
@@ -45,12 +37,5 @@ MemberRecord decode_member_record(std::span<const std::byte> bytes);
 
 /// The same for records of journals of schema 1 and 2; an unpacked history is packed.
 MemberRecord decode_older_member_record(std::span<const std::byte> bytes);
-
-/// For each member of the campaign, in member order, the record that counts; nullptr if there is none. Of several
-/// records of one member the first done one counts; if none is done, the last failure.
-std::vector<const MemberRecord*> match_records(const Campaign& campaign, std::span<const MemberRecord> records);
-
-/// The largest attempt number recorded for each member, in member order; 0 if there is none.
-std::vector<int> last_attempts(const Campaign& campaign, std::span<const MemberRecord> records);
 
 }  // namespace floes

@@ -72,13 +72,14 @@ class Run {
     std::vector<Bytes> results() const {
         const JournalContents contents = read_journal(journal_path(file));
         std::vector<Bytes> all;
-        for (const MemberRecord* record : match_records(campaign, contents.members)) {
-            if (record == nullptr) {
+        const StoredMembers members = stored_members(contents, journal_path(file));
+        for (const auto& record : match_records(campaign, contents.members)) {
+            if (!record) {
                 all.emplace_back();
                 continue;
             }
             MemberRecord bare;
-            bare.result = record->result;
+            bare.result = members.read(*record).result;
             bare.result.wall_time = 0;
             bare.result.cpu_time = 0;
             all.push_back(encode(bare));

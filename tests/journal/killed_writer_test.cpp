@@ -65,7 +65,7 @@ TEST(KilledWriter, LosesNoRecordThatItAcknowledged) {
             Journal journal = open_journal(path, "", Existing::resume);
             MemberRecord record = model;
             while (true) {
-                record.attempt = static_cast<int>(journal.records().size());
+                record.attempt = static_cast<int>(journal.members().notes().size());
                 journal.append(record);
                 journal.hand_over();
                 if (record.attempt % 16 == 0) journal.sync();
@@ -75,12 +75,12 @@ TEST(KilledWriter, LosesNoRecordThatItAcknowledged) {
         acknowledged += said.size();
         const Journal journal = open_journal(path, "", Existing::resume);
         // One record more may be stored whose acknowledgement the kill came before.
-        ASSERT_GE(journal.records().size(), acknowledged);
-        ASSERT_LE(journal.records().size(), acknowledged + 1);
-        acknowledged = journal.records().size();
+        ASSERT_GE(journal.members().notes().size(), acknowledged);
+        ASSERT_LE(journal.members().notes().size(), acknowledged + 1);
+        acknowledged = journal.members().notes().size();
         MemberRecord expected = model;
         expected.attempt = 0;
-        for (const MemberRecord& record : whole_records(journal)) {
+        for (const MemberRecord& record : whole_records(journal.members())) {
             ASSERT_EQ(encode(record), encode(expected));
             ++expected.attempt;
         }

@@ -343,49 +343,5 @@ TEST(MemberRecord, SurvivesEveryByteBeingGarbage) {
     EXPECT_THROW(ByteReader(count.bytes()).text(), RunError);
 }
 
-TEST(MatchRecords, PutsRecordsInMemberOrder) {
-    const Campaign campaign = synthetic::campaign();
-    std::vector<MemberRecord> records = synthetic::records(campaign);
-    std::reverse(records.begin(), records.end());
-    const auto matched = match_records(campaign, records);
-    ASSERT_EQ(matched.size(), 12u);
-    for (int number = 0; number < 12; ++number) {
-        const MemberRecord* record = matched[static_cast<std::size_t>(number)];
-        ASSERT_EQ(record == nullptr, number == 7);
-        EXPECT_TRUE(record == nullptr || record->result.wall_time == 12.5 + number) << number;
-    }
-}
-
-TEST(MatchRecords, TakesADoneRecordBeforeAFailedOneAndTheFirstBeforeALaterOne) {
-    const Campaign campaign = synthetic::campaign();
-    std::vector<MemberRecord> records{synthetic::failed_record(campaign, 0), synthetic::record(campaign, 0),
-                                      synthetic::record(campaign, 0), synthetic::failed_record(campaign, 0)};
-    for (int k = 0; k < 4; ++k) records[static_cast<std::size_t>(k)].attempt = k + 1;
-    EXPECT_EQ(match_records(campaign, records)[0], &records[1]);
-    EXPECT_EQ(last_attempts(campaign, records)[0], 4);
-    EXPECT_EQ(last_attempts(campaign, records)[1], 0);
-}
-
-TEST(MatchRecords, KeepsRecordsValidWhenArrangementsAreAdded) {
-    const Campaign small = synthetic::campaign(2);
-    const std::vector<MemberRecord> records{synthetic::record(small, 5)};
-    EXPECT_EQ(match_records(synthetic::campaign(9), records)[5], &records[0]);
-}
-
-TEST(MatchRecords, IgnoresRecordsOfOtherPhysics) {
-    Campaign campaign = synthetic::campaign();
-    const std::vector<MemberRecord> records{synthetic::record(campaign, 0)};
-    campaign.cases[0].scenario.general.iterations = 51;
-    EXPECT_THAT(match_records(campaign, records), testing::Each(nullptr));
-}
-
-TEST(MatchRecords, GivesCasesOfEqualPhysicsTheSameRecord) {
-    Campaign campaign = synthetic::campaign();
-    campaign.cases.push_back({"soft again", campaign.cases[0].scenario});
-    const std::vector<MemberRecord> records{synthetic::record(campaign, 0)};
-    EXPECT_EQ(match_records(campaign, records)[0], &records[0]);
-    EXPECT_EQ(match_records(campaign, records)[3], &records[0]);
-}
-
 }  // namespace
 }  // namespace floes

@@ -53,8 +53,12 @@ inline void expect_small_records(const std::vector<MemberRecord>& records, std::
     for (std::size_t k = 0; k < count; ++k) EXPECT_EQ(encode(records[k]), encode(small_record(static_cast<int>(k))));
 }
 
+inline void expect_small_records(const std::filesystem::path& journal, std::size_t count) {
+    expect_small_records(whole_records(read_journal(journal), journal), count);
+}
+
 inline void expect_small_records(const Journal& journal, std::size_t count) {
-    expect_small_records(whole_records(journal), count);
+    expect_small_records(whole_records(journal.members()), count);
 }
 
 }  // namespace floes

@@ -1,5 +1,5 @@
 #pragma once
-// The records of a journal as appended, with their histories, which a journal leaves in its file.
+// The records of a journal as appended, read back from its file.
 
 #include <vector>
 
@@ -7,13 +7,14 @@
 
 namespace floes {
 
-inline std::vector<MemberRecord> whole_records(const Journal& journal) {
+inline std::vector<MemberRecord> whole_records(const StoredMembers& members) {
     std::vector<MemberRecord> whole;
-    for (const MemberRecord& record : journal.records()) {
-        whole.push_back(record);
-        whole.back().history = journal.history(record);
-    }
+    for (std::size_t k = 0; k < members.notes().size(); ++k) whole.push_back(members.read(k));
     return whole;
+}
+
+inline std::vector<MemberRecord> whole_records(const JournalContents& contents, const std::filesystem::path& path) {
+    return whole_records(stored_members(contents, path));
 }
 
 }  // namespace floes

@@ -1,0 +1,78 @@
+#include "campaign_file/member_rows.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+#include "campaign_file/followed_cfm.hpp"
+
+namespace floes {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// What a function gives of the scenarios of all cases, rising, each value once.
+template <class Function>
+std::vector<double> of_all_cases(const Campaign& campaign, Function function) {
+    std::vector<double> values;
+    for (const Case& one : campaign.cases) {
+        const std::vector<double> own = std::invoke(function, one.scenario);
+        values.insert(values.end(), own.begin(), own.end());
+    }
+    std::ranges::sort(values);
+    values.erase(std::ranges::unique(values).begin(), values.end());
+    return values;
+}
+
+void set_missing(MemberRow& row, int segments, std::size_t levels) {
+    static_cast<MemberOutputs&>(row) = unmeasured(segments);
+    row.steps_above.assign(levels, nan);
+    row.upcrossings.assign(levels, nan);
+}
+
+CaseRow case_row(const Case& one) {
+    const Scenario& scenario = one.scenario;
+    return {one.name,
+            followed_cfm(scenario.joint),
+            scenario.ice.elastic_modulus,
+            scenario.field.far_end,
+            scenario.contact_law(),
+            scenario.structure.shape,
+            scenario.analysis,
+            scenario.general.time_step};
+}
+
+CampaignTable table_without_members(const Campaign& campaign) {
+    CampaignTable table;
+    table.title = campaign.name;
+    for (const Case& one : campaign.cases) table.cases.push_back(case_row(one));
+    table.levels = of_all_cases(campaign, [](const Scenario& s) { return s.analysis.exceedance_levels; });
+    table.averaging_times = of_all_cases(campaign, &Scenario::averaging_times);
+    return table;
+}
+
+}  // namespace
+
+MemberRows::MemberRows(const Campaign& campaign)
+    : campaign_(campaign), table_(table_without_members(campaign)), arrangements_(campaign) {}
+
+MemberRow MemberRows::row(std::size_t member, const MemberRecord* record) const {
+    const MemberKey key = member_key(campaign_, static_cast<int>(member));
+    MemberRow row;
+    row.case_index = key.case_index;
+    row.arrangement = arrangements_.row(key);
+    const Analysis& analysis = table_.cases[static_cast<std::size_t>(key.case_index)].analysis;
+    set_missing(row, analysis.segments, table_.levels.size());
+    if (record == nullptr) return row;
+    row.reason = record->result.reason;
+    if (record->result.status == MemberStatus::done) {
+        row.status = RowStatus::done;
+        static_cast<MemberOutputs&>(row) = record->result;
+        set_levels(row, table_.levels, analysis.exceedance_levels, record->result.levels);
+    } else {
+        row.status = RowStatus::failed;
+    }
+    return row;
+}
+
+}  // namespace floes
