@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <limits>
+#include <string_view>
+#include <utility>
 
 #include "quantities/quantity.hpp"
 #include "scenario/keys.hpp"
@@ -13,6 +15,9 @@ namespace {
 
 constexpr double mebibyte = 1024.0 * 1024.0;
 
+constexpr std::pair<std::string_view, std::string_view> shorthands[]{
+    {"cfm", "joint.cfm"}, {"elastic_modulus_MPa", "ice.elastic_modulus_MPa"}};
+
 /// Keys of a campaign's tables, [campaign] first.
 Keys describe_all(CampaignHead& head, Design& design, StopRule& stop, RunRules& rules, Scenario& scenario) {
     Keys keys = describe(head);
@@ -21,6 +26,16 @@ Keys describe_all(CampaignHead& head, Design& design, StopRule& stop, RunRules& 
     for (Key& key : describe(rules)) keys.push_back(std::move(key));
     for (Key& key : describe(scenario)) keys.push_back(std::move(key));
     return keys;
+}
+
+std::string about_stop_of() {
+    std::vector<std::string_view> stoppable;
+    for (const Quantity& one : quantities)
+        if (one.stops) stoppable.push_back(one.key.view());
+    return fmt::format(
+        "Member result to which the rule applies: {}; sd_load and mean_maximum also averaged over a time of "
+        "analysis.averaging_s, as \"mean_maximum_0.5s\".",
+        fmt::join(stoppable, ", "));
 }
 
 constexpr const char* about_files =
@@ -71,20 +86,15 @@ Keys describe(CampaignHead& head) {
 }
 
 Keys describe(StopRule& stop) {
-    const std::string source = "Hoad, Robinson and Davies 2010";
+    const std::string_view source = "Hoad, Robinson and Davies 2010";
     Keys keys;
     keys.push_back(
         number_key("stop.half_width_percent", stop.half_width, unit::percent, at_least(0).below(100), "off",
                    "The campaign ends when the half-width of the 95 % confidence interval of the mean over "
                    "arrangements is at most this percentage of the mean; campaign.arrangements is then the maximum. 0: "
                    "all arrangements are run. Only arrangements in index order count, whatever finishes first."));
-    std::vector<std::string> stoppable;
-    for (const Quantity& one : quantities)
-        if (one.stops) stoppable.emplace_back(one.key.view());
-    keys.push_back(text_key("stop.of", stop.of, "the first of Table 3",
-                            fmt::format("Member result to which the rule applies: {}; sd_load and mean_maximum also "
-                                        "averaged over a time of analysis.averaging_s, as \"mean_maximum_0.5s\".",
-                                        fmt::join(stoppable, ", "))));
+    static const std::string stoppable = about_stop_of();
+    keys.push_back(text_key("stop.of", stop.of, "the first of Table 3", stoppable));
     keys.push_back(text_key("stop.case", stop.case_name, "every case",
                             "Case to which the rule applies: \"all\", \"none\", or the name of one."));
     keys.push_back(text_key("stop.contrast", stop.contrast, "none",
@@ -137,12 +147,13 @@ Keys describe(RunRules& rules) {
 
 Keys describe(Case& one) {
     Keys keys;
+    keys.reserve(100);
     keys.push_back(text_key("name", one.name, "", "Name of the case."));
     keys.push_back(text_key("design.base", one.base, "", "Case that a point of the design was added to."));
     keys.push_back(integer_key("design.point", one.point, 0, static_cast<int>(most_cases), "", "That point, from 0."));
     for (Key& key : describe(one.scenario)) {
-        for (const char* shorthand : {"cfm", "elastic_modulus_MPa"}) {
-            if (full_path(shorthand) != key.path) continue;
+        for (const auto& [shorthand, full] : shorthands) {
+            if (full != key.path) continue;
             keys.push_back(key);
             keys.back().path = shorthand;
         }
@@ -152,8 +163,8 @@ Keys describe(Case& one) {
 }
 
 std::string full_path(const std::string& path) {
-    if (path == "cfm") return "joint.cfm";
-    if (path == "elastic_modulus_MPa") return "ice.elastic_modulus_MPa";
+    for (const auto& [shorthand, full] : shorthands)
+        if (path == shorthand) return std::string(full);
     return path;
 }
 
@@ -194,7 +205,8 @@ std::vector<KeyDescription> reference() {
     Scenario scenario;
     std::vector<KeyDescription> lines;
     for (const Key& key : describe_all(head, design, stop, rules, scenario)) {
-        lines.push_back({key.path, literal(key), allowed(key), key.doc, key.source});
+        lines.push_back(
+            {std::string(key.path), literal(key), allowed(key), std::string(key.doc), std::string(key.source)});
     }
     return lines;
 }

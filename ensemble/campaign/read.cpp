@@ -18,6 +18,7 @@
 #include "campaign/read_design.hpp"
 #include "campaign/stop_quantity.hpp"
 #include "core/error.hpp"
+#include "core/utf8.hpp"
 #include "keys/read.hpp"
 #include "scenario/keys.hpp"
 #include "scenario/validate.hpp"
@@ -77,6 +78,7 @@ class Reader {
     /// The tables and the overrides that are not for one case.
     void read_tables() {
         Keys keys = describe(head_);
+        keys.reserve(150);
         for (Key& key : describe(design_)) keys.push_back(std::move(key));
         for (Key& key : describe(stop_)) keys.push_back(std::move(key));
         for (Key& key : describe(rules_)) keys.push_back(std::move(key));
@@ -180,7 +182,7 @@ class Reader {
 
     std::string name_of_file() const {
         const std::string stem = std::filesystem::path(source_.file).stem().string();
-        if (is_text(stem)) return stem;
+        if (is_utf8(stem)) return stem;
         throw InputError(
             "The name of the configuration file is not UTF-8, so it cannot name the campaign; give campaign.name.");
     }

@@ -109,8 +109,8 @@ class AxisReader {
                         fmt::format("has {} values; no more than {} are allowed", values->size(), most_cases));
         std::set<std::pair<std::size_t, std::string>> seen;  // kind and text
         for (const Value& value : *values) {
-            assign(key, {key.path, value, entry.where});
-            if (axis_.numeric) refuse_log_of(number(key, {key.path, value, entry.where}), entry.where);
+            assign(key, {axis_.key, value, entry.where});
+            if (axis_.numeric) refuse_log_of(number(key, {axis_.key, value, entry.where}), entry.where);
             const bool repeated = !seen.emplace(value.data.index(), exact_text(key)).second;
             if (repeated && design_.method == DesignMethod::grid)
                 throw wrong(entry.where, fmt::format("has {} twice; keep one", to_text(value)));
@@ -121,7 +121,7 @@ class AxisReader {
 
     /// In the key's unit, after the key has found it good.
     double number(const Key& key, const Entry& entry) const {
-        assign(key, {key.path, entry.value, entry.where});
+        assign(key, {axis_.key, entry.value, entry.where});
         if (const auto* whole = std::get_if<std::int64_t>(&entry.value.data)) return static_cast<double>(*whole);
         return std::get<double>(entry.value.data);
     }

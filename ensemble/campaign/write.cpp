@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <set>
+#include <span>
+#include <string_view>
 
 #include "campaign/campaign_keys.hpp"
 #include "campaign/read_design.hpp"
@@ -16,24 +19,27 @@ namespace {
 
 constexpr const char* cfm_path = "joint.cfm";
 
-/// Paths of the keys in which the cases differ, or that some do not have.
-std::set<std::string> varying_paths(std::vector<Case>& cases) {
-    std::set<std::string> paths;
-    const Keys first = describe(cases.front().scenario);
-    for (Case& one : cases) {
-        if (one.calibrate) paths.insert(cfm_path);
-        const Keys keys = describe(one.scenario);
+/// Paths of the keys in which the cases differ, or that some do not have. `keys` are bound to `scenario`, which is
+/// given those of the cases in turn.
+std::set<std::string_view> varying_paths(const std::vector<Case>& cases, const Keys& keys, Scenario& scenario) {
+    std::set<std::string_view> paths;
+    if (std::ranges::any_of(cases, &Case::calibrate)) paths.insert(cfm_path);
+    if (cases.size() == 1) return paths;
+    scenario = cases.front().scenario;
+    std::vector<std::string> first;
+    for (const Key& key : keys) first.push_back(exact_text(key));
+    for (const Case& one : std::span(cases).subspan(1)) {
+        scenario = one.scenario;
         for (std::size_t i = 0; i < keys.size(); ++i) {
-            if (exact_text(keys[i]) != exact_text(first[i])) paths.insert(keys[i].path);
+            if (!paths.contains(keys[i].path) && exact_text(keys[i]) != first[i]) paths.insert(keys[i].path);
         }
     }
     return paths;
 }
 
-/// The axes as [[design.axis]] blocks.
-std::string axes_text(const Design& design, Scenario scratch) {
+/// The axes as [[design.axis]] blocks. Uses the fields that `keys` are bound to.
+std::string axes_text(const Design& design, const Keys& keys) {
     std::string text;
-    const Keys keys = describe(scratch);
     for (const DesignAxis& axis : design.axes) {
         const Key& key = *find_key(keys, axis.key);
         const auto written = [&](const Value& value) {
@@ -60,8 +66,10 @@ std::string axes_text(const Design& design, Scenario scratch) {
 
 std::string write_campaign(const Campaign& campaign) {
     CampaignHead head{campaign.name, campaign.seed, campaign.arrangements, campaign.common_arrangements};
-    std::vector<Case> cases = campaign.cases;
-    const std::set<std::string> varying = varying_paths(cases);
+    const std::vector<Case>& cases = campaign.cases;
+    Scenario scenario = cases.front().scenario;
+    const Keys keys = describe(scenario);  // once: it takes longer than all else of a case
+    const std::set<std::string_view> varying = varying_paths(cases, keys, scenario);
     StopRule stop = campaign.stop;
     RunRules rules = campaign.run;
     Design design = campaign.design;
@@ -71,16 +79,18 @@ std::string write_campaign(const Campaign& campaign) {
     }
     for (Key& key : describe(stop)) tables.push_back(std::move(key));
     for (Key& key : describe(rules)) tables.push_back(std::move(key));
-    for (Key& key : describe(cases.front().scenario)) {
-        if (!varying.contains(key.path)) tables.push_back(std::move(key));
+    for (const Key& key : keys) {
+        if (!varying.contains(key.path)) tables.push_back(key);
     }
+    scenario = cases.front().scenario;
     std::string text = write_tables(tables, titles(), Comments::none);
-    text += axes_text(design, cases.front().scenario);
-    for (Case& one : cases) {
+    text += axes_text(design, keys);
+    for (const Case& one : cases) {
+        scenario = one.scenario;
         text += fmt::format("\n[[case]]\nname = {}\n", text_literal(one.name));
         if (design.active())
             text += fmt::format("design.base = {}\ndesign.point = {}\n", text_literal(one.base), one.point);
-        for (const Key& key : describe(one.scenario)) {
+        for (const Key& key : keys) {
             if (one.calibrate && key.path == cfm_path) {
                 text += "# joint.cfm: calibrated to show the elastic modulus when the campaign runs\n";
             } else if (varying.contains(key.path) && !key.part) {

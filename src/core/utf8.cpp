@@ -21,4 +21,14 @@ bool is_utf8(std::string_view text) {
     return true;
 }
 
+std::string_view beginning(std::string_view text, std::size_t most) {
+    constexpr std::size_t most_further = 3;  // bytes of a letter after its first; more are not UTF-8
+    if (text.size() <= most) return text;
+    for (std::size_t end = most; end + most_further >= most; --end) {
+        if ((static_cast<unsigned char>(text[end]) & 0xc0) != 0x80) return text.substr(0, end);
+        if (end == 0) break;
+    }
+    return text.substr(0, most);
+}
+
 }  // namespace floes

@@ -7,6 +7,7 @@
 #include <cctype>
 
 #include "core/error.hpp"
+#include "core/utf8.hpp"
 #include "keys/literal.hpp"
 #include "keys/text_limits.hpp"
 
@@ -15,10 +16,12 @@ namespace {
 
 constexpr std::size_t longest_path = 200;  // bytes; ours have 40 at most
 
-void refuse_long_path(const std::string& path, const std::string& where) {
+/// `where` begins the message.
+template <class Where>
+void refuse_long_path(const std::string& path, const Where& where) {
     if (path.size() > longest_path)
-        throw InputError(fmt::format("{}: {}... is a key of more than {} characters, and none of floes", where,
-                                     text_literal(path.substr(0, 20)), longest_path));
+        throw InputError(fmt::format("{}: {}... is a key of more than {} characters, and none of floes", where(),
+                                     text_literal(beginning(path, 20)), longest_path));
 }
 
 Value to_value(const toml::node& node) {
@@ -73,7 +76,8 @@ class Flattener {
     void collect(const toml::table& table, const std::string& prefix, bool in_block, std::vector<Placed>& placed) {
         for (const auto& [key, node] : table) {
             const std::string path = prefix + std::string(key.str());
-            refuse_long_path(path, where(key.source().begin));
+            const toml::source_position at = key.source().begin;
+            refuse_long_path(path, [&] { return where(at); });
             const toml::table* inner = node.as_table();
             const toml::array* array = node.as_array();
             if (inner != nullptr && !inner->empty()) {
@@ -81,7 +85,6 @@ class Flattener {
             } else if (array != nullptr && !in_block && array->is_array_of_tables()) {
                 for (const toml::node& item : *array) add_block(path, *item.as_table());
             } else {
-                const toml::source_position at = key.source().begin;
                 placed.push_back(
                     {{path, inner ? Value{Value::Strange{"an empty table"}} : to_value(node), where(at)}, at});
             }
@@ -143,17 +146,8 @@ std::string trimmed(std::string_view text) {
 
 }  // namespace
 
-bool is_text(std::string_view text) {
-    try {
-        return toml::parse("text = " + text_literal(text)).size() == 1;
-    } catch (const toml::parse_error&) {
-        return false;
-    }
-}
-
 Document parse_document(std::string_view text, const std::string& file) {
-    refuse_what_cannot_be_held(text, file);
-    if (const std::size_t stray = stray_character(text); stray < text.size())
+    if (const std::size_t stray = refuse_what_cannot_be_held(text, file); stray < text.size())
         throw InputError(
             fmt::format("{}:{}: this is not TOML (a character beyond ASCII outside a text in quotes, or after \\)",
                         file, 1 + std::ranges::count(text.substr(0, stray), '\n')));
@@ -176,18 +170,17 @@ Entry parse_override(const std::string& override_text, const std::string& option
     if (equals == std::string::npos || path.empty()) {
         throw InputError(fmt::format("{}: this is not key=value; write {} general.iterations=50", where, option));
     }
-    refuse_long_path(path, option);
+    refuse_long_path(path, [&] { return option; });
     const std::string value = trimmed(std::string_view(override_text).substr(equals + 1));
-    refuse_what_cannot_be_held(value, option + " " + path);
+    const bool may_be_toml = refuse_what_cannot_be_held(value, option + " " + path) >= value.size();
     try {
-        const bool may_be_toml = stray_character(value) >= value.size();
         const toml::table table = may_be_toml ? toml::parse("value = " + value) : toml::table{};
         const bool alone = table.size() == 1;  // a line break could smuggle in a second key
         if (alone) return {path, to_value(*table.get("value")), where};
     } catch (const toml::parse_error&) {
         // Not TOML: a bare word.
     }
-    if (!is_text(path) || !is_text(value))
+    if (!is_utf8(path) || !is_utf8(value))
         throw InputError(fmt::format("{}: this is not text in UTF-8, as configurations are", option));
     return {path, {value}, where};
 }
@@ -200,7 +193,7 @@ std::string to_text(const Value& value) {
         std::string operator()(std::int64_t integer) const { return fmt::format("{}", integer); }
         std::string operator()(double number) const { return number_literal(number); }
         std::string operator()(const std::string& text) const {
-            return text.size() <= longest ? text_literal(text) : text_literal(text.substr(0, most)) + "...";
+            return text.size() <= longest ? text_literal(text) : text_literal(beginning(text, most)) + "...";
         }
         std::string operator()(const Value::Strange& strange) const { return strange.kind; }
         std::string operator()(const std::vector<Value>& values) const {

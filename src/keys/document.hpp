@@ -52,7 +52,4 @@ Document parse_document(std::string_view text, const std::string& file);
 /// "=", for bytes that are not UTF-8, and as parse_document() does for what cannot be held.
 Entry parse_override(const std::string& override_text, const std::string& option);
 
-/// Whether TOML can say it: UTF-8.
-bool is_text(std::string_view text);
-
 }  // namespace floes

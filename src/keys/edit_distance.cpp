@@ -1,8 +1,8 @@
 #include "keys/edit_distance.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
-#include <vector>
 
 namespace floes {
 namespace {
@@ -11,24 +11,27 @@ constexpr std::size_t longest_compared = 200;  // the time grows with the produc
 
 }  // namespace
 
+// An unknown key is compared with all of ours, so nothing is allocated here.
 std::size_t edit_distance(std::string_view one, std::string_view other) {
     one = one.substr(0, longest_compared);
     other = other.substr(0, longest_compared);
-    std::vector<std::size_t> before_last(other.size() + 1);
-    std::vector<std::size_t> last(other.size() + 1);
-    std::iota(last.begin(), last.end(), std::size_t{0});
+    std::array<std::array<std::size_t, longest_compared + 1>, 3> rows;  // each row takes the place of the third last
+    std::size_t* before_last = rows[0].data();
+    std::size_t* last = rows[1].data();
+    std::size_t* row = rows[2].data();
+    std::iota(last, last + other.size() + 1, std::size_t{0});
     for (std::size_t i = 1; i <= one.size(); ++i) {
-        std::vector<std::size_t> row(other.size() + 1, i);
+        row[0] = i;
         for (std::size_t j = 1; j <= other.size(); ++j) {
             const std::size_t substituted = last[j - 1] + (one[i - 1] == other[j - 1] ? 0 : 1);
             row[j] = std::min({substituted, last[j] + 1, row[j - 1] + 1});
             const bool swapped = i > 1 && j > 1 && one[i - 1] == other[j - 2] && one[i - 2] == other[j - 1];
             if (swapped) row[j] = std::min(row[j], before_last[j - 2] + 1);
         }
-        before_last = std::move(last);
-        last = std::move(row);
+        std::swap(before_last, last);
+        std::swap(last, row);
     }
-    return last.back();
+    return last[other.size()];
 }
 
 }  // namespace floes

@@ -55,7 +55,7 @@ struct Allowed {
     std::string operator()(const SwitchField&) const { return "true or false"; }
     std::string operator()(const WordField& word) const {
         std::vector<std::string> words;
-        for (const std::string& text : word.words) words.push_back(text_literal(text));
+        for (const std::string_view text : word.words) words.push_back(text_literal(text));
         return fmt::format("{}", fmt::join(words, " or "));
     }
     std::string operator()(const TextField&) const { return "text in quotes"; }
@@ -86,9 +86,9 @@ Range Range::below(double bound) const {
     return range;
 }
 
-Range Range::because(std::string why) const {
+Range Range::because(std::string_view why) const {
     Range range = *this;
-    range.reason = std::move(why);
+    range.reason = why;
     return range;
 }
 
@@ -120,37 +120,38 @@ std::string to_text(const Range& range) {
     return parts.empty() ? "any number" : fmt::format("{}", fmt::join(parts, " and "));
 }
 
-Key number_key(std::string path, double& field, double unit, Range range, std::string source, std::string doc) {
-    return {std::move(path),
+Key number_key(std::string_view path, double& field, double unit, Range range, std::string_view source,
+               std::string_view doc) {
+    return {path,
             NumberField{[&field] { return field; }, [&field](double value) { field = value; }, unit, std::move(range)},
-            std::move(source), std::move(doc)};
+            source, doc};
 }
 
-Key numbers_key(std::string path, std::vector<double>& field, double unit, Range range, std::string source,
-                std::string doc) {
-    return {std::move(path), NumbersField{&field, unit, std::move(range)}, std::move(source), std::move(doc)};
+Key numbers_key(std::string_view path, std::vector<double>& field, double unit, Range range, std::string_view source,
+                std::string_view doc) {
+    return {path, NumbersField{&field, unit, std::move(range)}, source, doc};
 }
 
-Key integer_key(std::string path, int& field, int low, int high, std::string source, std::string doc) {
+Key integer_key(std::string_view path, int& field, int low, int high, std::string_view source, std::string_view doc) {
     IntegerField binding{[&field] { return std::int64_t{field}; },
                          [&field](std::int64_t value) { field = static_cast<int>(value); }, low, high};
-    return {std::move(path), std::move(binding), std::move(source), std::move(doc)};
+    return {path, std::move(binding), source, doc};
 }
 
-Key switch_key(std::string path, bool& field, std::string source, std::string doc) {
-    return {std::move(path), SwitchField{&field}, std::move(source), std::move(doc)};
+Key switch_key(std::string_view path, bool& field, std::string_view source, std::string_view doc) {
+    return {path, SwitchField{&field}, source, doc};
 }
 
-Key text_key(std::string path, std::string& field, std::string source, std::string doc) {
-    return {std::move(path), TextField{&field}, std::move(source), std::move(doc)};
+Key text_key(std::string_view path, std::string& field, std::string_view source, std::string_view doc) {
+    return {path, TextField{&field}, source, doc};
 }
 
-Key choice_key(std::string path, std::string& field, std::vector<std::string> words, std::string source,
-               std::string doc) {
+Key choice_key(std::string_view path, std::string& field, std::vector<std::string_view> words, std::string_view source,
+               std::string_view doc) {
     WordField binding{
         words, [&field, words] { return static_cast<std::size_t>(std::ranges::find(words, field) - words.begin()); },
         [&field, words](std::size_t word) { field = words.at(word); }};
-    return {std::move(path), std::move(binding), std::move(source), std::move(doc)};
+    return {path, std::move(binding), source, doc};
 }
 
 Key preset_key(Key key) {
@@ -165,8 +166,7 @@ Key part_key(Key key) {
 
 std::vector<Entry> in_order_of_reading(std::span<const Key> keys, std::vector<Entry> entries) {
     const auto is = [&](const Entry& entry, bool Key::*kind) {
-        const Key* key = find_key(keys, entry.path);
-        return key != nullptr && key->*kind;
+        return std::ranges::any_of(keys, [&](const Key& key) { return key.*kind && key.path == entry.path; });
     };
     const auto others =
         std::ranges::stable_partition(entries, [&](const Entry& entry) { return is(entry, &Key::preset); });
@@ -191,17 +191,17 @@ std::string exact_text(const Key& key) {
     return std::visit(Literal{true}, key.field);
 }
 
-const Key* find_key(std::span<const Key> keys, const std::string& path) {
+const Key* find_key(std::span<const Key> keys, std::string_view path) {
     const auto found = std::ranges::find(keys, path, &Key::path);
     return found == keys.end() ? nullptr : &*found;
 }
 
-std::string nearest_path(std::span<const Key> keys, const std::string& path) {
-    const std::string name = path.substr(path.rfind('.') + 1);  // the whole path without a dot
+std::string nearest_path(std::span<const Key> keys, std::string_view path) {
+    const std::string_view name = path.substr(path.rfind('.') + 1);  // the whole path without a dot
     const auto distance = [&](const Key& key) {
         return std::min(edit_distance(key.path, path), edit_distance(key.name(), name) + 1);
     };
-    return std::ranges::min_element(keys, {}, distance)->path;
+    return std::string(std::ranges::min_element(keys, {}, distance)->path);
 }
 
 }  // namespace floes

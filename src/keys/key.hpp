@@ -1,13 +1,15 @@
 #pragma once
 // A key of the configuration: a dotted path bound to one field, with its unit, range, meaning and source. One list of
 // keys drives everything that concerns configuration text: reading, overriding, writing, comparing, the reference. A
-// list of keys points into the value that it describes and must not outlive it.
+// list of keys points into the value that it describes and must not outlive it; nor may it outlive its words, which are
+// mostly literals. They are not copied, since keys are described again for every case that is written or compared.
 
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -22,11 +24,11 @@ struct Range {
     double high = std::numeric_limits<double>::infinity();
     bool low_included = true;
     bool high_included = true;
-    std::string reason;  ///< why, if it is not obvious; part of the message
+    std::string_view reason;  ///< why, if it is not obvious; part of the message
 
     Range at_most(double bound) const;
     Range below(double bound) const;
-    Range because(std::string why) const;
+    Range because(std::string_view why) const;
     bool contains(double value) const;
 };
 Range above(double bound);
@@ -56,7 +58,7 @@ struct SwitchField {
     bool* value;
 };
 struct WordField {
-    std::vector<std::string> words;  ///< in the order of the enumeration
+    std::vector<std::string_view> words;  ///< in the order of the enumeration
     std::function<std::size_t()> get;
     std::function<void(std::size_t)> set;
 };
@@ -75,30 +77,31 @@ struct RowsField {
 };
 
 struct Key {
-    std::string path;  ///< "ice.thickness_m": table, dot, name with unit
+    std::string_view path;  ///< "ice.thickness_m": table, dot, name with unit
     std::variant<NumberField, NumbersField, IntegerField, SwitchField, WordField, TextField, RowsField> field;
-    std::string source;   ///< where the default comes from
-    std::string doc;      ///< meaning, and what changing it does
-    bool late = false;    ///< came after the first campaigns, and can say what was so before
-    bool preset = false;  ///< says what several others say
-    bool part = false;    ///< says a part of what another one says
+    std::string_view source;  ///< where the default comes from
+    std::string_view doc;     ///< meaning, and what changing it does
+    bool late = false;        ///< came after the first campaigns, and can say what was so before
+    bool preset = false;      ///< says what several others say
+    bool part = false;        ///< says a part of what another one says
 
     /// It has no field of its own, so digests and differences leave it out.
     bool derived() const { return preset || part; }
 
-    std::string table() const { return path.substr(0, path.find('.')); }
-    std::string name() const { return path.substr(path.find('.') + 1); }
+    std::string_view table() const { return path.substr(0, path.find('.')); }
+    std::string_view name() const { return path.substr(path.find('.') + 1); }
 };
 
 using Keys = std::vector<Key>;
 
 /// Functions that make keys, one for each kind of field.
-Key number_key(std::string path, double& field, double unit, Range range, std::string source, std::string doc);
-Key numbers_key(std::string path, std::vector<double>& field, double unit, Range range, std::string source,
-                std::string doc);
-Key integer_key(std::string path, int& field, int low, int high, std::string source, std::string doc);
-Key switch_key(std::string path, bool& field, std::string source, std::string doc);
-Key text_key(std::string path, std::string& field, std::string source, std::string doc);
+Key number_key(std::string_view path, double& field, double unit, Range range, std::string_view source,
+               std::string_view doc);
+Key numbers_key(std::string_view path, std::vector<double>& field, double unit, Range range, std::string_view source,
+                std::string_view doc);
+Key integer_key(std::string_view path, int& field, int low, int high, std::string_view source, std::string_view doc);
+Key switch_key(std::string_view path, bool& field, std::string_view source, std::string_view doc);
+Key text_key(std::string_view path, std::string& field, std::string_view source, std::string_view doc);
 
 /// The key, come after the first campaigns: scenarios in which it says what was so before keep their digest.
 Key late_key(Key key);
@@ -113,15 +116,16 @@ Key part_key(Key key);
 
 /// The enumeration must count from 0 in the order of `words`.
 template <class Enum>
-Key word_key(std::string path, Enum& field, std::vector<std::string> words, std::string source, std::string doc) {
+Key word_key(std::string_view path, Enum& field, std::vector<std::string_view> words, std::string_view source,
+             std::string_view doc) {
     WordField binding{std::move(words), [&field] { return static_cast<std::size_t>(field); },
                       [&field](std::size_t word) { field = static_cast<Enum>(word); }};
-    return {std::move(path), std::move(binding), std::move(source), std::move(doc)};
+    return {path, std::move(binding), source, doc};
 }
 
 /// A field that holds one of `words`.
-Key choice_key(std::string path, std::string& field, std::vector<std::string> words, std::string source,
-               std::string doc);
+Key choice_key(std::string_view path, std::string& field, std::vector<std::string_view> words, std::string_view source,
+               std::string_view doc);
 
 /// The values that the key accepts, as in messages and in the reference: "above 0 and at most 10".
 std::string allowed(const Key& key);
@@ -136,10 +140,10 @@ std::string exact_text(const Key& key);
 std::vector<Entry> in_order_of_reading(std::span<const Key> keys, std::vector<Entry> entries);
 
 /// The key of that path, or none.
-const Key* find_key(std::span<const Key> keys, const std::string& path);
+const Key* find_key(std::span<const Key> keys, std::string_view path);
 
 /// The path nearest to a mistyped one: fewest edits, where a correct name in a wrong table counts as one edit. `keys`
 /// is not empty.
-std::string nearest_path(std::span<const Key> keys, const std::string& path);
+std::string nearest_path(std::span<const Key> keys, std::string_view path);
 
 }  // namespace floes

@@ -21,6 +21,7 @@ std::string number_literal(double number) {
 }
 
 std::string number_literal(double in_si, double unit) {
+    if (unit == 1) return number_literal(in_si);
     const double number = in_si / unit;
     if (!std::isfinite(number)) return number_literal(number);
     constexpr int digits_of_a_double = 17;

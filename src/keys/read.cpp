@@ -24,7 +24,7 @@ struct Assigner {
     const Key& key;
     const Entry& entry;
 
-    InputError wrong(const std::string& what, const std::string& reason = "") const {
+    InputError wrong(std::string_view what, std::string_view reason = "") const {
         return InputError(fmt::format("{}: {} = {} {}; allowed: {}{}", entry.where, key.path, to_text(entry.value),
                                       what, allowed(key), reason.empty() ? "" : fmt::format(" ({})", reason)));
     }
@@ -71,7 +71,7 @@ struct Assigner {
         const auto found = std::ranges::find(field.words, *text);
         if (found == field.words.end()) {
             const auto near = std::ranges::min_element(
-                field.words, {}, [&](const std::string& word) { return edit_distance(word, *text); });
+                field.words, {}, [&](std::string_view word) { return edit_distance(word, *text); });
             throw InputError(
                 fmt::format("{}; did you mean {}?", wrong("is not a word of this key").what(), text_literal(*near)));
         }
@@ -122,7 +122,7 @@ void assign(const Key& key, const Entry& entry) {
 std::string assign_known(std::span<const Key> keys, const Entry& entry) {
     if (const Key* key = find_key(keys, entry.path)) {
         assign(*key, entry);
-        return key->path;
+        return std::string(key->path);
     }
     const bool empty_table = entry.value == Value{Value::Strange{"an empty table"}};
     const bool known_table =

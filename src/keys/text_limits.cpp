@@ -51,7 +51,8 @@ class Scan {
 
     /// A string of one line ends with its line at the latest: what follows is not TOML then.
     void skip_string(char quote) {
-        const std::string three(3, quote);
+        const char quotes[]{quote, quote, quote};
+        const std::string_view three(quotes, 3);
         const bool many_lines = text_.substr(at_, 3) == three;
         for (at_ += many_lines ? 3 : 1; at_ < text_.size(); ++at_) {
             if (quote == '"' && text_[at_] == '\\') {
@@ -79,7 +80,7 @@ class Scan {
 
 }  // namespace
 
-void refuse_what_cannot_be_held(std::string_view text, const std::string& where) {
+std::size_t refuse_what_cannot_be_held(std::string_view text, const std::string& where) {
     if (text.size() > longest_text)
         throw InputError(
             fmt::format("{}: a text of {} bytes is too long; allowed: {} bytes", where, text.size(), longest_text));
@@ -92,10 +93,7 @@ void refuse_what_cannot_be_held(std::string_view text, const std::string& where)
     if (scan.most_parts() > most_parts)
         throw InputError(fmt::format("{}: a key with {} parts between dots is none of floes; ours have three at most",
                                      where, scan.most_parts()));
-}
-
-std::size_t stray_character(std::string_view text) {
-    return Scan(text).first_stray();
+    return scan.first_stray();
 }
 
 }  // namespace floes

@@ -10,18 +10,18 @@ namespace {
 constexpr std::size_t text_width = 110;
 
 /// `text` in lines of at most text_width characters, each beginning with "# ".
-std::string comment(const std::string& text) {
+std::string comment(std::string_view text) {
     std::string lines;
     std::string line = "#";
     std::size_t begin = 0;
     while (begin < text.size()) {
         const std::size_t end = std::min(text.find(' ', begin), text.size());
-        const std::string word = text.substr(begin, end - begin);
+        const std::string_view word = text.substr(begin, end - begin);
         if (line.size() > 1 && line.size() + 1 + word.size() > text_width) {
             lines += line + "\n";
             line = "#";
         }
-        line += " " + word;
+        (line += " ") += word;
         begin = end + 1;
     }
     return lines + line + "\n";
@@ -42,7 +42,8 @@ std::string broken_literal(const Key& key) {
 }
 
 /// Escapes "|", which would end a cell of a Markdown table.
-std::string cell(std::string text) {
+std::string cell(std::string_view given) {
+    std::string text(given);
     for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2)) text.insert(at, "\\");
     return text;
 }
@@ -51,13 +52,13 @@ std::string cell(std::string text) {
 
 std::string write_tables(std::span<const Key> keys, const TableTitles& titles, Comments comments) {
     std::string text;
-    std::string table;
+    std::string_view table;
     for (const Key& key : keys) {
         if (key.part) continue;
         if (key.table() != table) {
             table = key.table();
             if (!text.empty()) text += "\n";
-            const auto title = titles.find(table);
+            const auto title = titles.find(std::string(table));
             if (comments == Comments::all && title != titles.end()) text += comment(title->second);
             text += fmt::format("[{}]\n", table);
         }
@@ -72,12 +73,12 @@ std::string write_tables(std::span<const Key> keys, const TableTitles& titles, C
 
 std::string reference_markdown(std::span<const Key> keys, const TableTitles& titles) {
     std::string text;
-    std::string table;
+    std::string_view table;
     for (const Key& key : keys) {
         if (key.table() != table) {
             table = key.table();
             text += fmt::format("{}## [{}]\n\n", text.empty() ? "" : "\n", table);
-            const auto title = titles.find(table);
+            const auto title = titles.find(std::string(table));
             if (title != titles.end()) text += title->second + "\n\n";
             text += "| key | default | allowed | meaning | source of the default |\n|---|---|---|---|---|\n";
         }

@@ -26,8 +26,9 @@ void check_tow(const Scenario& scenario, Contradictions& found) {
     const double radius = structure.shape.waterline_radius();
     const double duration = scenario.analysis.steady_start + scenario.analysis.window;
     const double end = structure.start + structure.speed * duration;
-    const std::string course =
-        fmt::format("{} and {}", given(scenario, "structure.start_m"), given(scenario, "structure.speed_m_s"));
+    const auto course = [&] {
+        return fmt::format("{} and {}", given(scenario, "structure.start_m"), given(scenario, "structure.speed_m_s"));
+    };
     if (structure.speed >= scenario.general.runaway_speed) {
         found.push_back(
             {{"structure.speed_m_s", "general.runaway_speed_m_s"},
@@ -56,7 +57,7 @@ void check_tow(const Scenario& scenario, Contradictions& found) {
              fmt::format(
                  "the tow never reaches the ice: with {} the structure's waterline ends at x = {:.4g} m after {:.6g} "
                  "s, before {}; start nearer, tow faster or longer",
-                 course, end + radius, duration, given(scenario, "field.begin_m"))});
+                 course(), end + radius, duration, given(scenario, "field.begin_m"))});
     }
     if (end + radius > scenario.field_end() + rounding) {
         const bool closed = scenario.field.far_end == FarEnd::ice_sheet;
@@ -66,7 +67,7 @@ void check_tow(const Scenario& scenario, Contradictions& found) {
              fmt::format(
                  "the tow runs {}: with {} the structure's waterline ends at x = {:.4g} m after {:.6g} s, past the "
                  "field's end at {:.4g} m; tow for a shorter time or take more floes",
-                 closed ? "into the ice sheet at the far end" : "out of the ice", course, end + radius, duration,
+                 closed ? "into the ice sheet at the far end" : "out of the ice", course(), end + radius, duration,
                  scenario.field_end())});
     }
 }

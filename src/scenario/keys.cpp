@@ -2,12 +2,27 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 #include "scenario/tables.hpp"
 
 namespace floes {
+namespace {
+
+/// What each late key says of a scenario from before it, by its path.
+std::map<std::string_view, std::string> late_texts() {
+    Scenario scenario = before_late_keys();
+    std::map<std::string_view, std::string> texts;
+    for (const Key& key : describe(scenario))
+        if (key.late) texts.emplace(key.path, exact_text(key));
+    return texts;
+}
+
+}  // namespace
 
 Keys describe(Scenario& scenario) {
     Keys keys;
+    keys.reserve(100);
     add_general(keys, scenario.general);
     add_ice(keys, scenario.ice);
     add_floe(keys, scenario.floe);
@@ -34,7 +49,8 @@ TableTitles scenario_titles() {
          "The channel and the ice field in it. The length of the field follows from the number and size of the floes "
          "and the concentration."},
         {"arrangement", "How the initial positions of the floes are generated."},
-        {"structure", "The towed body of revolution. Its wall, the far end of the channel and how the floes lie decide the load."},
+        {"structure",
+         "The towed body of revolution. Its wall, the far end of the channel and how the floes lie decide the load."},
         {"contact",
          "Contacts between floes, and between ice and the structure. The coefficient of restitution is 0 (Table 1) and "
          "not a key."},
@@ -52,13 +68,11 @@ Scenario before_late_keys() {
 // A late key is left out where it says what was so before it came: so the members that journals have from before keep
 // their digest.
 std::string canonical_text(const Scenario& scenario) {
+    static const std::map<std::string_view, std::string> before = late_texts();
     Scenario copy = scenario;
-    Scenario usual = before_late_keys();
     Keys keys = describe(copy);
-    const Keys defaults = describe(usual);
-    std::erase_if(keys, [&](const Key& key) {
-        return key.derived() || (key.late && exact_text(key) == exact_text(*find_key(defaults, key.path)));
-    });
+    std::erase_if(keys,
+                  [](const Key& key) { return key.derived() || (key.late && exact_text(key) == before.at(key.path)); });
     return canonical_text(keys);
 }
 

@@ -5,6 +5,7 @@
 #include "campaign/read.hpp"
 #include "campaign/write.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -95,7 +96,7 @@ TEST(Fingerprint, EveryKeyCounts) {
         EXPECT_EQ(case_fingerprint(changed, 0), case_fingerprint(campaign, 0)) << key.path;
         const std::vector<std::string> lines = differences(campaign, changed);
         ASSERT_EQ(lines.size(), 1u) << key.path;
-        EXPECT_TRUE(lines[0].starts_with("case E60: " + key.path + ": ")) << lines[0];
+        EXPECT_TRUE(lines[0].starts_with(fmt::format("case E60: {}: ", key.path))) << lines[0];
     }
     EXPECT_GT(keys_changed, 50);
 }

@@ -29,5 +29,13 @@ TEST(Utf8, IsToldFromOtherBytes) {
         EXPECT_FALSE(is_utf8(bad));
 }
 
+TEST(Utf8, IsCutBetweenLetters) {
+    const std::string text = "aΣ🧊b";  // of 1, 2, 4 and 1 bytes
+    const std::size_t ends[]{0, 1, 1, 3, 3, 3, 3, 7, 8, 8};
+    for (std::size_t most = 0; most < std::size(ends); ++most)
+        EXPECT_EQ(beginning(text, most), text.substr(0, ends[most])) << most;
+    EXPECT_EQ(beginning("\x80\x80\x80\x80\x80\x80", 5).size(), 5u) << "not UTF-8: anywhere";
+}
+
 }  // namespace
 }  // namespace floes

@@ -1,7 +1,9 @@
 #pragma once
 // What holds for each campaign that was read: its resolved text gives the same campaign, and the same text, again.
 
+#include <algorithm>
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include "campaign/identity.hpp"
@@ -18,6 +20,13 @@ inline void require_round_trip(const Campaign& campaign) {
     require(fingerprint(*again) == fingerprint(campaign), "the resolved text gives another campaign");
     require(again->stop == campaign.stop, "the resolved text gives another stop rule");
     require(write_campaign(*again) == text, "the resolved text is written in another way");
+}
+
+/// Whether a text could be merely long, seen without parsing it: one with a design or many tables.
+inline bool may_be_long(std::string_view text) {
+    constexpr int many = 64;
+    const auto opened = std::ranges::count(text, '[') + std::ranges::count(text, '{');
+    return opened > many || text.find("design") != std::string_view::npos || text.find('\\') != std::string_view::npos;
 }
 
 /// True for a text that is allowed and merely long to read: designs of hundreds of cases would take the fuzzer's time.

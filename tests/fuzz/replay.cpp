@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "fuzz/fuzz.hpp"
+#include "support/file_bytes.hpp"
 
 namespace {
 
@@ -40,17 +41,12 @@ void run(const Input& input) {
     LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(input.data()), input.size());
 }
 
-Input file_text(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
 std::vector<Input> corpus_of(const std::filesystem::path& folder) {
     std::vector<std::filesystem::path> paths;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) paths.push_back(entry.path());
     std::ranges::sort(paths);
     std::vector<Input> corpus;
-    for (const auto& path : paths) corpus.push_back(file_text(path));
+    for (const auto& path : paths) corpus.push_back(floes::file_text(path));
     return corpus;
 }
 

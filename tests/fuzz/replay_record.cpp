@@ -4,14 +4,14 @@
 #include "fuzz/edited_file.hpp"
 #include "replay/record.hpp"
 #include "support/synthetic.hpp"
-#include "support/temporary_folder.hpp"
 
 namespace {
 
 using namespace floes;
 
-fuzz::EditedFile recorded() {
-    const TemporaryFolder folder;
+constexpr int frames = 2;
+
+void write_record(const std::filesystem::path& path) {
     const Campaign campaign = synthetic::campaign(1);
     RecordSubject subject;
     subject.campaign = campaign.name;
@@ -20,11 +20,12 @@ fuzz::EditedFile recorded() {
     subject.scenario = campaign.cases.front().scenario;
     constexpr int floes_of_it = 2;
     const auto elements = static_cast<std::size_t>(floes_of_it * elements_of_a_floe(subject));
-    RecordWriter writer(folder / "a.h5", subject, floes_of_it);
-    for (int k = 0; k < 2; ++k) {
+    RecordWriter writer(path, subject, floes_of_it);
+    for (int k = 0; k < frames; ++k) {
         Frame frame;
         frame.step = k;
         frame.time = 0.02 * k;
+        frame.load = {1.0 + k, 2, 3};
         frame.elements.resize(elements);
         frame.pieces.assign(elements, 0);
         frame.utilisation.assign(elements, 0.5);
@@ -32,25 +33,65 @@ fuzz::EditedFile recorded() {
         writer.add(frame);
     }
     writer.finish({{{1, 2}, {3, 4}, {5, 6}}, {{0.02, 1, 2, FailureMode::shear}}});
-    return fuzz::EditedFile(folder / "a.h5");
+}
+
+void put(const Vec3& vector, ByteWriter& out) {
+    for (int axis = 0; axis < 3; ++axis) out.f64(vector[axis]);
+}
+
+void put(const Frame& frame, ByteWriter& out) {
+    out.i32(frame.step);
+    out.f64(frame.time);
+    out.f64(frame.structure);
+    put(frame.load, out);
+    for (const BodyState& one : frame.elements) {
+        put(one.position, out);
+        for (int row = 0; row < 3; ++row) put(one.rotation.row(row), out);
+        put(one.velocity, out);
+    }
+    for (const int piece : frame.pieces) out.i32(piece);
+    out.doubles(frame.utilisation);
+    for (const FrameContact& one : frame.contacts) {
+        out.i32(one.element);
+        out.i32(one.other);
+        for (const Vec3& vector : {one.point, one.normal, one.friction}) put(vector, out);
+    }
+}
+
+/// All that is read of a record.
+Bytes record_read(const std::filesystem::path& path) {
+    const Record record(path);
+    ByteWriter out;
+    const RecordSubject& subject = record.subject();
+    for (const std::string& text : {subject.campaign, subject.fingerprint, subject.configuration, subject.case_name})
+        out.text(text);
+    for (const int number : {subject.member, subject.arrangement, record.floes(), record.frames()}) out.i32(number);
+    const RecordOutcome& outcome = record.outcome();
+    for (const std::vector<double>* loads : {&outcome.history.surge, &outcome.history.sway, &outcome.history.heave})
+        out.doubles(*loads);
+    for (const BreakEvent& one : outcome.breaks) {
+        out.f64(one.time);
+        for (const int number : {one.floe, one.joint, static_cast<int>(one.mode)}) out.i32(number);
+    }
+    Frame frame;
+    for (int k = 0; k < std::min(frames, record.frames()); ++k) {
+        record.read(record.nearest(record.time(k)), frame);
+        put(frame, out);
+        for (const std::uint8_t broken : broken_floes(outcome.breaks, record.floes(), frame.time)) out.u8(broken);
+    }
+    return out.take();
 }
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static fuzz::EditedFile file = recorded();
-    file.edit(std::span(data, size));
-    const auto read = fuzz::taken([&] {
-        const Record record(file.path());
-        Frame frame;
-        double sum = 0;
-        for (int k = 0; k < std::min(3, record.frames()); ++k) {
-            record.read(record.nearest(record.time(k)), frame);
-            sum += frame.load.x();
-        }
-        broken_floes(record.outcome().breaks, record.floes(), sum);
-        return sum;
-    });
-    fuzz::require(read.has_value() || size > 0, "the whole record is refused");
+    static fuzz::DamagedFiles files(write_record, write_campaign(synthetic::campaign(1)));
+    static const Bytes right = record_read(files.whole());
+    if (size < 2) return 0;
+    const fuzz::FileInput input(std::span(data, size));
+    const std::filesystem::path path = files.damaged(input);
+    if (path.empty()) return 0;
+    const auto read = fuzz::taken([&] { return record_read(path); });
+    fuzz::require(!read || input.damage == fuzz::Damage::values || *read == right, "damaged bytes are numbers");
     return 0;
 }

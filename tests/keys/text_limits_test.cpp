@@ -76,6 +76,9 @@ TEST(TextLimits, ALongKeyIsRefusedAndNotRepeated) {
 TEST(TextLimits, LongTextsAreCutShortInMessages) {
     EXPECT_EQ(to_text({std::string(200, 'a')}).size(), 202u);
     EXPECT_EQ(to_text({std::string(201, 'a')}), "\"" + std::string(60, 'a') + "\"...");
+    EXPECT_EQ(to_text({"a" + repeated("Σ", 200)}), "\"a" + repeated("Σ", 29) + "\"...") << "no letter cut apart";
+    EXPECT_EQ(refused("\"a" + repeated("Σ", 200) + "\" = 1"),
+              "a.toml:1: \"a" + repeated("Σ", 9) + "\"... is a key of more than 200 characters, and none of floes");
 }
 
 // Before, a name of a megabyte took half a minute.

@@ -23,10 +23,10 @@ TEST(Scenario, DefaultsAreThePapersField) {
 
 TEST(ScenarioKeys, PathsAreUniqueAndNamed) {
     Scenario scenario;
-    std::set<std::string> paths;
+    std::set<std::string_view> paths;
     for (const Key& key : describe(scenario)) {
         EXPECT_TRUE(paths.insert(key.path).second) << key.path;
-        EXPECT_TRUE(scenario_titles().contains(key.table())) << key.path;
+        EXPECT_TRUE(scenario_titles().contains(std::string(key.table()))) << key.path;
         EXPECT_FALSE(key.doc.empty()) << key.path;
         EXPECT_FALSE(key.source.empty()) << key.path;
         EXPECT_EQ(key.doc.back(), '.') << key.path;

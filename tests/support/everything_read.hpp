@@ -41,8 +41,7 @@ inline void put_members(const CampaignTable& table, ByteWriter& out) {
     }
 }
 
-/// Throws as the readers do.
-inline Bytes everything_read(const std::filesystem::path& path) {
+inline Bytes table_read(const std::filesystem::path& path) {
     ByteWriter out;
     const CampaignTable table = read_campaign_file(path);
     out.text(table.title);
@@ -50,20 +49,60 @@ inline Bytes everything_read(const std::filesystem::path& path) {
     out.doubles(table.averaging_times);
     put_cases(table, out);
     put_members(table, out);
+    return out.take();
+}
+
+inline Bytes origin_read(const std::filesystem::path& path) {
+    ByteWriter out;
     const CampaignOrigin origin = read_origin(path);
     out.text(origin.configuration);
     for (const auto& [name, value] : origin.facts) out.text(name + value);
+    return out.take();
+}
+
+inline Bytes wall_times_read(const std::filesystem::path& path) {
+    ByteWriter out;
     out.doubles(read_wall_times(path));
+    return out.take();
+}
+
+inline Bytes poses_read(const std::filesystem::path& path) {
+    ByteWriter out;
     for (const PlanarPose& pose : read_poses(path, 0)) out.doubles(std::vector{pose.x, pose.z, pose.yaw});
+    return out.take();
+}
+
+inline Bytes breaks_read(const std::filesystem::path& path) {
+    ByteWriter out;
     for (const BreakRow& row : read_breaks(path)) {
         out.f64(row.time);
         for (const int number : {row.member, row.floe, row.joint, row.mode}) out.i32(number);
     }
+    return out.take();
+}
+
+inline Bytes histories_read(const std::filesystem::path& path) {
+    ByteWriter out;
     for_each_history(path, [&](const SurgeHistory& history) { out.doubles(history.surge); });
+    return out.take();
+}
+
+inline Bytes load_maps_read(const std::filesystem::path& path) {
+    ByteWriter out;
     for_each_load_map(path, [&](int member, const LoadMap& map) {
         out.i32(member);
         for (const std::vector<double>* values : {&map.surge, &map.normal, &map.along_tow}) out.doubles(*values);
     });
+    return out.take();
+}
+
+/// What there is to read of a file, each as bytes. They throw as the readers do.
+inline constexpr Bytes (*parts_read[])(const std::filesystem::path&){
+    table_read, origin_read, wall_times_read, poses_read, breaks_read, histories_read, load_maps_read};
+
+inline Bytes everything_read(const std::filesystem::path& path) {
+    ByteWriter out;
+    for (const auto& read : parts_read) out.blob(read(path));
     return out.take();
 }
 

@@ -13,7 +13,7 @@
 namespace floes::test {
 
 /// What a key is multiplied with: its unit is the end of its name. 1 without a unit.
-inline double froude_factor(const std::string& name, double s) {
+inline double froude_factor(std::string_view name, double s) {
     const double root = std::sqrt(s);
     const std::map<std::string, double> factors{{"m", s},   {"s", root}, {"m_s", root},   {"m_s2", 1},
                                                 {"kPa", s}, {"MPa", s},  {"N", s * s * s}};
