@@ -9,6 +9,7 @@
 #include "campaign/read_design.hpp"
 #include "keys/literal.hpp"
 #include "keys/read.hpp"
+#include "keys/text_limits.hpp"
 #include "scenario/keys.hpp"
 
 namespace floes {
@@ -16,15 +17,19 @@ namespace {
 
 constexpr const char* cfm_path = "joint.cfm";
 
-/// Paths of the keys in which the cases differ, or that some do not have.
-std::set<std::string> varying_paths(std::vector<Case>& cases) {
+/// Paths of the keys in which the cases differ, or that some do not have. `keys` are bound to `scratch`.
+std::set<std::string> varying_paths(const std::vector<Case>& cases, const Keys& keys, Scenario& scratch) {
     std::set<std::string> paths;
-    const Keys first = describe(cases.front().scenario);
-    for (Case& one : cases) {
+    std::vector<std::string> first;
+    for (const Case& one : cases) {
         if (one.calibrate) paths.insert(cfm_path);
-        const Keys keys = describe(one.scenario);
+        scratch = one.scenario;
         for (std::size_t i = 0; i < keys.size(); ++i) {
-            if (exact_text(keys[i]) != exact_text(first[i])) paths.insert(keys[i].path);
+            if (first.size() < keys.size()) {
+                first.push_back(exact_text(keys[i]));
+            } else if (!paths.contains(keys[i].path) && exact_text(keys[i]) != first[i]) {
+                paths.insert(keys[i].path);
+            }
         }
     }
     return paths;
@@ -58,10 +63,12 @@ std::string axes_text(const Design& design, Scenario scratch) {
 
 }  // namespace
 
-std::string write_campaign(const Campaign& campaign) {
+std::string write_campaign(const Campaign& campaign, const std::string& where) {
     CampaignHead head{campaign.name, campaign.seed, campaign.arrangements, campaign.common_arrangements};
-    std::vector<Case> cases = campaign.cases;
-    const std::set<std::string> varying = varying_paths(cases);
+    Scenario scratch;
+    const Keys keys = describe(scratch);  // once: it takes longer than all else of a case
+    const std::set<std::string> varying = varying_paths(campaign.cases, keys, scratch);
+    scratch = campaign.cases.front().scenario;
     StopRule stop = campaign.stop;
     RunRules rules = campaign.run;
     Design design = campaign.design;
@@ -71,16 +78,18 @@ std::string write_campaign(const Campaign& campaign) {
     }
     for (Key& key : describe(stop)) tables.push_back(std::move(key));
     for (Key& key : describe(rules)) tables.push_back(std::move(key));
-    for (Key& key : describe(cases.front().scenario)) {
-        if (!varying.contains(key.path)) tables.push_back(std::move(key));
+    for (const Key& key : keys) {
+        if (!varying.contains(key.path)) tables.push_back(key);
     }
     std::string text = write_tables(tables, titles(), Comments::none);
-    text += axes_text(design, cases.front().scenario);
-    for (Case& one : cases) {
+    text += axes_text(design, scratch);
+    for (const Case& one : campaign.cases) {
+        if (text.size() > longest_text) break;  // a list that each case has may make it many times as long
         text += fmt::format("\n[[case]]\nname = {}\n", text_literal(one.name));
         if (design.active())
             text += fmt::format("design.base = {}\ndesign.point = {}\n", text_literal(one.base), one.point);
-        for (const Key& key : describe(one.scenario)) {
+        scratch = one.scenario;
+        for (const Key& key : keys) {
             if (one.calibrate && key.path == cfm_path) {
                 text += "# joint.cfm: calibrated to show the elastic modulus when the campaign runs\n";
             } else if (varying.contains(key.path) && !key.part) {
@@ -88,6 +97,7 @@ std::string write_campaign(const Campaign& campaign) {
             }
         }
     }
+    refuse_what_cannot_be_held(text, where);
     return text;
 }
 
