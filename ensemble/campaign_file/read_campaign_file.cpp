@@ -8,6 +8,7 @@
 #include "campaign_file/campaign_kind.hpp"
 #include "campaign_file/read_campaign_file.hpp"
 #include "hdf5/columns.hpp"
+#include "hdf5/kind.hpp"
 
 namespace floes {
 namespace {
