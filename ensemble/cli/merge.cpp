@@ -37,7 +37,7 @@ void tell_damage(const std::filesystem::path& journal, const JournalContents& co
 int merge(const MergeOptions& options) {
     const std::vector<std::filesystem::path> parts(options.parts.begin(), options.parts.end());
     merge_campaigns(parts, options.output, options.overwrite, tell_damage);
-    const CampaignTable table = read_campaign_file(options.output);
+    const CampaignTable table = read_campaign_file(CampaignFile(options.output));
     const auto done = std::ranges::count(table.members, RowStatus::done, &MemberRow::status);
     const auto missing = std::ranges::count(table.members, RowStatus::missing, &MemberRow::status);
     const auto failed = std::ssize(table.members) - done - missing;
