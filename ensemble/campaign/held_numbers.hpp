@@ -1,5 +1,5 @@
 #pragma once
-// Whether the lists of all cases can be held, in memory and as the text of the campaign. For this room only.
+// Whether the lists of all cases can be held in memory. For this room only.
 
 #include <cstddef>
 #include <string>
@@ -20,10 +20,6 @@ class HeldNumbers {
   private:
     std::string file_;
     std::size_t numbers_ = 0;
-    std::size_t poses_ = 0;          ///< of all cases
-    std::uint64_t first_poses_ = 0;  ///< digest of those of the first
-    bool differ_ = false;            ///< so they stand in the campaign's text case by case
-    std::size_t cases_ = 0;
 };
 
 }  // namespace floes

@@ -7,13 +7,13 @@
 
 #include "core/error.hpp"
 #include "keys/literal.hpp"
+#include "scenario/keys.hpp"
 
 namespace floes {
 namespace {
 
 constexpr const char* header = "x_m,z_m,yaw_deg";
 constexpr std::size_t columns = 3;
-constexpr std::size_t most_poses = 1'000'000;
 
 /// The line without blanks, tabs and the carriage return of other systems.
 std::string squeezed(const std::string& line) {
@@ -62,9 +62,9 @@ PoseFile read_poses(const std::string& text, const std::string& file) {
             throw InputError(fmt::format("{}:{}: {} is not a pose; write three numbers, {}", file, number,
                                          text_literal(line), header));
         }
-        if (poses.size() == most_poses)
+        if (poses.size() == std::size_t{most_floes})
             throw InputError(fmt::format("{}:{}: there are more than {} poses, the most floes of a field", file, number,
-                                         most_poses));
+                                         most_floes));
         poses.emplace_back(std::move(numbers));
         places.push_back(number);
     }

@@ -17,6 +17,7 @@
 #include "campaign/pose_file.hpp"
 #include "campaign/read_design.hpp"
 #include "campaign/stop_quantity.hpp"
+#include "campaign/write.hpp"
 #include "core/error.hpp"
 #include "core/utf8.hpp"
 #include "keys/read.hpp"
@@ -71,6 +72,8 @@ class Reader {
         if (const auto fault = stop_quantity_fault(campaign))
             throw InputError(
                 fmt::format("{}: {}", origins_.contains("stop.of") ? origins_.at("stop.of") : source_.file, *fault));
+        // It is stored and sent as this text: what could not be read again is refused before a member is computed.
+        if (source_.from_user) write_campaign(campaign, fmt::format("{}, with all keys written out", source_.file));
         return campaign;
     }
 

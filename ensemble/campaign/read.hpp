@@ -24,11 +24,12 @@ struct CampaignSource {
 using LoadFile = std::string (*)(const std::string& path);
 
 /// Reads and checks a campaign. Throws InputError, one sentence: file, line, key, value, what is allowed, and the
-/// nearest known key; for contradictions the keys involved. Overrides "case.NAME.key=value" are for one case; an
-/// override of a key that cases set themselves is refused. `load_file` reads the pose files that arrangement.file names
-/// (its path is relative to `file`), since nothing below the command line opens files; it may be null where there are
-/// none. A design's points become cases: "E60+p003" is the case E60 at point 3. Cases that have a design.point already
-/// (as write_campaign() gives them) are those points.
+/// nearest known key; for contradictions the keys involved. From a user, a campaign whose resolved text could not be
+/// read again is refused, too. Overrides "case.NAME.key=value" are for one case; an override of a key that cases set
+/// themselves is refused. `load_file` reads the pose files that arrangement.file names (its path is relative to
+/// `file`), since nothing below the command line opens files; it may be null where there are none. A design's points
+/// become cases: "E60+p003" is the case E60 at point 3. Cases that have a design.point already (as write_campaign()
+/// gives them) are those points.
 Campaign read_campaign(const CampaignSource& source, LoadFile load_file);
 
 }  // namespace floes

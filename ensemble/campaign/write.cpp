@@ -12,6 +12,7 @@
 #include "campaign/read_design.hpp"
 #include "keys/literal.hpp"
 #include "keys/read.hpp"
+#include "keys/text_limits.hpp"
 #include "scenario/keys.hpp"
 
 namespace floes {
@@ -64,7 +65,7 @@ std::string axes_text(const Design& design, const Keys& keys) {
 
 }  // namespace
 
-std::string write_campaign(const Campaign& campaign) {
+std::string write_campaign(const Campaign& campaign, const std::string& where) {
     CampaignHead head{campaign.name, campaign.seed, campaign.arrangements, campaign.common_arrangements};
     const std::vector<Case>& cases = campaign.cases;
     Scenario scenario = cases.front().scenario;
@@ -86,6 +87,7 @@ std::string write_campaign(const Campaign& campaign) {
     std::string text = write_tables(tables, titles(), Comments::none);
     text += axes_text(design, keys);
     for (const Case& one : cases) {
+        if (text.size() > longest_text) break;  // a list that each case has may make it many times as long
         scenario = one.scenario;
         text += fmt::format("\n[[case]]\nname = {}\n", text_literal(one.name));
         if (design.active())
@@ -98,6 +100,7 @@ std::string write_campaign(const Campaign& campaign) {
             }
         }
     }
+    refuse_what_cannot_be_held(text, where);
     return text;
 }
 

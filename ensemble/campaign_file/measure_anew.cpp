@@ -37,10 +37,9 @@ std::span<const double> in_window(const SurgeHistory& history, const Analysis& a
     return history.surge.last(std::min(count, history.surge.size()));
 }
 
-CampaignTable measured_anew(const std::filesystem::path& path, CampaignTable table,
-                            const std::vector<Analysis>& windows) {
+CampaignTable measured_anew(const CampaignFile& file, CampaignTable table, const std::vector<Analysis>& windows) {
     for (std::size_t k = 0; k < table.cases.size(); ++k) table.cases[k].analysis = windows.at(k);
-    for_each_history(path, [&](const SurgeHistory& history) {
+    for_each_history(file, [&](const SurgeHistory& history) {
         MemberRow& row = table.members.at(static_cast<std::size_t>(history.member));
         const CaseRow& about = table.cases.at(static_cast<std::size_t>(row.case_index));
         if (about.analysis.history_stride > 1)

@@ -1,7 +1,6 @@
 #pragma once
 // The loads of a campaign file in other windows than those it was run with.
 
-#include <filesystem>
 #include <span>
 #include <vector>
 
@@ -13,10 +12,9 @@ namespace floes {
 /// The part of a history that lies in the window, which ends the run.
 std::span<const double> in_window(const SurgeHistory& history, const Analysis& analysis);
 
-/// The table of the file at `path` with every done member's surge load, and the steps that it counted above levels,
+/// The table of the file with every done member's surge load, and the steps that it counted above levels,
 /// measured anew in the window of its case: `windows`, one a case, each ending the run. Nothing else changes. Throws
 /// InputError for histories that are thinned, since maxima and deviations need every step.
-CampaignTable measured_anew(const std::filesystem::path& path, CampaignTable table,
-                            const std::vector<Analysis>& windows);
+CampaignTable measured_anew(const CampaignFile& file, CampaignTable table, const std::vector<Analysis>& windows);
 
 }  // namespace floes

@@ -8,6 +8,7 @@
 #include "campaign_file/publish.hpp"
 #include "core/error.hpp"
 #include "hdf5/contents.hpp"
+#include "hdf5/kind.hpp"
 #include "hdf5/pages.hpp"
 #include "records/file_calls.hpp"
 

@@ -5,14 +5,11 @@
 #include <fmt/format.h>
 
 #include "campaign/read.hpp"
-#include "campaign_file/campaign_kind.hpp"
 #include "campaign_file/read_campaign_file.hpp"
 #include "hdf5/columns.hpp"
 
 namespace floes {
 namespace {
-
-using hdf5::Handle;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int32_t most_segments = 1'000'000;
@@ -207,10 +204,8 @@ void read_averaged(hid_t file, CampaignTable& table) {
         std::erase_if(row.averaged, [](const AveragedLoad& one) { return std::isnan(one.mean_maximum); });
 }
 
-CampaignTable read_campaign_file(const std::filesystem::path& path) {
+CampaignTable read_campaign_file(const CampaignFile& file) {
     const hdf5::QuietErrors quiet;
-    const Handle file = hdf5::open_for_reading(path);
-    hdf5::check_kind(file.id(), campaign_kind, path);
     CampaignTable table;
     table.title = hdf5::read_text_attribute(file.id(), "title");
     table.cases = read_cases(file.id());

@@ -1,13 +1,12 @@
 #pragma once
 // Reads the table of a campaign file.
 
-#include <filesystem>
-
+#include "campaign_file/campaign_file.hpp"
 #include "campaign_file/campaign_table.hpp"
 
 namespace floes {
 
-/// Throws InputError when there is no such file, it is no campaign file, or its major version is not this program's.
-CampaignTable read_campaign_file(const std::filesystem::path& path);
+/// Throws RunError where it is damaged; so do the readers of the file's other parts.
+CampaignTable read_campaign_file(const CampaignFile& file);
 
 }  // namespace floes

@@ -28,9 +28,8 @@ std::string fact(hid_t group, const char* name) {
 
 }  // namespace
 
-CampaignOrigin read_origin(const std::filesystem::path& path) {
+CampaignOrigin read_origin(const CampaignFile& file) {
     const hdf5::QuietErrors quiet;
-    const hdf5::Handle file = hdf5::open_for_reading(path);
     const hdf5::Handle group(
         hdf5::check_read(H5Gopen2(file.id(), "provenance", H5P_DEFAULT), file.id(), "the group provenance"), H5Gclose,
         "H5Gopen", "provenance");
@@ -46,9 +45,8 @@ Campaign campaign_of(const CampaignOrigin& origin, const std::filesystem::path& 
     return read_campaign({origin.configuration, path.stem().string() + ".toml", {}}, nullptr);
 }
 
-std::vector<PlanarPose> read_poses(const std::filesystem::path& path, int arrangement_row) {
+std::vector<PlanarPose> read_poses(const CampaignFile& file, int arrangement_row) {
     const hdf5::QuietErrors quiet;
-    const hdf5::Handle file = hdf5::open_for_reading(path);
     const auto rows = hdf5::read_values<double>(file.id(), "arrangements/psi4").size();
     std::size_t width = 0;
     const auto values = hdf5::read_table<double>(file.id(), "arrangements/pose", rows, width);
@@ -61,15 +59,13 @@ std::vector<PlanarPose> read_poses(const std::filesystem::path& path, int arrang
     return poses;
 }
 
-std::vector<double> read_wall_times(const std::filesystem::path& path) {
+std::vector<double> read_wall_times(const CampaignFile& file) {
     const hdf5::QuietErrors quiet;
-    const hdf5::Handle file = hdf5::open_for_reading(path);
     return hdf5::read_values<double>(file.id(), "provenance/wall_time");
 }
 
-std::vector<BreakRow> read_breaks(const std::filesystem::path& path) {
+std::vector<BreakRow> read_breaks(const CampaignFile& file) {
     const hdf5::QuietErrors quiet;
-    const hdf5::Handle file = hdf5::open_for_reading(path);
     if (!hdf5::exists(file.id(), "breaks")) return {};
     const auto member = hdf5::read_values<std::int32_t>(file.id(), "breaks/member");
     const auto time = hdf5::read_column<double>(file.id(), "breaks/time", member.size());

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "campaign/campaign.hpp"
+#include "campaign_file/campaign_file.hpp"
 #include "core/vector.hpp"
 
 namespace floes {
@@ -18,16 +19,16 @@ struct CampaignOrigin {
 };
 
 /// Throws as read_campaign_file() does; so do the others.
-CampaignOrigin read_origin(const std::filesystem::path& path);
+CampaignOrigin read_origin(const CampaignFile& file);
 
 /// The campaign that the file's own configuration, read from the file at `path`, describes.
 Campaign campaign_of(const CampaignOrigin& origin, const std::filesystem::path& path);
 
 /// Where the floes of a row of /arrangements lay at the start.
-std::vector<PlanarPose> read_poses(const std::filesystem::path& path, int arrangement_row);
+std::vector<PlanarPose> read_poses(const CampaignFile& file, int arrangement_row);
 
 /// Wall time of each member, s, in member order.
-std::vector<double> read_wall_times(const std::filesystem::path& path);
+std::vector<double> read_wall_times(const CampaignFile& file);
 
 struct BreakRow {
     int member = 0;
@@ -38,6 +39,6 @@ struct BreakRow {
 };
 
 /// All breaks of done members in order of member and time; empty where the file keeps none.
-std::vector<BreakRow> read_breaks(const std::filesystem::path& path);
+std::vector<BreakRow> read_breaks(const CampaignFile& file);
 
 }  // namespace floes

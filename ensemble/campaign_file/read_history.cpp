@@ -21,10 +21,9 @@ std::vector<double> value_steps(hid_t file) {
 }
 
 /// Of the members that `wanted` takes.
-void for_histories(const std::filesystem::path& path, const std::function<bool(int member)>& wanted,
+void for_histories(const CampaignFile& file, const std::function<bool(int member)>& wanted,
                    const std::function<void(const SurgeHistory&)>& use) {
     const hdf5::QuietErrors quiet;
-    const hdf5::Handle file = hdf5::open_for_reading(path);
     const char* name = "history/surge_load";
     if (!hdf5::exists(file.id(), name)) return;
     const std::vector<double> steps = value_steps(file.id());
@@ -44,14 +43,14 @@ void for_histories(const std::filesystem::path& path, const std::function<bool(i
 
 }  // namespace
 
-void for_each_history(const std::filesystem::path& path, const std::function<void(const SurgeHistory&)>& use) {
+void for_each_history(const CampaignFile& file, const std::function<void(const SurgeHistory&)>& use) {
     for_histories(
-        path, [](int) { return true; }, use);
+        file, [](int) { return true; }, use);
 }
 
-void with_history(const std::filesystem::path& path, int member, const std::function<void(const SurgeHistory&)>& use) {
+void with_history(const CampaignFile& file, int member, const std::function<void(const SurgeHistory&)>& use) {
     for_histories(
-        path, [member](int one) { return one == member; }, use);
+        file, [member](int one) { return one == member; }, use);
 }
 
 }  // namespace floes

@@ -1,9 +1,10 @@
 #pragma once
 // The load histories of a campaign file, member by member: all of them at once may not fit into memory.
 
-#include <filesystem>
 #include <functional>
 #include <span>
+
+#include "campaign_file/campaign_file.hpp"
 
 namespace floes {
 
@@ -15,9 +16,9 @@ struct SurgeHistory {
 
 /// Calls `use` for each done member with a stored history, in member order: never where the file has no
 /// /history/surge_load, so that who reads must say when there was none. Throws as read_campaign_file() does.
-void for_each_history(const std::filesystem::path& path, const std::function<void(const SurgeHistory&)>& use);
+void for_each_history(const CampaignFile& file, const std::function<void(const SurgeHistory&)>& use);
 
 /// The same for one member.
-void with_history(const std::filesystem::path& path, int member, const std::function<void(const SurgeHistory&)>& use);
+void with_history(const CampaignFile& file, int member, const std::function<void(const SurgeHistory&)>& use);
 
 }  // namespace floes

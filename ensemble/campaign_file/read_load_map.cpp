@@ -7,9 +7,8 @@
 
 namespace floes {
 
-void for_each_load_map(const std::filesystem::path& path, const std::function<void(int, const LoadMap&)>& use) {
+void for_each_load_map(const CampaignFile& file, const std::function<void(int, const LoadMap&)>& use) {
     const hdf5::QuietErrors quiet;
-    const hdf5::Handle file = hdf5::open_for_reading(path);
     if (!hdf5::exists(file.id(), "load_map")) return;  // before layout 1.7
     const auto status = hdf5::read_values<std::int8_t>(file.id(), "members/status");
     hdf5::RowReader<double> surge(file.id(), "load_map/surge_load");

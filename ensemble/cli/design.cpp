@@ -6,6 +6,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
+#include "core/units.hpp"
 #include "findings/design_section.hpp"
 #include "findings/parts.hpp"
 
@@ -22,8 +23,8 @@ struct DesignOptions {
 
 std::string answer(const DesignOptions& options) {
     DesignRequest request = options.request;
-    request.exposure = 3600 * options.exposure_h;
-    const Evidence evidence = read_evidence(options.file, options.window == "auto");
+    request.exposure = options.exposure_h * unit::hour;
+    const Evidence evidence = read_evidence(CampaignFile(options.file), options.window == "auto");
     const CampaignTable table = with_peaks(options.file, evidence.table);
     return written(design_sections(evidence.summary, find_design(table, request), request), options.format);
 }

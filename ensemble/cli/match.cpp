@@ -21,6 +21,7 @@
 #include "cli/terminal.hpp"
 #include "cli/write_page.hpp"
 #include "core/error.hpp"
+#include "core/units.hpp"
 #include "match/match_sections.hpp"
 #include "match/next_wave.hpp"
 #include "match/predict.hpp"
@@ -97,7 +98,7 @@ Section quantities_over(const OverLeft& left, const MatchOptions& options, const
 Section design_over(const OverLeft& left, const MatchOptions& options, std::vector<MatchWave> waves,
                     const MatchData& data, const std::vector<EmulatedTarget>& targets) {
     DesignRequest request = options.design;
-    request.exposure = 3600 * options.exposure_h;
+    request.exposure = options.exposure_h * unit::hour;
     for (MatchWave& wave : waves) wave.table = with_peaks(wave.file, std::move(wave.table));
     return design_section(predict_design(waves, data, targets, left, request), request);
 }

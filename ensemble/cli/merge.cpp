@@ -16,7 +16,6 @@
 #include "core/wording.hpp"
 #include "driver/merge.hpp"
 #include "findings/summary_section.hpp"
-#include "journal/journal.hpp"
 
 namespace floes {
 
@@ -29,17 +28,16 @@ struct MergeOptions {
 };
 
 /// Damaged records are left out of a merge, and their members stand as missing.
-void tell_damage(const std::filesystem::path& journal) {
-    const FileVerdict verdict = verify_file(journal);
+void tell_damage(const std::filesystem::path& journal, const JournalContents& contents) {
+    const FileVerdict verdict = judge_journal(journal, contents);
     if (verdict.state != FileState::damaged) return;
     for (const std::string& fault : verdict.faults) fmt::print(stderr, "floes: {}: {}\n", verdict.file, fault);
 }
 
 int merge(const MergeOptions& options) {
     const std::vector<std::filesystem::path> parts(options.parts.begin(), options.parts.end());
-    for (const std::filesystem::path& part : parts) tell_damage(journal_path(part));
-    merge_campaigns(parts, options.output, options.overwrite);
-    const CampaignTable table = read_campaign_file(options.output);
+    merge_campaigns(parts, options.output, options.overwrite, tell_damage);
+    const CampaignTable table = read_campaign_file(CampaignFile(options.output));
     const auto done = std::ranges::count(table.members, RowStatus::done, &MemberRow::status);
     const auto missing = std::ranges::count(table.members, RowStatus::missing, &MemberRow::status);
     const auto failed = std::ssize(table.members) - done - missing;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/units.hpp"
 #include "core/wording.hpp"
 
 namespace floes {
@@ -22,7 +23,7 @@ std::string size(double bytes) {
 }
 
 double core_hours(const PlanRow& row) {
-    return row.cores * row.forecast.wall_time / 3600;
+    return row.cores * row.forecast.wall_time / unit::hour;
 }
 
 std::string remark(const PlanHead& head, const PlanRow& row) {

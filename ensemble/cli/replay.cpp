@@ -61,8 +61,9 @@ MemberResult compute(const ReplaySubject& subject, const FrameSteps& steps, cons
 
 /// Computes the member and writes its record. Whether it is the member of the file; says what differs if not.
 bool record_member(const ReplayOptions& options, const std::filesystem::path& path, const StopSignals& signals) {
-    const CampaignTable table = read_campaign_file(options.file);
-    const ReplaySubject subject = replay_subject(options.file, table, chosen_member(table, options.member));
+    const CampaignFile file(options.file);
+    const CampaignTable table = read_campaign_file(file);
+    const ReplaySubject subject = replay_subject(file, table, chosen_member(table, options.member));
     const FrameSteps steps = frame_steps(chosen_times(subject, options.times), subject.about.scenario);
     const MemberResult result = compute(subject, steps, path, signals);
     if (result.status == MemberStatus::failed) std::fprintf(stderr, "floes: %s\n", result.reason.c_str());

@@ -13,6 +13,7 @@
 #include "core/error.hpp"
 #include "picture/film.hpp"
 #include "player/replay_page.hpp"
+#include "records/file_calls.hpp"
 #include "vtk/vtk_series.hpp"
 
 namespace floes {
@@ -120,7 +121,7 @@ void write_replay_output(const std::filesystem::path& path, const Record& record
     aside.replace_extension(".part" + path.extension().string());  // by which ffmpeg knows what to make
     try {
         write(aside, record, look, go_on);
-        std::filesystem::rename(aside, path);
+        rename_into_place(aside, path);
     } catch (...) {
         std::error_code ignored;
         std::filesystem::remove(aside, ignored);

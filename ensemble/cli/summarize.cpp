@@ -50,7 +50,7 @@ std::vector<Section> find(const SummarizeOptions& options, Evidence& evidence) {
 }
 
 std::string answer(const SummarizeOptions& options) {
-    Evidence evidence = read_evidence(options.file, options.window == "auto", options.reference);
+    Evidence evidence = read_evidence(CampaignFile(options.file), options.window == "auto", options.reference);
     evidence.resolve = options.resolve_percent * unit::percent;
     const std::vector<Section> sections = find(options, evidence);
     std::string told = written(sections, options.format);

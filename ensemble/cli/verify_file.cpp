@@ -4,19 +4,30 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <set>
 
+#include "campaign_file/campaign_kind.hpp"
 #include "core/error.hpp"
 #include "core/wording.hpp"
 #include "hdf5/verify.hpp"
 #include "journal/journal.hpp"
 #include "journal/journal_format.hpp"
+#include "replay/record_kind.hpp"
 
 namespace floes {
 namespace {
 
 constexpr std::size_t most_told = 20;  // members in a sentence
+
+/// One without a fault.
+FileVerdict verdict_on(const std::filesystem::path& path, const char* kind) {
+    FileVerdict verdict;
+    verdict.file = path.string();
+    verdict.kind = kind;
+    return verdict;
+}
 
 std::string first_bytes(const std::filesystem::path& path, std::size_t count) {
     std::ifstream in(path, std::ios::binary);
@@ -65,29 +76,19 @@ void judge_tail(const std::filesystem::path& path, const JournalContents& conten
     verdict.faults.push_back(fmt::format("Its last {} bytes are damaged.", contents.torn_bytes));
 }
 
-void verify_journal(const std::filesystem::path& path, FileVerdict& verdict) {
-    verdict.kind = "journal";
+FileVerdict verify_journal(const std::filesystem::path& path) {
+    FileVerdict verdict = verdict_on(path, "journal");
     try {
-        const JournalContents contents = read_journal(path);
-        verdict.counts = fmt::format("{}, {}", counted(static_cast<std::int64_t>(contents.members.size()), "member"),
-                                     counted(std::ssize(contents.sessions), "session"));
-        if (contents.damaged_bytes > 0)
-            verdict.faults.push_back(
-                fmt::format("{} bytes inside it belong to no whole record.", contents.damaged_bytes));
-        judge_tail(path, contents, verdict);
-        if (verdict.faults.empty()) return;
-        verdict.whole =
-            fmt::format("{} in it are whole.", counted(static_cast<std::int64_t>(contents.members.size()), "member"));
-        verdict.remedy = "floes run with --resume keeps these, and computes the members in the damaged parts again.";
+        return judge_journal(path, read_journal(path));
     } catch (const journal_format::NewerJournal& error) {
         verdict.faults.push_back(error.what());
         verdict.state = FileState::newer;
-        return;
     } catch (const std::runtime_error& error) {
         verdict.faults.push_back(error.what());
         verdict.remedy = "Restore it from a copy.";
+        verdict.state = FileState::damaged;
     }
-    verdict.state = FileState::damaged;
+    return verdict;
 }
 
 /// What makes a campaign file again.
@@ -95,8 +96,7 @@ std::string campaign_remedy(const std::filesystem::path& path) {
     const std::filesystem::path journal = journal_path(path);
     const std::string otherwise = "restore it from a copy, or compute it again.";
     if (!std::filesystem::exists(journal)) return fmt::format("There is no journal beside it: {}", otherwise);
-    FileVerdict beside;
-    verify_journal(journal, beside);
+    const FileVerdict beside = verify_journal(journal);
     if (beside.counts.empty()) return fmt::format("Its journal is damaged as well: {}", otherwise);
     return fmt::format(
         "floes run CONFIG.toml -o {} --resume makes it anew from its journal{}.", path.string(),
@@ -104,9 +104,10 @@ std::string campaign_remedy(const std::filesystem::path& path) {
 }
 
 void verify_hdf5(const std::filesystem::path& path, FileVerdict& verdict) {
-    const hdf5::FileCheck check = hdf5::check_file(path);
-    const bool is_record = check.filetype == "floes replay";
-    if (check.filetype == "floes campaign" || is_record) verdict.kind = is_record ? "record" : "campaign file";
+    constexpr std::array filetypes{campaign_kind.filetype, record_kind.filetype};
+    const hdf5::FileCheck check = hdf5::check_file(path, filetypes);
+    const bool is_record = check.filetype == record_kind.filetype;
+    if (check.filetype == campaign_kind.filetype || is_record) verdict.kind = is_record ? "record" : "campaign file";
     if (verdict.kind.empty() && check.fault.empty()) {
         verdict.state = FileState::not_of_floes;
         verdict.faults.push_back("It is an HDF5 file, but neither a campaign nor a record of floes.");
@@ -132,14 +133,24 @@ void verify_hdf5(const std::filesystem::path& path, FileVerdict& verdict) {
 
 }  // namespace
 
+FileVerdict judge_journal(const std::filesystem::path& path, const JournalContents& contents) {
+    FileVerdict verdict = verdict_on(path, "journal");
+    verdict.counts = fmt::format("{}, {}", counted(static_cast<std::int64_t>(contents.members.size()), "member"),
+                                 counted(std::ssize(contents.sessions), "session"));
+    if (contents.damaged_bytes > 0)
+        verdict.faults.push_back(fmt::format("{} bytes inside it belong to no whole record.", contents.damaged_bytes));
+    judge_tail(path, contents, verdict);
+    if (verdict.faults.empty()) return verdict;
+    verdict.state = FileState::damaged;
+    verdict.whole =
+        fmt::format("{} in it are whole.", counted(static_cast<std::int64_t>(contents.members.size()), "member"));
+    verdict.remedy = "floes run with --resume keeps these, and computes the members in the damaged parts again.";
+    return verdict;
+}
+
 FileVerdict verify_file(const std::filesystem::path& path) {
-    FileVerdict verdict;
-    verdict.file = path.string();
-    const std::string begin = first_bytes(path, journal_format::magic.size());
-    if (begin == journal_format::magic) {
-        verify_journal(path, verdict);
-        return verdict;
-    }
+    if (first_bytes(path, journal_format::magic.size()) == journal_format::magic) return verify_journal(path);
+    FileVerdict verdict = verdict_on(path, "");
     try {
         verify_hdf5(path, verdict);
     } catch (const InputError& error) {

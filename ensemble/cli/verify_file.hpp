@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "journal/journal_contents.hpp"
+
 namespace floes {
 
 enum class FileState { good, damaged, not_of_floes, newer };
@@ -24,5 +26,8 @@ struct FileVerdict {
 
 /// Reads the whole file. Nothing is thrown for what is wrong with it.
 FileVerdict verify_file(const std::filesystem::path& path);
+
+/// The same of a journal whose `contents` were read already.
+FileVerdict judge_journal(const std::filesystem::path& path, const JournalContents& contents);
 
 }  // namespace floes

@@ -161,8 +161,9 @@ CampaignSnapshot snapshot_of_journal(const std::filesystem::path& path) {
 }
 
 CampaignSnapshot snapshot_of_file(const std::filesystem::path& path) {
-    CampaignTable table = read_campaign_file(path);
-    Campaign campaign = campaign_of(read_origin(path), path);
+    const CampaignFile file(path);
+    CampaignTable table = read_campaign_file(file);
+    Campaign campaign = campaign_of(read_origin(file), path);
     CampaignStatus status = status_of(table);
     status.stop = stop_status(campaign, stop_rule_of(campaign, table));
     return {std::move(status), std::move(campaign), std::move(table)};

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <system_error>
 
@@ -67,20 +68,24 @@ void copy_records(const Descriptor& out, const fs::path& out_path, const fs::pat
 
 }  // namespace
 
-void merge_campaigns(std::span<const fs::path> parts, const fs::path& output, bool overwrite) {
+void merge_campaigns(std::span<const fs::path> parts, const fs::path& output, bool overwrite, const OnPart& on_part) {
     check_output(parts, output, overwrite);
-    const JournalContents first = read_journal(journal_path(parts.front()));
-    const Campaign campaign = read_stored_campaign(first, journal_path(parts.front()));
-
+    std::optional<Campaign> campaign;  // of the first part
     const fs::path journal = journal_path(output);
     const fs::path aside = journal.string() + ".tmp";
     try {
-        const Descriptor out = open_file(aside, O_WRONLY | O_CREAT | O_TRUNC);
-        write_all(out, aside, journal_format::header(first.campaign_text));
+        Descriptor out;
         for (const fs::path& part : parts) {
             const fs::path path = journal_path(part);
             const JournalContents contents = read_journal(path);
-            check_part(campaign, contents, path);
+            on_part(path, contents);
+            if (campaign) {
+                check_part(*campaign, contents, path);
+            } else {
+                campaign = read_stored_campaign(contents, path);
+                out = open_file(aside, O_WRONLY | O_CREAT | O_TRUNC);
+                write_all(out, aside, journal_format::header(contents.campaign_text));
+            }
             copy_records(out, aside, path, contents.good_bytes);
         }
         sync_data(out, aside);
@@ -89,10 +94,9 @@ void merge_campaigns(std::span<const fs::path> parts, const fs::path& output, bo
         fs::remove(aside, ignored);
         throw;
     }
-    fs::rename(aside, journal);
-    sync_folder_of(journal);
-    const Journal merged = open_journal(journal, campaign, Existing::resume);
-    publish(output, campaign, merged.members(), merged.sessions(), merged.calibrations());
+    rename_into_place(aside, journal);
+    const Journal merged = open_journal(journal, *campaign, Existing::resume);
+    publish(output, *campaign, merged.members(), merged.sessions(), merged.calibrations());
 }
 
 }  // namespace floes

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/units.hpp"
 #include "findings/summary.hpp"
 #include "inference/design_load.hpp"
 
@@ -13,7 +14,7 @@ namespace floes {
 /// What is asked for, at full scale. Froude: times and speeds grow with the square root of the scale, forces with its
 /// cube.
 struct DesignRequest {
-    double exposure = 3 * 3600;          ///< s
+    double exposure = 3 * unit::hour;    ///< s
     std::vector<double> quantiles{0.9};  ///< probabilities of not being exceeded, each in (0, 1)
     double averaging = 1;                ///< s, that the load is averaged over
     double scale = 1;                    ///< length at full scale / length in the campaign

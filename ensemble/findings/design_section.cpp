@@ -12,8 +12,6 @@
 namespace floes {
 namespace {
 
-constexpr double seconds_an_hour = 3600;
-
 LoadUnit unit_for(const std::vector<CaseDesign>& designs, const DesignRequest& request) {
     double largest = 0;
     for (const CaseDesign& one : designs)
@@ -66,7 +64,7 @@ Section loads_section(const Summary& summary, const std::vector<CaseDesign>& des
         }
     }
     std::string before = fmt::format("Design load: the largest load averaged over {:g} s in {:g} h\n\n",
-                                     request.averaging, request.exposure / seconds_an_hour);
+                                     request.averaging, request.exposure / unit::hour);
     return {
         .before = std::move(before),
         .table = std::move(table),
@@ -101,7 +99,7 @@ Section basis_section(const Summary& summary, const std::vector<CaseDesign>& des
     for (const CaseDesign& one : designs) table.front().emplace_back(summary.name_of(one.case_index));
     row("arrangements", [](const CaseDesign& one) { return fmt::format("{}", one.load.arrangements); });
     row("time run, h", [&](const CaseDesign& one) {
-        return fmt::format("{:.3g}", one.load.time_run * std::sqrt(request.scale) / seconds_an_hour);
+        return fmt::format("{:.3g}", one.load.time_run * std::sqrt(request.scale) / unit::hour);
     });
     row("exposure / time run",
         [&](const CaseDesign& one) { return fmt::format("{:.2g}", request.model_exposure() / one.load.time_run); });
@@ -200,7 +198,7 @@ Records load_records(const Summary& summary, const std::vector<CaseDesign>& desi
         {{"case", [&](const Line& line) { return summary.name_of(line.of->case_index); }},
          {"method", [](const Line& line) { return name_of(line.made->method); }},
          {"averaging_s", [&](const Line&) { return request.averaging; }},
-         {"exposure_h", [&](const Line&) { return request.exposure / seconds_an_hour; }},
+         {"exposure_h", [&](const Line&) { return request.exposure / unit::hour; }},
          {"scale", [&](const Line&) { return request.scale; }},
          {"figure", [](const Line& line) { return std::isnan(line.probability) ? "expected" : "quantile"; }},
          {"probability", [](const Line& line) { return line.probability; }},

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/units.hpp"
 #include "tables/number_text.hpp"
 
 namespace floes {
@@ -16,7 +17,8 @@ std::array<const FittedExtreme*, 2> fits_of(const CaseExtremes& one) {
 }
 
 std::string hours(double seconds) {
-    return seconds < 3600 ? fmt::format("{:.3g} min", seconds / 60) : fmt::format("{:.3g} h", seconds / 3600);
+    return seconds < unit::hour ? fmt::format("{:.3g} min", seconds / 60)
+                                : fmt::format("{:.3g} h", seconds / unit::hour);
 }
 
 std::vector<Cell> line(const CaseExtremes& one, const FittedExtreme& fitted) {

@@ -51,10 +51,10 @@ double CaseLoadMap::share_between(double low, double high) const {
     return share_of(*this, [&](double middle, double) { return low <= middle && middle < high; });
 }
 
-std::vector<CaseLoadMap> find_load_maps(const std::filesystem::path& path, const CampaignTable& table) {
+std::vector<CaseLoadMap> find_load_maps(const CampaignFile& file, const CampaignTable& table) {
     std::vector<CaseLoadMap> of_cases(table.cases.size());
     std::vector<Parts> parts(table.cases.size(), Parts(LoadMap::parts));
-    for_each_load_map(path, [&](int member, const LoadMap& map) {
+    for_each_load_map(file, [&](int member, const LoadMap& map) {
         const auto index = static_cast<std::size_t>(table.members.at(static_cast<std::size_t>(member)).case_index);
         CaseLoadMap& found = of_cases.at(index);
         found.case_index = index;

@@ -2,9 +2,9 @@
 // Where on the structure and when along the tow the load acts, over the members of each case. Needs no histories.
 
 #include <cstddef>
-#include <filesystem>
 #include <vector>
 
+#include "campaign_file/campaign_file.hpp"
 #include "campaign_file/campaign_table.hpp"
 #include "inference/interval.hpp"
 #include "statistics/load_map.hpp"
@@ -27,6 +27,6 @@ struct CaseLoadMap {
 };
 
 /// Cases without a map are left out. Throws as read_campaign_file() does.
-std::vector<CaseLoadMap> find_load_maps(const std::filesystem::path& path, const CampaignTable& table);
+std::vector<CaseLoadMap> find_load_maps(const CampaignFile& file, const CampaignTable& table);
 
 }  // namespace floes

@@ -110,12 +110,12 @@ std::span<const Part> parts() {
     return all;
 }
 
-Evidence read_evidence(const std::filesystem::path& file, bool automatic_window, std::string_view reference) {
-    Evidence evidence{.file = file,
-                      .campaign = campaign_of(read_origin(file), file),
-                      .table = read_campaign_file(file),
-                      .summary = {},
-                      .reference = {}};
+Evidence read_evidence(const CampaignFile& file, bool automatic_window, std::string_view reference) {
+    Evidence evidence;
+    evidence.file = file.path();
+    evidence.origin = read_origin(file);
+    evidence.campaign = campaign_of(evidence.origin, file.path());
+    evidence.table = read_campaign_file(file);
     if (automatic_window) {
         evidence.steady = find_steady(file, evidence.table);
         evidence.table = with_automatic_window(file, std::move(evidence.table), *evidence.steady);

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "campaign_file/read_details.hpp"
 #include "findings/extremes.hpp"
 #include "findings/steady.hpp"
 #include "findings/summary.hpp"
@@ -17,6 +18,7 @@ namespace floes {
 /// What parts are computed from.
 struct Evidence {
     std::filesystem::path file;
+    CampaignOrigin origin;
     Campaign campaign;  ///< from the configuration in the file
     CampaignTable table;
     Summary summary;                                         ///< of the table
@@ -28,8 +30,7 @@ struct Evidence {
 
 /// Reads the file. `automatic_window`: loads are recomputed over the steady part. Throws InputError as
 /// read_campaign_file() and with_automatic_window() do, and if there is no case `reference` (empty: no reference).
-Evidence read_evidence(const std::filesystem::path& file, bool automatic_window = false,
-                       std::string_view reference = {});
+Evidence read_evidence(const CampaignFile& file, bool automatic_window = false, std::string_view reference = {});
 
 struct Part {
     std::string_view name;

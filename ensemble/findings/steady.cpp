@@ -63,10 +63,10 @@ CaseSteady case_steady(const CampaignTable& table, std::size_t index, const std:
 
 }  // namespace
 
-SteadyReport find_steady(const std::filesystem::path& path, const CampaignTable& table) {
+SteadyReport find_steady(const CampaignFile& file, const CampaignTable& table) {
     SteadyReport report;
     std::vector<MeanHistory> means(table.cases.size());
-    for_each_history(path, [&](const SurgeHistory& history) {
+    for_each_history(file, [&](const SurgeHistory& history) {
         const auto of_case =
             static_cast<std::size_t>(table.members.at(static_cast<std::size_t>(history.member)).case_index);
         means.at(of_case).add(history);
@@ -88,8 +88,7 @@ SteadyReport find_steady(const std::filesystem::path& path, const CampaignTable&
     return report;
 }
 
-CampaignTable with_automatic_window(const std::filesystem::path& path, CampaignTable table,
-                                    const SteadyReport& steady) {
+CampaignTable with_automatic_window(const CampaignFile& file, CampaignTable table, const SteadyReport& steady) {
     if (steady.members.empty())
         throw InputError("--window auto measures the loads anew, and the file has no load histories to do it from.");
     std::vector<Analysis> windows;
@@ -105,7 +104,7 @@ CampaignTable with_automatic_window(const std::filesystem::path& path, CampaignT
         analysis.window = segments * segment;
         analysis.segments = segments;
     }
-    return measured_anew(path, std::move(table), windows);
+    return measured_anew(file, std::move(table), windows);
 }
 
 Section steady_section(const Summary& summary, const CampaignTable& table, const SteadyReport& steady) {

@@ -1,10 +1,10 @@
 #pragma once
 // When the load of each case became steady, found from its histories, and the statistics in that window.
 
-#include <filesystem>
 #include <optional>
 #include <vector>
 
+#include "campaign_file/campaign_file.hpp"
 #include "findings/summary.hpp"
 
 namespace floes {
@@ -31,14 +31,14 @@ struct SteadyReport {
 
 /// Reads the histories of the file that `table` was read from. Without histories the report has no members, and its
 /// cases have no start.
-SteadyReport find_steady(const std::filesystem::path& path, const CampaignTable& table);
+SteadyReport find_steady(const CampaignFile& file, const CampaignTable& table);
 
 /// The table with the load statistics of every done member recomputed. The window is as many whole segments, each as
 /// long as before, as fit between the start found for the case and the end of the run, counted from the end. A case
 /// without a start, or in which no segment fits, keeps its window. The failure ratio and everything else that is not a
 /// load stay unchanged. Throws InputError if there are no histories or if they are thinned, since maxima and deviations
 /// need every step.
-CampaignTable with_automatic_window(const std::filesystem::path& path, CampaignTable table, const SteadyReport& steady);
+CampaignTable with_automatic_window(const CampaignFile& file, CampaignTable table, const SteadyReport& steady);
 
 /// Text has a row for each case, JSON a record for each case and each member, CSV a line for each member.
 Section steady_section(const Summary& summary, const CampaignTable& table, const SteadyReport& steady);

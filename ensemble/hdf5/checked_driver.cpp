@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "hdf5/pages.hpp"
 
@@ -45,11 +46,18 @@ Value caught(const Action& action, Value otherwise) {
     }
 }
 
-H5FD_t* open(const char* name, unsigned, hid_t, haddr_t) {
+/// What HDF5 copies from the file access to open().
+struct Opening {
+    std::optional<CheckedPages>* pages;
+};
+
+H5FD_t* open(const char*, unsigned, hid_t access, haddr_t) {
     return caught(
-        [name]() -> H5FD_t* {
-            std::optional<CheckedPages> pages = CheckedPages::open(name);
-            return pages ? std::make_unique<OpenFile>(std::move(*pages)).release() : nullptr;
+        [access]() -> H5FD_t* {
+            const auto* opening = static_cast<const Opening*>(H5Pget_driver_info(access));
+            if (opening == nullptr || !*opening->pages) return nullptr;
+            std::optional<CheckedPages> pages = std::exchange(*opening->pages, std::nullopt);
+            return std::make_unique<OpenFile>(std::move(*pages)).release();
         },
         static_cast<H5FD_t*>(nullptr));
 }
@@ -108,6 +116,7 @@ H5FD_class_t driver_class() {
     of.name = "floes_pages";
     of.maxaddr = HADDR_MAX / 2;
     of.fc_degree = H5F_CLOSE_WEAK;
+    of.fapl_size = sizeof(Opening);
     of.open = open;
     of.close = close;
     of.get_eoa = get_eoa;
@@ -126,19 +135,32 @@ hid_t driver() {
     return registered;
 }
 
+/// None where the file of `object` is not read by its pages.
+OpenFile* open_file_of(hid_t object) {
+    const Handle file(H5Iget_file_id(object), H5Fclose, "H5Iget_file_id", "a dataset");
+    const Handle access(H5Fget_access_plist(file.id()), H5Pclose, "H5Fget_access_plist", "a file");
+    if (H5Pget_driver(access.id()) != driver()) return nullptr;
+    void* handle = nullptr;
+    check(H5Fget_vfd_handle(file.id(), H5P_DEFAULT, &handle), "H5Fget_vfd_handle", "a file");
+    return &mine(static_cast<H5FD_t*>(handle));
+}
+
 }  // namespace
 
-void read_by_pages(const Handle& access) {
-    check(H5Pset_driver(access.id(), driver(), nullptr), "H5Pset_driver", "file access");
+void read_by_pages(const Handle& access, std::optional<CheckedPages>& pages) {
+    const Opening opening{&pages};
+    check(H5Pset_driver(access.id(), driver(), &opening), "H5Pset_driver", "file access");
+}
+
+std::string first_page_fault(hid_t file) {
+    OpenFile* const opened = open_file_of(file);
+    return opened == nullptr ? "" : opened->pages.first_fault();
 }
 
 PassedValues::PassedValues(hid_t object) : passes_(nullptr) {
-    const Handle file(H5Iget_file_id(object), H5Fclose, "H5Iget_file_id", "a dataset");
-    const Handle access(H5Fget_access_plist(file.id()), H5Pclose, "H5Fget_access_plist", "a file");
-    if (H5Pget_driver(access.id()) != driver()) return;
-    void* handle = nullptr;
-    check(H5Fget_vfd_handle(file.id(), H5P_DEFAULT, &handle), "H5Fget_vfd_handle", "a file");
-    passes_ = &mine(static_cast<H5FD_t*>(handle)).passes_values;
+    OpenFile* const file = open_file_of(object);
+    if (file == nullptr) return;
+    passes_ = &file->passes_values;
     *passes_ = true;
 }
 

@@ -74,7 +74,7 @@ void add_attribute(hid_t object, const std::string& name, StreamingDigest& diges
 }
 
 bool is_provenance(const std::string& path) {
-    return path.starts_with(provenance_group);
+    return path == provenance_group || path.starts_with(fmt::format("{}/", provenance_group));
 }
 
 }  // namespace

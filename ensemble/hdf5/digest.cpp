@@ -45,8 +45,8 @@ template <class Use>
 void for_pieces(const Handle& dataset, const std::string& name, const StoredShape& shape, hsize_t rows_at_once,
                 const Use& use) {
     const hid_t id = dataset.id();
-    const Handle type(check_read(H5Dget_type(id), id, name), H5Tclose, "H5Dget_type", name);
-    const Handle space(check_read(H5Dget_space(id), id, name), H5Sclose, "H5Dget_space", name);
+    const Handle type = stored_type(dataset, name);
+    const Handle space = stored_space(dataset, name);
     std::vector<std::byte> bytes;
     for (hsize_t row = 0; row < shape.rows(); row += rows_at_once) {
         std::vector<hsize_t> first(shape.sizes.size(), 0);
@@ -98,9 +98,9 @@ std::optional<StoredDigest> read_digest(hid_t dataset) {
     refuse_damaged(dataset, fmt::format("{} has a digest of an unknown kind", path_in_file(dataset)));
 }
 
-StoredDigest digest_of(hid_t id, DigestKind kind) {
+StoredDigest digest_of(const Handle& dataset, DigestKind kind) {
+    const hid_t id = dataset.id();
     const std::string name = path_in_file(id);
-    const Handle dataset = open_dataset(id, name);
     const StoredShape shape = shape_of(dataset, name, Portion::row);
     DatasetDigest digest(kind);
     if (shape.is_text) {

@@ -65,7 +65,7 @@ void write_digest(hid_t dataset, const StoredDigest& digest);
 std::optional<StoredDigest> read_digest(hid_t dataset);
 
 /// The digest of a dataset as it is stored now, read piece by piece. Throws RunError where it cannot be read.
-StoredDigest digest_of(hid_t dataset, DigestKind kind);
+StoredDigest digest_of(const Handle& dataset, DigestKind kind);
 
 /// Throws RunError unless the digests are equal.
 void check_digest(hid_t dataset, const std::string& name, const StoredDigest& stored, const StoredDigest& found);

@@ -16,11 +16,6 @@ namespace {
 
 constexpr std::size_t most_values_at_once = std::size_t{1} << 26;  // half a gigabyte of doubles
 
-bool has_type(const Handle& dataset, hid_t type) {
-    const Handle stored(H5Dget_type(dataset.id()), H5Tclose, "H5Dget_type", "a dataset");
-    return H5Tequal(stored.id(), type) > 0;
-}
-
 /// Whether the file is of a layout that gives every dataset a digest.
 bool has_digests(hid_t parent) {
     const Handle root(check_read(H5Oopen(parent, "/", H5P_DEFAULT), parent, "its root"), H5Oclose, "H5Oopen", "/");
@@ -40,10 +35,6 @@ void compare(hid_t parent, const Handle& dataset, const std::string& name, const
     check_digest(dataset.id(), name, *stored, digest.finish(dataset.id()));
 }
 
-Handle space_of(const Handle& dataset, const std::string& name) {
-    return Handle(check_read(H5Dget_space(dataset.id()), dataset.id(), name), H5Sclose, "H5Dget_space", name);
-}
-
 }  // namespace
 
 Handle open_for_reading(const std::filesystem::path& path) {
@@ -51,8 +42,9 @@ Handle open_for_reading(const std::filesystem::path& path) {
     if (H5Fis_hdf5(path.c_str()) <= 0)
         throw InputError(fmt::format("{} is not an HDF5 file; give the .h5 that floes run wrote.", path.string()));
     const Handle access = access_without_locks();
-    if (CheckedPages::open(path)) {
-        read_by_pages(access);
+    std::optional<CheckedPages> pages = CheckedPages::open(path);
+    if (pages) {
+        read_by_pages(access, pages);
     } else {
         try_out(path);
     }
@@ -78,7 +70,8 @@ std::vector<Value> read_values(hid_t parent, const std::string& name) {
     const PassedValues until_compared(dataset.id());
     check_read(H5Dread(dataset.id(), native_type<Value>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), parent, name);
     compare(parent, dataset, name, [&](DatasetDigest& digest) {
-        if (!has_type(dataset, stored_type<Value>())) refuse_damaged(parent, fmt::format("{} has another type", name));
+        if (H5Tequal(stored_type(dataset, name).id(), stored_type<Value>()) <= 0)
+            refuse_damaged(parent, fmt::format("{} has another type", name));
         digest.add<Value>(values, shape.row_values);
     });
     return values;
@@ -89,7 +82,7 @@ template std::vector<std::int8_t> read_values<std::int8_t>(hid_t, const std::str
 
 template <class Value>
 RowReader<Value>::RowReader(hid_t parent, const std::string& name)
-    : name_(name), dataset_(open_dataset(parent, name)), space_(space_of(dataset_, name)) {
+    : name_(name), dataset_(open_dataset(parent, name)), space_(stored_space(dataset_, name)) {
     const StoredShape shape = shape_of(dataset_, name, Portion::row);
     if (shape.sizes.empty()) refuse_damaged(parent, fmt::format("{} has no rows", name));
     sizes_ = shape.sizes;

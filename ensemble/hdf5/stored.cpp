@@ -51,10 +51,18 @@ Handle open_dataset(hid_t parent, const std::string& name) {
     return Handle(check_read(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), parent, name), H5Dclose, "H5Dopen", name);
 }
 
+Handle stored_space(const Handle& dataset, const std::string& name) {
+    return Handle(check_read(H5Dget_space(dataset.id()), dataset.id(), name), H5Sclose, "H5Dget_space", name);
+}
+
+Handle stored_type(const Handle& dataset, const std::string& name) {
+    return Handle(check_read(H5Dget_type(dataset.id()), dataset.id(), name), H5Tclose, "H5Dget_type", name);
+}
+
 StoredShape shape_of(const Handle& dataset, const std::string& name, Portion portion) {
     const hid_t id = dataset.id();
-    const Handle space(check_read(H5Dget_space(id), id, name), H5Sclose, "H5Dget_space", name);
-    const Handle type(check_read(H5Dget_type(id), id, name), H5Tclose, "H5Dget_type", name);
+    const Handle space = stored_space(dataset, name);
+    const Handle type = stored_type(dataset, name);
     StoredShape shape;
     shape.sizes.resize(static_cast<std::size_t>(check_read(H5Sget_simple_extent_ndims(space.id()), id, name)));
     check_read(H5Sget_simple_extent_dims(space.id(), shape.sizes.data(), nullptr), id, name);
@@ -67,7 +75,7 @@ StoredShape shape_of(const Handle& dataset, const std::string& name, Portion por
 
 std::vector<std::string> texts_of(const Handle& dataset, const std::string& name) {
     const hid_t id = dataset.id();
-    const Handle space(check_read(H5Dget_space(id), id, name), H5Sclose, "H5Dget_space", name);
+    const Handle space = stored_space(dataset, name);
     const Handle type = text_type();
     std::vector<char*> pointers(shape_of(dataset, name, Portion::whole).count, nullptr);
     check_read(H5Dread(id, type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()), id, name);

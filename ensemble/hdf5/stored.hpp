@@ -13,6 +13,10 @@ namespace floes::hdf5 {
 /// Opens a dataset for reading; `name` may be a path. Throws RunError where there is none.
 Handle open_dataset(hid_t parent, const std::string& name);
 
+/// Its dataspace and its type in the file. Throw RunError where they cannot be read.
+Handle stored_space(const Handle& dataset, const std::string& name);
+Handle stored_type(const Handle& dataset, const std::string& name);
+
 struct StoredShape {
     std::vector<hsize_t> sizes;
     hsize_t count = 1;       ///< of the values

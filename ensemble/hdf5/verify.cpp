@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "core/error.hpp"
 #include "hdf5/attributes.hpp"
+#include "hdf5/checked_driver.hpp"
 #include "hdf5/contents.hpp"
 #include "hdf5/damage.hpp"
 #include "hdf5/digest.hpp"
-#include "hdf5/pages.hpp"
 #include "hdf5/read.hpp"
 #include "hdf5/stored.hpp"
 
@@ -35,7 +37,7 @@ void check_dataset(hid_t file, const std::string& path, FileCheck& check) {
         const std::optional<StoredDigest> stored = read_digest(dataset.id());
         one.by_rows = stored && stored->kind == DigestKind::rows;
         if (!stored && check.has_digests) one.fault = fmt::format("{} has no digest", path);
-        const StoredDigest found = digest_of(dataset.id(), stored.value_or(StoredDigest{}).kind);
+        const StoredDigest found = digest_of(dataset, stored.value_or(StoredDigest{}).kind);
         if (stored) check_digest(dataset.id(), path, *stored, found);
     } catch (const DamagedFile& damage) {
         const std::string& fault = damage.fault();
@@ -47,13 +49,14 @@ void check_dataset(hid_t file, const std::string& path, FileCheck& check) {
     if (!one.fault.empty()) check.damaged.push_back(std::move(one));
 }
 
-void check_contents(hid_t file, FileCheck& check) {
+void check_contents(hid_t file, std::span<const std::string_view> filetypes, FileCheck& check) {
     if (has_attribute(file, "filetype")) check.filetype = read_text_attribute(file, "filetype");
     if (has_attribute(file, "version"))
         check.version = fmt::format("{}", fmt::join(read_int_attribute(file, "version"), "."));
     const ContentsDigests stored = read_contents_digests(file);
     check.contents = stored.contents;
     check.has_digests = !stored.contents.empty();
+    if (!check.has_digests && std::ranges::find(filetypes, check.filetype) == filetypes.end()) return;
     const Paths paths = paths_of(file);
     check.datasets = paths.datasets.size();
     for (const std::string& path : paths.unreadable)
@@ -65,15 +68,14 @@ void check_contents(hid_t file, FileCheck& check) {
 
 }  // namespace
 
-FileCheck check_file(const std::filesystem::path& path) {
+FileCheck check_file(const std::filesystem::path& path, std::span<const std::string_view> filetypes) {
     const QuietErrors quiet;
     FileCheck check;
     try {
         const Handle file = open_for_reading(path);
-        check_contents(file.id(), check);
+        check_contents(file.id(), filetypes, check);
         // HDF5 does not read every byte: what lies between its objects, for one.
-        if (check.good())
-            if (std::optional<CheckedPages> pages = CheckedPages::open(path)) check.between = pages->first_fault();
+        if (check.good()) check.between = first_page_fault(file.id());
     } catch (const DamagedFile& damage) {
         check.fault = damage.fault();
     } catch (const RunError& error) {

@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace floes::hdf5 {
@@ -28,8 +30,8 @@ struct FileCheck {
     bool good() const { return fault.empty() && damaged.empty() && between.empty(); }
 };
 
-/// Reads the whole file. What cannot be read is in the answer; throws InputError only where there is no such file or it
-/// is no HDF5 file.
-FileCheck check_file(const std::filesystem::path& path);
+/// Reads the whole file; of a file that has neither digests nor one of the `filetypes`, only what says so. What cannot
+/// be read is in the answer; throws InputError only where there is no such file or it is no HDF5 file.
+FileCheck check_file(const std::filesystem::path& path, std::span<const std::string_view> filetypes);
 
 }  // namespace floes::hdf5

@@ -3,16 +3,11 @@
 #include <algorithm>
 
 #include "core/units.hpp"
+#include "match/predict.hpp"
 #include "match/predict_design.hpp"
 #include "tables/number_text.hpp"
 
 namespace floes {
-namespace {
-
-constexpr double seconds_an_hour = 3600;
-
-}  // namespace
-
 Section design_section(const std::vector<PredictedDesign>& designs, const DesignRequest& request) {
     double largest = 0;
     for (const PredictedDesign& one : designs) largest = std::max(largest, one.quantile.high);
@@ -20,16 +15,13 @@ Section design_section(const std::vector<PredictedDesign>& designs, const Design
     const std::string exceeded = fmt::format("exceeded with {:.3g} %", (1 - request.quantiles.front()) / unit::percent);
     Section section{.before = fmt::format("Design load over what is not ruled out: the largest load averaged over {:g} "
                                           "s in {:g} h\n\n",
-                                          request.averaging, request.exposure / seconds_an_hour)};
+                                          request.averaging, request.exposure / unit::hour)};
     section.table = {{"case", fmt::format("expected, {}", unit.name), "weighed",
                       fmt::format("{}, {}", exceeded, unit.name), "weighed", "growth", "lower half", "upper half",
                       "runs"}};
     bool all_points = false;
     for (const PredictedDesign& one : designs) {
-        const auto cell = [&](const PredictedRange& range) {
-            return Cell{fmt::format("{:.4g}", unit.factor * range.mean),
-                        fmt::format("[{:.4g}, {:.4g}]", unit.factor * range.low, unit.factor * range.high)};
-        };
+        const auto cell = [&](const PredictedRange& range) { return range_cell(range, unit.factor); };
         section.table.push_back({one.case_name.empty() ? "all" : one.case_name, cell(one.expected),
                                  cell(one.expected_weighed), cell(one.quantile), cell(one.quantile_weighed),
                                  Cell{fixed(one.growth_quantile.value, 2),

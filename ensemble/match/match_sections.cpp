@@ -191,8 +191,7 @@ Section point_section(const MatchData& data, const std::vector<EmulatedTarget>& 
     for (const EmulatedTarget& one : targets) {
         if (!one.emulated()) continue;
         rows.push_back({&one, one.mean().at(at).mean, one.expected_difference(at), one.implausibility(at)});
-        if (one.unused().empty() && rows.back().implausibility > ruled_out_above)
-            against.push_back(one.target().name());
+        if (one.rules_out(at)) against.push_back(one.target().name());
     }
     std::string place;
     for (std::size_t k = 0; k < data.axes.size(); ++k)

@@ -33,9 +33,9 @@ class OverLeft {
     AtPoints emulated(const EmulatedTarget& quantity) const;
     const Eigen::MatrixXd& points() const { return points_; }
 
-    /// Every point counting the same.
+    /// Every point counting the same; bounds stay within least and most.
     PredictedRange even(const AtPoints& at, double least = lowest, double most = highest) const;
-    /// By the weights; bounds stay within least and most.
+    /// Likewise by the weights.
     PredictedRange weighed(const AtPoints& at, double least = lowest, double most = highest) const;
     /// Points that the weights amount to, (Σw)² / Σw².
     double effective() const;

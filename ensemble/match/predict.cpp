@@ -35,18 +35,19 @@ Predicted predict(const OverLeft& left, const EmulatedTarget& quantity) {
             left.effective()};
 }
 
+Cell range_cell(const PredictedRange& range, double factor) {
+    return {fmt::format("{:.4g}", factor * range.mean),
+            fmt::format("[{:.4g}, {:.4g}]", factor * range.low, factor * range.high)};
+}
+
 Section predicted_section(const std::vector<Predicted>& predicted) {
     Section section{.before = "Predicted over what is not ruled out\n\n"};
     section.table = {{"quantity", "mean of runs", "weighed", "a single run"}};
     for (const Predicted& one : predicted) {
-        const auto cell = [&](const PredictedRange& range) {
-            const double factor = one.quantity.factor();
-            return Cell{fmt::format("{:.4g}", factor * range.mean),
-                        fmt::format("[{:.4g}, {:.4g}]", factor * range.low, factor * range.high)};
-        };
+        const double factor = one.quantity.factor();
         section.table.push_back(
-            {fmt::format("{}{}{}", one.case_name, one.case_name.empty() ? "" : " ", one.quantity.label), cell(one.mean),
-             cell(one.weighted), cell(one.run)});
+            {fmt::format("{}{}{}", one.case_name, one.case_name.empty() ? "" : " ", one.quantity.label),
+             range_cell(one.mean, factor), range_cell(one.weighted, factor), range_cell(one.run, factor)});
     }
     section.after =
         "\nIn brackets 95 %. Mean of runs: every combination of inputs that is left counts the same; weighed: by the\n"

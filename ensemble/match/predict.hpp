@@ -25,6 +25,9 @@ Predicted predict(const OverLeft& left, const EmulatedTarget& quantity);
 /// A target without a measured value, so that match_data() gathers the quantity.
 Target to_predict(const std::string& quantity, const std::string& case_name);
 
+/// The mean with the bounds of 95 % in brackets, times the factor.
+Cell range_cell(const PredictedRange& range, double factor);
+
 Section predicted_section(const std::vector<Predicted>& predicted);
 
 }  // namespace floes

@@ -40,22 +40,30 @@ struct CaseRuns {
     std::vector<DividedRun> runs;
 };
 
-CaseRuns runs_of(std::span<const MatchWave> waves, const MatchData& data, const std::vector<EmulatedTarget>& targets,
-                 const std::string& case_name, const EmulatedTarget& mean_maximum, const DesignRequest& request) {
+/// Whether no target rules it out, of each point.
+std::vector<bool> points_left(const MatchData& data, const std::vector<EmulatedTarget>& targets) {
+    std::vector<bool> left;
+    for (const MatchPoint& point : data.points)
+        left.push_back(std::ranges::none_of(
+            targets, [x = coordinates_of(point)](const EmulatedTarget& target) { return target.rules_out(x); }));
+    return left;
+}
+
+CaseRuns runs_of(std::span<const MatchWave> waves, const MatchData& data, const std::vector<bool>& left,
+                 const EmulatedTarget& mean_maximum, const DesignRequest& request) {
     CaseRuns made;
-    for (const MatchPoint& point : data.points) {
+    for (std::size_t k = 0; k < data.points.size(); ++k) {
+        const MatchPoint& point = data.points[k];
         const MatchWave& wave = waves[static_cast<std::size_t>(point.wave)];
         const double time = averaging_time(wave.table, request);
-        const Eigen::VectorXd x = coordinates_of(point);
-        const double index = mean_maximum.mean().at(x).mean;
-        const bool left =
-            std::ranges::none_of(targets, [&](const EmulatedTarget& target) { return target.rules_out(x); });
+        const double index = mean_maximum.mean().at(coordinates_of(point)).mean;
         for (const MemberRow& row : wave.table.members) {
             const auto number = static_cast<std::size_t>(row.case_index);
             const Case& about = wave.campaign.cases[number];
+            if (about.point != point.number || about.base != mean_maximum.target().case_name) continue;
             const AveragedLoad* averaged = row.averaged_over(time);
-            if (about.point != point.number || about.base != case_name || averaged == nullptr) continue;
-            DividedRun run{index, left, row.load.mean / index, {averaged->peaks, averaged->segment_maximum}};
+            if (averaged == nullptr) continue;
+            DividedRun run{index, left[k], row.load.mean / index, {averaged->peaks, averaged->segment_maximum}};
             for (double& peak : run.row.peaks) peak /= index;
             for (double& maximum : run.row.segment_maxima) maximum /= index;
             made.runs.push_back(std::move(run));
@@ -126,13 +134,13 @@ std::vector<PredictedDesign> predict_design(std::span<const MatchWave> waves, co
     std::vector<Target> indices;
     for (const std::string& name : match_cases(waves))
         indices.push_back(to_predict(fmt::format("mean_maximum_{:g}s", time), name));
+    const std::vector<bool> at_left = points_left(data, targets);
     std::vector<PredictedDesign> designs;
     for (const EmulatedTarget& index : emulate(match_data(waves, indices))) {
         if (!index.emulated()) continue;
         const std::string& name = index.target().case_name;
         const AtPoints mean_maximum = left.emulated(index);
-        designs.push_back(
-            of_case(runs_of(waves, data, targets, name, index, request), mean_maximum, left, name, request));
+        designs.push_back(of_case(runs_of(waves, data, at_left, index, request), mean_maximum, left, name, request));
     }
     return designs;
 }

@@ -117,7 +117,8 @@ void refuse_other(const MatchWave& first, const MatchWave& other) {
 }  // namespace
 
 MatchWave read_wave(const std::filesystem::path& path) {
-    return {path.string(), campaign_of(read_origin(path), path), read_campaign_file(path)};
+    const CampaignFile file(path);
+    return {path.string(), campaign_of(read_origin(file), path), read_campaign_file(file)};
 }
 
 double MatchAxis::coordinate(double value) const {

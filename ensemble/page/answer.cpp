@@ -35,7 +35,7 @@ const CaseDesign* design_of(const ReportData& data, std::size_t index) {
 std::string design_words(const DesignRequest& asked, const DesignLoad& found) {
     const DesignEstimate& made = found.estimates.front();
     return fmt::format(" Largest load averaged over {:g} s in {:g} h: expected {}, exceeded with {:.0f} %: {}.",
-                       asked.averaging, asked.exposure / 3600, load(made.expected),
+                       asked.averaging, asked.exposure / unit::hour, load(made.expected),
                        (1 - asked.quantiles.front()) / unit::percent, load(made.quantiles.front()));
 }
 

@@ -32,7 +32,7 @@ std::vector<int> pictured_members(const ReportData& data, bool all) {
 }
 
 std::string replay_command(const ReportData& data, int member) {
-    return fmt::format("floes replay {} {} --worst -o worst.html", data.file, member);
+    return fmt::format("floes replay {} {} --worst -o worst.html", data.file_name, member);
 }
 
 std::string moments_section(const ReportData& data) {

@@ -144,9 +144,9 @@ std::string design_loads(const ReportData& data) {
     std::string body;
     for (const Section& part : design_sections(data.summary, data.designs, data.asked))
         body += html_table(part.table) + note(part.after);
-    return section(
-        fmt::format("Design load: averaged over {:g} s, in {:g} h", data.asked.averaging, data.asked.exposure / 3600),
-        body);
+    return section(fmt::format("Design load: averaged over {:g} s, in {:g} h", data.asked.averaging,
+                               data.asked.exposure / unit::hour),
+                   body);
 }
 
 std::string failures(const ReportData& data) {

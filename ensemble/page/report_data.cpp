@@ -97,9 +97,9 @@ ReportData answer_data(Campaign campaign, CampaignTable table) {
 
 ReportData read_report_data(const std::filesystem::path& path) {
     ReportData data;
-    static_cast<Evidence&>(data) = read_evidence(path);
-    data.file = path.filename().string();
-    data.origin = read_origin(path);
+    const CampaignFile file(path);
+    static_cast<Evidence&>(data) = read_evidence(file);
+    data.file_name = path.filename().string();
     take_answer(data);
     if (data.campaign.design.active()) data.points = find_points(data.campaign);
     if (in_detail(data.campaign)) {
@@ -111,20 +111,20 @@ ReportData read_report_data(const std::filesystem::path& path) {
         if (!part.page_title.empty() && part.unasked(data.campaign))
             data.further.emplace_back(part.page_title, part.section(data));
     const int arrangement = common_arrangement(data.table);
-    for_each_history(path, [&](const SurgeHistory& history) {
+    for_each_history(file, [&](const SurgeHistory& history) {
         const MemberRow& member = data.table.members[static_cast<std::size_t>(history.member)];
         if (member.arrangement == arrangement) data.histories.push_back({member.case_index, thinned(history)});
     });
     data.drawn_cases = most_loaded_cases(data.summary);
-    data.load_maps = find_load_maps(path, data.table);
+    data.load_maps = find_load_maps(file, data.table);
     std::erase_if(data.load_maps, [&](const CaseLoadMap& found) {
         return !std::ranges::binary_search(data.drawn_cases, found.case_index);
     });
-    data.breaks = read_breaks(path);
+    data.breaks = read_breaks(file);
     data.largest_member = member_with_largest_load(data.table, [](const MemberRow&) { return true; }).value_or(-1);
     if (data.largest_member >= 0)
         data.largest_poses =
-            read_poses(path, data.table.members[static_cast<std::size_t>(data.largest_member)].arrangement);
+            read_poses(file, data.table.members[static_cast<std::size_t>(data.largest_member)].arrangement);
     data.hybrid = hybrid_of(data.campaign.cases.front().scenario);
     return data;
 }

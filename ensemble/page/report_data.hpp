@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "campaign/campaign.hpp"
-#include "campaign_file/read_details.hpp"
 #include "findings/design_load.hpp"
 #include "findings/extremes.hpp"
 #include "findings/levels.hpp"
@@ -29,7 +28,6 @@ struct DrawnHistory {
 
 /// All that the page tells.
 struct ReportData : Evidence {
-    CampaignOrigin origin;
     std::optional<std::vector<PairRow>> pairs;  ///< where in_detail()
     std::optional<Sensitivity> sensitivity;     ///< of a design
     std::optional<DesignPoints> points;         ///< of a design
@@ -45,7 +43,7 @@ struct ReportData : Evidence {
     std::vector<PlanarPose> largest_poses;
     std::vector<CurvePoint> curve;      ///< plate tests of the first case's ice; empty: not measured
     std::optional<HybridCurve> hybrid;  ///< none where the formulas have no load for this structure
-    std::string file;                   ///< of the campaign, as a command names it
+    std::string file_name;              ///< of the campaign, as a command names it
     std::vector<Moment> moments;        ///< pictures of worst moments; empty: none were made
     std::string command;                ///< that repeats the campaign
 };

@@ -2,20 +2,12 @@
 
 #include <zlib.h>
 
-#include <bit>
-
 namespace floes {
 
 std::uint32_t checksum(std::span<const double> numbers) {
-    Bytes shuffled(sizeof(double) * numbers.size());
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        const auto bits = std::bit_cast<std::uint64_t>(numbers[i]);
-        for (std::size_t k = 0; k < sizeof(double); ++k)
-            shuffled[k * numbers.size() + i] = static_cast<std::byte>(bits >> (8 * k));
-    }
+    const Bytes bytes = shuffled(numbers);
     const uLong start = adler32(0, nullptr, 0);
-    return static_cast<std::uint32_t>(
-        adler32_z(start, reinterpret_cast<const Bytef*>(shuffled.data()), shuffled.size()));
+    return static_cast<std::uint32_t>(adler32_z(start, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
 std::uint32_t checksum(const PackedNumbers& packed) {

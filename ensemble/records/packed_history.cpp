@@ -19,8 +19,8 @@ struct Layout {
     std::size_t operator()(std::size_t i, std::size_t k) const { return i * of_number + k * of_byte; }
 };
 
-Layout layout(bool shuffled, std::size_t count) {
-    return shuffled ? Layout{1, count} : Layout{width, 1};
+Layout layout(bool by_bytes, std::size_t count) {
+    return by_bytes ? Layout{1, count} : Layout{width, 1};
 }
 
 Bytes bytes_of(std::span<const double> numbers, const Layout& at) {
@@ -64,6 +64,10 @@ Bytes inflated(const Bytes& chunk, std::size_t size) {
 }
 
 }  // namespace
+
+Bytes shuffled(std::span<const double> numbers) {
+    return bytes_of(numbers, layout(true, numbers.size()));
+}
 
 PackedNumbers pack(std::span<const double> numbers) {
     PackedNumbers packed{numbers.size(), {}};

@@ -27,6 +27,9 @@ struct PackedNumbers {
 /// The same numbers give the same bytes with the same zlib.
 PackedNumbers pack(std::span<const double> numbers);
 
+/// The numbers' bytes as the chunk has them before it is compressed: the first byte of each, then the second …
+Bytes shuffled(std::span<const double> numbers);
+
 /// The numbers bit for bit. Throws RunError if the chunk is damaged.
 std::vector<double> unpack(const PackedNumbers& packed);
 

@@ -9,6 +9,7 @@
 #include "campaign/read.hpp"
 #include "core/error.hpp"
 #include "hdf5/columns.hpp"
+#include "hdf5/kind.hpp"
 #include "replay/record_kind.hpp"
 
 namespace floes {

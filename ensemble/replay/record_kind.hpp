@@ -1,7 +1,7 @@
 #pragma once
-// What says that an HDF5 file is a record. For this room only.
+// What says that an HDF5 file is a record.
 
-#include "hdf5/kind.hpp"
+#include "hdf5/file_kind.hpp"
 
 namespace floes {
 

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "hdf5/contents.hpp"
+#include "hdf5/kind.hpp"
 #include "hdf5/pages.hpp"
 #include "records/file_calls.hpp"
 #include "replay/frame_series.hpp"

@@ -34,8 +34,8 @@ void compare_quantities(const MemberRow& stored, const MemberResult& now, std::v
     }
 }
 
-void compare_histories(const ReplaySubject& subject, const MemberResult& now, std::vector<std::string>& found) {
-    with_history(subject.file, subject.about.member, [&](const SurgeHistory& stored) {
+void compare_histories(const CampaignFile& file, int member, const MemberResult& now, std::vector<std::string>& found) {
+    with_history(file, member, [&](const SurgeHistory& stored) {
         const std::vector<double>& surge = now.history.surge;
         const auto [there, here] = std::ranges::mismatch(stored.surge, surge, same_bits);
         if (there == stored.surge.end() && here == surge.end()) return;
@@ -44,9 +44,9 @@ void compare_histories(const ReplaySubject& subject, const MemberResult& now, st
     });
 }
 
-void compare_breaks(const ReplaySubject& subject, const MemberResult& now, std::vector<std::string>& found) {
-    std::vector<BreakRow> stored = read_breaks(subject.file);
-    std::erase_if(stored, [&](const BreakRow& row) { return row.member != subject.about.member; });
+void compare_breaks(const CampaignFile& file, int member, const MemberResult& now, std::vector<std::string>& found) {
+    std::vector<BreakRow> stored = read_breaks(file);
+    std::erase_if(stored, [&](const BreakRow& row) { return row.member != member; });
     const bool same = std::ranges::equal(stored, now.breaks, [](const BreakRow& there, const BreakEvent& here) {
         return same_bits(there.time, here.time) && there.floe == here.floe && there.mode == static_cast<int>(here.mode);
     });
@@ -93,16 +93,16 @@ FrameSteps frame_steps(const FrameTimes& times, const Scenario& scenario) {
     return steps;
 }
 
-ReplaySubject replay_subject(const std::filesystem::path& file, const CampaignTable& table, int member) {
+ReplaySubject replay_subject(const CampaignFile& file, const CampaignTable& table, int member) {
     const CampaignOrigin origin = read_origin(file);
-    const Campaign campaign = campaign_of(origin, file);
+    const Campaign campaign = campaign_of(origin, file.path());
     if (member < 0 || member >= static_cast<int>(table.members.size()))
-        throw InputError(fmt::format("{} has no member {}: its members are 0 to {}.", file.string(), member,
+        throw InputError(fmt::format("{} has no member {}: its members are 0 to {}.", file.path().string(), member,
                                      static_cast<int>(table.members.size()) - 1));
     const MemberKey key = member_key(campaign, member);
     const auto row = static_cast<std::size_t>(key.case_index);
     ReplaySubject subject;
-    subject.file = file;
+    subject.file = file.path();
     subject.stored = table.members[static_cast<std::size_t>(member)];
     subject.seed = arrangement_seed(campaign, key.case_index);
     const Campaign one = with_case(campaign, key.case_index, table.cases.at(row));
@@ -138,8 +138,9 @@ std::vector<std::string> differences(const ReplaySubject& subject, const MemberR
     }
     if (failed) return {};
     compare_quantities(subject.stored, result, found);
-    compare_histories(subject, result, found);
-    compare_breaks(subject, result, found);
+    const CampaignFile file(subject.file);
+    compare_histories(file, subject.about.member, result, found);
+    compare_breaks(file, subject.about.member, result, found);
     return found;
 }
 

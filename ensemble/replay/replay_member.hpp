@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "campaign_file/campaign_file.hpp"
 #include "campaign_file/campaign_table.hpp"
 #include "member/result.hpp"
 #include "replay/record.hpp"
@@ -46,7 +47,7 @@ struct ReplaySubject {
 };
 
 /// Throws InputError when the file has no such member, or its configuration is not that of its members.
-ReplaySubject replay_subject(const std::filesystem::path& file, const CampaignTable& table, int member);
+ReplaySubject replay_subject(const CampaignFile& file, const CampaignTable& table, int member);
 
 /// When the surge load of the member is largest in its window, s: in the histories of the file. NaN where it keeps
 /// none.

@@ -1,7 +1,10 @@
 #include "core/hash.hpp"
 
-#include <fmt/format.h>
 #include <xxhash.h>
+
+#include <span>
+
+#include "core/streaming_digest.hpp"
 
 namespace floes {
 
@@ -10,8 +13,9 @@ std::uint64_t digest64(std::string_view text) {
 }
 
 std::string digest_hex(std::string_view text) {
-    const XXH128_hash_t digest = XXH3_128bits(text.data(), text.size());
-    return fmt::format("{:016x}{:016x}", digest.high64, digest.low64);
+    StreamingDigest digest;
+    digest.add(std::as_bytes(std::span(text)));
+    return digest.hex();
 }
 
 }  // namespace floes

@@ -10,5 +10,6 @@ inline constexpr double kilopascal = 1e3;
 inline constexpr double megapascal = 1e6;
 inline constexpr double percent = 0.01;
 inline constexpr double degree = std::numbers::pi / 180.0;
+inline constexpr double hour = 3600;
 
 }  // namespace floes::unit

@@ -83,12 +83,14 @@ class Scan {
 std::size_t refuse_what_cannot_be_held(std::string_view text, const std::string& where) {
     if (text.size() > longest_text)
         throw InputError(
-            fmt::format("{}: a text of {} bytes is too long; allowed: {} bytes", where, text.size(), longest_text));
+            fmt::format("{}: a text of {} bytes is too long; allowed: {} bytes; take fewer cases, poses or values",
+                        where, text.size(), longest_text));
     const auto values = std::ranges::count(text, ',') + std::ranges::count(text, '\n');
     if (values > most_values)
-        throw InputError(
-            fmt::format("{}: a text with {} lines and commas has more values than can be held; allowed: {}", where,
-                        values, most_values));
+        throw InputError(fmt::format(
+            "{}: a text with {} lines and commas has more values than can be held; allowed: {}; take fewer cases, "
+            "poses or values",
+            where, values, most_values));
     const Scan scan(text);
     if (scan.most_parts() > most_parts)
         throw InputError(fmt::format("{}: a key with {} parts between dots is none of floes; ours have three at most",

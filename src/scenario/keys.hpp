@@ -10,6 +10,9 @@
 
 namespace floes {
 
+/// The most floes of a field, and so the most poses of a file.
+inline constexpr int most_floes = 1'000'000;
+
 /// The keys, bound to the fields of `scenario`, table by table in the order of a configuration file.
 /// They point into `scenario` and must not outlive it.
 Keys describe(Scenario& scenario);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "scenario/keys.hpp"
 #include "scenario/tables.hpp"
 
 namespace floes {
@@ -56,7 +57,7 @@ Key keel_radius(Shape& shape) {
 
 void add_field(Keys& keys, Field& field) {
     const Range place = at_least(-farthest).at_most(farthest);
-    keys.push_back(integer_key("field.floes", field.floes, 1, 1000000, "Table 3",
+    keys.push_back(integer_key("field.floes", field.floes, 1, most_floes, "Table 3",
                                "Number of floes. The failure ratio is relative to all of them."));
     keys.push_back(number_key(
         "field.concentration_percent", field.concentration, unit::percent, above(0).at_most(100), "Table 1",

@@ -1,5 +1,6 @@
 // Campaigns that cannot be held: what is allowed for each key alone may be too much together.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "campaign/held_numbers.hpp"
@@ -10,6 +11,7 @@
 namespace floes {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 std::string refused(const std::string& text) {
@@ -80,19 +82,15 @@ TEST(CampaignLimits, ListsOfAllCasesAreCounted) {
               "held; take fewer cases or shorter lists");
 }
 
-// They are written once where they are the same in all cases, and otherwise in each.
-TEST(CampaignLimits, PosesAreCountedAsTheyAreWritten) {
-    Scenario scenario;
-    scenario.arrangement.poses.assign(300'000, {1, 2, 3});
-    HeldNumbers same("a.toml");
-    same.add(scenario);
-    same.add(scenario);
-    HeldNumbers different("a.toml");
-    different.add(scenario);
-    scenario.arrangement.poses.back().x = 4;
-    EXPECT_EQ(refusal([&] { different.add(scenario); }),
-              "a.toml: the cases have more than 500000 poses of their own, which the campaign keeps as text; take "
-              "fewer floes or fewer cases with poses");
+// A key in which one case differs is written out in each. The run began, and its journal could not be read again.
+TEST(CampaignLimits, ACampaignWhoseResolvedTextCouldNotBeReadAgainIsRefused) {
+    std::string levels;
+    for (int k = 0; k < 1000; ++k) levels += fmt::format("{}, ", k);
+    const std::string table = "analysis.exceedance_levels_N = [" + levels + "]\n";
+    EXPECT_NO_THROW(read_campaign({table + cases(4'100), "a.toml", {}, true}, nullptr)) << "written once";
+    EXPECT_THAT(refused(table + cases(4'100) + "analysis.exceedance_levels_N = [1.0]\n"),
+                AllOf(HasSubstr("a.toml, with all keys written out: a text with 4"),
+                      HasSubstr("more values than can be held; allowed: 4000000; take fewer cases, poses or values")));
 }
 
 TEST(CampaignLimits, APoseFileHasNoMorePosesThanAFieldMayHaveFloes) {

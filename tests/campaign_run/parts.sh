@@ -20,6 +20,12 @@ expect 0 three "$FLOES" merge third.h5 second.h5 first.h5 first.h5 -o three.h5
 same whole.h5 three.h5
 [ ! -e three.journal.tmp ] || fail "merging left a file behind"
 
+cp second.journal damaged.journal
+printf x | dd of=damaged.journal bs=1 seek=$(($(stat -c %s damaged.journal) * 3 / 4)) conv=notrunc status=none
+expect 1 damaged "$FLOES" merge first.h5 damaged.h5 third.h5 -o four.h5
+said damaged "damaged.journal: "
+said damaged "1 missing from all parts"
+
 before=$(sha256sum three.h5 three.journal)
 expect 2 exists "$FLOES" merge first.h5 second.h5 -o three.h5
 expect 2 itself "$FLOES" merge first.h5 three.h5 -o three.h5 --overwrite

@@ -8,6 +8,7 @@
 
 #include "cli/commands.hpp"
 #include "core/error.hpp"
+#include "player/synthetic_record.hpp"
 #include "support/refusal.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -32,6 +33,20 @@ TEST(ReplayOutput, IsWhatItsEndingSays) {
     EXPECT_EQ(kind_of("a.b.webm"), ReplayOutput::film);
     EXPECT_EQ(kind_of("a.pvd"), ReplayOutput::vtk);
     EXPECT_THAT(refusal([] { kind_of("a.avi"); }), HasSubstr(".html a page that plays, .png or .svg a picture"));
+}
+
+TEST(ReplayOutput, ThatCannotHaveItsNameLeavesNothingBehind) {
+    const TemporaryFolder folder;
+    synthetic::write_record(folder / "record.h5", 3);
+    const std::filesystem::path path = folder / "a.html";
+    std::filesystem::create_directories(path / "taken");
+    try {
+        write_replay_output(path, Record(folder / "record.h5"), {}, [] {});
+        ADD_FAILURE() << "a folder was replaced";
+    } catch (const RunError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("renaming "));
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.part.html"));
 }
 
 TEST(ReplayVerb, RefusesBeforeItComputes) {

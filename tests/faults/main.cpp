@@ -1,4 +1,4 @@
-// A floes run with fake members that break in a chosen way, for tests/faults/matrix.py.
+// A floes run with fake members that break in a chosen way, for the scripts beside it.
 //
 //     faulty FOLDER NAME.h5 ISOLATION THREADS [WAY MEMBER]
 //     faulty FOLDER NAME.h5 ISOLATION THREADS members COUNT

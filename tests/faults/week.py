@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""A week in an hour: a campaign of many members over several ranks that are killed again and again. What the master needs
-and how long a status takes must not grow with the members that are done, and nothing may be lost.
+"""A week in an hour: a campaign of many members over several ranks that are killed again and again. Nothing may be lost,
+and no status may take a second. What the master needs is printed, quarter by quarter of the journal, and not judged.
 
     week.py FAULTY MPIEXEC FLOES [MEMBERS [RANKS [SECONDS_BETWEEN_KILLS]]]
 """

@@ -1,0 +1,29 @@
+#pragma once
+// A campaign file, open for reading. To open it costs: its digests of pages are read, or without them a process of its
+// own tries whether HDF5 survives it. So who reads several things of a file opens it once.
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+
+namespace floes {
+
+class CampaignFile {
+  public:
+    /// Also implicitly, for who reads one thing only. Throws InputError when there is no such file, it is no campaign
+    /// file, or its major version is not this program's.
+    CampaignFile(const std::filesystem::path& path);
+    ~CampaignFile();
+
+    const std::filesystem::path& path() const { return path_; }
+    /// Its identifier in HDF5. For this room only.
+    std::int64_t id() const;
+
+  private:
+    struct Opened;
+
+    std::filesystem::path path_;
+    std::unique_ptr<const Opened> opened_;
+};
+
+}  // namespace floes

@@ -1,0 +1,15 @@
+#pragma once
+// What kind of HDF5 file it is, and of which layout.
+
+#include <array>
+#include <string_view>
+
+namespace floes::hdf5 {
+
+struct FileKind {
+    std::string_view filetype;   ///< attribute of the root
+    std::array<int, 2> version;  ///< of the layout, {major, minor}: a new minor only adds names
+    std::string_view what;       ///< as a message names it: "campaign of floes"
+};
+
+}  // namespace floes::hdf5
