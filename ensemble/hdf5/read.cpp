@@ -22,14 +22,19 @@ bool has_digests(hid_t parent) {
     return has_attribute(root.id(), contents_attribute);
 }
 
-/// Takes the digest of what was read by `add`, and compares. Files of older layouts have none.
+/// The digest of a dataset; files of older layouts have none. To be read before values are passed: its text lies in a
+/// heap, which is of the same kind for HDF5, and a damaged one crashes it.
+std::optional<StoredDigest> stored_digest(hid_t parent, const Handle& dataset, const std::string& name) {
+    std::optional<StoredDigest> stored = read_digest(dataset.id());
+    if (!stored && has_digests(parent)) refuse_damaged(parent, fmt::format("{} has lost its digest", name));
+    return stored;
+}
+
+/// Takes the digest of what was read by `add`, and compares.
 template <class Add>
-void compare(hid_t parent, const Handle& dataset, const std::string& name, const Add& add) {
-    const std::optional<StoredDigest> stored = read_digest(dataset.id());
-    if (!stored) {
-        if (has_digests(parent)) refuse_damaged(parent, fmt::format("{} has lost its digest", name));
-        return;
-    }
+void compare(const Handle& dataset, const std::string& name, const std::optional<StoredDigest>& stored,
+             const Add& add) {
+    if (!stored) return;
     DatasetDigest digest(stored->kind);
     add(digest);
     check_digest(dataset.id(), name, *stored, digest.finish(dataset.id()));
@@ -67,9 +72,10 @@ std::vector<Value> read_values(hid_t parent, const std::string& name) {
     const StoredShape shape = shape_of(dataset, name, Portion::whole);
     std::vector<Value> values(shape.count);
     if (shape.is_text) refuse_damaged(parent, fmt::format("{} has texts where numbers belong", name));
+    const std::optional<StoredDigest> stored = stored_digest(parent, dataset, name);
     const PassedValues until_compared(dataset.id());
     check_read(H5Dread(dataset.id(), native_type<Value>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), parent, name);
-    compare(parent, dataset, name, [&](DatasetDigest& digest) {
+    compare(dataset, name, stored, [&](DatasetDigest& digest) {
         if (H5Tequal(stored_type(dataset, name).id(), stored_type<Value>()) <= 0)
             refuse_damaged(parent, fmt::format("{} has another type", name));
         digest.add<Value>(values, shape.row_values);
@@ -116,7 +122,8 @@ template class RowReader<std::int32_t>;
 std::vector<std::string> read_texts(hid_t parent, const std::string& name) {
     const Handle dataset = open_dataset(parent, name);
     std::vector<std::string> texts = texts_of(dataset, name);
-    compare(parent, dataset, name, [&](DatasetDigest& digest) { digest.add(std::span<const std::string>(texts)); });
+    compare(dataset, name, stored_digest(parent, dataset, name),
+            [&](DatasetDigest& digest) { digest.add(std::span<const std::string>(texts)); });
     for (const std::string& text : texts)
         if (!is_utf8(text)) refuse_damaged(parent, fmt::format("a text of {} is not UTF-8", name));
     return texts;

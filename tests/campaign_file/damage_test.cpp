@@ -109,6 +109,28 @@ TEST_F(Damage, IsSaidWithDatasetAndRemedy) {
     }
 }
 
+// Found by fuzzing: HDF5 read far beyond a heap, because a size in it was another one.
+TEST_F(Damage, OfTheTextOfADigestIsFoundBeforeHdf5ReadsIt) {
+    std::string text;
+    {
+        const hdf5::Handle file(H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "H5Fopen", "a.h5");
+        const hdf5::Handle dataset(H5Dopen2(file.id(), "members/mean_load", H5P_DEFAULT), H5Dclose, "H5Dopen", "");
+        text = hdf5::read_text_attribute(dataset.id(), "digest");
+    }
+    const Bytes all = file_bytes(path_);
+    const auto place = std::ranges::search(all, std::as_bytes(std::span(text))).begin() - all.begin();
+    constexpr int size_before_text = 8;  // u64, the last of what the heap says of a text
+    flip(static_cast<std::uint64_t>(place - size_before_text + 1), 0xb1);
+    const hdf5::QuietErrors quiet;
+    const hdf5::Handle file = hdf5::open_for_reading(path_);
+    try {
+        hdf5::read_values<double>(file.id(), "members/mean_load");
+        FAIL() << "was read";
+    } catch (const RunError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("are not those that were written"));
+    }
+}
+
 // A value that HDF5 itself wrote, so that all its checksums fit.
 TEST_F(Damage, IsFoundWhereSomebodyChangedANumber) {
     {
