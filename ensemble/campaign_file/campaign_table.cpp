@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "campaign_file/member_rows.hpp"
-
 namespace floes {
 
 double MemberRow::value(const Quantity& quantity) const {
@@ -23,16 +21,6 @@ void set_levels(MemberRow& row, std::span<const double> all, std::span<const dou
         row.steps_above.at(place) = counts[k].steps_above;
         row.upcrossings.at(place) = counts[k].upcrossings;
     }
-}
-
-CampaignTable campaign_table(const Campaign& campaign, const StoredMembers& members) {
-    const MemberRows rows(campaign);
-    CampaignTable table = rows.table();
-    for (const std::optional<std::size_t>& known : match_records(campaign, members.notes())) {
-        const std::optional<MemberRecord> record = known ? std::optional(members.read(*known)) : std::nullopt;
-        table.members.push_back(rows.row(table.members.size(), record ? &*record : nullptr));
-    }
-    return table;
 }
 
 std::optional<int> member_with_largest_load(const CampaignTable& table,

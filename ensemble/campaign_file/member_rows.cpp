@@ -75,4 +75,14 @@ MemberRow MemberRows::row(std::size_t member, const MemberRecord* record) const 
     return row;
 }
 
+CampaignTable campaign_table(const Campaign& campaign, const StoredMembers& members) {
+    const MemberRows rows(campaign);
+    CampaignTable table = rows.table();
+    for (const std::optional<std::size_t>& known : match_records(campaign, members.notes())) {
+        const std::optional<MemberRecord> record = known ? std::optional(members.read(*known)) : std::nullopt;
+        table.members.push_back(rows.row(table.members.size(), record ? &*record : nullptr));
+    }
+    return table;
+}
+
 }  // namespace floes

@@ -1,5 +1,5 @@
 #pragma once
-// Rows of members, made of their records one by one. For this room only.
+// Rows of members, made of their records one by one; member_rows.cpp has campaign_table() too. For this room only.
 
 #include <cstddef>
 
