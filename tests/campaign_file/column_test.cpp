@@ -20,7 +20,7 @@ constexpr std::size_t width = 3;
 std::string digest_in(hid_t file, const char* path) {
     const hdf5::Handle dataset(H5Dopen2(file, path, H5P_DEFAULT), H5Dclose, "H5Dopen", path);
     const auto stored = hdf5::read_digest(dataset.id());
-    EXPECT_EQ(stored->hex, hdf5::digest_of(dataset.id(), hdf5::DigestKind::values).hex) << path;
+    EXPECT_EQ(stored->hex, hdf5::digest_of(dataset, hdf5::DigestKind::values).hex) << path;
     return stored->hex;
 }
 
