@@ -8,6 +8,9 @@
 
 namespace floes {
 
+/// Gives the text of the file at `path`; throws InputError when it cannot be read.
+using LoadFile = std::string (*)(const std::string& path);
+
 struct PoseFile {
     std::string path;
     Value poses;             ///< for arrangement.poses

@@ -1,20 +1,16 @@
 #include "campaign/read.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <optional>
-#include <set>
 
-#include "arrangement/arrangement.hpp"
-#include "arrangement/check.hpp"
 #include "campaign/campaign_keys.hpp"
 #include "campaign/case_blocks.hpp"
+#include "campaign/given_poses.hpp"
 #include "campaign/held_numbers.hpp"
 #include "campaign/name_list.hpp"
-#include "campaign/pose_file.hpp"
 #include "campaign/read_design.hpp"
 #include "campaign/stop_quantity.hpp"
 #include "campaign/write.hpp"
@@ -37,7 +33,7 @@ bool is_case_path(const std::string& path) {
 class Reader {
   public:
     Reader(const CampaignSource& source, LoadFile load_file)
-        : source_(source), load_file_(load_file), document_(parse_document(source.text, source.file)) {
+        : source_(source), document_(parse_document(source.text, source.file)), poses_(source.file, load_file) {
         if (!source.from_user) base_ = before_late_keys();  // a stored text lacks keys that came after it
         for (const std::string& text : source.overrides) overrides_.push_back(parse_override(text, "--set"));
     }
@@ -217,9 +213,9 @@ class Reader {
         one.calibrate = one.scenario.joint.model == JointModel::cfm && own.contains("ice.elastic_modulus_MPa") &&
                         !own.contains("joint.cfm");
         const std::string label = one_of_many ? fmt::format("case {}: ", one.name) : "";
-        const std::optional<PoseFile> file = resolve_poses(one.scenario, own, label);
+        const std::optional<PoseFile> file = poses_.resolve(one.scenario, own, label);
         refuse_contradictions(one.scenario, own, label);
-        if (source_.from_user) refuse_poses(one.scenario, file, own, label);
+        if (source_.from_user) poses_.refuse_faults(one.scenario, file, own, label);
     }
 
     static void refuse_campaign_key(const Entry& entry) {
@@ -227,44 +223,6 @@ class Reader {
         if (table != "campaign" && table != "stop") return;
         throw InputError(fmt::format("{}: {} = {} is for all cases; write it in [{}]", entry.where, entry.path,
                                      to_text(entry.value), table));
-    }
-
-    /// Loads arrangement.file, where there is one, into the poses.
-    std::optional<PoseFile> resolve_poses(Scenario& scenario, const Origins& origins, const std::string& label) const {
-        std::string& file = scenario.arrangement.file;
-        if (file.empty()) return {};
-        const std::string given_file = given(scenario, "arrangement.file");
-        const auto refuse = [&](const std::string& what) {
-            return InputError(fmt::format("{}: {}{} {}", origins.at("arrangement.file"), label, given_file, what));
-        };
-        if (scenario.arrangement.method != ArrangementMethod::file) {
-            throw refuse(fmt::format("is not used by {}; write arrangement.method = \"file\"",
-                                     given(scenario, "arrangement.method")));
-        }
-        if (!scenario.arrangement.poses.empty()) throw refuse("and arrangement.poses are both given; keep one");
-        if (load_file_ == nullptr) throw refuse("cannot be read here; give arrangement.poses");
-        const std::string path = (std::filesystem::path(source_.file).parent_path() / file).string();
-        const Keys keys = describe(scenario);
-        PoseFile read = read_poses(load_file_(path), path);
-        assign(*find_key(keys, "arrangement.poses"), {"arrangement.poses", read.poses, path});
-        file.clear();
-        return read;
-    }
-
-    /// Given poses are input: what make_arrangement() would refuse in every member is refused here, with its place.
-    void refuse_poses(const Scenario& scenario, const std::optional<PoseFile>& file, const Origins& origins,
-                      const std::string& label) {
-        if (scenario.arrangement.method != ArrangementMethod::file) return;
-        if (!looked_at_.insert(geometry_key(scenario)).second) return;  // of an earlier case
-        const std::optional<Fault> fault = find_fault(scenario, scenario.arrangement.poses);
-        if (!fault) return;
-        std::string where = file ? file->path : origins.at("arrangement.poses");
-        if (file && !fault->floes.empty()) {
-            std::vector<int> lines;
-            for (const std::size_t floe : fault->floes) lines.push_back(file->lines[floe]);
-            where += fmt::format(", line{} {}", lines.size() == 1 ? "" : "s", fmt::join(lines, " and "));
-        }
-        throw InputError(fmt::format("{}: {}{}", where, label, fault->sentence));
     }
 
     /// Begins with the place of the first of the keys involved that the text sets.
@@ -278,7 +236,6 @@ class Reader {
     }
 
     const CampaignSource& source_;
-    LoadFile load_file_;
     Document document_;
     std::vector<Entry> overrides_;
     std::vector<std::pair<Entry, std::string>> overridden_;  ///< keys of a scenario, with the text that each then has
@@ -290,7 +247,7 @@ class Reader {
     Origins origins_;
     Origins axes_;                                               ///< where each axis of the design is given
     std::vector<std::pair<std::size_t, Entry>> case_overrides_;  ///< for which [[case]], as if it stood there
-    std::set<std::uint64_t> looked_at_;                          ///< geometries of given poses
+    GivenPoses poses_;
 };
 
 }  // namespace

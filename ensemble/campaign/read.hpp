@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "campaign/campaign.hpp"
+#include "campaign/pose_file.hpp"
 #include "keys/text_limits.hpp"
 
 namespace floes {
@@ -19,9 +20,6 @@ struct CampaignSource {
     std::vector<std::string> overrides;  ///< "key=value" pairs (--set), applied last; of two for one key the later one
     bool from_user = false;              ///< not by write_campaign(): given poses are looked at floe by floe
 };
-
-/// Gives the text of the file at `path`; throws InputError when it cannot be read.
-using LoadFile = std::string (*)(const std::string& path);
 
 /// Reads and checks a campaign. Throws InputError, one sentence: file, line, key, value, what is allowed, and the
 /// nearest known key; for contradictions the keys involved. From a user, a campaign whose resolved text could not be

@@ -1,0 +1,53 @@
+#include "campaign/given_poses.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+
+#include "arrangement/arrangement.hpp"
+#include "arrangement/check.hpp"
+#include "core/error.hpp"
+#include "keys/read.hpp"
+#include "scenario/keys.hpp"
+
+namespace floes {
+
+std::optional<PoseFile> GivenPoses::resolve(Scenario& scenario, const Origins& origins,
+                                            const std::string& label) const {
+    std::string& file = scenario.arrangement.file;
+    if (file.empty()) return {};
+    const std::string given_file = given(scenario, "arrangement.file");
+    const auto refuse = [&](const std::string& what) {
+        return InputError(fmt::format("{}: {}{} {}", origins.at("arrangement.file"), label, given_file, what));
+    };
+    if (scenario.arrangement.method != ArrangementMethod::file) {
+        throw refuse(fmt::format("is not used by {}; write arrangement.method = \"file\"",
+                                 given(scenario, "arrangement.method")));
+    }
+    if (!scenario.arrangement.poses.empty()) throw refuse("and arrangement.poses are both given; keep one");
+    if (load_file_ == nullptr) throw refuse("cannot be read here; give arrangement.poses");
+    const std::string path = (std::filesystem::path(configuration_).parent_path() / file).string();
+    const Keys keys = describe(scenario);
+    PoseFile read = read_poses(load_file_(path), path);
+    assign(*find_key(keys, "arrangement.poses"), {"arrangement.poses", read.poses, path});
+    file.clear();
+    return read;
+}
+
+void GivenPoses::refuse_faults(const Scenario& scenario, const std::optional<PoseFile>& file, const Origins& origins,
+                               const std::string& label) {
+    if (scenario.arrangement.method != ArrangementMethod::file) return;
+    if (!looked_at_.insert(geometry_key(scenario)).second) return;  // of an earlier case
+    const std::optional<Fault> fault = find_fault(scenario, scenario.arrangement.poses);
+    if (!fault) return;
+    std::string where = file ? file->path : origins.at("arrangement.poses");
+    if (file && !fault->floes.empty()) {
+        std::vector<int> lines;
+        for (const std::size_t floe : fault->floes) lines.push_back(file->lines[floe]);
+        where += fmt::format(", line{} {}", lines.size() == 1 ? "" : "s", fmt::join(lines, " and "));
+    }
+    throw InputError(fmt::format("{}: {}{}", where, label, fault->sentence));
+}
+
+}  // namespace floes
