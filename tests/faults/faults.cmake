@@ -17,3 +17,7 @@ set_tests_properties(faults.soak PROPERTIES LABELS "slow;mpi;soak" TIMEOUT 6000 
 add_test(NAME faults.week COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/faults/week.py $<TARGET_FILE:faulty>
                                   ${MPIEXEC_EXECUTABLE} $<TARGET_FILE:floes> 100002 8)
 set_tests_properties(faults.week PROPERTIES LABELS "slow;mpi;soak" TIMEOUT 6000 PROCESSORS 2)
+add_test(NAME faults.week_of_simulations COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/faults/week.py
+                                                 $<TARGET_FILE:faulty> ${MPIEXEC_EXECUTABLE} $<TARGET_FILE:floes>
+                                                 2001 8 60 ${PROJECT_SOURCE_DIR}/configs/smoke.toml)
+set_tests_properties(faults.week_of_simulations PROPERTIES LABELS "slow;mpi;soak" TIMEOUT 6000 PROCESSORS 2)

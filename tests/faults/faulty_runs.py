@@ -11,13 +11,14 @@ ENV = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIR
 PATIENCE = 100  # s; a run takes one, and one whose rank is stopped at its very end a minute
 
 
-def command(folder, isolation="none", ranks=1, recovery=False, fault=()):
+def command(folder, isolation="none", ranks=1, recovery=False, fault=(), program=None):
     launcher = MPIRUN + (["--enable-recovery"] if recovery else []) + ["-n", str(ranks)] if ranks > 1 else []
-    return [*launcher, FAULTY, folder, "a.h5", isolation, "2", *fault]
+    return [*launcher, *(program or [FAULTY, folder, "a.h5", isolation, "2", *fault])]
 
 
 def begin(folder, output="log", popen=None, **how):
-    """`output`: the file in the folder that gets what the run says; `popen`: more arguments of Popen."""
+    """`output`: the file in the folder that gets what the run says; `popen`: more arguments of Popen. `program` runs in
+    place of `faulty`; it, too, writes its process number into FOLDER/rankN."""
     for name in os.listdir(folder):
         if name.startswith("rank"):
             os.remove(os.path.join(folder, name))
