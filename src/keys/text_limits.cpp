@@ -17,6 +17,12 @@ bool is_ascii(char character) {
     return static_cast<unsigned char>(character) < 0x80;
 }
 
+constexpr std::string_view before_strings = "=[{,\n";  // nor after a point: keys of floes need no quotes
+
+bool is_quote(char character) {
+    return character == '"' || character == '\'';
+}
+
 bool is_of_key(char character) {
     return std::isalnum(static_cast<unsigned char>(character)) || character == '_' || character == '-' ||
            character == ' ' || character == '\t';
@@ -42,8 +48,13 @@ class Scan {
             at_ = std::min(text_.find('\n', at_), text_.size());
             return;
         }
-        if (character == '"' || character == '\'') return skip_string(character);
+        if (is_quote(character) && may_begin_) {
+            may_begin_ = false;
+            return skip_string(character);
+        }
         note(at_);
+        if (character != ' ' && character != '\t')
+            may_begin_ = before_strings.find(character) != std::string_view::npos;
         parts_ = character == '.' ? parts_ + 1 : is_of_key(character) ? parts_ : 1;
         most_ = std::max(most_, parts_);
         ++at_;
@@ -73,6 +84,7 @@ class Scan {
 
     std::string_view text_;
     std::size_t at_ = 0;
+    bool may_begin_ = true;  ///< Elsewhere a quote is an error, and toml++ reads on behind it as if there were none.
     int parts_ = 1;
     int most_ = 1;
     std::size_t stray_ = std::string_view::npos;

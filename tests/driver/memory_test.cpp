@@ -20,11 +20,16 @@ namespace {
 std::atomic<long> held{0};
 std::atomic<long> most_held{0};
 
-void* take(std::size_t size) {
+void* try_to_take(std::size_t size) {
     void* const memory = std::malloc(std::max<std::size_t>(size, 1));
-    if (memory == nullptr) throw std::bad_alloc();
     const long now = held += static_cast<long>(malloc_usable_size(memory));
     if (now > most_held) most_held = now;
+    return memory;
+}
+
+void* take(std::size_t size) {
+    void* const memory = try_to_take(size);
+    if (memory == nullptr) throw std::bad_alloc();
     return memory;
 }
 
@@ -40,6 +45,9 @@ void* operator new(std::size_t size) {
 }
 void* operator new[](std::size_t size) {
     return take(size);
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    return try_to_take(size);
 }
 void operator delete(void* memory) noexcept {
     give_back(memory);

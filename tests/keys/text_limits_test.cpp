@@ -55,6 +55,10 @@ TEST(TextLimits, CharactersBeyondAsciiAreForTextsAndComments) {
         "a.toml:2: this is not TOML (a character beyond ASCII outside a text in quotes, or after \\)";
     EXPECT_EQ(refused("\nx = \xEF\xBB\xB7"), sentence);
     EXPECT_EQ(refused("\nx = \"\"\"a \\\xEF\xBB\xB7\"\"\""), sentence);
+    EXPECT_EQ(refused("\nx = 30e2\"\xC3\xA8\""), sentence) << "a quote where no text can begin";
+    EXPECT_EQ(refused("\nx = 39--inf'\xEF\xBB\xBE'"), sentence);
+    EXPECT_NO_THROW(
+        parse_document("x = [ \"\xC3\xA8\",\n'\xC3\xA8']\ny = {z =\t'\xC3\xA8'}\r\n'\xC3\xA8' = 1", "a.toml"));
     EXPECT_EQ(parse_override("campaign.name=\xEF\xBB\xB7", "--set").value, Value{"\xEF\xBB\xB7"}) << "a word";
     EXPECT_NO_THROW(parse_document("\xEF\xBB\xBFx = \"\xEF\xBB\xB7\" # \xEF\xBB\xB7\n\"Σ\" = 'σ'", "a.toml"));
 }

@@ -19,10 +19,13 @@ namespace {
 std::atomic<long> allocations{0};         // operator new
 std::atomic<long> bullet_allocations{0};  // Bullet's allocator
 
-void* take(std::size_t size, std::size_t boundary = alignof(std::max_align_t)) {
+void* try_to_take(std::size_t size, std::size_t boundary = alignof(std::max_align_t)) {
     ++allocations;
-    const std::size_t whole = (std::max<std::size_t>(size, 1) + boundary - 1) / boundary * boundary;
-    void* const memory = std::aligned_alloc(boundary, whole);
+    return std::aligned_alloc(boundary, (std::max<std::size_t>(size, 1) + boundary - 1) / boundary * boundary);
+}
+
+void* take(std::size_t size, std::size_t boundary = alignof(std::max_align_t)) {
+    void* const memory = try_to_take(size, boundary);
     if (memory == nullptr) throw std::bad_alloc();
     return memory;
 }
@@ -34,6 +37,9 @@ void* operator new(std::size_t size) {
 }
 void* operator new[](std::size_t size) {
     return take(size);
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    return try_to_take(size);
 }
 void* operator new(std::size_t size, std::align_val_t boundary) {
     return take(size, static_cast<std::size_t>(boundary));

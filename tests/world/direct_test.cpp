@@ -1,6 +1,7 @@
 // Joints solved exactly: against sweeps that have converged, closed forms, and what must be conserved.
 
 #include <gtest/gtest.h>
+#include <array>
 
 #include <algorithm>
 #include <cmath>
@@ -262,7 +263,7 @@ TEST(Direct, AFloePressedAgainstTheWallPassesThePushOn) {
         world.apply(scene.elements[3], {{push, 0, 0}, Vec3::Zero()});  // the middle of the first floe's near edge
         world.step();
     }
-    Vec3 on_floe[3];
+    std::array<Vec3, 3> on_floe{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  // Eigen leaves them as they are
     for (std::size_t i = 0; i < scene.elements.size(); ++i) {
         const Vec3 drag = -5 * world.state(scene.elements[i]).velocity;
         const Vec3 spring(0, -100 * world.state(scene.elements[i]).position.y(), 0);
