@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 
 #include "picture/depth_buffer.hpp"
@@ -28,8 +29,9 @@ void draw_faces(Canvas& canvas, const std::vector<Face>& faces, const Vec2& size
     for (const Face& face : faces) {
         drawn.fill(face.corners, face.colour);
         const Colour dark = between(face.colour, ink, 0.55);
-        for (std::size_t k = 0; k < face.corners.size(); ++k) {
-            if ((face.edges >> k & 1u) == 0) continue;
+        const std::bitset<8> edges(face.edges);  // the structure's faces have more corners, and no lines
+        for (std::size_t k = 0; k < std::min(face.corners.size(), edges.size()); ++k) {
+            if (!edges[k]) continue;
             drawn.line(face.corners[k], face.corners[(k + 1) % face.corners.size()], dark, unit);
         }
     }
