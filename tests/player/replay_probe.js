@@ -85,7 +85,7 @@ async function probe() {
   player.draw();
   notes.home = words('time');
   key(' ');
-  for (let i = 0; i < 2000 && player.time < 0.05; ++i) await wait();
+  for (let i = 0; i < 1000 && player.time < 0.05; ++i) await wait();
   key(' ');
   notes.played = player.time;
   const chart = document.getElementById('chart').getBoundingClientRect();
