@@ -68,8 +68,7 @@ void judge_tail(const std::filesystem::path& path, const JournalContents& conten
     if (journal_format::tail_is_torn(path, contents)) {
         verdict.notes.push_back(
             fmt::format("Its last {} bytes are a record that was begun and never finished, as a killed run leaves it; "
-                        "--resume cuts "
-                        "them off.",
+                        "--resume cuts them off.",
                         contents.torn_bytes));
         return;
     }

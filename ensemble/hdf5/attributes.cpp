@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 
 #include "hdf5/damage.hpp"
+#include "hdf5/names.hpp"
 
 namespace floes::hdf5 {
 namespace {
@@ -22,11 +22,6 @@ std::size_t count_of(const Handle& attribute, const std::string& name) {
     const hssize_t count = check_read(H5Sget_simple_extent_npoints(space.id()), attribute.id(), name);
     if (count > most_values) refuse_damaged(attribute.id(), fmt::format("the attribute {} is too large", name));
     return static_cast<std::size_t>(count);
-}
-
-herr_t keep_name(hid_t, const char* name, const H5A_info_t*, void* names) {
-    static_cast<std::vector<std::string>*>(names)->emplace_back(name);
-    return 0;
 }
 
 }  // namespace
@@ -94,12 +89,10 @@ std::vector<std::int32_t> read_int_attribute(hid_t object, const std::string& na
 }
 
 std::vector<std::string> attribute_names(hid_t object) {
-    std::vector<std::string> names;
-    hsize_t at = 0;
-    // Ordered here: HDF5 may free what it has not read where it orders those of a damaged file.
-    check_read(H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_NATIVE, &at, keep_name, &names), object, "its attributes");
-    std::ranges::sort(names);
-    return names;
+    return names_in_order<H5A_info_t>([object](auto* visit, void* names) {
+        hsize_t at = 0;
+        check_read(H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_NATIVE, &at, visit, names), object, "its attributes");
+    });
 }
 
 }  // namespace floes::hdf5

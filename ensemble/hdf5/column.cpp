@@ -29,18 +29,6 @@ Handle create_column(hid_t parent, const Label& label, std::span<const hsize_t> 
                                  access_without_cache(label.name).id());
 }
 
-/// Selects rows of `space`, and gives the space of their values in memory.
-Handle select_rows(const Handle& space, std::span<const hsize_t> sizes, hsize_t begin, hsize_t rows,
-                   const std::string& name) {
-    std::vector<hsize_t> first(sizes.size(), 0);
-    std::vector<hsize_t> count(sizes.begin(), sizes.end());
-    first[0] = begin;
-    count[0] = rows;
-    check(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr),
-          "H5Sselect_hyperslab", name);
-    return simple_space(count);
-}
-
 void require_all(hsize_t written, hsize_t rows, const std::string& name) {
     if (written != rows) throw std::logic_error(fmt::format("{} got {} of its {} rows", name, written, rows));
 }

@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "hdf5/attributes.hpp"
 #include "hdf5/damage.hpp"
+#include "hdf5/names.hpp"
 
 namespace floes::hdf5 {
 namespace {
@@ -23,17 +24,10 @@ Handle open_object(hid_t file, const std::string& path) {
     return Handle(check_read(H5Oopen(file, path.c_str(), H5P_DEFAULT), file, path), H5Oclose, "H5Oopen", path);
 }
 
-herr_t add_name(hid_t, const char* name, const H5L_info_t*, void* names) {
-    static_cast<std::vector<std::string>*>(names)->emplace_back(name);
-    return 0;
-}
-
-/// Ordered here: HDF5 may free what it has not read where it orders the links of a damaged group.
 std::vector<std::string> link_names(hid_t group, const std::string& path) {
-    std::vector<std::string> names;
-    check_read(H5Literate(group, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, add_name, &names), group, path);
-    std::ranges::sort(names);
-    return names;
+    return names_in_order<H5L_info_t>([&](auto* visit, void* names) {
+        check_read(H5Literate(group, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, visit, names), group, path);
+    });
 }
 
 void visit_readable(hid_t file, const std::string& path, int depth, Paths& found);

@@ -61,6 +61,17 @@ void write_flags(const Handle& dataset, const Flags& flags) {
     write_attribute(dataset.id(), "flag_meanings", flags.meanings);
 }
 
+Handle select_rows(const Handle& space, std::span<const hsize_t> sizes, hsize_t begin, hsize_t rows,
+                   const std::string& name) {
+    std::vector<hsize_t> first(sizes.size(), 0);
+    std::vector<hsize_t> count(sizes.begin(), sizes.end());
+    first[0] = begin;
+    count[0] = rows;
+    check(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr),
+          "H5Sselect_hyperslab", name);
+    return simple_space(count);
+}
+
 std::vector<hsize_t> sizes_of(const Dimensions& dimensions) {
     std::vector<hsize_t> sizes;
     for (const Scale& scale : dimensions) sizes.push_back(scale.size());

@@ -47,6 +47,10 @@ Handle create_numbers(hid_t parent, const Label& label, std::span<const hsize_t>
 
 void write_flags(const Handle& dataset, const Flags& flags);
 
+/// Selects rows of `space`, which has these sizes, and gives the space of their values in memory.
+Handle select_rows(const Handle& space, std::span<const hsize_t> sizes, hsize_t begin, hsize_t rows,
+                   const std::string& name);
+
 std::vector<hsize_t> sizes_of(const Dimensions& dimensions);
 
 /// A scale for each dimension from number `first` on.

@@ -1,11 +1,9 @@
 #include "hdf5/rows.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <numeric>
 
-#include "hdf5/attributes.hpp"
 #include "hdf5/dataset.hpp"
 #include "hdf5/digest.hpp"
 #include "hdf5/fletcher32.hpp"
@@ -25,12 +23,8 @@ std::vector<hsize_t> sizes_of(const Scale& rows, const Dimensions& columns) {
 Handle create_rows(hid_t parent, const Label& label, std::span<const hsize_t> sizes) {
     std::vector<hsize_t> chunk{1};
     for (const hsize_t size : sizes.subspan(1)) chunk.push_back(std::max<hsize_t>(size, 1));
-    const Handle properties = compressed_properties(chunk, static_cast<unsigned>(compression_level), label.name);
-    check(H5Pset_fill_value(properties.id(), native_type<double>(), &nan), "H5Pset_fill_value", label.name);
-    Handle dataset = create_dataset(parent, label, stored_type<double>(), simple_space(sizes), properties);
-    const std::array<hsize_t, 1> one{1};
-    write_attribute_of(dataset.id(), "_FillValue", one, stored_type<double>(), native_type<double>(), &nan);
-    return dataset;
+    return create_numbers<double>(parent, label, sizes, nan,
+                                  compressed_properties(chunk, static_cast<unsigned>(compression_level), label.name));
 }
 
 /// Values as a row of a table that is `width` wide.
@@ -58,13 +52,7 @@ void Rows::write(std::size_t row, std::span<const double> values) {
     if (values.empty() || width_ == 0) return;
     const std::vector<double> whole = filled_up(values, width_);
     checksums_.at(row) = checksum(whole);
-    std::vector<hsize_t> first(sizes_.size(), 0);
-    std::vector<hsize_t> count = sizes_;
-    first[0] = row;
-    count[0] = 1;
-    check(H5Sselect_hyperslab(space_.id(), H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr),
-          "H5Sselect_hyperslab", name_);
-    const Handle memory = simple_space(std::span(&width_, 1));
+    const Handle memory = select_rows(space_, sizes_, row, 1, name_);
     check(H5Dwrite(dataset_.id(), native_type<double>(), memory.id(), space_.id(), H5P_DEFAULT, whole.data()),
           "H5Dwrite", name_);
 }

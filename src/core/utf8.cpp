@@ -3,6 +3,14 @@
 #include <cstdint>
 
 namespace floes {
+namespace {
+
+/// Whether it is a byte of a letter after its first.
+bool is_further(char byte) {
+    return (static_cast<unsigned char>(byte) & 0xc0) == 0x80;
+}
+
+}  // namespace
 
 bool is_utf8(std::string_view text) {
     constexpr std::uint32_t least[]{0, 0x80, 0x800, 0x10000};  // that needs so many further bytes
@@ -12,7 +20,7 @@ bool is_utf8(std::string_view text) {
         if (more < 0 || text.size() <= static_cast<std::size_t>(more)) return false;
         std::uint32_t code = more == 0 ? first : first & (0x3fu >> more);
         for (const char next : text.substr(1, static_cast<std::size_t>(more))) {
-            if ((static_cast<unsigned char>(next) & 0xc0) != 0x80) return false;
+            if (!is_further(next)) return false;
             code = code << 6 | (static_cast<unsigned char>(next) & 0x3f);
         }
         if (code < least[more] || code > 0x10ffff || (code >= 0xd800 && code < 0xe000)) return false;
@@ -24,11 +32,9 @@ bool is_utf8(std::string_view text) {
 std::string_view beginning(std::string_view text, std::size_t most) {
     constexpr std::size_t most_further = 3;  // bytes of a letter after its first; more are not UTF-8
     if (text.size() <= most) return text;
-    for (std::size_t end = most; end + most_further >= most; --end) {
-        if ((static_cast<unsigned char>(text[end]) & 0xc0) != 0x80) return text.substr(0, end);
-        if (end == 0) break;
-    }
-    return text.substr(0, most);
+    std::size_t end = most;
+    while (end > 0 && most - end < most_further && is_further(text[end])) --end;
+    return text.substr(0, is_further(text[end]) ? most : end);
 }
 
 }  // namespace floes

@@ -3,15 +3,13 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 
-#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
-#include <cstdlib>
-#include <new>
 
 #include "campaign_file/read_campaign_file.hpp"
 #include "driver/recorder.hpp"
+#include "support/replaced_new.hpp"
 #include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -20,46 +18,15 @@ namespace {
 std::atomic<long> held{0};
 std::atomic<long> most_held{0};
 
-void* try_to_take(std::size_t size) {
-    void* const memory = std::malloc(std::max<std::size_t>(size, 1));
-    const long now = held += static_cast<long>(malloc_usable_size(memory));
-    if (now > most_held) most_held = now;
-    return memory;
-}
-
-void* take(std::size_t size) {
-    void* const memory = try_to_take(size);
-    if (memory == nullptr) throw std::bad_alloc();
-    return memory;
-}
-
-void give_back(void* memory) {
-    held -= static_cast<long>(malloc_usable_size(memory));
-    std::free(memory);
-}
-
 }  // namespace
 
-void* operator new(std::size_t size) {
-    return take(size);
+void floes::replaced_new::taken(void* memory) noexcept {
+    const long now = held += static_cast<long>(malloc_usable_size(memory));
+    if (now > most_held) most_held = now;
 }
-void* operator new[](std::size_t size) {
-    return take(size);
-}
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-    return try_to_take(size);
-}
-void operator delete(void* memory) noexcept {
-    give_back(memory);
-}
-void operator delete[](void* memory) noexcept {
-    give_back(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    give_back(memory);
-}
-void operator delete[](void* memory, std::size_t) noexcept {
-    give_back(memory);
+
+void floes::replaced_new::leaving(void* memory) noexcept {
+    held -= static_cast<long>(malloc_usable_size(memory));
 }
 
 namespace floes {

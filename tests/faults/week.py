@@ -25,18 +25,21 @@ CONFIG = sys.argv[7] if len(sys.argv) > 7 else None
 MIB = 2**20
 
 
+def cases(config):
+    told = subprocess.run([FLOES, "config", "--resolved", config], stdout=subprocess.PIPE, check=True, text=True)
+    return len(tomllib.loads(told.stdout)["case"])
+
+
+ARRANGEMENTS = MEMBERS // cases(CONFIG) if CONFIG else None
+
+
 def a_run(folder):
     if CONFIG is None:
         return begin(folder, ranks=RANKS, fault=("members", str(MEMBERS)))
     return begin(folder, ranks=RANKS, program=[
         "sh", "-c", 'echo $$ >"$0/rank$OMPI_COMM_WORLD_RANK"; exec "$@"', folder,
         FLOES, "run", CONFIG, "-o", os.path.join(folder, "a.h5"), "--resume", "--threads", "1",
-        "--set", f"campaign.arrangements={MEMBERS // cases()}", "--set", "run.attempts=100"])
-
-
-def cases():
-    told = subprocess.run([FLOES, "config", "--resolved", CONFIG], stdout=subprocess.PIPE, check=True, text=True)
-    return len(tomllib.loads(told.stdout)["case"])
+        "--set", f"campaign.arrangements={ARRANGEMENTS}", "--set", "run.attempts=100"])
 
 
 def memory_of_the_master(folder):

@@ -4,9 +4,8 @@
 //
 //     damaged  any bytes are others, but not the mark before the digests of pages: without it HDF5 reads unchecked, in
 //              a child process first, and is known to crash there
-//     values   numbers and the configuration are others and the digests of pages are right, as in a file of somebody
-//     who
-//              means it; datasets have no digests. So HDF5 is content, and what floes itself checks is reached
+//     values   numbers and the configuration are others and the digests of pages are right, as in a file that somebody
+//              made on purpose; datasets have no digests. So HDF5 is content, and what floes itself checks is reached
 //     cut      the file ends at so many of 256 parts, as the second byte says, for 0 before the digests of pages; each
 //              is tried once, since that, too, takes a child process
 //

@@ -3,74 +3,28 @@
 #include <LinearMath/btAlignedAllocator.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <new>
 #include <ostream>
 #include <utility>
 
 #include "simulation/simulation.hpp"
+#include "support/replaced_new.hpp"
 
 namespace {
 
 std::atomic<long> allocations{0};         // operator new
 std::atomic<long> bullet_allocations{0};  // Bullet's allocator
 
-void* try_to_take(std::size_t size, std::size_t boundary = alignof(std::max_align_t)) {
-    ++allocations;
-    return std::aligned_alloc(boundary, (std::max<std::size_t>(size, 1) + boundary - 1) / boundary * boundary);
-}
-
-void* take(std::size_t size, std::size_t boundary = alignof(std::max_align_t)) {
-    void* const memory = try_to_take(size, boundary);
-    if (memory == nullptr) throw std::bad_alloc();
-    return memory;
-}
-
 }  // namespace
 
-void* operator new(std::size_t size) {
-    return take(size);
+void floes::replaced_new::taken(void*) noexcept {
+    ++allocations;
 }
-void* operator new[](std::size_t size) {
-    return take(size);
-}
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-    return try_to_take(size);
-}
-void* operator new(std::size_t size, std::align_val_t boundary) {
-    return take(size, static_cast<std::size_t>(boundary));
-}
-void* operator new[](std::size_t size, std::align_val_t boundary) {
-    return take(size, static_cast<std::size_t>(boundary));
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete[](void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
-void operator delete[](void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::align_val_t) noexcept {
-    std::free(memory);
-}
-void operator delete[](void* memory, std::align_val_t) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
-    std::free(memory);
-}
-void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept {
-    std::free(memory);
-}
+
+void floes::replaced_new::leaving(void*) noexcept {}
 
 namespace floes {
 namespace {
