@@ -3,13 +3,17 @@
 find_package(PkgConfig REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(fmt REQUIRED)
-find_package(tomlplusplus REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(Boost 1.74 REQUIRED)
 find_package(TBB REQUIRED)
 find_package(MPI REQUIRED COMPONENTS CXX)
 find_package(ZLIB REQUIRED)
+
+# Only its headers (src/keys/toml.hpp).
+find_path(FLOES_TOMLPLUSPLUS toml++/toml.h REQUIRED)
+add_library(tomlplusplus INTERFACE)
+target_include_directories(tomlplusplus SYSTEM INTERFACE ${FLOES_TOMLPLUSPLUS})
 
 # Bullet's own CMake package names a library that Debian does not ship; pkg-config does not. It must be the one with
 # double precision, which is called bullet where it was built so.

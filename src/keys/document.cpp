@@ -1,7 +1,6 @@
 #include "keys/document.hpp"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <cctype>
@@ -10,6 +9,7 @@
 #include "core/utf8.hpp"
 #include "keys/literal.hpp"
 #include "keys/text_limits.hpp"
+#include "keys/toml.hpp"
 
 namespace floes {
 namespace {
@@ -147,10 +147,7 @@ std::string trimmed(std::string_view text) {
 }  // namespace
 
 Document parse_document(std::string_view text, const std::string& file) {
-    if (const std::size_t stray = refuse_what_cannot_be_held(text, file); stray < text.size())
-        throw InputError(
-            fmt::format("{}:{}: this is not TOML (a character beyond ASCII outside a text in quotes, or after \\)",
-                        file, 1 + std::ranges::count(text.substr(0, stray), '\n')));
+    refuse_what_cannot_be_held(text, file);
     try {
         const toml::table table = toml::parse(text, file);
         Flattener flattener(file);
@@ -172,9 +169,9 @@ Entry parse_override(const std::string& override_text, const std::string& option
     }
     refuse_long_path(path, [&] { return option; });
     const std::string value = trimmed(std::string_view(override_text).substr(equals + 1));
-    const bool may_be_toml = refuse_what_cannot_be_held(value, option + " " + path) >= value.size();
+    refuse_what_cannot_be_held(value, option + " " + path);
     try {
-        const toml::table table = may_be_toml ? toml::parse("value = " + value) : toml::table{};
+        const toml::table table = toml::parse("value = " + value);
         const bool alone = table.size() == 1;  // a line break could smuggle in a second key
         if (alone) return {path, to_value(*table.get("value")), where};
     } catch (const toml::parse_error&) {

@@ -13,12 +13,6 @@ namespace {
 constexpr std::ptrdiff_t most_values = 4'000'000;
 constexpr int most_parts = 16;  // of a dotted key; ours have three at most
 
-bool is_ascii(char character) {
-    return static_cast<unsigned char>(character) < 0x80;
-}
-
-constexpr std::string_view before_strings = "=[{,\n";  // nor after a point: keys of floes need no quotes
-
 bool is_quote(char character) {
     return character == '"' || character == '\'';
 }
@@ -38,8 +32,6 @@ class Scan {
 
     /// The most parts of a dotted key; a number with a point counts as two.
     int most_parts() const { return most_; }
-    /// The place of the first character beyond ASCII outside strings and comments, or escaped.
-    std::size_t first_stray() const { return stray_; }
 
   private:
     void step() {
@@ -48,13 +40,7 @@ class Scan {
             at_ = std::min(text_.find('\n', at_), text_.size());
             return;
         }
-        if (is_quote(character) && may_begin_) {
-            may_begin_ = false;
-            return skip_string(character);
-        }
-        note(at_);
-        if (character != ' ' && character != '\t')
-            may_begin_ = before_strings.find(character) != std::string_view::npos;
+        if (is_quote(character)) return skip_string(character);
         parts_ = character == '.' ? parts_ + 1 : is_of_key(character) ? parts_ : 1;
         most_ = std::max(most_, parts_);
         ++at_;
@@ -67,7 +53,7 @@ class Scan {
         const bool many_lines = text_.substr(at_, 3) == three;
         for (at_ += many_lines ? 3 : 1; at_ < text_.size(); ++at_) {
             if (quote == '"' && text_[at_] == '\\') {
-                note(++at_);
+                ++at_;
             } else if (many_lines && text_.substr(at_, 3) == three) {
                 at_ = std::min(text_.find_first_not_of(quote, at_), text_.size());  // quotes may stand before the end
                 return;
@@ -78,21 +64,15 @@ class Scan {
         }
     }
 
-    void note(std::size_t at) {
-        if (at < text_.size() && !is_ascii(text_[at])) stray_ = std::min(stray_, at);
-    }
-
     std::string_view text_;
     std::size_t at_ = 0;
-    bool may_begin_ = true;  ///< Elsewhere a quote is an error, and toml++ reads on behind it as if there were none.
     int parts_ = 1;
     int most_ = 1;
-    std::size_t stray_ = std::string_view::npos;
 };
 
 }  // namespace
 
-std::size_t refuse_what_cannot_be_held(std::string_view text, const std::string& where) {
+void refuse_what_cannot_be_held(std::string_view text, const std::string& where) {
     if (text.size() > longest_text)
         throw InputError(
             fmt::format("{}: a text of {} bytes is too long; allowed: {} bytes; take fewer cases, poses or values",
@@ -103,11 +83,9 @@ std::size_t refuse_what_cannot_be_held(std::string_view text, const std::string&
             "{}: a text with {} lines and commas has more values than can be held; allowed: {}; take fewer cases, "
             "poses or values",
             where, values, most_values));
-    const Scan scan(text);
-    if (scan.most_parts() > most_parts)
+    if (const int parts = Scan(text).most_parts(); parts > most_parts)
         throw InputError(fmt::format("{}: a key with {} parts between dots is none of floes; ours have three at most",
-                                     where, scan.most_parts()));
-    return scan.first_stray();
+                                     where, parts));
 }
 
 }  // namespace floes

@@ -13,8 +13,6 @@ inline constexpr std::size_t longest_text = 64 << 20;  // bytes
 /// Throws InputError, beginning with `where`, for a text longer than longest_text, with more values than may be held
 /// (toml++ takes some 150 bytes for each), or with a key of more parts than any table has: toml++ makes a table of each
 /// part and takes them apart again by recursion.
-/// Gives the place of the first stray character, one beyond ASCII where TOML has none: outside strings and comments, or
-/// escaped; npos without one. What toml++ 3.3 does with some of them is undefined.
-std::size_t refuse_what_cannot_be_held(std::string_view text, const std::string& where);
+void refuse_what_cannot_be_held(std::string_view text, const std::string& where);
 
 }  // namespace floes

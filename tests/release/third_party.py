@@ -63,7 +63,7 @@ def wanted_packages(text):
 
 def libraries_of_cmake(text):
     """Names by which cmake/FloesLibraries.cmake finds packages and files."""
-    return re.findall(r"^\s*(?:find_package|pkg_\w+_modules?|find_file)\((\w+)", text, re.M)
+    return re.findall(r"^\s*(?:find_package|pkg_\w+_modules?|find_file|find_path)\((\w+)", text, re.M)
 
 
 def version_of(package):
