@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace floes {
 namespace {
@@ -24,8 +25,10 @@ std::string number_literal(double in_si, double unit) {
     if (unit == 1) return number_literal(in_si);
     const double number = in_si / unit;
     if (!std::isfinite(number)) return number_literal(number);
-    constexpr int digits_of_a_double = 17;
-    for (int digits = 1; digits <= digits_of_a_double; ++digits) {
+    // What comes back as in_si is less than 5e-16 from `number`. So if fewer than 15 digits do, 15 are the same ones
+    // with zeros behind.
+    for (int digits = std::numeric_limits<double>::digits10; digits <= std::numeric_limits<double>::max_digits10;
+         ++digits) {
         const std::string text = fmt::format("{:.{}g}", number, digits);
         double rounded = 0;
         std::from_chars(text.data(), text.data() + text.size(), rounded);

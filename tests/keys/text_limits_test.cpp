@@ -55,7 +55,8 @@ TEST(TextLimits, CharactersBeyondAsciiAreForTextsAndComments) {
     for (const char* value :
          {"\xEF\xBB\xB7", "\"\"\"a \\\xEF\xBB\xB7\"\"\"", "30e2\"\xC3\xA8\"", "39--inf'\xEF\xBB\xBE'",
           "24\"\"\"\"\"ons='21at\xEF\xBB\xBEs=11", "03['\xEF\xAF\xBB;''[", "{\xEF\xBB\xB7 = 1}"})
-        EXPECT_THAT(refused(fmt::format("\nx = {}", value)), testing::MatchesRegex("a.toml:2:[0-9]+: this is not TOML .*"))
+        EXPECT_THAT(refused(fmt::format("\nx = {}", value)),
+                    testing::MatchesRegex("a.toml:2:[0-9]+: this is not TOML .*"))
             << value;
     EXPECT_NO_THROW(
         parse_document("x = [ \"\xC3\xA8\",\n'\xC3\xA8']\ny = {z =\t'\xC3\xA8'}\r\n'\xC3\xA8' = 1", "a.toml"));
