@@ -99,7 +99,7 @@ def main():
         statuses.append(seconds)
         assert f"{MEMBERS} of {MEMBERS}" in told, "not all members are done: " + told
         alone = a_run(whole)
-        end(alone, whole)
+        end(alone, whole, patience=60 + 2 * took)
         assert alone.returncode == 0, "the undisturbed run fails"
         same(folder, os.path.join(whole, "a.h5"))
         print(f"{MEMBERS} members, {RANKS} ranks, {kills} kills, {sessions} sessions, {took:.0f} s: the file of an "

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "campaign/write.hpp"
 #include "campaign_file/read_campaign_file.hpp"
 #include "campaign_file/read_details.hpp"
 #include "campaign_file/read_history.hpp"
@@ -60,6 +61,12 @@ inline Bytes origin_read(const std::filesystem::path& path) {
     return out.take();
 }
 
+inline Bytes campaign_read(const std::filesystem::path& path) {
+    ByteWriter out;
+    out.text(write_campaign(campaign_of(read_origin(path), path)));
+    return out.take();
+}
+
 inline Bytes wall_times_read(const std::filesystem::path& path) {
     ByteWriter out;
     out.doubles(read_wall_times(path));
@@ -98,7 +105,7 @@ inline Bytes load_maps_read(const std::filesystem::path& path) {
 
 /// What there is to read of a file, each as bytes. They throw as the readers do.
 inline constexpr Bytes (*parts_read[])(const std::filesystem::path&){
-    table_read, origin_read, wall_times_read, poses_read, breaks_read, histories_read, load_maps_read};
+    table_read, origin_read, campaign_read, wall_times_read, poses_read, breaks_read, histories_read, load_maps_read};
 
 inline Bytes everything_read(const std::filesystem::path& path) {
     ByteWriter out;
