@@ -20,7 +20,7 @@ import tomllib
 from faulty_runs import at_work, begin, end, same, strike
 
 FLOES = sys.argv[3]
-MEMBERS, RANKS, BETWEEN = [int(word) for word in sys.argv[4:7]] + [100002, 8, 8][len(sys.argv[4:7]):]
+MEMBERS, RANKS, BETWEEN = [int(word) for word in sys.argv[4:7]] + [100002, 8, 2][len(sys.argv[4:7]):]
 CONFIG = sys.argv[7] if len(sys.argv) > 7 else None
 MIB = 2**20
 
