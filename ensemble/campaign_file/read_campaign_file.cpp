@@ -135,7 +135,11 @@ std::vector<MemberRow> read_members(hid_t file, const std::vector<CaseRow>& case
         const std::string name = fmt::format("members/{}", one.key);
         std::vector<double> values(members.size(), nan);
         if (one.since == 0 || hdf5::exists(file, name)) values = hdf5::read_column<double>(file, name, count);
-        for (std::size_t k = 0; k < members.size(); ++k) one.place.set(members[k], values.at(k));
+        for (std::size_t k = 0; k < members.size(); ++k) {
+            if (!one.place.holds(values.at(k)))
+                hdf5::refuse_damaged(file, fmt::format("{} has {} in place of a count", name, values[k]));
+            one.place.set(members[k], values[k]);
+        }
     }
     return members;
 }

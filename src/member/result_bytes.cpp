@@ -1,8 +1,5 @@
 #include "member/result_bytes.hpp"
 
-#include <cmath>
-#include <limits>
-
 #include "core/error.hpp"
 #include "quantities/quantity.hpp"
 
@@ -20,13 +17,8 @@ std::uint8_t read_below(ByteReader& in, std::uint8_t limit) {
     return value;
 }
 
-/// A count takes the whole part of a number, and none that an int does not hold.
 void put(const Quantity& one, MemberOutputs& outputs, double value) {
-    if (std::abs(value) > std::numeric_limits<int>::max()) {
-        MemberOutputs probe;
-        one.place.set(probe, 0.5);
-        if (one.place.get(probe) == 0) throw RunError("a stored member has a count beyond all counts; it was damaged");
-    }
+    if (!one.place.holds(value)) throw RunError("a stored member has a count beyond all counts; it was damaged");
     one.place.set(outputs, value);
 }
 

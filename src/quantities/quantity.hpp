@@ -6,12 +6,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <ranges>
 #include <span>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "quantities/member_outputs.hpp"
@@ -22,20 +24,27 @@ namespace floes {
 /// Access to a quantity in the outputs.
 struct Place {
     double (*get)(const MemberOutputs&);
-    void (*set)(MemberOutputs&, double);  ///< a count takes NaN as 0
+    void (*set)(MemberOutputs&, double);  ///< of a number that it holds; a count takes its whole part, and NaN as 0
+    bool (*holds)(double);                ///< a count none beyond those of an int
 };
 
-/// at<&MemberOutputs::load, &LoadStatistics::mean>: the chain of data members, which ends at a double or an int.
+/// Whether a chain of data members ends at an int; other quantities are doubles.
+template <auto... Path>
+inline constexpr bool is_count =
+    std::is_integral_v<std::remove_cvref_t<decltype((std::declval<MemberOutputs&>().*....*Path))>>;
+
+/// at<&MemberOutputs::load, &LoadStatistics::mean>: the chain of data members.
 template <auto... Path>
 constexpr Place at() {
     return {[](const MemberOutputs& outputs) { return static_cast<double>((outputs.*....*Path)); },
             [](MemberOutputs& outputs, double value) {
                 auto& field = (outputs.*....*Path);
-                if constexpr (std::is_integral_v<std::remove_reference_t<decltype(field)>>)
+                if constexpr (is_count<Path...>)
                     field = value == value ? static_cast<int>(value) : 0;
                 else
                     field = value;
-            }};
+            },
+            [](double value) { return !is_count<Path...> || !(std::abs(value) > std::numeric_limits<int>::max()); }};
 }
 
 inline constexpr double no_least = -std::numeric_limits<double>::infinity();

@@ -9,6 +9,7 @@
 #include "campaign_file/publish.hpp"
 #include "core/error.hpp"
 #include "hdf5/attributes.hpp"
+#include "hdf5/contents.hpp"
 #include "hdf5/pages.hpp"
 #include "hdf5/read.hpp"
 #include "hdf5/verify.hpp"
@@ -149,6 +150,27 @@ TEST_F(Damage, IsFoundWhereSomebodyChangedANumber) {
     const hdf5::FileCheck check = hdf5::check_file(path_, {});
     ASSERT_EQ(check.damaged.size(), 1u);
     EXPECT_EQ(check.damaged[0].path, "/members/mean_load");
+}
+
+// Found by fuzzing: without digests it became a count that nobody had counted, since the conversion is undefined.
+TEST_F(Damage, OfACountIsRefusedWithoutDigests) {
+    strip_page_digests();
+    {
+        const hdf5::Handle file(H5Fopen(path_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, "H5Fopen", "a.h5");
+        H5Adelete(file.id(), hdf5::contents_attribute);
+        auto values = hdf5::read_values<double>(file.id(), "members/failures_bending");
+        values[3] = -1e300;
+        const hdf5::Handle dataset(H5Dopen2(file.id(), "members/failures_bending", H5P_DEFAULT), H5Dclose, "H5Dopen",
+                                   "");
+        H5Adelete(dataset.id(), hdf5::digest_attribute);
+        H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+    }
+    try {
+        read_campaign_file(path_);
+        ADD_FAILURE() << "not refused";
+    } catch (const RunError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("members/failures_bending has -1e+300 in place of a count"));
+    }
 }
 
 TEST_F(Damage, IsFoundInAttributesAndNames) {
