@@ -178,9 +178,9 @@ class DamagedFiles {
           damaged_{written(folder_ / "a.h5", write), all_but_the_mark(folder_ / "a.h5")},
           values_{written(folder_ / "b.h5", write), without_digests(folder_ / "b.h5", configuration)},
           pages_(hdf5::CheckedPages::open(values_.path())->size()) {
-        // HDF5 is not instrumented, and its memory is taken and given back a thousand times for each file.
-        constexpr int all = -1;
-        H5set_free_list_limits(all, all, all, all, all, all);
+        // HDF5 keeps the memory it has taken: it is not instrumented, and a file takes a fifth less time.
+        constexpr int no_limit = -1;
+        H5set_free_list_limits(no_limit, no_limit, no_limit, no_limit, no_limit, no_limit);
     }
 
     /// The whole file.
