@@ -11,11 +11,13 @@
 namespace floes {
 
 void write_page(const std::filesystem::path& path, const std::string& page) {
+    const std::filesystem::path aside = path.string() + ".tmp";
     const auto refuse = [&](const std::string& reason) {
+        std::error_code ignored;
+        std::filesystem::remove(aside, ignored);
         throw RunError(fmt::format("{} cannot be written ({}); does the folder exist, and has it free space?",
                                    path.string(), reason));
     };
-    const std::filesystem::path aside = path.string() + ".tmp";
     std::ofstream file(aside, std::ios::binary);
     file << page;
     file.close();

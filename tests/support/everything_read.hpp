@@ -105,7 +105,7 @@ inline Bytes load_maps_read(const std::filesystem::path& path) {
 
 /// What there is to read of a file, each as bytes. They throw as the readers do.
 inline constexpr Bytes (*parts_read[])(const std::filesystem::path&){
-    table_read, origin_read, campaign_read, wall_times_read, poses_read, breaks_read, histories_read, load_maps_read};
+    table_read, origin_read, wall_times_read, poses_read, breaks_read, histories_read, load_maps_read, campaign_read};
 
 inline Bytes everything_read(const std::filesystem::path& path) {
     ByteWriter out;
