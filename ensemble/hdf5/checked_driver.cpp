@@ -81,7 +81,7 @@ haddr_t get_eof(const H5FD_t* file, H5FD_mem_t) {
 }
 
 /// Whether HDF5 may have what was read although a page of it is damaged: a page has several datasets in it, and what is
-/// said should name the right one. Headers have checksums, which HDF5 compares before it reads them.
+/// said should name the right one. Headers have checksums, which HDF5 compares before it takes more of them than sizes.
 bool may_have(const OpenFile& file, H5FD_mem_t of) {
     return of == H5FD_MEM_OHDR || (of == H5FD_MEM_DRAW && file.passes_values);
 }
