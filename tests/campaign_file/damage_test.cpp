@@ -55,6 +55,27 @@ class Damage : public testing::Test {
         }
     }
 
+    /// Gives a member another value, and calls `then` with the file and the dataset. HDF5 itself writes them, so that
+    /// all its checksums fit.
+    template <class Then>
+    void rewrite(const char* name, double value, const Then& then) {
+        const hdf5::Handle file(H5Fopen(path_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, "H5Fopen", "a.h5");
+        auto values = hdf5::read_values<double>(file.id(), name);
+        values[3] = value;
+        const hdf5::Handle dataset(H5Dopen2(file.id(), name, H5P_DEFAULT), H5Dclose, "H5Dopen", name);
+        H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+        then(file.id(), dataset.id());
+    }
+
+    void expect_refusal(const std::string& sentence) {
+        try {
+            read_campaign_file(path_);
+            ADD_FAILURE() << "not refused";
+        } catch (const RunError& error) {
+            EXPECT_THAT(error.what(), HasSubstr(sentence));
+        }
+    }
+
     /// Where the first of these bytes stand.
     std::uint64_t place_of(std::span<const double> values) {
         const Bytes all = file_bytes(path_);
@@ -132,21 +153,9 @@ TEST_F(Damage, OfTheTextOfADigestIsFoundBeforeHdf5ReadsIt) {
     }
 }
 
-// A value that HDF5 itself wrote, so that all its checksums fit.
 TEST_F(Damage, IsFoundWhereSomebodyChangedANumber) {
-    {
-        const hdf5::Handle file(H5Fopen(path_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, "H5Fopen", "a.h5");
-        auto values = hdf5::read_values<double>(file.id(), "members/mean_load");
-        values[3] = 1;
-        const hdf5::Handle dataset(H5Dopen2(file.id(), "members/mean_load", H5P_DEFAULT), H5Dclose, "H5Dopen", "");
-        H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
-    }
-    try {
-        read_campaign_file(path_);
-        ADD_FAILURE() << "not refused";
-    } catch (const RunError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("members/mean_load does not fit its digest"));
-    }
+    rewrite("members/mean_load", 1, [](hid_t, hid_t) {});
+    expect_refusal("members/mean_load does not fit its digest");
     const hdf5::FileCheck check = hdf5::check_file(path_, {});
     ASSERT_EQ(check.damaged.size(), 1u);
     EXPECT_EQ(check.damaged[0].path, "/members/mean_load");
@@ -155,22 +164,11 @@ TEST_F(Damage, IsFoundWhereSomebodyChangedANumber) {
 // Found by fuzzing: without digests it became a count that nobody had counted, since the conversion is undefined.
 TEST_F(Damage, OfACountIsRefusedWithoutDigests) {
     strip_page_digests();
-    {
-        const hdf5::Handle file(H5Fopen(path_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, "H5Fopen", "a.h5");
-        H5Adelete(file.id(), hdf5::contents_attribute);
-        auto values = hdf5::read_values<double>(file.id(), "members/failures_bending");
-        values[3] = -1e300;
-        const hdf5::Handle dataset(H5Dopen2(file.id(), "members/failures_bending", H5P_DEFAULT), H5Dclose, "H5Dopen",
-                                   "");
-        H5Adelete(dataset.id(), hdf5::digest_attribute);
-        H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
-    }
-    try {
-        read_campaign_file(path_);
-        ADD_FAILURE() << "not refused";
-    } catch (const RunError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("members/failures_bending has -1e+300 in place of a count"));
-    }
+    rewrite("members/failures_bending", -1e300, [](hid_t file, hid_t dataset) {
+        H5Adelete(file, hdf5::contents_attribute);
+        H5Adelete(dataset, hdf5::digest_attribute);
+    });
+    expect_refusal("members/failures_bending has -1e+300 in place of a count");
 }
 
 TEST_F(Damage, IsFoundInAttributesAndNames) {
