@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """The paired benchmarks, end to end: what `./floes bench` runs. Some 5 minutes on a quiet machine.
 
-    bench/all.py build/bench/bench [--rounds 7] [--docs docs/performance.md]
+    bench/all.py build/release/bench [--rounds 7] [--docs docs/performance.md]
 
 Steps, peers and members in turns, A B A B ..., instructions by callgrind, two threads against two processes. Prints the
 table of docs/performance.md; all single times go to results.json in the folder of the programs. --docs puts the table

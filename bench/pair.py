@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Runs benchmarks in turns, A B A B ..., and prints the ratios pair by pair and their median.
 
-    bench/pair.py build/bench/bench/floes_bench TowStep/stock/late TowStep/lanes/late [more ...]
+    bench/pair.py build/release/bench/floes_bench TowStep/stock/late TowStep/lanes/late [more ...]
                   [--rounds 7] [--steps 50] [--json FILE]
 
 Ratios are of CPU time, first benchmark over each of the others, within a round: what else the machine does in a round

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Throughput of two threads in one process over that of two processes, in turns.
 
-    bench/side_by_side.py build/bench/bench/floes_throughput [--rounds 7] [--steps 400]
+    bench/side_by_side.py build/release/bench/floes_throughput [--rounds 7] [--steps 400]
 
 By wall clock, which needs two idle cores, and by CPU time, which shows what two threads cost each other in work but not
 waiting.

@@ -7,7 +7,7 @@ function(floes_build_info target)
   set(folder ${PROJECT_BINARY_DIR}/generated)
   string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
   string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} -ffp-contract=off" FLOES_BUILD_FLAGS)
-  configure_file(${PROJECT_SOURCE_DIR}/ensemble/records/build_facts.hpp.in ${folder}/records/build_facts.hpp @ONLY)
+  configure_file(${PROJECT_SOURCE_DIR}/ensemble/store/records/build_facts.hpp.in ${folder}/records/build_facts.hpp @ONLY)
   add_custom_target(floes_git_revision
     COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D OUTPUT=${folder}/records/git_revision.hpp
             -P ${PROJECT_SOURCE_DIR}/cmake/GitRevision.cmake

@@ -23,10 +23,7 @@ function(floes_mpi_test name)
   endforeach()
 endfunction()
 
-add_executable(test_wire_mpi wire/mpi/mpi_link_test.cpp)
-target_include_directories(test_wire_mpi PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-target_link_libraries(test_wire_mpi PRIVATE floes_wire GTest::gtest)
-floes_compile_options(test_wire_mpi)
+floes_test_program(test_wire_mpi SOURCES wire/mpi/mpi_link_test.cpp LIBRARIES floes_wire GTest::gtest)
 floes_mpi_test(wire.mpi RANKS 1 2 3 COMMAND test_wire_mpi)
 
 # Whole campaigns by the program itself: tests/campaign_run/NAME.sh.
@@ -34,6 +31,6 @@ if(TARGET floes)
   foreach(script same_everywhere kill_and_resume stop_and_resume refusals calibrated parts storage_faults)
     add_test(NAME campaign_run.${script}
              COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/campaign_run/${script}.sh $<TARGET_FILE:floes> ${MPIEXEC_EXECUTABLE})
-    set_tests_properties(campaign_run.${script} PROPERTIES LABELS "default;mpi" TIMEOUT 300 PROCESSORS 2)
+    set_tests_properties(campaign_run.${script} PROPERTIES LABELS "default;mpi" TIMEOUT 300 PROCESSORS 2 COST 80)
   endforeach()
 endif()

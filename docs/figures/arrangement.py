@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Draws docs/figures/arrangement.png: is the start of the Monte Carlo chain forgotten, and when?
 
-    cmake --preset ci && cmake --build --preset ci --target arrangement_chains
-    docs/figures/arrangement.py build/ci/docs/figures/arrangement_chains
+    cmake --preset release && cmake --build --preset release --target arrangement_chains
+    docs/figures/arrangement.py build/release/docs/figures/arrangement_chains
 
 Takes about two minutes. A second argument is where the picture goes instead.
 """

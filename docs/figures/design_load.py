@@ -4,7 +4,7 @@
 Usage:
     design_load.py                      writes table and picture
     design_load.py --check              writes nothing; fails if the page differs from the data
-    design_load.py --coverage           first takes the trials of build/ci/tests/test_coverage from standard input
+    design_load.py --coverage           first takes the trials of build/release/tests/test_coverage from standard input
     design_load.py --collect TABLE3 [FLOES]
                                         first takes the tails of the campaign file TABLE3 with the program FLOES
 """

@@ -35,7 +35,9 @@ def includes(rooms):
     found = {room: set() for room in rooms}
     for top in ("src", "ensemble"):
         for file in sorted((PROJECT / top).rglob("*.[chi]*")):
-            room = file.relative_to(PROJECT / top).parts[0]
+            room = file.parent.name
+            if room not in found:
+                continue  # no source of a room
             others = re.findall(r'^#include "(\w+)/', file.read_text(encoding="utf-8"), re.M)
             found[room] |= {other for other in others if other in rooms and other != room}
     return found

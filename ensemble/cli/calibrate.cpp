@@ -150,35 +150,35 @@ std::string curve_text(const CalibrateOptions& options) {
 
 }  // namespace
 
-void add_calibrate(CLI::App& program, int& exit_status) {
+void add_calibrate(CommandLine& line) {
     auto options = std::make_shared<CalibrateOptions>();
-    CLI::App* verb = program.add_subcommand(
+    Verb verb = line.verb(
         "calibrate",
         "Elastic modulus of the numerical ice over Σ, Γ, Δt, iterations and element size (plate deflection, Fig. 2), "
         "and of ice with beam joints");
     const auto list = [&](const char* name, auto& values, const char* help) {
-        verb->add_option(name, values, help)->delimiter(',');
+        verb.option(name, values, help).comma_separated();
     };
-    CLI::Option* config = verb->add_option(
-        "config", options->config, "Test the ice of this configuration's first case; default: the paper's plate");
-    add_overrides(*verb, options->overrides)->needs(config);
+    Option config = verb.option("config", options->config,
+                                "Test the ice of this configuration's first case; default: the paper's plate");
+    add_overrides(verb, options->overrides).needs(config);
     list("--sheet-m", options->sheets, "Sides of the square sheet, m");
-    CLI::Option* cfm = verb->add_option("--cfm", options->cfm, "Values of Σ, joint.model = \"cfm\"")->delimiter(',');
-    CLI::Option* beams =
-        verb->add_option("--beam-MPa", options->moduli, "Moduli of beam joints, joint.model = \"beam\", solved exactly")
-            ->delimiter(',');
+    const Option cfm = verb.option("--cfm", options->cfm, "Values of Σ, joint.model = \"cfm\"").comma_separated();
+    const Option beams =
+        verb.option("--beam-MPa", options->moduli, "Moduli of beam joints, joint.model = \"beam\", solved exactly")
+            .comma_separated();
     list("--element-m", options->elements, "Element sizes L_e, m");
     list("--thickness-m", options->thicknesses, "Thicknesses, m");
     list("--time-step-s", options->time_steps, "Time steps Δt, s");
     list("--erp", options->erps, "Values of Γ");
     list("--iterations", options->iterations, "Numbers of Gauss-Seidel sweeps");
-    verb->add_option("--load-N", options->load, "Largest load on the centre, N")->capture_default_str();
-    verb->add_option("--modulus-MPa", options->modulus,
-                     "Inverse calibration: find the Σ that shows this modulus on the first sheet")
-        ->excludes(cfm)
-        ->excludes(beams);
-    add_format(*verb, options->format);
-    verb->footer(
+    verb.option("--load-N", options->load, "Largest load on the centre, N").shows_default();
+    const Option modulus = verb.option("--modulus-MPa", options->modulus,
+                                       "Inverse calibration: find the Σ that shows this modulus on the first sheet")
+                               .excludes(cfm)
+                               .excludes(beams);
+    add_format(verb, options->format);
+    verb.footer(
         "Lists are comma-separated and every combination is measured. Without arguments: the paper's Σ on sheets of\n"
         "5.4, 2.8 and 2.6 m, and beam joints of 200, 60 and 30 MPa. E (patch) assumes that the load is spread over "
         "the\n"
@@ -188,13 +188,13 @@ void add_calibrate(CLI::App& program, int& exit_status) {
         "  floes calibrate --sheet-m 2.6 --cfm 1e-10 --iterations 10,50,100     the ceiling set by the iterations\n"
         "  floes calibrate --sheet-m 5.1 --element-m 0.3,0.1 --beam-MPa 60       beam joints, whatever the element\n"
         "  floes calibrate table3.toml --modulus-MPa 60                         Σ for an ice of 60 MPa");
-    verb->callback([options, verb, cfm, beams, &exit_status] {
+    verb.runs([options, cfm, beams, modulus] {
         // One of the two given alone: only sheets of these joints.
-        if (cfm->count() > 0 && beams->count() == 0) options->moduli.clear();
-        if (beams->count() > 0 && cfm->count() == 0) options->cfm.clear();
-        const bool inverse = verb->count("--modulus-MPa") > 0;
+        if (cfm.given() && !beams.given()) options->moduli.clear();
+        if (beams.given() && !cfm.given()) options->cfm.clear();
+        const bool inverse = modulus.given();
         std::fputs((inverse ? inverse_text(*options) : curve_text(*options)).c_str(), stdout);
-        exit_status = 0;
+        return 0;
     });
 }
 

@@ -139,42 +139,41 @@ Section stiffness_section(const std::vector<StiffnessRow>& rows) {
 
 }  // namespace
 
-void add_cantilever(CLI::App& program, int& exit_status) {
+void add_cantilever(CommandLine& line) {
     auto options = std::make_shared<CantileverOptions>();
-    CLI::App* verb =
-        program.add_subcommand("cantilever", "Measured strength of a numerical beam, compared with its input strength");
-    CLI::Option* config = verb->add_option("config", options->config,
-                                           "Test the ice of this configuration's first case; default: the paper's ice");
-    add_overrides(*verb, options->overrides)->needs(config);
-    verb->add_option("--cfm", options->cfm, "Values of Σ, comma-separated")->delimiter(',')->capture_default_str();
-    verb->add_option("--elements", options->elements, "Lengths of the beam in elements, comma-separated")
-        ->delimiter(',')
-        ->check(CLI::Range(1, 100))
-        ->capture_default_str();
-    verb->add_option("--load", options->loads, "bending, shear, compression, comma-separated")
-        ->delimiter(',')
-        ->check(CLI::IsMember({"bending", "shear", "compression"}));
-    CLI::Option* floating = verb->add_flag("--floating", options->floating,
-                                           "Bend a floating beam (lifted at its tip) instead of a dry one");
-    verb->add_flag("--stiffness", options->stiffness,
-                   "Instead: how far a strip with beam joints bends, and how it swings, beside the closed form")
-        ->excludes(floating);
-    verb->add_option("--modulus-MPa", options->moduli,
-                     "Modulus of the elastic beam on a foundation used for comparison; with --stiffness moduli of the "
-                     "beam joints, comma-separated")
-        ->delimiter(',')
-        ->capture_default_str();
-    add_format(*verb, options->format);
-    verb->footer(
+    Verb verb = line.verb("cantilever", "Measured strength of a numerical beam, compared with its input strength");
+    Option config = verb.option("config", options->config,
+                                "Test the ice of this configuration's first case; default: the paper's ice");
+    add_overrides(verb, options->overrides).needs(config);
+    verb.option("--cfm", options->cfm, "Values of Σ, comma-separated").comma_separated().shows_default();
+    verb.option("--elements", options->elements, "Lengths of the beam in elements, comma-separated")
+        .comma_separated()
+        .within(1, 100)
+        .shows_default();
+    verb.option("--load", options->loads, "bending, shear, compression, comma-separated")
+        .comma_separated()
+        .one_of({"bending", "shear", "compression"});
+    Option floating =
+        verb.flag("--floating", options->floating, "Bend a floating beam (lifted at its tip) instead of a dry one");
+    verb.flag("--stiffness", options->stiffness,
+              "Instead: how far a strip with beam joints bends, and how it swings, beside the closed form")
+        .excludes(floating);
+    verb.option("--modulus-MPa", options->moduli,
+                "Modulus of the elastic beam on a foundation used for comparison; with --stiffness moduli of the "
+                "beam joints, comma-separated")
+        .comma_separated()
+        .shows_default();
+    add_format(verb, options->format);
+    verb.footer(
         "The beam is one element wide and clamped at one end. Bending: strength = 6 P L/(b h²), L from the load to "
         "the\n"
         "failing joint. With --stiffness: dry, the load at the middle of the last element. Shear and compression: P/(b "
         "h), or P/(b h²) with joint.threshold_form = \"as_printed\".");
-    verb->callback([options, &exit_status] {
+    verb.runs([options] {
         const Section section = options->stiffness ? stiffness_section(measure_stiffness(*options))
                                                    : section_of(measure(*options), options->floating);
         std::fputs(written({section}, options->format).c_str(), stdout);
-        exit_status = 0;
+        return 0;
     });
 }
 

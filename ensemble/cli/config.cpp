@@ -4,7 +4,6 @@
 
 #include <cstdio>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -14,6 +13,7 @@
 #include "cli/commands.hpp"
 #include "cli/config_file.hpp"
 #include "core/wording.hpp"
+#include "tables/records.hpp"
 
 namespace floes {
 namespace {
@@ -28,15 +28,15 @@ struct ConfigOptions {
 };
 
 std::string reference_json() {
-    nlohmann::ordered_json keys = nlohmann::ordered_json::array();
-    for (const KeyDescription& key : reference()) {
-        keys.push_back({{"key", key.key},
-                        {"default", key.default_value},
-                        {"allowed", key.allowed},
-                        {"meaning", key.meaning},
-                        {"source", key.source}});
-    }
-    return nlohmann::ordered_json{{"keys", keys}}.dump(2) + "\n";
+    const std::vector<KeyDescription> keys = reference();
+    const Records records[]{
+        make_records<KeyDescription>("keys", keys,
+                                     {{"key", [](const KeyDescription& one) { return Datum(one.key); }},
+                                      {"default", [](const KeyDescription& one) { return Datum(one.default_value); }},
+                                      {"allowed", [](const KeyDescription& one) { return Datum(one.allowed); }},
+                                      {"meaning", [](const KeyDescription& one) { return Datum(one.meaning); }},
+                                      {"source", [](const KeyDescription& one) { return Datum(one.source); }}})};
+    return json(records);
 }
 
 std::string check_line(const Campaign& campaign) {
@@ -60,28 +60,26 @@ std::string answer(const ConfigOptions& options) {
 
 }  // namespace
 
-void add_config(CLI::App& program, int& exit_status) {
+void add_config(CommandLine& line) {
     auto options = std::make_shared<ConfigOptions>();
-    CLI::App* verb = program.add_subcommand(
-        "config", "Print the default configuration or the list of keys, or check a configuration");
-    CLI::Option_group* action = verb->add_option_group("action", "Action; exactly one of");
-    action->add_flag("--defaults", options->defaults, "Print a complete commented configuration that runs");
-    CLI::Option* reference_flag =
-        action->add_flag("--reference", options->reference, "Print every key: default, range, meaning, source");
-    CLI::Option* check = action->add_option("--check", options->check, "Check this configuration without running it");
-    CLI::Option* resolved =
-        action->add_option("--resolved", options->resolved, "Print the complete configuration as it would run");
-    action->require_option(1);
-    check->type_name("CONFIG.toml");
-    resolved->type_name("CONFIG.toml");
-    verb->add_option("--format", options->format, "Format of the reference: text (Markdown) or json")
-        ->check(CLI::IsMember({"text", "json"}))
-        ->needs(reference_flag);
-    verb->add_option("--set", options->overrides, "key=value: override a key of the file; may be repeated")
-        ->excludes(reference_flag);
-    verb->callback([options, &exit_status] {
+    Verb verb = line.verb("config", "Print the default configuration or the list of keys, or check a configuration");
+    OptionList action = verb.exactly_one_of("action", "Action; exactly one of");
+    action.flag("--defaults", options->defaults, "Print a complete commented configuration that runs");
+    Option reference_flag =
+        action.flag("--reference", options->reference, "Print every key: default, range, meaning, source");
+    Option check = action.option("--check", options->check, "Check this configuration without running it");
+    Option resolved =
+        action.option("--resolved", options->resolved, "Print the complete configuration as it would run");
+    check.value_name("CONFIG.toml");
+    resolved.value_name("CONFIG.toml");
+    verb.option("--format", options->format, "Format of the reference: text (Markdown) or json")
+        .one_of({"text", "json"})
+        .needs(reference_flag);
+    verb.option("--set", options->overrides, "key=value: override a key of the file; may be repeated")
+        .excludes(reference_flag);
+    verb.runs([options] {
         std::fputs(answer(*options).c_str(), stdout);
-        exit_status = 0;
+        return 0;
     });
 }
 

@@ -31,43 +31,39 @@ std::string answer(const DesignOptions& options) {
 
 }  // namespace
 
-void add_design(CLI::App& program, int& exit_status) {
+void add_design(CommandLine& line) {
     auto options = std::make_shared<DesignOptions>();
-    CLI::App* verb =
-        program.add_subcommand("design", "Design load: the largest load in an exposure, with its uncertainty");
-    verb->add_option("campaign", options->file, "The campaign file (CAMPAIGN.h5)")->required();
-    verb->add_option("--exposure-h", options->exposure_h, "Exposure, h at full scale")
-        ->check(CLI::Range(1e-3, 1e6))
-        ->capture_default_str();
-    verb->add_option("--quantile", options->request.quantiles,
-                     "Probabilities that the load is not exceeded in the exposure, comma-separated")
-        ->delimiter(',')
-        ->check(CLI::Range(0.001, 0.99999))
-        ->capture_default_str();
-    verb->add_option("--averaging-s", options->request.averaging,
-                     "Time that the load is averaged over, s at full scale: one of the campaign's analysis.averaging_s")
-        ->check(CLI::PositiveNumber)
-        ->capture_default_str();
-    verb->add_option(
-            "--scale", options->request.scale,
-            "Length at full scale over length in the campaign: loads grow with its cube, times with its square "
-            "root (Froude)")
-        ->check(CLI::Range(1.0, 1000.0))
-        ->capture_default_str();
-    verb->add_option("--peaks", options->request.share, "Share of the peaks, the highest, that the tails are fitted to")
-        ->check(CLI::Range(0.01, 0.9))
-        ->capture_default_str();
-    add_window(*verb, options->window);
-    add_format(*verb, options->format);
-    verb->footer(
+    Verb verb = line.verb("design", "Design load: the largest load in an exposure, with its uncertainty");
+    verb.option("campaign", options->file, "The campaign file (CAMPAIGN.h5)").required();
+    verb.option("--exposure-h", options->exposure_h, "Exposure, h at full scale").within(1e-3, 1e6).shows_default();
+    verb.option("--quantile", options->request.quantiles,
+                "Probabilities that the load is not exceeded in the exposure, comma-separated")
+        .comma_separated()
+        .within(0.001, 0.99999)
+        .shows_default();
+    verb.option("--averaging-s", options->request.averaging,
+                "Time that the load is averaged over, s at full scale: one of the campaign's analysis.averaging_s")
+        .positive()
+        .shows_default();
+    verb.option("--scale", options->request.scale,
+                "Length at full scale over length in the campaign: loads grow with its cube, times with its square "
+                "root (Froude)")
+        .within(1.0, 1000.0)
+        .shows_default();
+    verb.option("--peaks", options->request.share, "Share of the peaks, the highest, that the tails are fitted to")
+        .within(0.01, 0.9)
+        .shows_default();
+    add_window(verb, options->window);
+    add_format(verb, options->format);
+    verb.footer(
         "The exposure passes through many arrangements, so the members of a case are pieces of it. Loads of single\n"
         "steps depend on the time step and are no design loads; averaged ones do not (docs/convergence.md).\n\n"
         "  floes design table3_physical.h5\n"
         "  floes design table3_physical.h5 --exposure-h 10 --quantile 0.5,0.9,0.99 --averaging-s 2\n"
         "  floes design table3_physical.h5 --scale 36 --averaging-s 6 --exposure-h 3      loads at full scale");
-    verb->callback([options, &exit_status] {
+    verb.runs([options] {
         std::fputs(answer(*options).c_str(), stdout);
-        exit_status = 0;
+        return 0;
     });
 }
 

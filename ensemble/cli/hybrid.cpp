@@ -45,37 +45,37 @@ std::string answer(const HybridOptions& options) {
 
 }  // namespace
 
-void add_hybrid(CLI::App& program, int& exit_status) {
+void add_hybrid(CommandLine& line) {
     auto options = std::make_shared<HybridOptions>();
-    CLI::App* verb = program.add_subcommand(
-        "hybrid", "Load by closed formulas over the elastic modulus: Lindqvist, KPR and their hybrid (Fig. 8)");
-    CLI::Option* config = verb->add_option(
-        "config", options->config, "Use ice and structure of this configuration's first case; default: the paper's");
-    add_overrides(*verb, options->overrides)->needs(config);
-    verb->add_option("--modulus-MPa", options->moduli, "Elastic moduli, MPa, comma-separated")
-        ->delimiter(',')
-        ->check(CLI::Range(1e-3, 1e6));
-    CLI::Option* crossing =
-        verb->add_option("--crossing-MPa", options->crossing,
-                         "Choose KPR's static coefficient so that both limits are equal at this modulus; the paper's "
-                         "Fig. 8 shows about 10")
-            ->check(CLI::Range(1e-3, 1e6))
-            ->capture_default_str();
-    verb->add_option("--kpr", options->coefficients, "KPR's coefficients k1,k2,k3, instead of the crossing")
-        ->delimiter(',')
-        ->expected(3)
-        ->check(CLI::NonNegativeNumber)
-        ->excludes(crossing);
-    add_format(*verb, options->format);
-    verb->footer(
+    Verb verb = line.verb("hybrid",
+                          "Load by closed formulas over the elastic modulus: Lindqvist, KPR and their hybrid (Fig. 8)");
+    Option config = verb.option("config", options->config,
+                                "Use ice and structure of this configuration's first case; default: the paper's");
+    add_overrides(verb, options->overrides).needs(config);
+    verb.option("--modulus-MPa", options->moduli, "Elastic moduli, MPa, comma-separated")
+        .comma_separated()
+        .within(1e-3, 1e6);
+    Option crossing =
+        verb.option("--crossing-MPa", options->crossing,
+                    "Choose KPR's static coefficient so that both limits are equal at this modulus; the paper's "
+                    "Fig. 8 shows about 10")
+            .within(1e-3, 1e6)
+            .shows_default();
+    verb.option("--kpr", options->coefficients, "KPR's coefficients k1,k2,k3, instead of the crossing")
+        .comma_separated()
+        .exactly(3)
+        .not_negative()
+        .excludes(crossing);
+    add_format(verb, options->format);
+    verb.footer(
         "R_LS is the load that breaks the floes (Lindqvist times concentration), R_LM the load that pushes them\n"
         "aside (KPR), R_F the lower of the two. No available source gives KPR's coefficients: k1 is set by the\n"
         "crossing, so the crossing is no test.\n\n"
         "  floes hybrid                                   the paper's case\n"
         "  floes hybrid table3.toml --set ice.bending_strength_kPa=50 --format json");
-    verb->callback([options, &exit_status] {
+    verb.runs([options] {
         std::fputs(answer(*options).c_str(), stdout);
-        exit_status = 0;
+        return 0;
     });
 }
 

@@ -3,7 +3,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <sstream>
+#include <span>
 #include <string_view>
 
 #include "cli/commands.hpp"
@@ -19,31 +19,27 @@ bool speaks() {
     return true;
 }
 
-int refuse(const CLI::App& program, const CLI::ParseError& error) {
-    std::ostringstream out;
-    std::ostringstream errors;
-    const bool no_error = program.exit(error, out, errors) == 0;
+int end(const floes::CommandLineEnd& said) {
     if (speaks()) {
-        std::fputs(out.str().c_str(), stdout);
-        std::fputs(errors.str().c_str(), stderr);
+        std::fputs(said.output().c_str(), stdout);
+        std::fputs(said.what(), stderr);
     }
-    if (no_error) return 0;
     // mpirun ends all ranks when one ends with an error. Starting MPI first keeps all alive until rank 0 has reported.
-    if (floes::started_by_mpi()) floes::open_link();
-    return 2;
+    if (said.status() != 0 && floes::started_by_mpi()) floes::open_link();
+    return said.status();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is reported as an error, like a full disk
-    CLI::App program;
-    int exit_status = 0;
-    floes::add_verbs(program, exit_status, {argv, static_cast<std::size_t>(argc)});
+    const std::span<char* const> words(argv, static_cast<std::size_t>(argc));
+    floes::CommandLine line(floes::program_description);
+    floes::add_verbs(line, words);
     try {
-        program.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return refuse(program, error);
+        return line.run(words);
+    } catch (const floes::CommandLineEnd& said) {
+        return end(said);
     } catch (const floes::InputError& error) {
         std::fprintf(stderr, "floes: %s\n", error.what());
         return 2;
@@ -51,5 +47,4 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "floes: %s\n", error.what());
         return 1;
     }
-    return exit_status;
 }

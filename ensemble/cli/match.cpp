@@ -165,59 +165,53 @@ void run(const MatchOptions& options) {
 
 }  // namespace
 
-void add_match(CLI::App& program, int& exit_status) {
+void add_match(CommandLine& line) {
     auto options = std::make_shared<MatchOptions>();
-    CLI::App* verb = program.add_subcommand("match", "Which inputs do measured loads not rule out? History matching");
-    verb->add_option("campaigns", options->files,
-                     "Campaign files with a [design] over the unknown inputs, wave by wave")
-        ->required();
-    verb->add_option("--targets", options->targets, "TOML file with a [[target]] for each measured figure")->required();
-    verb->add_option("--samples", options->samples, "Points of the inputs' ranges to look at")
-        ->check(CLI::Range(64, 1 << 20))
-        ->capture_default_str();
-    verb->add_option("--next", options->next, "Write the next wave, a campaign inside what is left, to this TOML file");
-    verb->add_option("--points", options->points, "Points of the next wave")
-        ->check(CLI::Range(1, 10000))
-        ->capture_default_str();
-    verb->add_option("--at", options->at,
-                     "KEY=VALUE of each axis: what is predicted at this point, and what rules it out")
-        ->type_size(1)
-        ->allow_extra_args(false);
-    verb->add_option("--predict", options->predicted,
-                     "QUANTITY or CASE:QUANTITY, as E60:mean_maximum_1s: what it is over the inputs that are left; may "
-                     "be repeated")
-        ->type_size(1)
-        ->allow_extra_args(false);
-    CLI::Option* exposure =
-        verb->add_option("--exposure-h", options->exposure_h,
-                         "Predict the design load: the largest averaged load in this exposure, h at full scale")
-            ->check(CLI::Range(1e-3, 1e6));
-    verb->add_option("--averaging-s", options->design.averaging,
-                     "Time that the design load is averaged over, s at full scale")
-        ->check(CLI::PositiveNumber)
-        ->capture_default_str()
-        ->needs(exposure);
-    verb->add_option("--quantile", options->design.quantiles.front(),
-                     "Probability that the design load is not exceeded in the exposure")
-        ->check(CLI::Range(0.001, 0.99999))
-        ->capture_default_str()
-        ->needs(exposure);
-    verb->add_option("--scale", options->design.scale,
-                     "Length at full scale over length in the campaign, for the design load (Froude)")
-        ->check(CLI::Range(1.0, 1000.0))
-        ->capture_default_str()
-        ->needs(exposure);
-    verb->add_option("-o,--output", options->page, "Write a page with figures to this HTML file");
-    add_format(*verb, options->format);
-    verb->footer(
+    Verb verb = line.verb("match", "Which inputs do measured loads not rule out? History matching");
+    verb.option("campaigns", options->files, "Campaign files with a [design] over the unknown inputs, wave by wave")
+        .required();
+    verb.option("--targets", options->targets, "TOML file with a [[target]] for each measured figure").required();
+    verb.option("--samples", options->samples, "Points of the inputs' ranges to look at")
+        .within(64, 1 << 20)
+        .shows_default();
+    verb.option("--next", options->next, "Write the next wave, a campaign inside what is left, to this TOML file");
+    verb.option("--points", options->points, "Points of the next wave").within(1, 10000).shows_default();
+    verb.option("--at", options->at, "KEY=VALUE of each axis: what is predicted at this point, and what rules it out")
+        .one_each();
+    verb.option("--predict", options->predicted,
+                "QUANTITY or CASE:QUANTITY, as E60:mean_maximum_1s: what it is over the inputs that are left; may "
+                "be repeated")
+        .one_each();
+    Option exposure =
+        verb.option("--exposure-h", options->exposure_h,
+                    "Predict the design load: the largest averaged load in this exposure, h at full scale")
+            .within(1e-3, 1e6);
+    verb.option("--averaging-s", options->design.averaging,
+                "Time that the design load is averaged over, s at full scale")
+        .positive()
+        .shows_default()
+        .needs(exposure);
+    verb.option("--quantile", options->design.quantiles.front(),
+                "Probability that the design load is not exceeded in the exposure")
+        .within(0.001, 0.99999)
+        .shows_default()
+        .needs(exposure);
+    verb.option("--scale", options->design.scale,
+                "Length at full scale over length in the campaign, for the design load (Froude)")
+        .within(1.0, 1000.0)
+        .shows_default()
+        .needs(exposure);
+    verb.option("-o,--output", options->page, "Write a page with figures to this HTML file");
+    add_format(verb, options->format);
+    verb.footer(
         "Emulators predict each target over the design's axes. A point is ruled out when a target is more than three\n"
         "standard deviations from its prediction there, counting the scatter of single runs, the measurement's\n"
         "uncertainty and the discrepancy that the model is allowed.\n\n"
         "  floes run wave1.toml && floes match wave1.h5 --targets tank.toml --next wave2.toml\n"
         "  floes run wave2.toml && floes match wave1.h5 wave2.h5 --targets tank.toml --exposure-h 3");
-    verb->callback([options, &exit_status] {
+    verb.runs([options] {
         run(*options);
-        exit_status = 0;
+        return 0;
     });
 }
 

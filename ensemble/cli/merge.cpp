@@ -53,15 +53,14 @@ int merge(const MergeOptions& options) {
 
 }  // namespace
 
-void add_merge(CLI::App& program, int& exit_status) {
+void add_merge(CommandLine& line) {
     auto options = std::make_shared<MergeOptions>();
-    CLI::App* verb = program.add_subcommand("merge", "Merge the parts computed by floes run --part into one campaign");
-    verb->add_option("parts", options->parts,
-                     "Campaign files of the parts; their journals are read from the same folders")
-        ->required();
-    verb->add_option("-o,--output", options->output, "The merged campaign file")->required();
-    verb->add_flag("--overwrite", options->overwrite, "Replace an existing campaign");
-    verb->callback([options, &exit_status] { exit_status = merge(*options); });
+    Verb verb = line.verb("merge", "Merge the parts computed by floes run --part into one campaign");
+    verb.option("parts", options->parts, "Campaign files of the parts; their journals are read from the same folders")
+        .required();
+    verb.option("-o,--output", options->output, "The merged campaign file").required();
+    verb.flag("--overwrite", options->overwrite, "Replace an existing campaign");
+    verb.runs([options] { return merge(*options); });
 }
 
 }  // namespace floes

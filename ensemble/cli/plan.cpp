@@ -57,35 +57,35 @@ std::string plan_text(const PlanOptions& options) {
         options.from.empty() ? expected_members(campaign) : measured_members(campaign, read_measured_run(options.from));
     if (options.record_bytes > 0) set_record_bytes(planned, options.record_bytes);
     const std::vector<PlanRow> rows = rows_of(options, planned);
-    if (options.format == "csv") return plan_csv(rows);
     const PlanHead head = plan_head(campaign, planned);
-    return options.format == "json" ? plan_json(head, rows) : plan_table(head, rows);
+    if (options.format == "table") return plan_table(head, rows);
+    const std::vector<Records> records = plan_records(head, rows);
+    return options.format == "json" ? json(records) : csv(records.back());
 }
 
 }  // namespace
 
-void add_plan(CLI::App& program, int& exit_status) {
+void add_plan(CommandLine& line) {
     auto options = std::make_shared<PlanOptions>();
-    CLI::App* verb = program.add_subcommand("plan", "Predict wall time, core-hours and efficiency of a run");
-    verb->add_option("config", options->config, "The configuration (CONFIG.toml)")->required();
-    verb->add_option("--cores", options->cores,
-                     "Total number of cores, one or several settings; default: the cores of this machine")
-        ->delimiter(',')
-        ->check(CLI::Range(1, 10'000'000));
-    verb->add_option("--ranks", options->ranks,
-                     "Number of ranks, one for all settings or one for each; default: one for every 64 cores")
-        ->delimiter(',')
-        ->check(CLI::Range(1, 1'000'000));
-    verb->add_option("--from", options->from,
-                     "Take run times from this campaign file (CAMPAIGN.h5), finished or running");
-    verb->add_option("--record-bytes", options->record_bytes,
-                     "Assumed size of a member's result; default: the size of its record")
-        ->check(CLI::Range(1.0, 1e12));
-    add_format(*verb, options->format);
-    add_overrides(*verb, options->overrides);
-    verb->callback([options, &exit_status] {
+    Verb verb = line.verb("plan", "Predict wall time, core-hours and efficiency of a run");
+    verb.option("config", options->config, "The configuration (CONFIG.toml)").required();
+    verb.option("--cores", options->cores,
+                "Total number of cores, one or several settings; default: the cores of this machine")
+        .comma_separated()
+        .within(1, 10'000'000);
+    verb.option("--ranks", options->ranks,
+                "Number of ranks, one for all settings or one for each; default: one for every 64 cores")
+        .comma_separated()
+        .within(1, 1'000'000);
+    verb.option("--from", options->from, "Take run times from this campaign file (CAMPAIGN.h5), finished or running");
+    verb.option("--record-bytes", options->record_bytes,
+                "Assumed size of a member's result; default: the size of its record")
+        .within(1.0, 1e12);
+    add_format(verb, options->format);
+    add_overrides(verb, options->overrides);
+    verb.runs([options] {
         std::fputs(plan_text(*options).c_str(), stdout);
-        exit_status = 0;
+        return 0;
     });
 }
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "core/units.hpp"
 #include "core/wording.hpp"
@@ -77,38 +76,30 @@ std::string plan_table(const PlanHead& head, std::span<const PlanRow> rows) {
     return remarks.empty() ? text : text + "\n" + remarks;
 }
 
-std::string plan_json(const PlanHead& head, std::span<const PlanRow> rows) {
-    nlohmann::ordered_json json{{"campaign", head.title},
-                                {"members", head.members},
-                                {"mean_run_time_s", head.mean_run_time},
-                                {"longest_run_time_s", head.longest},
-                                {"message_bytes", head.message_bytes},
-                                {"run_times_from", head.source},
-                                {"calibration_not_counted", head.calibrates},
-                                {"plans", nlohmann::ordered_json::array()}};
-    for (const PlanRow& row : rows)
-        json["plans"].push_back({{"cores", row.cores},
-                                 {"ranks", row.ranks},
-                                 {"wall_time_s", row.forecast.wall_time},
-                                 {"core_hours", core_hours(row)},
-                                 {"efficiency", row.forecast.efficiency},
-                                 {"master_busy", row.forecast.master_load},
-                                 {"start_up_s", row.forecast.start_up},
-                                 {"last_member_s", row.forecast.last_member},
-                                 {"file_bytes", std::round(row.forecast.file_bytes)},
-                                 {"journal_bytes", row.forecast.journal_bytes},
-                                 {"master_memory_bytes", row.master_memory}});
-    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-}
-
-std::string plan_csv(std::span<const PlanRow> rows) {
-    std::string text =
-        "cores,ranks,wall_time_s,core_hours,efficiency,master_busy,file_bytes,journal_bytes,master_memory_bytes\n";
-    for (const PlanRow& row : rows)
-        text += fmt::format("{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.0f},{:.0f},{:.0f}\n", row.cores, row.ranks,
-                            row.forecast.wall_time, core_hours(row), row.forecast.efficiency, row.forecast.master_load,
-                            row.forecast.file_bytes, row.forecast.journal_bytes, row.master_memory);
-    return text;
+std::vector<Records> plan_records(const PlanHead& head, std::span<const PlanRow> rows) {
+    Records common =
+        make_object<PlanHead>("", head,
+                              {{"campaign", [](const PlanHead& one) { return Datum(one.title); }},
+                               {"members", [](const PlanHead& one) { return Datum(one.members); }},
+                               {"mean_run_time_s", [](const PlanHead& one) { return Datum(one.mean_run_time); }},
+                               {"longest_run_time_s", [](const PlanHead& one) { return Datum(one.longest); }},
+                               {"message_bytes", [](const PlanHead& one) { return Datum(one.message_bytes); }},
+                               {"run_times_from", [](const PlanHead& one) { return Datum(one.source); }},
+                               {"calibration_not_counted", [](const PlanHead& one) { return Datum(one.calibrates); }}});
+    Records plans = make_records<PlanRow>(
+        "plans", rows,
+        {{"cores", [](const PlanRow& row) { return Datum(row.cores); }},
+         {"ranks", [](const PlanRow& row) { return Datum(row.ranks); }},
+         {"wall_time_s", [](const PlanRow& row) { return Datum(row.forecast.wall_time); }},
+         {"core_hours", [](const PlanRow& row) { return Datum(core_hours(row)); }},
+         {"efficiency", [](const PlanRow& row) { return Datum(row.forecast.efficiency); }},
+         {"master_busy", [](const PlanRow& row) { return Datum(row.forecast.master_load); }},
+         {"start_up_s", [](const PlanRow& row) { return Datum(row.forecast.start_up); }},
+         {"last_member_s", [](const PlanRow& row) { return Datum(row.forecast.last_member); }},
+         {"file_bytes", [](const PlanRow& row) { return Datum(std::round(row.forecast.file_bytes)); }},
+         {"journal_bytes", [](const PlanRow& row) { return Datum(row.forecast.journal_bytes); }},
+         {"master_memory_bytes", [](const PlanRow& row) { return Datum(row.master_memory); }}});
+    return {json_only(std::move(common)), std::move(plans)};
 }
 
 }  // namespace floes

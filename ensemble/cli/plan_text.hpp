@@ -3,8 +3,10 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "forecast/plan.hpp"
+#include "tables/records.hpp"
 
 namespace floes {
 
@@ -23,9 +25,7 @@ PlanHead plan_head(const Campaign& campaign, const PlannedMembers& planned);
 
 /// For people; with a line on the bottleneck of each setting that has one.
 std::string plan_table(const PlanHead& head, std::span<const PlanRow> rows);
-/// For programs: one object; times in s, sizes in bytes.
-std::string plan_json(const PlanHead& head, std::span<const PlanRow> rows);
-/// One line for each setting.
-std::string plan_csv(std::span<const PlanRow> rows);
+/// For programs: in JSON one object, in CSV a line for each setting; times in s, sizes in bytes.
+std::vector<Records> plan_records(const PlanHead& head, std::span<const PlanRow> rows);
 
 }  // namespace floes

@@ -130,57 +130,54 @@ int exit_status_of(const ReplayOptions& options) {
     }
 }
 
-void add_choices(CLI::App& verb, ReplayOptions& options) {
-    verb.add_option("file", options.file, "The campaign file (CAMPAIGN.h5), or a record that floes replay made")
-        ->required();
-    verb.add_option("member", options.member.number, "The member's number")->check(CLI::NonNegativeNumber);
-    verb.add_option("--case", options.member.case_name, "The member of this case ...");
-    verb.add_option("--arrangement", options.member.arrangement, "... and this arrangement")
-        ->check(CLI::NonNegativeNumber);
-    verb.add_flag_callback(
-        "--worst", [&options] { options.member.worst = options.times.worst = true; },
+void add_choices(Verb& verb, ReplayOptions& options) {
+    verb.option("file", options.file, "The campaign file (CAMPAIGN.h5), or a record that floes replay made").required();
+    verb.option("member", options.member.number, "The member's number").not_negative();
+    verb.option("--case", options.member.case_name, "The member of this case ...");
+    verb.option("--arrangement", options.member.arrangement, "... and this arrangement").not_negative();
+    verb.flag(
+        "--worst", options.member.worst,
         "The 20 s round the largest load: of that member or, if none is named, of the one with the largest load of "
         "that case or of all");
-    verb.add_option("--from", options.times.from, "First frame, s; default: the start");
-    verb.add_option("--to", options.times.to, "Last frame, s; default: the end");
-    verb.add_option("--every", options.times.every,
-                    "Time from frame to frame, s; default: 0.1 s, over more than a minute 0.25 s")
-        ->check(CLI::PositiveNumber);
+    verb.option("--from", options.times.from, "First frame, s; default: the start");
+    verb.option("--to", options.times.to, "Last frame, s; default: the end");
+    verb.option("--every", options.times.every,
+                "Time from frame to frame, s; default: 0.1 s, over more than a minute 0.25 s")
+        .positive();
 }
 
-void add_looks(CLI::App& verb, ReplayOptions& options) {
-    verb.add_option("-o,--output", options.outputs,
-                    "What to make, by its ending; may be repeated: .html a page that plays, .png or .svg a picture, "
-                    ".mp4, .webm, .webp, .gif or .apng a film, .pvd a series for ParaView, .h5 "
-                    "the record")
-        ->type_size(1)
-        ->allow_extra_args(false)
-        ->required();
-    verb.add_option("--at", options.look.at, "Time of pictures, s; default: the largest load among the frames");
-    verb.add_option("--view", options.look.view,
-                    "Of pictures and films: perspective (Fig. 5), above, below the water, or plan (Fig. 3)")
-        ->check(CLI::IsMember({"perspective", "above", "below", "plan"}))
-        ->capture_default_str();
-    verb.add_option("--colours", options.look.colours,
-                    "What they tell of the floes: ice (broken ones are marked), piece, speed or utilisation")
-        ->check(CLI::IsMember({"ice", "piece", "speed", "utilisation"}))
-        ->capture_default_str();
-    verb.add_option("--size", options.look.size, "Of pictures and films, pixels")->capture_default_str();
-    verb.add_option("--rate", options.look.rate,
-                    "Frames of films a second; with 25, frames 0.1 s apart run 2.5 times as "
-                    "fast as the tank")
-        ->check(CLI::Range(1, 100))
-        ->capture_default_str();
+void add_looks(Verb& verb, ReplayOptions& options) {
+    verb.option("-o,--output", options.outputs,
+                "What to make, by its ending; may be repeated: .html a page that plays, .png or .svg a picture, "
+                ".mp4, .webm, .webp, .gif or .apng a film, .pvd a series for ParaView, .h5 "
+                "the record")
+        .one_each()
+        .required();
+    verb.option("--at", options.look.at, "Time of pictures, s; default: the largest load among the frames");
+    verb.option("--view", options.look.view,
+                "Of pictures and films: perspective (Fig. 5), above, below the water, or plan (Fig. 3)")
+        .one_of({"perspective", "above", "below", "plan"})
+        .shows_default();
+    verb.option("--colours", options.look.colours,
+                "What they tell of the floes: ice (broken ones are marked), piece, speed or utilisation")
+        .one_of({"ice", "piece", "speed", "utilisation"})
+        .shows_default();
+    verb.option("--size", options.look.size, "Of pictures and films, pixels").shows_default();
+    verb.option("--rate", options.look.rate,
+                "Frames of films a second; with 25, frames 0.1 s apart run 2.5 times as "
+                "fast as the tank")
+        .within(1, 100)
+        .shows_default();
 }
 
 }  // namespace
 
-void add_replay(CLI::App& program, int& exit_status) {
+void add_replay(CommandLine& line) {
     auto options = std::make_shared<ReplayOptions>();
-    CLI::App* verb = program.add_subcommand("replay", "Watch a member: compute it again and show how it went");
-    add_choices(*verb, *options);
-    add_looks(*verb, *options);
-    verb->footer(
+    Verb verb = line.verb("replay", "Watch a member: compute it again and show how it went");
+    add_choices(verb, *options);
+    add_looks(verb, *options);
+    verb.footer(
         "The member is computed again and compared with the file to the bit; exit status 1 says that it differs.\n\n"
         "  floes replay my.h5 --worst -o worst.html                the 20 s round the largest load, in a browser\n"
         "  floes replay my.h5 12 -o whole.html                     all of member 12\n"
@@ -190,7 +187,10 @@ void add_replay(CLI::App& program, int& exit_status) {
         "  floes replay e60.h5 -o below.mp4 --view below\n"
         "  floes replay e60.h5 -o e60.pvd                          for ParaView, with a state: paraview "
         "--state=e60.py");
-    verb->callback([options, &exit_status] { exit_status = exit_status_of(*options); });
+    verb.runs([options] {
+        options->times.worst = options->member.worst;
+        return exit_status_of(*options);
+    });
 }
 
 }  // namespace floes

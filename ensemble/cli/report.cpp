@@ -38,22 +38,21 @@ void report(const ReportOptions& options) {
 
 }  // namespace
 
-void add_report(CLI::App& program, int& exit_status) {
+void add_report(CommandLine& line) {
     auto options = std::make_shared<ReportOptions>();
-    CLI::App* verb = program.add_subcommand(
-        "report", "Write one self-contained HTML page with the tables and figures of a campaign");
-    verb->add_option("campaign", options->file, "The campaign file (CAMPAIGN.h5)")->required();
-    verb->add_option("-o,--output", options->output, "The page; default: CAMPAIGN.html in this folder");
-    verb->add_flag("--no-plate-tests", options->skip_plate_tests,
-                   "Omit the E-Σ curve of this ice, whose plate tests take some seconds");
-    verb->add_option("--pictures", options->pictures,
-                     "Pictures of the member with the largest load, which is computed again for them: worst, the one "
-                     "of the campaign; all, that of each case; none")
-        ->check(CLI::IsMember({"none", "worst", "all"}))
-        ->capture_default_str();
-    verb->callback([options, &exit_status] {
+    Verb verb = line.verb("report", "Write one self-contained HTML page with the tables and figures of a campaign");
+    verb.option("campaign", options->file, "The campaign file (CAMPAIGN.h5)").required();
+    verb.option("-o,--output", options->output, "The page; default: CAMPAIGN.html in this folder");
+    verb.flag("--no-plate-tests", options->skip_plate_tests,
+              "Omit the E-Σ curve of this ice, whose plate tests take some seconds");
+    verb.option("--pictures", options->pictures,
+                "Pictures of the member with the largest load, which is computed again for them: worst, the one "
+                "of the campaign; all, that of each case; none")
+        .one_of({"none", "worst", "all"})
+        .shows_default();
+    verb.runs([options] {
         report(*options);
-        exit_status = 0;
+        return 0;
     });
 }
 

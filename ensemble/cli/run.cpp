@@ -132,46 +132,37 @@ int run(const RunVerb& verb, const std::string& program) {
 
 }  // namespace
 
-void add_run(CLI::App& program, int& exit_status, std::span<char* const> command) {
+void add_run(CommandLine& line, std::span<char* const> command) {
     auto options = std::make_shared<RunVerb>();
-    CLI::App* verb = program.add_subcommand("run", "Run a campaign on every core, alone or under mpirun");
-    verb->add_option("config", options->config,
-                     "The configuration (CONFIG.toml), or the name of an installed one, as smoke")
-        ->required();
-    verb->add_option("-o,--output", options->output, "The campaign file; default: CONFIG.h5 in this folder");
-    CLI::Option* resume =
-        verb->add_flag("--resume", options->resume, "Resume an existing campaign, or start if there is none");
-    verb->add_flag("--retry-failed", options->retry_failed,
-                   "With --resume: retry members that were set aside as failed")
-        ->needs(resume);
-    verb->add_flag("--overwrite", options->overwrite, "Start afresh and replace an existing campaign")
-        ->excludes(resume);
-    verb->add_option("--threads", options->threads,
-                     "Number of members at a time on each rank; default: one for each of its cores")
-        ->check(CLI::Range(1, 4096));
-    verb->add_option("--ranks", options->ranks,
-                     "Start that many ranks on this machine with mpirun (FLOES_MPIRUN names another); on several nodes "
-                     "call mpirun yourself")
-        ->check(CLI::Range(1, 4096));
-    verb->add_option(
-        "--part", options->part,
-        "K/N: run only part K of N of the arrangements, into a separate file; floes merge merges the parts");
-    verb->add_option("--isolation", options->isolation,
-                     "Where members are computed: none or process; same as --set run.isolation=…")
-        ->check(CLI::IsMember({"none", "process"}))
-        ->take_last();  // slurm/ gives one, the user may give another
-    verb->add_option(
-            "--time-left", options->time_left,
-            "Seconds until the run must have ended; default inside a Slurm job: the time left according to Slurm")
-        ->check(CLI::PositiveNumber);
-    add_overrides(*verb, options->overrides);
-    verb->callback([options, &program, &exit_status, command] {
-        if (options->ranks > 0 && !started_by_mpi()) {
-            exit_status = run_ranks(options->ranks, command);
-            return;
-        }
+    Verb verb = line.verb("run", "Run a campaign on every core, alone or under mpirun");
+    verb.option("config", options->config, "The configuration (CONFIG.toml), or the name of an installed one, as smoke")
+        .required();
+    verb.option("-o,--output", options->output, "The campaign file; default: CONFIG.h5 in this folder");
+    Option resume = verb.flag("--resume", options->resume, "Resume an existing campaign, or start if there is none");
+    verb.flag("--retry-failed", options->retry_failed, "With --resume: retry members that were set aside as failed")
+        .needs(resume);
+    verb.flag("--overwrite", options->overwrite, "Start afresh and replace an existing campaign").excludes(resume);
+    verb.option("--threads", options->threads,
+                "Number of members at a time on each rank; default: one for each of its cores")
+        .within(1, 4096);
+    verb.option("--ranks", options->ranks,
+                "Start that many ranks on this machine with mpirun (FLOES_MPIRUN names another); on several nodes "
+                "call mpirun yourself")
+        .within(1, 4096);
+    verb.option("--part", options->part,
+                "K/N: run only part K of N of the arrangements, into a separate file; floes merge merges the parts");
+    verb.option("--isolation", options->isolation,
+                "Where members are computed: none or process; same as --set run.isolation=…")
+        .one_of({"none", "process"})
+        .last_wins();  // slurm/ gives one, the user may give another
+    verb.option("--time-left", options->time_left,
+                "Seconds until the run must have ended; default inside a Slurm job: the time left according to Slurm")
+        .positive();
+    add_overrides(verb, options->overrides);
+    verb.runs([options, &line, command] {
+        if (options->ranks > 0 && !started_by_mpi()) return run_ranks(options->ranks, command);
         if (!options->isolation.empty()) options->overrides.push_back("run.isolation=" + options->isolation);
-        exit_status = run(*options, program.get_name());
+        return run(*options, line.program_name());
     });
 }
 

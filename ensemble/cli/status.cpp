@@ -58,28 +58,26 @@ void watch(const StatusOptions& options) {
 
 }  // namespace
 
-void add_status(CLI::App& program, int& exit_status) {
+void add_status(CommandLine& line) {
     auto options = std::make_shared<StatusOptions>();
-    CLI::App* verb =
-        program.add_subcommand("status", "Show the members done, failed and still to do, also during a run");
-    verb->add_option("campaign", options->file,
-                     "The campaign file (CAMPAIGN.h5); its journal is read from the same folder")
-        ->required();
-    CLI::Option* format = verb->add_option("--format", options->format, "table or json");
-    format->check(CLI::IsMember({"table", "json"}))->capture_default_str();
-    verb->add_option("--html", options->page,
-                     "Write one HTML page instead, with the report's first section as far as members are done; with "
-                     "--watch anew every 30 s, and the page loads itself again")
-        ->excludes(format);
-    verb->add_flag("--watch", options->watch, "Repeat every few seconds until no run is active");
-    verb->callback([options, &exit_status] {
+    Verb verb = line.verb("status", "Show the members done, failed and still to do, also during a run");
+    verb.option("campaign", options->file, "The campaign file (CAMPAIGN.h5); its journal is read from the same folder")
+        .required();
+    Option format = verb.option("--format", options->format, "table or json");
+    format.one_of({"table", "json"}).shows_default();
+    verb.option("--html", options->page,
+                "Write one HTML page instead, with the report's first section as far as members are done; with "
+                "--watch anew every 30 s, and the page loads itself again")
+        .excludes(format);
+    verb.flag("--watch", options->watch, "Repeat every few seconds until no run is active");
+    verb.runs([options] {
         if (options->watch) {
             watch(*options);
         } else {
             show(*options);
         }
         if (!options->page.empty()) std::printf("%s\n", options->page.c_str());
-        exit_status = 0;
+        return 0;
     });
 }
 

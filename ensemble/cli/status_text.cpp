@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "core/wording.hpp"
 #include "driver/status_words.hpp"
+#include "tables/records.hpp"
 
 namespace floes {
 namespace {
@@ -21,19 +21,85 @@ std::string timed_text(const char* title, const std::vector<TimedMember>& member
     return text;
 }
 
-nlohmann::ordered_json timed_json(const std::vector<TimedMember>& members) {
-    auto json = nlohmann::ordered_json::array();
-    for (const TimedMember& one : members)
-        json.push_back({{"member", one.number},
-                        {"case", one.case_name},
-                        {"arrangement", one.arrangement},
-                        {"attempt", one.attempt},
-                        {"seconds", one.seconds}});
-    return json;
+Records timed_records(const char* place, const std::vector<TimedMember>& members) {
+    return make_records<TimedMember>(place, members,
+                                     {{"member", [](const TimedMember& one) { return Datum(one.number); }},
+                                      {"case", [](const TimedMember& one) { return Datum(one.case_name); }},
+                                      {"arrangement", [](const TimedMember& one) { return Datum(one.arrangement); }},
+                                      {"attempt", [](const TimedMember& one) { return Datum(one.attempt); }},
+                                      {"seconds", [](const TimedMember& one) { return Datum(one.seconds); }}});
 }
 
-nlohmann::ordered_json counts_json(const CaseStatus& one) {
-    return {{"done", one.done}, {"failed", one.failed}, {"missing", one.missing}, {"total", members_of(one)}};
+std::vector<RecordField<CaseStatus>> count_columns() {
+    return {{"done", [](const CaseStatus& one) { return Datum(one.done); }},
+            {"failed", [](const CaseStatus& one) { return Datum(one.failed); }},
+            {"missing", [](const CaseStatus& one) { return Datum(one.missing); }},
+            {"total", [](const CaseStatus& one) { return Datum(members_of(one)); }}};
+}
+
+/// What there may be; null where there is nothing.
+template <class Value>
+Datum known(const std::optional<Value>& value) {
+    return value ? Datum(*value) : Datum(Undefined{});
+}
+
+Records head_records(const CampaignStatus& status) {
+    return make_object<CampaignStatus>(
+        "", status,
+        {{"title", [](const CampaignStatus& one) { return Datum(one.title); }},
+         {"at_work", [](const CampaignStatus& one) { return Datum(one.at_work); }},
+         {"seconds_left", [](const CampaignStatus& one) { return known(one.seconds_left); }},
+         {"members_per_second", [](const CampaignStatus& one) { return known(one.rate); }},
+         {"stop", [](const CampaignStatus&) { return Datum(Undefined{}); }},
+         {"heartbeat", [](const CampaignStatus&) { return Datum(Undefined{}); }}});
+}
+
+Records stop_records(const StopStatus& stop) {
+    return make_object<StopStatus>(
+        "stop", stop,
+        {{"of", [](const StopStatus& one) { return Datum(what_of(one.rule)); }},
+         {"met", [](const StopStatus& one) { return Datum(one.met); }},
+         {"arrangements", [](const StopStatus& one) { return Datum(one.arrangements); }},
+         {"most_arrangements", [](const StopStatus& one) { return Datum(one.most_arrangements); }},
+         {"half_width_percent", [](const StopStatus& one) { return Datum(100 * one.achieved); }},
+         {"wanted_percent", [](const StopStatus& one) { return Datum(100 * one.rule.half_width); }}});
+}
+
+Records heartbeat_records(const Heartbeat& heartbeat, bool at_work) {
+    return make_object<Heartbeat>("heartbeat", heartbeat,
+                                  {{"host", [](const Heartbeat& one) { return Datum(one.host); }},
+                                   {"process", [](const Heartbeat& one) { return Datum(one.process); }},
+                                   {"age_s", [](const Heartbeat& one) { return Datum(age_of(one)); }},
+                                   {"stale", [=](const Heartbeat&) { return Datum(!at_work); }}});
+}
+
+Records case_records(const std::vector<CaseStatus>& cases) {
+    std::vector<RecordField<CaseStatus>> columns{{"name", [](const CaseStatus& one) { return Datum(one.name); }}};
+    for (const RecordField<CaseStatus>& count : count_columns()) columns.push_back(count);
+    return make_records<CaseStatus>("cases", cases, columns);
+}
+
+Records failure_records(const std::vector<FailedMember>& failures) {
+    return make_records<FailedMember>("failures", failures,
+                                      {{"member", [](const FailedMember& one) { return Datum(one.number); }},
+                                       {"case", [](const FailedMember& one) { return Datum(one.case_name); }},
+                                       {"arrangement", [](const FailedMember& one) { return Datum(one.arrangement); }},
+                                       {"reason", [](const FailedMember& one) { return Datum(one.reason); }}});
+}
+
+Records session_records(const std::vector<Session>& sessions) {
+    return make_records<Session>("sessions", sessions,
+                                 {{"started", [](const Session& one) { return Datum(one.started); }},
+                                  {"ended", [](const Session& one) { return Datum(one.ended); }},
+                                  {"outcome", [](const Session& one) { return Datum(one.outcome); }},
+                                  {"host", [](const Session& one) { return Datum(one.host); }},
+                                  {"job", [](const Session& one) { return Datum(one.job); }},
+                                  {"ranks", [](const Session& one) { return Datum(one.ranks); }},
+                                  {"threads", [](const Session& one) { return Datum(one.threads); }},
+                                  {"reused", [](const Session& one) { return Datum(one.reused); }},
+                                  {"computed", [](const Session& one) { return Datum(one.computed); }},
+                                  {"retried", [](const Session& one) { return Datum(one.retried); }},
+                                  {"set_aside", [](const Session& one) { return Datum(one.set_aside); }}});
 }
 
 }  // namespace
@@ -58,53 +124,14 @@ std::string status_table(const CampaignStatus& status) {
 }
 
 std::string status_json(const CampaignStatus& status) {
-    nlohmann::ordered_json json{{"title", status.title}};
-    json.update(counts_json(total_of(status)));
-    json["at_work"] = status.at_work;
-    json["seconds_left"] = status.seconds_left ? nlohmann::ordered_json(*status.seconds_left) : nullptr;
-    json["stop"] = nullptr;
-    if (const auto& stop = status.stop)
-        json["stop"] = {{"of", what_of(stop->rule)},
-                        {"met", stop->met},
-                        {"arrangements", stop->arrangements},
-                        {"most_arrangements", stop->most_arrangements},
-                        {"half_width_percent", 100 * stop->achieved},
-                        {"wanted_percent", 100 * stop->rule.half_width}};
-    json["cases"] = nlohmann::ordered_json::array();
-    for (const CaseStatus& one : status.cases) {
-        nlohmann::ordered_json row{{"name", one.name}};
-        row.update(counts_json(one));
-        json["cases"].push_back(row);
-    }
-    json["failures"] = nlohmann::ordered_json::array();
-    for (const FailedMember& one : status.failures)
-        json["failures"].push_back({{"member", one.number},
-                                    {"case", one.case_name},
-                                    {"arrangement", one.arrangement},
-                                    {"reason", one.reason}});
-    json["members_per_second"] = status.rate ? nlohmann::ordered_json(*status.rate) : nullptr;
-    json["heartbeat"] = nullptr;
-    if (status.heartbeat)
-        json["heartbeat"] = {{"host", status.heartbeat->host},
-                             {"process", status.heartbeat->process},
-                             {"age_s", age_of(*status.heartbeat)},
-                             {"stale", !status.at_work}};
-    json["under_way"] = timed_json(status.under_way);
-    json["slowest"] = timed_json(status.slowest);
-    json["sessions"] = nlohmann::ordered_json::array();
-    for (const Session& one : status.sessions)
-        json["sessions"].push_back({{"started", one.started},
-                                    {"ended", one.ended},
-                                    {"outcome", one.outcome},
-                                    {"host", one.host},
-                                    {"job", one.job},
-                                    {"ranks", one.ranks},
-                                    {"threads", one.threads},
-                                    {"reused", one.reused},
-                                    {"computed", one.computed},
-                                    {"retried", one.retried},
-                                    {"set_aside", one.set_aside}});
-    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    std::vector<Records> all{head_records(status), make_object("", total_of(status), count_columns()),
+                             case_records(status.cases), failure_records(status.failures)};
+    if (status.stop) all.push_back(stop_records(*status.stop));
+    if (status.heartbeat) all.push_back(heartbeat_records(*status.heartbeat, status.at_work));
+    all.push_back(timed_records("under_way", status.under_way));
+    all.push_back(timed_records("slowest", status.slowest));
+    all.push_back(session_records(status.sessions));
+    return json(all);
 }
 
 }  // namespace floes

@@ -67,27 +67,26 @@ std::vector<std::string> part_names() {
 
 }  // namespace
 
-void add_summarize(CLI::App& program, int& exit_status) {
+void add_summarize(CommandLine& line) {
     auto options = std::make_shared<SummarizeOptions>();
-    CLI::App* verb = program.add_subcommand("summarize", "Statistics of a campaign: cases, pairs of cases, extremes");
-    verb->add_option("campaign", options->file, "The campaign file (CAMPAIGN.h5)")->required();
-    add_format(*verb, options->format);
-    verb->add_option("--reference", options->reference, "Reference case: the others are compared with it, in percent");
-    verb->add_option("--parts", options->parts,
-                     "Parts to show, comma-separated: cases, points and sensitivity (of a design), pairs, extremes, "
-                     "exceedance, steady, control, design, members (CSV only)")
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->check(CLI::IsMember(part_names()));
-    verb->add_option("--resolve", options->resolve_percent,
-                     "Report the number of arrangements needed to resolve this difference of a pair, in percent of the "
-                     "first case")
-        ->check(CLI::PositiveNumber)
-        ->capture_default_str();
-    add_window(*verb, options->window);
-    verb->callback([options, &exit_status] {
+    Verb verb = line.verb("summarize", "Statistics of a campaign: cases, pairs of cases, extremes");
+    verb.option("campaign", options->file, "The campaign file (CAMPAIGN.h5)").required();
+    add_format(verb, options->format);
+    verb.option("--reference", options->reference, "Reference case: the others are compared with it, in percent");
+    verb.option("--parts", options->parts,
+                "Parts to show, comma-separated: cases, points and sensitivity (of a design), pairs, extremes, "
+                "exceedance, steady, control, design, members (CSV only)")
+        .comma_separated()
+        .one_of(part_names());
+    verb.option("--resolve", options->resolve_percent,
+                "Report the number of arrangements needed to resolve this difference of a pair, in percent of the "
+                "first case")
+        .positive()
+        .shows_default();
+    add_window(verb, options->window);
+    verb.runs([options] {
         std::fputs(answer(*options).c_str(), stdout);
-        exit_status = 0;
+        return 0;
     });
 }
 

@@ -4,25 +4,23 @@
 
 namespace floes {
 
-void add_verbs(CLI::App& program, int& exit_status, std::span<char* const> command) {
-    program.description("floes: the load of managed ice floes on a structure, over many random arrangements");
-    program.require_subcommand(1);
-    add_version(program);
-    add_run(program, exit_status, command);
-    add_merge(program, exit_status);
-    add_status(program, exit_status);
-    add_plan(program, exit_status);
-    add_summarize(program, exit_status);
-    add_design(program, exit_status);
-    add_config(program, exit_status);
-    add_calibrate(program, exit_status);
-    add_cantilever(program, exit_status);
-    add_hybrid(program, exit_status);
-    add_report(program, exit_status);
-    add_replay(program, exit_status);
-    add_match(program, exit_status);
-    add_verify(program, exit_status);
-    program.footer(
+void add_verbs(CommandLine& line, std::span<char* const> command) {
+    line.version(version_text, "Print version, revision, libraries and the lane widths of this processor");
+    add_run(line, command);
+    add_merge(line);
+    add_status(line);
+    add_plan(line);
+    add_summarize(line);
+    add_design(line);
+    add_config(line);
+    add_calibrate(line);
+    add_cantilever(line);
+    add_hybrid(line);
+    add_report(line);
+    add_replay(line);
+    add_match(line);
+    add_verify(line);
+    line.footer(
         "Exit status: 0 done, 1 a member was set aside as failed or the run failed, 2 wrong input, 85 stopped, to be\n"
         "resumed with --resume.\n\n"
         "  floes config --defaults > my.toml\n"

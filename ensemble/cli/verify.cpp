@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/verify_file.hpp"
+#include "tables/records.hpp"
 
 namespace floes {
 namespace {
@@ -35,20 +35,20 @@ std::string text_of(const FileVerdict& verdict) {
 }
 
 std::string json_of(const std::vector<FileVerdict>& verdicts) {
-    auto files = nlohmann::ordered_json::array();
-    for (const FileVerdict& one : verdicts)
-        files.push_back({{"file", one.file},
-                         {"kind", one.kind},
-                         {"state", state_word(one)},
-                         {"checked", one.counts},
-                         {"digest", one.digest},
-                         {"faults", one.faults},
-                         {"notes", one.notes},
-                         {"whole", one.whole},
-                         {"remedy", one.remedy}});
-    // What is quoted of a damaged file need not be UTF-8.
-    return nlohmann::ordered_json{{"files", files}}.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
-           "\n";
+    std::vector<Records> all{
+        make_records<FileVerdict>("files", verdicts,
+                                  {{"file", [](const FileVerdict& one) { return Datum(one.file); }},
+                                   {"kind", [](const FileVerdict& one) { return Datum(one.kind); }},
+                                   {"state", [](const FileVerdict& one) { return Datum(state_word(one)); }},
+                                   {"checked", [](const FileVerdict& one) { return Datum(one.counts); }},
+                                   {"digest", [](const FileVerdict& one) { return Datum(one.digest); }},
+                                   {"whole", [](const FileVerdict& one) { return Datum(one.whole); }},
+                                   {"remedy", [](const FileVerdict& one) { return Datum(one.remedy); }}})};
+    for (std::size_t k = 0; k < verdicts.size(); ++k) {
+        all.push_back(make_list(fmt::format("files/{}/faults", k), verdicts[k].faults));
+        all.push_back(make_list(fmt::format("files/{}/notes", k), verdicts[k].notes));
+    }
+    return json(all);
 }
 
 int verify(const std::vector<std::string>& files, const std::string& format) {
@@ -64,23 +64,21 @@ int verify(const std::vector<std::string>& files, const std::string& format) {
 
 }  // namespace
 
-void add_verify(CLI::App& program, int& exit_status) {
+void add_verify(CommandLine& line) {
     struct Options {
         std::vector<std::string> files;
         std::string format = "table";
     };
     auto options = std::make_shared<Options>();
-    CLI::App* verb = program.add_subcommand(
-        "verify", "Check that campaign files, records and journals are as they were written, byte by byte");
-    verb->add_option("files", options->files, "Campaign files (.h5), records of floes replay, journals (.journal)")
-        ->required();
-    verb->add_option("--format", options->format, "table or json")
-        ->check(CLI::IsMember({"table", "json"}))
-        ->capture_default_str();
-    verb->footer(
+    Verb verb =
+        line.verb("verify", "Check that campaign files, records and journals are as they were written, byte by byte");
+    verb.option("files", options->files, "Campaign files (.h5), records of floes replay, journals (.journal)")
+        .required();
+    verb.option("--format", options->format, "table or json").one_of({"table", "json"}).shows_default();
+    verb.footer(
         "Exit status: 0 all good, 1 one is damaged, 2 none is damaged but one is no file of floes, or of a\nnewer "
         "one.");
-    verb->callback([options, &exit_status] { exit_status = verify(options->files, options->format); });
+    verb.runs([options] { return verify(options->files, options->format); });
 }
 
 }  // namespace floes

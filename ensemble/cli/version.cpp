@@ -20,12 +20,7 @@ std::string version_text() {
     for (const Software& part : parts) {
         if (part.name != "floes") text += fmt::format("{}: {}\n", part.name, part.version);
     }
-    return text + fmt::format("lane_widths: {}", fmt::join(lane_widths(), ", "));  // CLI11 ends the line
-}
-
-void add_version(CLI::App& program) {
-    program.set_version_flag("--version", version_text,
-                             "Print version, revision, libraries and the lane widths of this processor");
+    return text + fmt::format("lane_widths: {}", fmt::join(lane_widths(), ", "));  // whoever prints it ends the line
 }
 
 }  // namespace floes

@@ -12,10 +12,9 @@ int main(int argc, char** argv) {
         std::fputs("usage: floes_manual FOLDER VERSION DATE\n", stderr);
         return 2;
     }
-    CLI::App program;
-    int exit_status = 0;
-    floes::add_verbs(program, exit_status, {});
-    const auto verbs = floes::manual::verbs_of(program);
+    floes::CommandLine line(floes::program_description);
+    floes::add_verbs(line, {});
+    const auto verbs = floes::manual::verbs_of(line.app());
     std::filesystem::create_directories(argv[1]);
     for (const auto& pages : {floes::manual::man_pages(verbs, argv[2], argv[3]), floes::manual::completions(verbs)}) {
         for (const floes::manual::Page& page : pages) {

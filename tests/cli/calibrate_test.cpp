@@ -44,7 +44,7 @@ TEST(Calibrate, LooksForTheCfmOfTheIceThatWasAskedFor) {
 TEST(Calibrate, RefusesToLookForTheCfmOfSeveralIces) {
     EXPECT_THAT(refusal([] { calibrate("--element-m 0.2,0.15 --iterations 50,100 --modulus-MPa 60"); }),
                 testing::HasSubstr("the Σ of one ice, but the given lists make 4"));
-    EXPECT_THROW(calibrate("--modulus-MPa 60 --cfm 0.016"), CLI::Error);
+    EXPECT_THROW(calibrate("--modulus-MPa 60 --cfm 0.016"), CommandLineEnd);
 }
 
 }  // namespace

@@ -50,9 +50,9 @@ TEST_F(Design, SaysWhereThereAreTooFewPeaks) {
 TEST_F(Design, RefusesWhatItCannotAnswer) {
     EXPECT_THAT(refusal([&] { design("--averaging-s 33"); }),
                 HasSubstr("The members did not average the load over 33 s"));
-    EXPECT_THROW(design("--exposure-h -1"), CLI::Error);
-    EXPECT_THROW(design("--quantile 1"), CLI::Error);
-    EXPECT_THROW(design("--scale 0.5"), CLI::Error);
+    EXPECT_THROW(design("--exposure-h -1"), CommandLineEnd);
+    EXPECT_THROW(design("--quantile 1"), CommandLineEnd);
+    EXPECT_THROW(design("--scale 0.5"), CommandLineEnd);
 }
 
 // The histories of the synthetic campaign are shorter than its windows say, so peaks are taken from what there is.

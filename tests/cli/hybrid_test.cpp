@@ -52,7 +52,7 @@ TEST(Hybrid, TakesCoefficients) {
     const nlohmann::json answer = nlohmann::json::parse(hybrid("--kpr 0.01,0,0 --modulus-MPa 60 --format json"));
     EXPECT_TRUE(answer.at("crossing_MPa").is_null());
     EXPECT_EQ(answer.at("rows").size(), 1u);
-    EXPECT_THROW(hybrid("--kpr 0.01,0,0 --crossing-MPa 20"), CLI::Error);
+    EXPECT_THROW(hybrid("--kpr 0.01,0,0 --crossing-MPa 20"), CommandLineEnd);
 }
 
 TEST(Hybrid, PrintsATable) {

@@ -74,7 +74,7 @@ TEST(Plan, RefusesWhatCannotBe) {
     EXPECT_THROW(plan("--cores 2 --ranks 3"), InputError);
     EXPECT_THROW(plan("--cores 2,4,8 --ranks 1,2"), InputError);
     EXPECT_THROW(plan("--from nowhere.h5"), InputError);
-    EXPECT_THROW(plan("--cores 0"), CLI::ValidationError);
+    EXPECT_THROW(plan("--cores 0"), CommandLineEnd);
 }
 
 }  // namespace

@@ -18,12 +18,9 @@ namespace {
 using testing::HasSubstr;
 
 int run(const std::vector<std::string>& words) {
-    CLI::App program;
-    int status = -1;
-    add_replay(program, status);
-    std::vector<std::string> reversed(words.rbegin(), words.rend());
-    program.parse(reversed);
-    return status;
+    CommandLine line;
+    add_replay(line);
+    return line.run(words);
 }
 
 TEST(ReplayOutput, IsWhatItsEndingSays) {
@@ -61,9 +58,9 @@ TEST(ReplayVerb, RefusesBeforeItComputes) {
                     run({"replay", none, "0", "-o", folder / "kept.h5"});
                 }),
                 HasSubstr("is there and is no record"));
-    EXPECT_THROW(run({"replay", none, "-1", "-o", "a.html"}), CLI::ParseError);
-    EXPECT_THROW(run({"replay", none, "0"}), CLI::ParseError);
-    EXPECT_THROW(run({"replay", none, "0", "-o", "a.png", "--view", "sideways"}), CLI::ParseError);
+    EXPECT_THROW(run({"replay", none, "-1", "-o", "a.html"}), CommandLineEnd);
+    EXPECT_THROW(run({"replay", none, "0"}), CommandLineEnd);
+    EXPECT_THROW(run({"replay", none, "0", "-o", "a.png", "--view", "sideways"}), CommandLineEnd);
 }
 
 }  // namespace

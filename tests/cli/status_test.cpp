@@ -124,7 +124,7 @@ TEST(Status, WritesAPageOnRequest) {
     EXPECT_EQ(verb_output(add_status, "status " + file + " --html " + page + " --watch"), page + "\n") << "no run";
     EXPECT_THAT(file_text(page), HasSubstr("<h1>synthetic: 8 of 12 members done, 1 failed, 3 to do</h1>"));
     EXPECT_FALSE(std::filesystem::exists(page + ".tmp"));
-    EXPECT_THROW(verb_output(add_status, "status " + file + " --html " + page + " --format json"), CLI::Error);
+    EXPECT_THROW(verb_output(add_status, "status " + file + " --html " + page + " --format json"), CommandLineEnd);
     EXPECT_THROW(verb_output(add_status, "status " + file + " --html " + (folder / "no/such.html").string()), RunError);
 }
 

@@ -97,7 +97,7 @@ TEST_F(Summarize, SaysWhatDecidesTheLoad) {
 }
 
 TEST_F(Summarize, RefusesWhatItDoesNotKnow) {
-    EXPECT_THROW(summarize("--format yaml"), CLI::ValidationError);
+    EXPECT_THROW(summarize("--format yaml"), CommandLineEnd);
     EXPECT_THROW(summarize("--reference hard"), InputError);
     std::filesystem::remove(file_);
     EXPECT_THROW(summarize(""), InputError);

@@ -3,29 +3,47 @@
 
 #include <gtest/gtest.h>
 
+#include <iterator>
+#include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "cli/commands.hpp"
 
 namespace floes {
 
-/// Standard output of the command line where `add` adds the verb: "VERB arguments…", or a vector of these words, the
-/// last one first, as CLI11 takes them. Expects exit status 0; throws what main() would turn into another one.
-template <class CommandLine>
-std::string verb_output(void (*add)(CLI::App&, int&), CommandLine command_line) {
-    CLI::App program("floes");
-    int exit_status = -1;
-    add(program, exit_status);
+/// "a b  c" -> a, b, c.
+inline std::vector<std::string> words_of(const std::string& text) {
+    std::istringstream in(text);
+    return {std::istream_iterator<std::string>(in), {}};
+}
+
+/// Standard output of the command line "VERB arguments…" where `add` adds the verb, and its exit status. Throws what
+/// main() would turn into another one.
+inline std::pair<std::string, int> verb_answer(void (*add)(CommandLine&), const std::vector<std::string>& words) {
+    CommandLine line;
+    add(line);
+    int status = -1;
     testing::internal::CaptureStdout();
     try {
-        program.parse(std::move(command_line));
+        status = line.run(words);
     } catch (...) {
         testing::internal::GetCapturedStdout();
         throw;
     }
-    EXPECT_EQ(exit_status, 0);
-    return testing::internal::GetCapturedStdout();
+    return {testing::internal::GetCapturedStdout(), status};
+}
+
+/// The same; expects exit status 0.
+inline std::string verb_output(void (*add)(CommandLine&), const std::vector<std::string>& words) {
+    const auto [output, status] = verb_answer(add, words);
+    EXPECT_EQ(status, 0);
+    return output;
+}
+
+inline std::string verb_output(void (*add)(CommandLine&), const std::string& words) {
+    return verb_output(add, words_of(words));
 }
 
 }  // namespace floes

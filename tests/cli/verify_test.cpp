@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign_file/publish.hpp"
-#include "cli/commands.hpp"
+#include "cli/verb_output.hpp"
 #include "cli/verify_file.hpp"
 #include "core/error.hpp"
 #include "journal/journal.hpp"
@@ -37,12 +37,7 @@ class Verify : public testing::Test {
     }
 
     std::pair<std::string, int> verify(const std::string& arguments) {
-        CLI::App program("floes");
-        int exit_status = -1;
-        add_verify(program, exit_status);
-        testing::internal::CaptureStdout();
-        program.parse("verify " + arguments);
-        return {testing::internal::GetCapturedStdout(), exit_status};
+        return verb_answer(add_verify, words_of("verify " + arguments));
     }
 
     static void flip(const std::filesystem::path& path, std::uint64_t at) {

@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 #include "cli/commands.hpp"
 #include "records/build_info.hpp"
 
@@ -23,16 +21,14 @@ TEST(Version, NamesProgramRevisionLibrariesAndLanes) {
 }
 
 TEST(Version, IsAskedForWithoutAVerbAndEndsWell) {
-    CLI::App program("floes");
-    program.require_subcommand(1);
-    add_version(program);
+    CommandLine line;
+    add_verbs(line, {});
     try {
-        program.parse("--version");
+        line.run({"--version"});
         FAIL() << "went on";
-    } catch (const CLI::ParseError& asked) {
-        std::ostringstream out;
-        EXPECT_EQ(program.exit(asked, out, out), 0);
-        EXPECT_EQ(out.str(), version_text() + "\n");
+    } catch (const CommandLineEnd& asked) {
+        EXPECT_EQ(asked.status(), 0);
+        EXPECT_EQ(asked.output(), version_text() + "\n");
     }
 }
 

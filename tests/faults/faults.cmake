@@ -1,12 +1,9 @@
 # Which process breaks, when and how: tests/faults/matrix.py.
-add_executable(faulty faults/main.cpp)
-target_include_directories(faulty PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-target_link_libraries(faulty PRIVATE floes_driver)
-floes_compile_options(faulty)
+floes_test_program(faulty SOURCES faults/main.cpp LIBRARIES floes_driver)
 foreach(what members processes)
   add_test(NAME faults.${what} COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/faults/matrix.py $<TARGET_FILE:faulty>
                                        ${MPIEXEC_EXECUTABLE} ${what})
-  set_tests_properties(faults.${what} PROPERTIES LABELS "default;mpi" TIMEOUT 300 PROCESSORS 2)
+  set_tests_properties(faults.${what} PROPERTIES LABELS "default;mpi" TIMEOUT 300 COST 90)  # mostly waiting
 endforeach()
 add_test(NAME faults.kills COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/faults/matrix.py $<TARGET_FILE:faulty>
                                    ${MPIEXEC_EXECUTABLE} kills 240)

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 
 namespace floes::house {
 
@@ -17,44 +18,49 @@ bool lists(const std::string& doors, const std::string& entry) {
 
 const std::vector<Room>& rooms() {
     static const std::vector<Room> table{
-        {0, "core", "Eigen, fmt (all rooms), POSIX, Random123, xxHash"},
-        {1, "keys", "toml++"},
-        {1, "solver", "Eigen"},
-        {1, "structure", ""},
-        {2, "scenario", ""},
-        {3, "arrangement", ""},
-        {3, "water", ""},
-        {3, "statistics", "Boost"},
-        {3, "theory", "Boost"},
-        {3, "world", "Bullet"},
-        {4, "ice", ""},
-        {5, "quantities", ""},
-        {5, "simulation", ""},
-        {5, "laboratory", ""},
-        {6, "member", "POSIX"},
-        {7, "campaign", "Boost"},
-        {7, "schedule", ""},
-        {8, "wire", "MPI, POSIX"},
-        {8, "tables", "nlohmann json"},
-        {8, "records", "POSIX, zlib"},
-        {8, "inference", "Boost, Eigen, NLopt"},
-        {8, "attempt", "POSIX"},
-        {9, "journal", "Boost, POSIX"},
-        {9, "hdf5", "HDF5, POSIX"},
-        {10, "campaign_file", "POSIX"},
-        {11, "driver", "POSIX, TBB"},
-        {11, "forecast", ""},
-        {11, "findings", ""},
-        {11, "replay", "POSIX"},
-        {12, "view", ""},
-        {12, "match", "Boost, Eigen"},
-        {13, "page", ""},
-        {13, "picture", "cairo, POSIX, zlib"},
-        {13, "player", "nlohmann json, zlib"},
-        {13, "vtk", "zlib"},
-        {14, "cli", "CLI11, nlohmann json, POSIX, TBB"},
+        {0, "core", "Eigen, fmt (all rooms), POSIX, Random123, xxHash", "src"},
+        {1, "keys", "toml++", "src"},
+        {1, "solver", "Eigen", "src"},
+        {1, "structure", "", "src"},
+        {2, "scenario", "", "src"},
+        {3, "arrangement", "", "src"},
+        {3, "water", "", "src"},
+        {3, "statistics", "Boost", "src"},
+        {3, "theory", "Boost", "src"},
+        {3, "world", "Bullet", "src"},
+        {4, "ice", "", "src"},
+        {5, "quantities", "", "src"},
+        {5, "simulation", "", "src"},
+        {5, "laboratory", "", "src"},
+        {6, "member", "POSIX", "src"},
+        {7, "campaign", "Boost", "plan"},
+        {7, "schedule", "", "plan"},
+        {8, "records", "POSIX, zlib", "store"},
+        {9, "journal", "Boost, POSIX", "store"},
+        {9, "hdf5", "HDF5, POSIX", "store"},
+        {10, "campaign_file", "POSIX", "store"},
+        {8, "tables", "nlohmann json", "learn"},
+        {8, "inference", "Boost, Eigen, NLopt", "learn"},
+        {11, "findings", "", "learn"},
+        {12, "match", "Boost, Eigen", "learn"},
+        {8, "wire", "MPI, POSIX", "run"},
+        {8, "attempt", "POSIX", "run"},
+        {11, "driver", "POSIX, TBB", "run"},
+        {11, "forecast", "", "run"},
+        {11, "replay", "POSIX", "show"},
+        {12, "view", "", "show"},
+        {13, "picture", "cairo, POSIX, zlib", "show"},
+        {13, "player", "nlohmann json, zlib", "show"},
+        {13, "vtk", "zlib", "show"},
+        {13, "page", "", "show"},
+        {14, "cli", "CLI11, POSIX, TBB", "cli"},
     };
     return table;
+}
+
+int wing_number(std::string_view wing) {
+    static constexpr std::array<std::string_view, 7> wings{"src", "plan", "store", "learn", "run", "show", "cli"};
+    return static_cast<int>(std::ranges::find(wings, wing) - wings.begin());
 }
 
 const Room* find_room(std::string_view name) {

@@ -14,11 +14,15 @@ struct Room {
     std::string name;
     std::string
         doors;  ///< foreign libraries that may be included here: "Eigen, NLopt"; those "(all rooms)" in all of them
+    std::string wing;  ///< "src", or the folder of ensemble/ that the room is in
     friend bool operator==(const Room&, const Room&) = default;
 };
 
 /// All rooms, in the order of ARCHITECTURE.md. A room includes rooms of lower floors and itself.
 const std::vector<Room>& rooms();
+
+/// Wings from the lowest: a room includes rooms of its own wing and of lower ones.
+int wing_number(std::string_view wing);
 
 /// The room of that name; nothing when there is none.
 const Room* find_room(std::string_view name);

@@ -21,7 +21,7 @@ std::vector<Include> includes_of(const std::string& text) {
 }
 
 std::string room_of(const std::string& path) {
-    static const std::regex shape{"(?:(?:src|ensemble)/)?([^/]+)/[^/]+"};
+    static const std::regex shape{"(?:src/|ensemble/(?:[a-z]+/)?)?([^/]+)/[^/]+"};
     std::smatch match;
     return std::regex_match(path, match, shape) ? match[1].str() : std::string{};
 }

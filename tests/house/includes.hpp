@@ -21,7 +21,8 @@ struct Source {
 /// Every #include of the text, in order; those in comments are none.
 std::vector<Include> includes_of(const std::string& text);
 
-/// "src/ice/field.cpp" -> "ice", also "ice/field.hpp" -> "ice"; empty when the path is not inside a room.
+/// The folder that a file is in: "src/ice/field.cpp" -> "ice", "ensemble/store/hdf5/rows.cpp" -> "hdf5", also
+/// "ice/field.hpp" -> "ice"; empty without a folder.
 std::string room_of(const std::string& path);
 
 /// The whole text of a file.

@@ -28,6 +28,11 @@ void check_own(const std::string& path, const Include& include, std::vector<std:
             fmt::format(R"({}:{} includes "{}": {} is on floor {}, {} on floor {}; only lower floors may be used)",
                         path, include.line, include.header, room_of(path), own_floor, other->name, other->floor));
     }
+    if (room != nullptr && wing_number(other->wing) > wing_number(room->wing)) {
+        broken.push_back(
+            fmt::format(R"({}:{} includes "{}": {} is in wing {}, {} in wing {}; only lower wings may be used)", path,
+                        include.line, include.header, room->name, room->wing, other->name, other->wing));
+    }
 }
 
 /// Names of the standard library have no point and no slash.
@@ -54,7 +59,7 @@ void check_foreign(const std::string& path, const Include& include, std::vector<
 
 /// What each floes_room() of the text declares.
 std::map<std::string, std::set<std::string>> declared_rooms(const std::string& cmake) {
-    static const std::regex command{R"(\n\s*floes_room\((?:src|ensemble)/([a-z_0-9]+)([^)]*)\))"};
+    static const std::regex command{R"(\n\s*floes_room\((?:src|ensemble)/(?:[a-z]+/)?([a-z_0-9]+)([^)]*)\))"};
     static const std::regex word{R"(\S+)"};
     std::map<std::string, std::set<std::string>> declared;
     const std::string text = "\n" + cmake;
@@ -129,13 +134,16 @@ std::vector<std::string> broken_edges(const std::string& cmake, const std::vecto
 }
 
 std::vector<Room> drawn_rooms(const std::string& architecture) {
+    static const std::regex head{R"(`(?:ensemble/)?([a-z]+)/`.*)"};
     static const std::regex row{R"(\| (\d+) \| `([a-z_0-9]+)` \|[^|]*\| ([^|]*?) ?\|)"};
     std::vector<Room> drawn;
     std::istringstream lines{architecture};
+    std::string wing;
     for (std::string line; std::getline(lines, line);) {
         std::smatch match;
+        if (std::regex_match(line, match, head)) wing = match[1].str();
         if (std::regex_match(line, match, row))
-            drawn.push_back({std::stoi(match[1].str()), match[2].str(), match[3].str()});
+            drawn.push_back({std::stoi(match[1].str()), match[2].str(), match[3].str(), wing});
     }
     return drawn;
 }

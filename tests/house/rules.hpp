@@ -19,7 +19,8 @@ std::vector<std::string> broken_rules(const Source& file);
 /// One sentence for each room that floes_room(… ROOMS …) declares and no file of it includes, and the other way round.
 std::vector<std::string> broken_edges(const std::string& cmake, const std::vector<Source>& sources);
 
-/// The lines of the tables of rooms in ARCHITECTURE.md.
+/// The lines of the tables of rooms in ARCHITECTURE.md; a line that begins with `src/` or `ensemble/WING/` says where
+/// the rooms below it are.
 std::vector<Room> drawn_rooms(const std::string& architecture);
 
 }  // namespace floes::house

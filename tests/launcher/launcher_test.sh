@@ -29,10 +29,11 @@ machine() {
     rm -rf -- "$home" "$bin" "$stage/calls"
     mkdir -p "$home" "$bin"
     cp "$project/floes" "$home/floes"
-    printf '# why\nalpha   # because\n\nbeta\n' >"$home/packages.txt"
-    printf 'gamma\n' >"$home/packages-test.txt"
-    printf 'epsilon\n' >"$home/packages-slow.txt"
-    printf 'zeta\n' >"$home/packages-release.txt"
+    mkdir -p "$home/packaging/debian" "$home/src"
+    printf '# why\nalpha   # because\n\nbeta\n' >"$home/packaging/debian/packages.txt"
+    printf 'gamma\n' >"$home/packaging/debian/packages-test.txt"
+    printf 'epsilon\n' >"$home/packaging/debian/packages-slow.txt"
+    printf 'zeta\n' >"$home/packaging/debian/packages-release.txt"
     printf 'alpha\nbeta\ngamma\n' >"$stage/installed"
     echo 1000 >"$stage/uid"
     : >"$stage/calls"
@@ -57,14 +58,16 @@ echo "cmake $*" >>"$STAGE/calls"
 if [[ $1 == --preset ]]; then
     mkdir -p "build/$2"
     touch "build/$2/build.ninja"
-    echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >"build/$2/CMakeCache.txt"
+    echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >>"build/$2/CMakeCache.txt"
+    [[ -z ${3-} ]] || sed 's/-D\(.*\)=/\1:BOOL=/' <<<"$3" >>"build/$2/CMakeCache.txt"
     echo configured
 else
     [[ -e $STAGE/in_build ]] && echo overlap >>"$STAGE/calls"
     touch "$STAGE/in_build"
     [[ -e $STAGE/slow_build ]] && sleep 0.5
+    while [[ -e $STAGE/endless_build ]]; do sleep 0.05; done
     rm "$STAGE/in_build"
-    if [[ $* == *"--target package"* ]]; then touch "$2/floes_1.1.0_amd64.deb" "$2/floes-1.1.0-Linux.tar.gz"; exit; fi
+    if [[ $* == *"--target package" ]]; then touch "$2/floes_1.1.0_amd64.deb" "$2/floes-1.1.0-Linux.tar.gz"; exit; fi
     if [[ -e $STAGE/broken_build ]]; then echo "no such header"; exit 1; fi
     cat >"$2/floes" <<'PROGRAM'
 #!/bin/bash
@@ -95,25 +98,29 @@ check "the program knows its launcher" "launcher $home/floes" "$(cat "$stage/lau
 check "arguments" "program <run> <a b.toml> <> <--set> <x=*>" "$out"
 check "status of the program" 85 "$status"
 check "first build" "cmake --preset release
-cmake --build $home/build/release" "$(calls)"
+cmake --build $home/build/release --target floes" "$(calls)"
 : >"$stage/calls"
 launch status c.h5
-check "second call only asks whether anything changed" "cmake --build $home/build/release" "$(calls)"
+check "nothing is built where nothing changed" "" "$(calls)"
 check "silent when there is nothing to do" "" "$err"
+sleep 0.01
+touch "$home/src/changed.cpp"
+launch status c.h5
+check "built again after a change" "cmake --build $home/build/release --target floes" "$(calls)"
 
 # -- through a symbolic link, from elsewhere
 ln -s "$home/floes" "$bin/linked"
 : >"$stage/calls"
 out=$(cd / && PATH=$bin:$PATH linked config --defaults 2>/dev/null)
 check "symbolic link" "program <config> <--defaults>" "$out"
-check "symbolic link: the project it leads to" "cmake --build $home/build/release" "$(calls)"
+check "symbolic link: the project it leads to" "" "$(calls)"
 
 # -- a project that moved is configured afresh
 : >"$stage/calls"
 mv "$home" "$home moved" && mkdir "$home" && mv "$home moved" "$home/inside"
 out=$(PATH=$bin:$PATH "$home/inside/floes" config 2>/dev/null)
 check "moved project" "cmake --preset release
-cmake --build $home/inside/build/release" "$(calls)"
+cmake --build $home/inside/build/release --target floes" "$(calls)"
 
 # -- packages are missing, no root
 machine
@@ -127,9 +134,9 @@ check "no root: nothing was tried" "" "$(calls)"
 launch test
 check_has "tests need their packages too" "missing: beta gamma" "$err"
 
-# -- benchmarks: their own packages and preset, then all of them
+# -- benchmarks: their own packages and target, then all of them
 machine
-printf 'delta\n' >"$home/packages-bench.txt"
+printf 'delta\n' >"$home/packaging/debian/packages-bench.txt"
 launch bench
 check_has "benchmarks need their packages" "missing: delta" "$err"
 echo delta >>"$stage/installed"
@@ -137,8 +144,9 @@ mkdir "$home/bench"
 printf '#!/bin/bash\nprintf "all"; printf " <%%s>" "$@"; echo\n' >"$home/bench/all.py"
 chmod +x "$home/bench/all.py"
 launch bench --rounds 3
-check "benchmarks" "all <$home/build/bench/bench> <--rounds> <3>" "$out"
-check_has "benchmarks: their build" "cmake --preset bench" "$(calls)"
+check "benchmarks" "all <$home/build/release/bench> <--rounds> <3>" "$out"
+check "benchmarks: their build" "cmake --preset release -DFLOES_BENCH=ON
+cmake --build $home/build/release --target benchmarks" "$(calls)"
 
 # -- packages are missing, root
 machine
@@ -168,6 +176,13 @@ launch run c.toml
 rm "$stage/broken_build"
 check "broken build: status" 1 "$status"
 check_has "broken build: the compiler's words" "no such header" "$err"
+launch run c.toml
+check "after a broken build: built again" "program <run> <c.toml>" "$out"
+touch "$stage/broken_build"
+sleep 0.01
+touch "$home/src/changed.cpp"
+launch run c.toml
+rm "$stage/broken_build"
 check "broken build: nothing on standard output" "" "$out"
 
 # -- two launchers at once
@@ -178,6 +193,24 @@ wait
 rm "$stage/slow_build"
 check "one build at a time" "" "$(calls | grep overlap)"
 check "one configuration" 1 "$(calls | grep -c -- --preset)"
+
+# -- while one builds, another runs what is up to date, and says what it waits for where it must wait
+machine
+launch status c.h5
+touch "$stage/endless_build"
+(PATH=$bin:$PATH "$home/floes" test >"$stage/out.tests" 2>&1) &
+until [[ $(calls) == *"--target tests"* ]]; do sleep 0.05; done
+launch status c.h5
+check "an up-to-date verb beside a build" "program <status> <c.h5>" "$out"
+sleep 0.01
+touch "$home/src/changed.cpp"
+(PATH=$bin:$PATH "$home/floes" status x >"$stage/out.waits" 2>"$stage/err.waits") &
+until [[ -s $stage/err.waits ]]; do sleep 0.05; done
+check_has "a verb that must wait says for what" "waiting for another launcher, which builds tests (preset release)" \
+    "$(cat "$stage/err.waits")"
+rm "$stage/endless_build"
+wait
+check "and then it runs" "program <status> <x>" "$(cat "$stage/out.waits")"
 
 # -- the program itself starts ranks
 machine
@@ -194,12 +227,10 @@ touch "$home/build/release/floes_1.0.0_amd64.deb" "$home/build/release/floes-1.0
 launch package
 check "their names" "$home/build/release/floes_1.1.0_amd64.deb
 $home/build/release/floes-1.1.0-Linux.tar.gz" "$out"
-check_has "packages" "cmake --build $home/build/release --target package" "$(calls)"
-launch package --tested
-check "packages of what was tested" "$home/build/ci/floes_1.1.0_amd64.deb
-$home/build/ci/floes-1.1.0-Linux.tar.gz" "$out"
+check_has "packages" "cmake --build $home/build/release --target all
+cmake --build $home/build/release --target package" "$(calls)"
 launch package --fast
-check "packages with another argument" 2 "$status"
+check "packages with an argument" 2 "$status"
 
 # -- under mpirun it only executes
 for variable in OMPI_COMM_WORLD_RANK PMIX_RANK PMI_RANK; do
@@ -221,20 +252,23 @@ done
 # -- tests
 machine
 launch test
-check "test" "ctest in $home: --preset ci -j2 -LE slow" "$out"
-check "test builds the ci preset" "cmake --preset ci
-cmake --build $home/build/ci" "$(calls)"
+check "test" "ctest in $home: --preset release -j3 -LE slow" "$out"
+check "test builds the tests" "cmake --preset release -DFLOES_TESTS=ON
+cmake --build $home/build/release --target tests" "$(calls)"
+: >"$stage/calls"
+launch test
+check "the next test configures nothing" "cmake --build $home/build/release --target tests" "$(calls)"
 launch test --slow -R wire
 check_has "slow tests need their packages too, and those that make packages" "missing: epsilon zeta" "$err"
 printf 'epsilon\nzeta\n' >>"$stage/installed"
 launch test --slow -R wire
-check "test --slow" "ctest in $home: --preset ci -j2 -R wire" "$out"
+check "test --slow" "ctest in $home: --preset release -j3 -R wire" "$out"
 : >"$stage/installed"
 launch test -L soak
 check_has "test -L needs them as well" "missing: alpha beta epsilon gamma zeta" "$err"
 printf '%s\n' alpha beta gamma epsilon zeta >"$stage/installed"
 launch test -L soak
-check "test -L" "ctest in $home: --preset ci -j2 -L soak" "$out"
+check "test -L" "ctest in $home: --preset release -j3 -L soak" "$out"
 
 ((failures == 0)) && echo "launcher: all checks passed"
 exit $((failures > 0))

@@ -22,7 +22,8 @@ if(TARGET floes)
       COMMAND bash ${release_tests}/install.sh ${PROJECT_BINARY_DIR} ${PROJECT_SOURCE_DIR})
     floes_release_test(scripts LABELS default TIMEOUT 60
       COMMAND shellcheck -x install.sh debian_root.sh old_processor.sh
-              ${PROJECT_SOURCE_DIR}/pbs/campaign.pbs ${PROJECT_SOURCE_DIR}/lsf/campaign.lsf)
+              ${PROJECT_SOURCE_DIR}/packaging/clusters/pbs/campaign.pbs
+              ${PROJECT_SOURCE_DIR}/packaging/clusters/lsf/campaign.lsf)
     set_tests_properties(release.scripts PROPERTIES WORKING_DIRECTORY ${release_tests})
     floes_release_test(debian_root LABELS slow TIMEOUT 1800
       COMMAND bash ${release_tests}/debian_root.sh ${PROJECT_BINARY_DIR} $<TARGET_FILE:floes>)

@@ -95,9 +95,9 @@ def loaded_packages(program):
 
 def faults(project, program):
     """Sentences, one for each disagreement."""
-    page = (project / "THIRD_PARTY.md").read_text(encoding="utf-8")
+    page = (project / "docs/THIRD_PARTY.md").read_text(encoding="utf-8")
     listed = listed_packages(page)
-    for package in wanted_packages((project / "packages.txt").read_text(encoding="utf-8")):
+    for package in wanted_packages((project / "packaging/debian/packages.txt").read_text(encoding="utf-8")):
         if package not in listed:
             yield f"packages.txt has {package}, and THIRD_PARTY.md does not list it"
     named = {name for row in rows_of(page) if len(row) == 7 for name in re.findall(r"\w+", row[6])}

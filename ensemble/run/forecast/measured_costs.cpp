@@ -2,7 +2,7 @@
 
 // Measured by
 //
-//     bench/dispatch.py build/bench/bench/floes_dispatch dispatch.json
+//     bench/dispatch.py build/release/bench/floes_dispatch dispatch.json
 //
 // on two cores of an otherwise idle virtual machine (Intel Xeon, family 6 model 207; Open MPI 4.1.4, HDF5 1.10.8):
 // processor times, the smaller of two rounds. docs/scaling.md compares the resulting plan with real runs. Not measured

@@ -1,0 +1,126 @@
+#pragma once
+// The command line of the program: its verbs, their options, and what these may be. The door to CLI11, which takes nine
+// seconds to compile wherever it is included.
+//
+//   CommandLine line("what the program is");
+//   Verb verb = line.verb("status", "Show the members done, failed and still to do");
+//   verb.option("campaign", options->file, "The campaign file").required();
+//   verb.runs([options] { return show(*options); });
+//   return line.run(words);
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace floes {
+
+/// The words were wrong (exit status 2), or asked for help or the version (0): what is to be said.
+class CommandLineEnd : public std::runtime_error {
+  public:
+    /// `output`: for standard output; `errors`: for standard error.
+    CommandLineEnd(int status, std::string output, const std::string& errors)
+        : std::runtime_error(errors), status_(status), output_(std::move(output)) {}
+
+    int status() const { return status_; }
+    const std::string& output() const { return output_; }
+
+  private:
+    int status_;
+    std::string output_;
+};
+
+/// An option of a verb, or an argument given by its place.
+class Option {
+  public:
+    explicit Option(CLI::Option* option) : option_(option) {}
+
+    Option& required();
+    Option& one_of(const std::vector<std::string>& words);
+    Option& within(int low, int high);
+    Option& within(double low, double high);
+    Option& positive();
+    Option& not_negative();
+    Option& comma_separated();
+    Option& exactly(int values);
+    Option& one_each();  ///< a value for each mention: the next word is an argument of the verb
+    Option& last_wins();
+    Option& shows_default();
+    Option& value_name(const std::string& name);
+    Option& needs(const Option& other);
+    Option& excludes(const Option& other);
+
+    bool given() const;
+
+  private:
+    CLI::Option* option_;
+};
+
+/// Options that belong together: of a verb, or of a choice between them.
+class OptionList {
+  public:
+    explicit OptionList(CLI::App* app) : app_(app) {}
+
+    /// `names`: "-o,--output", or one word without dashes for an argument given by its place. Of texts, whole numbers
+    /// and numbers, and of vectors and std::optional of these (command_line.cpp lists them).
+    template <class Value>
+    Option option(const std::string& names, Value& value, const std::string& help);
+    Option flag(const std::string& names, bool& value, const std::string& help);
+
+  protected:
+    CLI::App* app_;
+};
+
+class Verb : public OptionList {
+  public:
+    Verb(CLI::App* app, std::shared_ptr<int> exit_status) : OptionList(app), exit_status_(std::move(exit_status)) {}
+
+    /// Options of which exactly one is given; `title` says so in --help.
+    OptionList exactly_one_of(const std::string& name, const std::string& title);
+
+    void footer(const std::string& text);
+
+    /// What the verb does once its words are read; it returns the exit status.
+    void runs(std::function<int()> action);
+
+  private:
+    std::shared_ptr<int> exit_status_;
+};
+
+class CommandLine {
+  public:
+    explicit CommandLine(const std::string& description = {});
+    ~CommandLine();
+
+    Verb verb(const std::string& name, const std::string& description);
+    /// The flag --version, which prints what `text` returns.
+    void version(const std::function<std::string()>& text, const std::string& help);
+    void footer(const std::string& text);
+
+    /// Runs the verb that the words choose, with the program as the first of them, and returns its exit status. Throws
+    /// CommandLineEnd, and what the verb throws.
+    int run(std::span<char* const> words);
+    /// The same without the program's name.
+    int run(const std::vector<std::string>& words);
+
+    std::string program_name() const;
+
+    /// For manual pages and completions.
+    const CLI::App& app() const { return *app_; }
+
+  private:
+    template <class Parse>
+    int run_parsed(const Parse& parse);
+
+    std::unique_ptr<CLI::App> app_;
+    std::shared_ptr<int> exit_status_;
+};
+
+}  // namespace floes
