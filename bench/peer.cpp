@@ -56,7 +56,7 @@ PeerScene peer_scene(const Scene& scene) {
         }
     }
     peer.sheets = make_channel(scenario).sheets;
-    peer.structure = scenario.structure.shape.pieces();
+    peer.structure = scenario.structure.shape.solids();
     peer.structure_x = Tow{scenario.structure.start, scenario.structure.speed}.x(simulation.time());
     peer.friction = material_friction(scenario.contact);
     return peer;

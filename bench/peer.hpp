@@ -7,7 +7,7 @@
 
 #include "scene.hpp"
 #include "simulation/channel.hpp"
-#include "structure/convex_piece.hpp"
+#include "structure/convex_solid.hpp"
 #include "water/water_model.hpp"
 #include "world/material_friction.hpp"
 #include "world/state.hpp"
@@ -28,7 +28,7 @@ struct PeerScene {
     std::vector<PeerJoint> joints;
     std::vector<std::pair<int, int>> diagonals;  ///< elements of one piece that meet at a corner only
     std::vector<IceSheet> sheets;
-    std::vector<ConvexPiece> structure;
+    std::vector<ConvexSolid> structure;
     double structure_x = 0;
     MaterialFriction friction;
 };

@@ -40,7 +40,7 @@ class BulletPeer final : public Peer {
             btRigidBody& body =
                 add(element_, mass, transform_of({state.position, Quat(state.rotation)}), scene.friction.ice);
             body.setLinearVelocity(vector_of(state.velocity));
-            body.setAngularVelocity(vector_of(state.spin));
+            body.setAngularVelocity(vector_of(state.angular_velocity));
         }
         for (const PeerJoint& joint : scene.joints) add(joint);
         for (const auto& [a, b] : scene.diagonals) at(a).setIgnoreCollisionCheck(&at(b), true);

@@ -35,7 +35,8 @@ class OdePeer final : public Peer {
             const dQuaternion turn{q.w(), q.x(), q.y(), q.z()};
             dBodySetQuaternion(body, turn);
             dBodySetLinearVel(body, state.velocity.x(), state.velocity.y(), state.velocity.z());
-            dBodySetAngularVel(body, state.spin.x(), state.spin.y(), state.spin.z());
+            dBodySetAngularVel(body, state.angular_velocity.x(), state.angular_velocity.y(),
+                               state.angular_velocity.z());
             dGeomSetBody(dCreateBox(space_, side, thickness, side), body);
         }
         for (const PeerJoint& joint : scene.joints) {

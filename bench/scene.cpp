@@ -26,7 +26,7 @@ BodyState read_element(std::istream& in) {
     in >> turn.w() >> turn.x() >> turn.y() >> turn.z();
     state.rotation = turn.normalized().toRotationMatrix();
     state.velocity = read_vector(in);
-    state.spin = read_vector(in);
+    state.angular_velocity = read_vector(in);
     return state;
 }
 
@@ -79,7 +79,9 @@ Scenario tow_scenario(SolverKind solver, Wall wall) {
 
 std::string write_scene(const Scene& scene) {
     std::string text = "# A packed scene: ./late_state.cpp says how it came about. Lengths m, times s.\n";
-    text += "# floe,x,z,yaw at t = 0 | element,position,rotation w x y z,velocity,spin | break,time,floe,joint,mode\n";
+    text +=
+        "# floe,x,z,yaw at t = 0 | element,position,rotation w x y z,velocity,angular_velocity | "
+        "break,time,floe,joint,mode\n";
     text += fmt::format("steps,{}\n", scene.state.steps);
     for (const PlanarPose& pose : scene.arrangement.poses) {
         text += fmt::format("floe,{:.9f},{:.9f},{:.9f}\n", pose.x, pose.z, pose.yaw);
@@ -88,7 +90,7 @@ std::string write_scene(const Scene& scene) {
         const Quat turn(state.rotation);
         const Vec3& p = state.position;
         const Vec3& v = state.velocity;
-        const Vec3& s = state.spin;
+        const Vec3& s = state.angular_velocity;
         text += fmt::format("element,{:.9f},{:.9f},{:.9f},{:.10f},{:.10f},{:.10f},{:.10f},", p.x(), p.y(), p.z(),
                             turn.w(), turn.x(), turn.y(), turn.z());
         text += fmt::format("{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g}\n", v.x(), v.y(), v.z(), s.x(), s.y(), s.z());

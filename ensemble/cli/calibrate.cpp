@@ -98,7 +98,7 @@ Section curve_section(const std::vector<CurvePoint>& curve) {
     using Row = const CurvePoint&;
     return {
         .table = std::move(table),
-        .records = {make_records<CurvePoint>(
+        .records = {make_rows<CurvePoint>(
             "curve", curve,
             {{"joint_model", [](Row row) { return model_word(row); }},
              {"sheet_m", &CurvePoint::sheet},

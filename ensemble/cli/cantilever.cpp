@@ -87,16 +87,16 @@ Section section_of(const std::vector<Row>& rows, bool floating) {
         if (floating) table.back().emplace_back(fixed(row.elastic, 3));
     }
     return {.table = std::move(table),
-            .records = {make_records<Row>(
-                "rows", rows,
-                {{"mode", mode_of},
-                 {"cfm", &Row::cfm},
-                 {"length_m", [](const Row& row) { return row.shown.length; }},
-                 {"load_N", [](const Row& row) { return row.shown.load; }},
-                 {"strength_kPa", [](const Row& row) { return row.shown.strength / unit::kilopascal; }},
-                 {"set_kPa", [](const Row& row) { return row.shown.set / unit::kilopascal; }},
-                 {"joint", [](const Row& row) { return row.shown.joint; }},
-                 {"elastic_foundation_ratio", &Row::elastic}})}};
+            .records = {
+                make_rows<Row>("rows", rows,
+                               {{"mode", mode_of},
+                                {"cfm", &Row::cfm},
+                                {"length_m", [](const Row& row) { return row.shown.length; }},
+                                {"load_N", [](const Row& row) { return row.shown.load; }},
+                                {"strength_kPa", [](const Row& row) { return row.shown.strength / unit::kilopascal; }},
+                                {"set_kPa", [](const Row& row) { return row.shown.set / unit::kilopascal; }},
+                                {"joint", [](const Row& row) { return row.shown.joint; }},
+                                {"elastic_foundation_ratio", &Row::elastic}})}};
 }
 
 struct StiffnessRow {
@@ -127,7 +127,7 @@ Section stiffness_section(const std::vector<StiffnessRow>& rows) {
                          fixed(shown.elastic_frequency, 3), fixed(shown.frequency / shown.elastic_frequency, 4)});
     }
     return {.table = std::move(table),
-            .records = {make_records<StiffnessRow>(
+            .records = {make_rows<StiffnessRow>(
                 "rows", rows,
                 {{"elastic_modulus_MPa", &StiffnessRow::modulus},
                  {"elements", &StiffnessRow::elements},

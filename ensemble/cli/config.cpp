@@ -13,7 +13,7 @@
 #include "cli/commands.hpp"
 #include "cli/config_file.hpp"
 #include "core/wording.hpp"
-#include "tables/records.hpp"
+#include "tables/data_rows.hpp"
 
 namespace floes {
 namespace {
@@ -29,13 +29,13 @@ struct ConfigOptions {
 
 std::string reference_json() {
     const std::vector<KeyDescription> keys = reference();
-    const Records records[]{
-        make_records<KeyDescription>("keys", keys,
-                                     {{"key", [](const KeyDescription& one) { return Datum(one.key); }},
-                                      {"default", [](const KeyDescription& one) { return Datum(one.default_value); }},
-                                      {"allowed", [](const KeyDescription& one) { return Datum(one.allowed); }},
-                                      {"meaning", [](const KeyDescription& one) { return Datum(one.meaning); }},
-                                      {"source", [](const KeyDescription& one) { return Datum(one.source); }}})};
+    const DataRows records[]{
+        make_rows<KeyDescription>("keys", keys,
+                                  {{"key", [](const KeyDescription& one) { return Datum(one.key); }},
+                                   {"default", [](const KeyDescription& one) { return Datum(one.default_value); }},
+                                   {"allowed", [](const KeyDescription& one) { return Datum(one.allowed); }},
+                                   {"meaning", [](const KeyDescription& one) { return Datum(one.meaning); }},
+                                   {"source", [](const KeyDescription& one) { return Datum(one.source); }}})};
     return json(records);
 }
 

@@ -7,8 +7,8 @@
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "core/units.hpp"
-#include "findings/design_section.hpp"
-#include "findings/parts.hpp"
+#include "findings/catalogue.hpp"
+#include "findings/design_load_section.hpp"
 
 namespace floes {
 namespace {
@@ -16,17 +16,17 @@ namespace {
 struct DesignOptions {
     std::string file;
     double exposure_h = 3;
-    DesignRequest request;
+    DesignLoadRequest request;
     std::string format = "table";
     std::string window = "given";
 };
 
 std::string answer(const DesignOptions& options) {
-    DesignRequest request = options.request;
+    DesignLoadRequest request = options.request;
     request.exposure = options.exposure_h * unit::hour;
     const Evidence evidence = read_evidence(CampaignFile(options.file), options.window == "auto");
     const CampaignTable table = with_peaks(options.file, evidence.table);
-    return written(design_sections(evidence.summary, find_design(table, request), request), options.format);
+    return written(design_load_sections(evidence.summary, find_design_loads(table, request), request), options.format);
 }
 
 }  // namespace

@@ -17,15 +17,15 @@
 #include "campaign/write.hpp"
 #include "cli/commands.hpp"
 #include "cli/config_file.hpp"
-#include "cli/patience.hpp"
 #include "cli/terminal.hpp"
+#include "cli/waiting_note.hpp"
 #include "cli/write_page.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "match/match_sections.hpp"
 #include "match/next_wave.hpp"
 #include "match/predict.hpp"
-#include "match/predict_design.hpp"
+#include "match/predict_design_load.hpp"
 #include "page/match_page.hpp"
 
 namespace floes {
@@ -40,7 +40,7 @@ struct MatchOptions {
     std::vector<std::string> at;
     std::vector<std::string> predicted;
     double exposure_h = 0;  ///< 0: no design load is asked for
-    DesignRequest design;
+    DesignLoadRequest design;
     std::string page;
     std::string format = "table";
 };
@@ -97,10 +97,10 @@ Section quantities_over(const OverLeft& left, const MatchOptions& options, const
 
 Section design_over(const OverLeft& left, const MatchOptions& options, std::vector<MatchWave> waves,
                     const MatchData& data, const std::vector<EmulatedTarget>& targets) {
-    DesignRequest request = options.design;
+    DesignLoadRequest request = options.design;
     request.exposure = options.exposure_h * unit::hour;
     for (MatchWave& wave : waves) wave.table = with_peaks(wave.file, std::move(wave.table));
-    return design_section(predict_design(waves, data, targets, left, request), request);
+    return design_section(predict_design_load(waves, data, targets, left, request), request);
 }
 
 std::vector<Section> predictions(const MatchOptions& options, const std::vector<MatchWave>& waves,
@@ -147,8 +147,8 @@ void run(const MatchOptions& options) {
     for (const std::string& file : options.files) waves.push_back(read_wave(file));
     const std::vector<Target> measured = read_targets(read_text(options.targets), options.targets);
     const MatchData data = match_data(waves, measured);
-    const Patience patience(std::cerr,
-                            fmt::format("emulating {} targets at {} points", data.targets.size(), options.samples));
+    const WaitingNote patience(std::cerr,
+                               fmt::format("emulating {} targets at {} points", data.targets.size(), options.samples));
     const std::vector<EmulatedTarget> targets = emulate(data);
     const Matching found = match(data, targets, options.samples, waves.front().campaign.seed);
     std::vector<Section> sections = match_sections(data, targets, found);

@@ -13,8 +13,8 @@
 
 #include "cli/commands.hpp"
 #include "cli/config_file.hpp"
-#include "cli/patience.hpp"
 #include "cli/plan_text.hpp"
+#include "cli/waiting_note.hpp"
 #include "core/error.hpp"
 #include "core/wording.hpp"
 
@@ -51,15 +51,15 @@ std::vector<PlanRow> rows_of(const PlanOptions& options, const PlannedMembers& p
 
 std::string plan_text(const PlanOptions& options) {
     const Campaign campaign = load_campaign(options.config, options.overrides);
-    const Patience patience(std::cerr, fmt::format("simulating the run of {} on each number of cores …",
-                                                   counted(member_count(campaign), "member")));
+    const WaitingNote patience(std::cerr, fmt::format("simulating the run of {} on each number of cores …",
+                                                      counted(member_count(campaign), "member")));
     PlannedMembers planned =
         options.from.empty() ? expected_members(campaign) : measured_members(campaign, read_measured_run(options.from));
     if (options.record_bytes > 0) set_record_bytes(planned, options.record_bytes);
     const std::vector<PlanRow> rows = rows_of(options, planned);
     const PlanHead head = plan_head(campaign, planned);
     if (options.format == "table") return plan_table(head, rows);
-    const std::vector<Records> records = plan_records(head, rows);
+    const std::vector<DataRows> records = plan_records(head, rows);
     return options.format == "json" ? json(records) : csv(records.back());
 }
 

@@ -76,8 +76,8 @@ std::string plan_table(const PlanHead& head, std::span<const PlanRow> rows) {
     return remarks.empty() ? text : text + "\n" + remarks;
 }
 
-std::vector<Records> plan_records(const PlanHead& head, std::span<const PlanRow> rows) {
-    Records common =
+std::vector<DataRows> plan_records(const PlanHead& head, std::span<const PlanRow> rows) {
+    DataRows common =
         make_object<PlanHead>("", head,
                               {{"campaign", [](const PlanHead& one) { return Datum(one.title); }},
                                {"members", [](const PlanHead& one) { return Datum(one.members); }},
@@ -86,7 +86,7 @@ std::vector<Records> plan_records(const PlanHead& head, std::span<const PlanRow>
                                {"message_bytes", [](const PlanHead& one) { return Datum(one.message_bytes); }},
                                {"run_times_from", [](const PlanHead& one) { return Datum(one.source); }},
                                {"calibration_not_counted", [](const PlanHead& one) { return Datum(one.calibrates); }}});
-    Records plans = make_records<PlanRow>(
+    DataRows plans = make_rows<PlanRow>(
         "plans", rows,
         {{"cores", [](const PlanRow& row) { return Datum(row.cores); }},
          {"ranks", [](const PlanRow& row) { return Datum(row.ranks); }},

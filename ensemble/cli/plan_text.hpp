@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "forecast/plan.hpp"
-#include "tables/records.hpp"
+#include "tables/data_rows.hpp"
 
 namespace floes {
 
@@ -26,6 +26,6 @@ PlanHead plan_head(const Campaign& campaign, const PlannedMembers& planned);
 /// For people; with a line on the bottleneck of each setting that has one.
 std::string plan_table(const PlanHead& head, std::span<const PlanRow> rows);
 /// For programs: in JSON one object, in CSV a line for each setting; times in s, sizes in bytes.
-std::vector<Records> plan_records(const PlanHead& head, std::span<const PlanRow> rows);
+std::vector<DataRows> plan_records(const PlanHead& head, std::span<const PlanRow> rows);
 
 }  // namespace floes

@@ -1,4 +1,4 @@
-// floes replay: a member computed again, to be watched: as a page, pictures, a film, in ParaView, or as a record.
+// floes replay: a member computed again, to be watched: as a page, pictures, a film, in ParaView, or as a recording.
 
 #include <fmt/format.h>
 
@@ -31,13 +31,13 @@ struct ReplayOptions {
     ReplayLook look;
 };
 
-/// A record for the time of the program, beside what is made of it.
-class PassingRecord {
+/// A recording for the time of the program, beside what is made of it.
+class PassingRecording {
   public:
-    explicit PassingRecord(const std::filesystem::path& beside) : path_(beside.string() + ".record.h5") {}
-    PassingRecord(const PassingRecord&) = delete;
-    PassingRecord& operator=(const PassingRecord&) = delete;
-    ~PassingRecord() {
+    explicit PassingRecording(const std::filesystem::path& beside) : path_(beside.string() + ".record.h5") {}
+    PassingRecording(const PassingRecording&) = delete;
+    PassingRecording& operator=(const PassingRecording&) = delete;
+    ~PassingRecording() {
         std::error_code ignored;
         std::filesystem::remove(path_, ignored);
     }
@@ -59,7 +59,7 @@ MemberResult compute(const ReplaySubject& subject, const FrameSteps& steps, cons
     });
 }
 
-/// Computes the member and writes its record. Whether it is the member of the file; says what differs if not.
+/// Computes the member and writes its recording. Whether it is the member of the file; says what differs if not.
 bool record_member(const ReplayOptions& options, const std::filesystem::path& path, const StopSignals& signals) {
     const CampaignFile file(options.file);
     const CampaignTable table = read_campaign_file(file);
@@ -78,43 +78,43 @@ bool record_member(const ReplayOptions& options, const std::filesystem::path& pa
 }
 
 void write_outputs(const std::filesystem::path& record_path, const ReplayOptions& options, const StopSignals& signals) {
-    const Record record(record_path);
+    const Recording recording(record_path);
     const auto go_on = [&signals] {
         if (signals.received() != 0) throw Interrupted("stopped on request");
     };
     for (const std::string& output : options.outputs) {
-        if (kind_of(output) != ReplayOutput::record) write_replay_output(output, record, options.look, go_on);
+        if (kind_of(output) != ReplayOutput::recording) write_replay_output(output, recording, options.look, go_on);
         std::printf("%s\n", output.c_str());
     }
 }
 
-/// A record may take the place of another, but not that of a campaign.
+/// A recording may take the place of another, but not that of a campaign.
 void check_place(const std::filesystem::path& path) {
-    if (std::filesystem::exists(path) && !is_record(path))
-        throw InputError(fmt::format("{} is there and is no record; give the record another name.", path.string()));
+    if (std::filesystem::exists(path) && !is_recording(path))
+        throw InputError(fmt::format("{} is there and is no recording; give the recording another name.", path.string()));
 }
 
 bool run(const ReplayOptions& options, const StopSignals& signals) {
     check(options.look);
-    const bool has_record = is_record(options.file);
-    std::vector<std::string> records;
+    const bool has_record = is_recording(options.file);
+    std::vector<std::string> recordings;
     for (const std::string& output : options.outputs)
-        if (kind_of(output) == ReplayOutput::record) records.push_back(output);
-    if (records.size() > (has_record ? 0 : 1))
-        throw InputError(has_record ? fmt::format("{} is a record already; make something else of it.", options.file)
-                                    : fmt::format("Two records of one member, {} and {}, would be the same; give one.",
-                                                  records[0], records[1]));
+        if (kind_of(output) == ReplayOutput::recording) recordings.push_back(output);
+    if (recordings.size() > (has_record ? 0 : 1))
+        throw InputError(has_record ? fmt::format("{} is a recording already; make something else of it.", options.file)
+                                    : fmt::format("Two recordings of one member, {} and {}, would be the same; give one.",
+                                                  recordings[0], recordings[1]));
     if (has_record) {
         if (options.member.given() || options.times.given())
             throw InputError(fmt::format(
-                "{} is the record of one member and one stretch of time already; choose those when it is made.",
+                "{} is the recording of one member and one stretch of time already; choose those when it is made.",
                 options.file));
         write_outputs(options.file, options, signals);
         return true;
     }
-    std::optional<PassingRecord> passing;
-    if (records.empty()) records.push_back(passing.emplace(options.outputs.front()).path());
-    const std::filesystem::path path = records.front();
+    std::optional<PassingRecording> passing;
+    if (recordings.empty()) recordings.push_back(passing.emplace(options.outputs.front()).path());
+    const std::filesystem::path path = recordings.front();
     check_place(path);
     const bool same = record_member(options, path, signals);
     write_outputs(path, options, signals);
@@ -131,7 +131,7 @@ int exit_status_of(const ReplayOptions& options) {
 }
 
 void add_choices(Verb& verb, ReplayOptions& options) {
-    verb.option("file", options.file, "The campaign file (CAMPAIGN.h5), or a record that floes replay made").required();
+    verb.option("file", options.file, "The campaign file (CAMPAIGN.h5), or a recording that floes replay made").required();
     verb.option("member", options.member.number, "The member's number").not_negative();
     verb.option("--case", options.member.case_name, "The member of this case ...");
     verb.option("--arrangement", options.member.arrangement, "... and this arrangement").not_negative();
@@ -150,7 +150,7 @@ void add_looks(Verb& verb, ReplayOptions& options) {
     verb.option("-o,--output", options.outputs,
                 "What to make, by its ending; may be repeated: .html a page that plays, .png or .svg a picture, "
                 ".mp4, .webm, .webp, .gif or .apng a film, .pvd a series for ParaView, .h5 "
-                "the record")
+                "the recording")
         .one_each()
         .required();
     verb.option("--at", options.look.at, "Time of pictures, s; default: the largest load among the frames");
@@ -181,7 +181,7 @@ void add_replay(CommandLine& line) {
         "The member is computed again and compared with the file to the bit; exit status 1 says that it differs.\n\n"
         "  floes replay my.h5 --worst -o worst.html                the 20 s round the largest load, in a browser\n"
         "  floes replay my.h5 12 -o whole.html                     all of member 12\n"
-        "  floes replay my.h5 --worst --case E60 -o e60.h5         a record, to make several things of it:\n"
+        "  floes replay my.h5 --worst --case E60 -o e60.h5         a recording, to make several things of it:\n"
         "  floes replay e60.h5 -o e60.png -o e60.svg               Fig. 5 at the largest load\n"
         "  floes replay e60.h5 -o plan.png --view plan --at 235\n"
         "  floes replay e60.h5 -o below.mp4 --view below\n"

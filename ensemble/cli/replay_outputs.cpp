@@ -38,20 +38,20 @@ PictureStyle style_of(const ReplayLook& look) {
     return style;
 }
 
-PictureStyle style_of(const ReplayLook& look, const Record& record) {
+PictureStyle style_of(const ReplayLook& look, const Recording& recording) {
     PictureStyle style = style_of(look);
-    style.from = record.time(0);
-    style.to = record.time(record.frames() - 1);
+    style.from = recording.time(0);
+    style.to = recording.time(recording.frames() - 1);
     return style;
 }
 
-int frame_of_largest_load(const Record& record) {
-    const std::vector<double>& surge = record.outcome().history.surge;
-    const double step = record.subject().scenario.general.time_step;
+int frame_of_largest_load(const Recording& recording) {
+    const std::vector<double>& surge = recording.outcome().history.surge;
+    const double step = recording.subject().scenario.general.time_step;
     int largest = 0;
     double load = -std::numeric_limits<double>::infinity();
-    for (int k = 0; k < record.frames(); ++k) {
-        const auto steps = static_cast<std::size_t>(std::llround(record.time(k) / step));
+    for (int k = 0; k < recording.frames(); ++k) {
+        const auto steps = static_cast<std::size_t>(std::llround(recording.time(k) / step));
         if (steps == 0 || steps > surge.size() || surge[steps - 1] <= load) continue;
         load = surge[steps - 1];
         largest = k;
@@ -59,11 +59,11 @@ int frame_of_largest_load(const Record& record) {
     return largest;
 }
 
-void write_picture(const std::filesystem::path& path, const Record& record, const ReplayLook& look) {
-    const PictureStyle style = style_of(look, record);
-    const Stage stage(record.subject(), record.outcome(), record.floes());
-    const Frame frame = record.read(look.at ? record.nearest(*look.at) : frame_of_largest_load(record));
-    const int height = picture_height(style, record.subject());
+void write_picture(const std::filesystem::path& path, const Recording& recording, const ReplayLook& look) {
+    const PictureStyle style = style_of(look, recording);
+    const Stage stage(recording.subject(), recording.outcome(), recording.floes());
+    const Frame frame = recording.read(look.at ? recording.nearest(*look.at) : frame_of_largest_load(recording));
+    const int height = picture_height(style, recording.subject());
     const bool vectors = path.extension() == ".svg";
     Canvas canvas = vectors ? Canvas(path, style.width, height) : Canvas(style.width, height);
     draw_picture(canvas, stage, frame, style);
@@ -74,22 +74,22 @@ void write_picture(const std::filesystem::path& path, const Record& record, cons
     }
 }
 
-void write(const std::filesystem::path& path, const Record& record, const ReplayLook& look,
+void write(const std::filesystem::path& path, const Recording& recording, const ReplayLook& look,
            const std::function<void()>& go_on) {
     switch (kind_of(path)) {
         case ReplayOutput::page:
-            return write_replay_page(path, record);
+            return write_replay_page(path, recording);
         case ReplayOutput::picture:
-            return write_picture(path, record, look);
+            return write_picture(path, recording, look);
         case ReplayOutput::film: {
             ProgressLine line("drawing a film");
-            return write_film(path, record, style_of(look, record), look.rate, [&](double done) {
+            return write_film(path, recording, style_of(look, recording), look.rate, [&](double done) {
                 go_on();
                 line.show(done);
             });
         }
         case ReplayOutput::vtk:
-        case ReplayOutput::record:
+        case ReplayOutput::recording:
             break;
     }
 }
@@ -98,7 +98,7 @@ void write(const std::filesystem::path& path, const Record& record, const Replay
 
 ReplayOutput kind_of(const std::filesystem::path& path) {
     const std::string ending = path.extension().string();
-    if (ending == ".h5") return ReplayOutput::record;
+    if (ending == ".h5") return ReplayOutput::recording;
     if (ending == ".html") return ReplayOutput::page;
     if (ending == ".pvd") return ReplayOutput::vtk;
     if (ending == ".png" || ending == ".svg") return ReplayOutput::picture;
@@ -106,7 +106,7 @@ ReplayOutput kind_of(const std::filesystem::path& path) {
         if (ending == film) return ReplayOutput::film;
     throw InputError(fmt::format(
         "What is {} to be? Its ending says: .html a page that plays, .png or .svg a picture, .mp4, .webm, .webp, .gif "
-        "or .apng a film, .pvd a series for ParaView, .h5 the record itself.",
+        "or .apng a film, .pvd a series for ParaView, .h5 the recording itself.",
         path.string()));
 }
 
@@ -114,13 +114,13 @@ void check(const ReplayLook& look) {
     style_of(look);
 }
 
-void write_replay_output(const std::filesystem::path& path, const Record& record, const ReplayLook& look,
+void write_replay_output(const std::filesystem::path& path, const Recording& recording, const ReplayLook& look,
                          const std::function<void()>& go_on) {
-    if (kind_of(path) == ReplayOutput::vtk) return write_vtk_series(path, record);  // a file and a folder of its name
+    if (kind_of(path) == ReplayOutput::vtk) return write_vtk_series(path, recording);  // a file and a folder of its name
     std::filesystem::path aside = path;
     aside.replace_extension(".part" + path.extension().string());  // by which ffmpeg knows what to make
     try {
-        write(aside, record, look, go_on);
+        write(aside, recording, look, go_on);
         rename_into_place(aside, path);
     } catch (...) {
         std::error_code ignored;

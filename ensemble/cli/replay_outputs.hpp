@@ -1,16 +1,16 @@
 #pragma once
-// What floes replay makes of a record, by the ending of each file's name.
+// What floes replay makes of a recording, by the ending of each file's name.
 
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
 
-#include "replay/record.hpp"
+#include "replay/recording.hpp"
 
 namespace floes {
 
-enum class ReplayOutput { record, page, picture, film, vtk };
+enum class ReplayOutput { recording, page, picture, film, vtk };
 
 /// Throws InputError, with all endings, for any other.
 ReplayOutput kind_of(const std::filesystem::path& path);
@@ -27,8 +27,8 @@ struct ReplayLook {
 void check(const ReplayLook& look);
 
 /// Makes the file, with progress on standard error; one that fails leaves what was there before. `go_on` is called
-/// again and again where that takes long, and throws to stop it. Not for ReplayOutput::record.
-void write_replay_output(const std::filesystem::path& path, const Record& record, const ReplayLook& look,
+/// again and again where that takes long, and throws to stop it. Not for ReplayOutput::recording.
+void write_replay_output(const std::filesystem::path& path, const Recording& recording, const ReplayLook& look,
                          const std::function<void()>& go_on);
 
 }  // namespace floes

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "cli/patience.hpp"
+#include "cli/waiting_note.hpp"
 #include "core/wording.hpp"
 #include "page/moments_section.hpp"
 #include "picture/picture.hpp"
@@ -44,10 +44,10 @@ std::vector<MomentPicture> pictures_of(const ReplaySubject& subject, const KeyFr
 void add_moments(const std::filesystem::path& file, bool all, ReportData& data) {
     std::vector<ReplaySubject> subjects;
     for (const int member : pictured_members(data, all)) subjects.push_back(replay_subject(file, data.table, member));
-    const Patience patience(std::cerr,
-                            fmt::format("computing {} again for pictures of the largest loads; --pictures none "
-                                        "leaves them out",
-                                        counted(std::ssize(subjects), "member")));
+    const WaitingNote patience(std::cerr,
+                               fmt::format("computing {} again for pictures of the largest loads; --pictures none "
+                                           "leaves them out",
+                                           counted(std::ssize(subjects), "member")));
     std::vector<KeyFrames> frames(subjects.size());
     tbb::parallel_for(std::size_t{0}, subjects.size(), [&](std::size_t k) { frames[k] = key_frames(subjects[k]); });
     for (std::size_t k = 0; k < subjects.size(); ++k)

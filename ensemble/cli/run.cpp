@@ -74,9 +74,9 @@ std::string resume_command(const RunVerb& verb, const std::string& program, int 
 }
 
 /// --part K/N.
-Part part_of(const RunVerb& verb, const Campaign& campaign) {
+CampaignPart part_of(const RunVerb& verb, const Campaign& campaign) {
     if (verb.part.empty()) return {};
-    Part part;
+    CampaignPart part;
     char rest = 0;
     const bool read = std::sscanf(verb.part.c_str(), "%9d/%9d%c", &part.number, &part.of, &rest) == 2;
     if (read && 1 <= part.number && part.number <= part.of && part.of <= campaign.arrangements) return part;

@@ -6,7 +6,7 @@
 
 #include "core/wording.hpp"
 #include "driver/status_words.hpp"
-#include "tables/records.hpp"
+#include "tables/data_rows.hpp"
 
 namespace floes {
 namespace {
@@ -21,16 +21,16 @@ std::string timed_text(const char* title, const std::vector<TimedMember>& member
     return text;
 }
 
-Records timed_records(const char* place, const std::vector<TimedMember>& members) {
-    return make_records<TimedMember>(place, members,
-                                     {{"member", [](const TimedMember& one) { return Datum(one.number); }},
-                                      {"case", [](const TimedMember& one) { return Datum(one.case_name); }},
-                                      {"arrangement", [](const TimedMember& one) { return Datum(one.arrangement); }},
-                                      {"attempt", [](const TimedMember& one) { return Datum(one.attempt); }},
-                                      {"seconds", [](const TimedMember& one) { return Datum(one.seconds); }}});
+DataRows timed_records(const char* place, const std::vector<TimedMember>& members) {
+    return make_rows<TimedMember>(place, members,
+                                  {{"member", [](const TimedMember& one) { return Datum(one.number); }},
+                                   {"case", [](const TimedMember& one) { return Datum(one.case_name); }},
+                                   {"arrangement", [](const TimedMember& one) { return Datum(one.arrangement); }},
+                                   {"attempt", [](const TimedMember& one) { return Datum(one.attempt); }},
+                                   {"seconds", [](const TimedMember& one) { return Datum(one.seconds); }}});
 }
 
-std::vector<RecordField<CaseStatus>> count_columns() {
+std::vector<DataColumn<CaseStatus>> count_columns() {
     return {{"done", [](const CaseStatus& one) { return Datum(one.done); }},
             {"failed", [](const CaseStatus& one) { return Datum(one.failed); }},
             {"missing", [](const CaseStatus& one) { return Datum(one.missing); }},
@@ -43,7 +43,7 @@ Datum known(const std::optional<Value>& value) {
     return value ? Datum(*value) : Datum(Undefined{});
 }
 
-Records head_records(const CampaignStatus& status) {
+DataRows head_records(const CampaignStatus& status) {
     return make_object<CampaignStatus>(
         "", status,
         {{"title", [](const CampaignStatus& one) { return Datum(one.title); }},
@@ -54,7 +54,7 @@ Records head_records(const CampaignStatus& status) {
          {"heartbeat", [](const CampaignStatus&) { return Datum(Undefined{}); }}});
 }
 
-Records stop_records(const StopStatus& stop) {
+DataRows stop_records(const StopStatus& stop) {
     return make_object<StopStatus>(
         "stop", stop,
         {{"of", [](const StopStatus& one) { return Datum(what_of(one.rule)); }},
@@ -65,7 +65,7 @@ Records stop_records(const StopStatus& stop) {
          {"wanted_percent", [](const StopStatus& one) { return Datum(100 * one.rule.half_width); }}});
 }
 
-Records heartbeat_records(const Heartbeat& heartbeat, bool at_work) {
+DataRows heartbeat_records(const Heartbeat& heartbeat, bool at_work) {
     return make_object<Heartbeat>("heartbeat", heartbeat,
                                   {{"host", [](const Heartbeat& one) { return Datum(one.host); }},
                                    {"process", [](const Heartbeat& one) { return Datum(one.process); }},
@@ -73,33 +73,33 @@ Records heartbeat_records(const Heartbeat& heartbeat, bool at_work) {
                                    {"stale", [=](const Heartbeat&) { return Datum(!at_work); }}});
 }
 
-Records case_records(const std::vector<CaseStatus>& cases) {
-    std::vector<RecordField<CaseStatus>> columns{{"name", [](const CaseStatus& one) { return Datum(one.name); }}};
-    for (const RecordField<CaseStatus>& count : count_columns()) columns.push_back(count);
-    return make_records<CaseStatus>("cases", cases, columns);
+DataRows case_records(const std::vector<CaseStatus>& cases) {
+    std::vector<DataColumn<CaseStatus>> columns{{"name", [](const CaseStatus& one) { return Datum(one.name); }}};
+    for (const DataColumn<CaseStatus>& count : count_columns()) columns.push_back(count);
+    return make_rows<CaseStatus>("cases", cases, columns);
 }
 
-Records failure_records(const std::vector<FailedMember>& failures) {
-    return make_records<FailedMember>("failures", failures,
-                                      {{"member", [](const FailedMember& one) { return Datum(one.number); }},
-                                       {"case", [](const FailedMember& one) { return Datum(one.case_name); }},
-                                       {"arrangement", [](const FailedMember& one) { return Datum(one.arrangement); }},
-                                       {"reason", [](const FailedMember& one) { return Datum(one.reason); }}});
+DataRows failure_records(const std::vector<FailedMember>& failures) {
+    return make_rows<FailedMember>("failures", failures,
+                                   {{"member", [](const FailedMember& one) { return Datum(one.number); }},
+                                    {"case", [](const FailedMember& one) { return Datum(one.case_name); }},
+                                    {"arrangement", [](const FailedMember& one) { return Datum(one.arrangement); }},
+                                    {"reason", [](const FailedMember& one) { return Datum(one.reason); }}});
 }
 
-Records session_records(const std::vector<Session>& sessions) {
-    return make_records<Session>("sessions", sessions,
-                                 {{"started", [](const Session& one) { return Datum(one.started); }},
-                                  {"ended", [](const Session& one) { return Datum(one.ended); }},
-                                  {"outcome", [](const Session& one) { return Datum(one.outcome); }},
-                                  {"host", [](const Session& one) { return Datum(one.host); }},
-                                  {"job", [](const Session& one) { return Datum(one.job); }},
-                                  {"ranks", [](const Session& one) { return Datum(one.ranks); }},
-                                  {"threads", [](const Session& one) { return Datum(one.threads); }},
-                                  {"reused", [](const Session& one) { return Datum(one.reused); }},
-                                  {"computed", [](const Session& one) { return Datum(one.computed); }},
-                                  {"retried", [](const Session& one) { return Datum(one.retried); }},
-                                  {"set_aside", [](const Session& one) { return Datum(one.set_aside); }}});
+DataRows session_records(const std::vector<Session>& sessions) {
+    return make_rows<Session>("sessions", sessions,
+                              {{"started", [](const Session& one) { return Datum(one.started); }},
+                               {"ended", [](const Session& one) { return Datum(one.ended); }},
+                               {"outcome", [](const Session& one) { return Datum(one.outcome); }},
+                               {"host", [](const Session& one) { return Datum(one.host); }},
+                               {"job", [](const Session& one) { return Datum(one.job); }},
+                               {"ranks", [](const Session& one) { return Datum(one.ranks); }},
+                               {"threads", [](const Session& one) { return Datum(one.threads); }},
+                               {"reused", [](const Session& one) { return Datum(one.reused); }},
+                               {"computed", [](const Session& one) { return Datum(one.computed); }},
+                               {"retried", [](const Session& one) { return Datum(one.retried); }},
+                               {"set_aside", [](const Session& one) { return Datum(one.set_aside); }}});
 }
 
 }  // namespace
@@ -124,8 +124,8 @@ std::string status_table(const CampaignStatus& status) {
 }
 
 std::string status_json(const CampaignStatus& status) {
-    std::vector<Records> all{head_records(status), make_object("", total_of(status), count_columns()),
-                             case_records(status.cases), failure_records(status.failures)};
+    std::vector<DataRows> all{head_records(status), make_object("", total_of(status), count_columns()),
+                              case_records(status.cases), failure_records(status.failures)};
     if (status.stop) all.push_back(stop_records(*status.stop));
     if (status.heartbeat) all.push_back(heartbeat_records(*status.heartbeat, status.at_work));
     all.push_back(timed_records("under_way", status.under_way));

@@ -12,8 +12,8 @@
 #include "cli/terminal.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "findings/catalogue.hpp"
 #include "findings/pairs_section.hpp"
-#include "findings/parts.hpp"
 #include "findings/sensitivity.hpp"
 
 namespace floes {
@@ -30,19 +30,20 @@ struct SummarizeOptions {
 };
 
 /// What is shown unless parts are named: the parts suited to the campaign as table or JSON, and the cases as CSV.
-bool is_wanted(const Part& part, const SummarizeOptions& options, const Campaign& campaign) {
-    if (!options.parts.empty()) return std::ranges::find(options.parts, part.name) != options.parts.end();
-    return options.format == "csv" ? part.name == parts().front().name : part.unasked(campaign);
+bool is_wanted(const Finding& finding, const SummarizeOptions& options, const Campaign& campaign) {
+    if (!options.parts.empty()) return std::ranges::find(options.parts, finding.name) != options.parts.end();
+    return options.format == "csv" ? finding.name == findings().front().name : finding.unasked(campaign);
 }
 
 std::vector<Section> find(const SummarizeOptions& options, Evidence& evidence) {
     std::vector<Section> sections;
-    for (const Part& part : parts()) {
-        const bool wanted = is_wanted(part, options, evidence.campaign);
-        if (wanted && part.for_csv_alone && options.format != "csv")
-            throw InputError(fmt::format("--parts {0} has a line for each member and needs --format csv.", part.name));
-        const bool always = options.format == "json" && part.name == parts().front().name;
-        if (wanted || always) sections.push_back(part.section(evidence));
+    for (const Finding& finding : findings()) {
+        const bool wanted = is_wanted(finding, options, evidence.campaign);
+        if (wanted && finding.for_csv_alone && options.format != "csv")
+            throw InputError(
+                fmt::format("--parts {0} has a line for each member and needs --format csv.", finding.name));
+        const bool always = options.format == "json" && finding.name == findings().front().name;
+        if (wanted || always) sections.push_back(finding.section(evidence));
         if (wanted && !sections.back().missing.empty() && options.format != "table")
             std::fputs(fmt::format("floes: {}", sections.back().missing).c_str(), stderr);
     }
@@ -61,7 +62,7 @@ std::string answer(const SummarizeOptions& options) {
 
 std::vector<std::string> part_names() {
     std::vector<std::string> names;
-    for (const Part& part : parts()) names.emplace_back(part.name);
+    for (const Finding& finding : findings()) names.emplace_back(finding.name);
     return names;
 }
 

@@ -10,7 +10,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/verify_file.hpp"
-#include "tables/records.hpp"
+#include "tables/data_rows.hpp"
 
 namespace floes {
 namespace {
@@ -35,15 +35,15 @@ std::string text_of(const FileVerdict& verdict) {
 }
 
 std::string json_of(const std::vector<FileVerdict>& verdicts) {
-    std::vector<Records> all{
-        make_records<FileVerdict>("files", verdicts,
-                                  {{"file", [](const FileVerdict& one) { return Datum(one.file); }},
-                                   {"kind", [](const FileVerdict& one) { return Datum(one.kind); }},
-                                   {"state", [](const FileVerdict& one) { return Datum(state_word(one)); }},
-                                   {"checked", [](const FileVerdict& one) { return Datum(one.counts); }},
-                                   {"digest", [](const FileVerdict& one) { return Datum(one.digest); }},
-                                   {"whole", [](const FileVerdict& one) { return Datum(one.whole); }},
-                                   {"remedy", [](const FileVerdict& one) { return Datum(one.remedy); }}})};
+    std::vector<DataRows> all{
+        make_rows<FileVerdict>("files", verdicts,
+                               {{"file", [](const FileVerdict& one) { return Datum(one.file); }},
+                                {"kind", [](const FileVerdict& one) { return Datum(one.kind); }},
+                                {"state", [](const FileVerdict& one) { return Datum(state_word(one)); }},
+                                {"checked", [](const FileVerdict& one) { return Datum(one.counts); }},
+                                {"digest", [](const FileVerdict& one) { return Datum(one.digest); }},
+                                {"whole", [](const FileVerdict& one) { return Datum(one.whole); }},
+                                {"remedy", [](const FileVerdict& one) { return Datum(one.remedy); }}})};
     for (std::size_t k = 0; k < verdicts.size(); ++k) {
         all.push_back(make_list(fmt::format("files/{}/faults", k), verdicts[k].faults));
         all.push_back(make_list(fmt::format("files/{}/notes", k), verdicts[k].notes));

@@ -14,7 +14,7 @@
 #include "hdf5/verify.hpp"
 #include "journal/journal.hpp"
 #include "journal/journal_format.hpp"
-#include "replay/record_kind.hpp"
+#include "replay/recording_kind.hpp"
 
 namespace floes {
 namespace {
@@ -103,13 +103,14 @@ std::string campaign_remedy(const std::filesystem::path& path) {
 }
 
 void verify_hdf5(const std::filesystem::path& path, FileVerdict& verdict) {
-    constexpr std::array filetypes{campaign_kind.filetype, record_kind.filetype};
+    constexpr std::array filetypes{campaign_kind.filetype, recording_kind.filetype};
     const hdf5::FileCheck check = hdf5::check_file(path, filetypes);
-    const bool is_record = check.filetype == record_kind.filetype;
-    if (check.filetype == campaign_kind.filetype || is_record) verdict.kind = is_record ? "record" : "campaign file";
+    const bool is_recording = check.filetype == recording_kind.filetype;
+    if (check.filetype == campaign_kind.filetype || is_recording)
+        verdict.kind = is_recording ? "recording" : "campaign file";
     if (verdict.kind.empty() && check.fault.empty()) {
         verdict.state = FileState::not_of_floes;
-        verdict.faults.push_back("It is an HDF5 file, but neither a campaign nor a record of floes.");
+        verdict.faults.push_back("It is an HDF5 file, but neither a campaign nor a recording of floes.");
         return;
     }
     verdict.counts = counted(static_cast<std::int64_t>(check.datasets), "dataset");
@@ -126,8 +127,8 @@ void verify_hdf5(const std::filesystem::path& path, FileVerdict& verdict) {
     for (const hdf5::DamagedDataset& one : check.damaged)
         verdict.faults.push_back(fmt::format(
             "{}{}.", one.fault, one.rows.empty() ? "" : fmt::format("; rows {}", fmt::join(one.rows, ", "))));
-    if (!is_record) verdict.whole = whole_members(check);
-    verdict.remedy = is_record ? "Remove it; floes replay makes it anew." : campaign_remedy(path);
+    if (!is_recording) verdict.whole = whole_members(check);
+    verdict.remedy = is_recording ? "Remove it; floes replay makes it anew." : campaign_remedy(path);
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ Crowd::Crowd(const Walls& walls, const Rectangle& shape, std::span<const PlanarP
     : walls_(walls),
       shape_(shape),
       diagonal_(2 * shape.half_diagonal()),
-      spin_(turning / (shape.half_diagonal() * shape.half_diagonal())),
+      turn_weight_(turning / (shape.half_diagonal() * shape.half_diagonal())),
       skin_(0.25 * shape.half_diagonal()) {
     for (const PlanarPose& pose : poses) bodies_.push_back({pose.yaw, turn_of(pose.yaw), {pose.x, pose.z}});
     find_neighbours();
@@ -46,7 +46,8 @@ double Crowd::sweep() {
         deepest = std::max(deepest, met->depth);
         const double by_first = lever(met->arm_first, met->normal);
         const double by_second = lever(met->arm_second, met->normal);
-        const double push = over_relaxation * met->depth / (2 + spin_ * (by_first * by_first + by_second * by_second));
+        const double push =
+            over_relaxation * met->depth / (2 + turn_weight_ * (by_first * by_first + by_second * by_second));
         shift(bodies_[first], met->arm_first, met->normal, -push);
         shift(bodies_[second], met->arm_second, met->normal, push);
     }
@@ -56,7 +57,7 @@ double Crowd::sweep() {
             if (!met) continue;
             deepest = std::max(deepest, met->depth);
             const double by = lever(met->arm_first, normal);
-            shift(body, met->arm_first, normal, met->depth / (1 + spin_ * by * by));
+            shift(body, met->arm_first, normal, met->depth / (1 + turn_weight_ * by * by));
         }
     }
     return deepest;
@@ -166,7 +167,7 @@ Vec2 Crowd::pressed_point(Turn of_side, Turn other, const Vec2& apart, const Vec
 
 void Crowd::shift(Body& body, const Vec2& arm, const Vec2& normal, double push) const {
     body.place += push * normal;
-    body.yaw += push * spin_ * lever(arm, normal);
+    body.yaw += push * turn_weight_ * lever(arm, normal);
     body.turn = turn_of(body.yaw);
 }
 

@@ -65,8 +65,8 @@ class Crowd {
     Walls walls_;
     Rectangle shape_;
     double diagonal_;
-    double spin_;  // turn (rad) that counts as much as a shift of 1 m, squared
-    double skin_;  // m, in which neighbours are found beyond those that can touch
+    double turn_weight_;  // turn (rad) that counts as much as a shift of 1 m, squared
+    double skin_;         // m, in which neighbours are found beyond those that can touch
     std::vector<Body> bodies_;
     std::vector<Vec2> places_;  // of the bodies when neighbours were found
     std::vector<std::pair<std::size_t, std::size_t>> pairs_;

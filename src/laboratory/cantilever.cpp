@@ -78,7 +78,8 @@ class Beam {
         for (const BodyId element : elements_) {
             const BodyState body = world_.state(element);
             if (test_.floating)
-                world_.apply(element, water_.wrench({body.position, body.rotation, body.velocity, body.spin, 0}, 0));
+                world_.apply(element,
+                             water_.wrench({body.position, body.rotation, body.velocity, body.angular_velocity, 0}, 0));
             world_.apply(element, settling_drag(body, mass_, side_, time_step_));
         }
         world_.apply(elements_.back(), load_wrench(load));

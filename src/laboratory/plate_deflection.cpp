@@ -82,7 +82,8 @@ class Sheet {
     void advance(double load) {
         for (const IceElement& element : ice_.elements()) {
             const BodyState body = world_.state(element.body);
-            world_.apply(element.body, water_.wrench({body.position, body.rotation, body.velocity, body.spin, 0}, 0));
+            world_.apply(element.body,
+                         water_.wrench({body.position, body.rotation, body.velocity, body.angular_velocity, 0}, 0));
         }
         const Wrench share{.force = {0, -load / static_cast<double>(loaded_.size()), 0}};
         for (const LoadedElement& element : loaded_) world_.apply(ice_.elements()[element.index].body, share);

@@ -36,7 +36,7 @@ inline Wrench settling_drag(const BodyState& body, double mass, double side, dou
     constexpr double loss = 0.1;
     const double moment_of_inertia = mass * side * side / 12;  // the smallest of a flat box, so that no axis gains
     return {.force = -loss * mass / time_step * body.velocity,
-            .moment = -loss * moment_of_inertia / time_step * body.spin};
+            .moment = -loss * moment_of_inertia / time_step * body.angular_velocity};
 }
 
 }  // namespace floes

@@ -16,9 +16,9 @@ namespace {
 
 BodyId add_structure(World& world, const Scenario& scenario) {
     const Shape& shape = scenario.structure.shape;
-    const std::vector<ConvexPiece> pieces =
-        scenario.contact.internal_edges ? shape.pieces() : shape.overlapping_pieces();
-    return world.add_structure(pieces, {scenario.structure.start, 0, 0});
+    const std::vector<ConvexSolid> solids =
+        scenario.contact.internal_edges ? shape.solids() : shape.overlapping_solids();
+    return world.add_structure(solids, {scenario.structure.start, 0, 0});
 }
 
 void add_sheets(World& world, const Channel& channel) {
@@ -150,8 +150,8 @@ void Simulation::apply_water() {
     const std::vector<std::size_t>& awake = sleeping_.awake_elements();
     for (std::size_t place = 0; place < awake.size(); ++place) {
         const BodyState& state = states_[awake[place]];
-        water_.set(place,
-                   {state.position, state.rotation, state.velocity, state.spin, elements[awake[place]].exposed_edges});
+        water_.set(place, {state.position, state.rotation, state.velocity, state.angular_velocity,
+                           elements[awake[place]].exposed_edges});
     }
     water_.compute(awake.size(), tow_.x(time()));
     for (std::size_t place = 0; place < awake.size(); ++place) {

@@ -24,8 +24,9 @@ void SleepingFloes::lay_down(World& world, std::span<const BodyState> states, do
         for (const std::size_t i : floe.indices) {
             floe.middle += states[i].position / static_cast<double>(floe.indices.size());
         }
-        const bool at_rest = std::ranges::all_of(
-            floe.indices, [&](std::size_t i) { return states[i].velocity.isZero(0) && states[i].spin.isZero(0); });
+        const bool at_rest = std::ranges::all_of(floe.indices, [&](std::size_t i) {
+            return states[i].velocity.isZero(0) && states[i].angular_velocity.isZero(0);
+        });
         if (at_rest && !reached(floe, structure_x)) set_asleep(world, floe, true);
     }
     list_awake();

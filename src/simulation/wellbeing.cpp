@@ -23,7 +23,8 @@ Wellbeing::Wellbeing(const Scenario& scenario, const Channel& channel)
 
 std::optional<std::string> Wellbeing::trouble(const BodyState& state) const {
     const Vec3& at = state.position;
-    if (!at.allFinite() || !state.rotation.allFinite() || !state.velocity.allFinite() || !state.spin.allFinite()) {
+    if (!at.allFinite() || !state.rotation.allFinite() || !state.velocity.allFinite() ||
+        !state.angular_velocity.allFinite()) {
         return "has a state that is not a number";
     }
     if (state.velocity.squaredNorm() > speed * speed) {

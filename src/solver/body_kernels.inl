@@ -8,16 +8,17 @@ inline V3 solve3(const M3& m, const V3& f) {
     return {dot(f, yz) * inverse, dot(m.x, cross(f, m.z)) * inverse, dot(m.x, cross(m.y, f)) * inverse};
 }
 
-/// Change of spin by the gyroscopic term in one step: one Newton step of the implicit Euler equation in body axes.
-inline V3 gyroscopic_change(const M3& turn, const V3& spin, const V3& inertia, double time_step) {
-    const V3 w = transposed_times(turn, spin);
+/// Change of angular velocity by the gyroscopic term in one step: one Newton step of the implicit Euler equation in
+/// body axes.
+inline V3 gyroscopic_change(const M3& turn, const V3& angular_velocity, const V3& inertia, double time_step) {
+    const V3 w = transposed_times(turn, angular_velocity);
     const V3 momentum = {inertia.x * w.x, inertia.y * w.y, inertia.z * w.z};
     const V3 residual = cross(w, momentum) * (w.x * 0.0 + time_step);
     const M3 jacobian = {
         {inertia.x, (w.z * inertia.x - momentum.z) * time_step, (momentum.y - w.y * inertia.x) * time_step},
         {(momentum.z - w.z * inertia.y) * time_step, inertia.y, (w.x * inertia.y - momentum.x) * time_step},
         {(w.y * inertia.z - momentum.y) * time_step, (momentum.x - w.x * inertia.z) * time_step, inertia.z}};
-    return turn * (w - solve3(jacobian, residual)) - spin;
+    return turn * (w - solve3(jacobian, residual)) - angular_velocity;
 }
 
 void prepare_bodies(const LaneArrays& arrays, std::size_t groups, double time_step) {
@@ -41,17 +42,17 @@ void prepare_bodies(const LaneArrays& arrays, std::size_t groups, double time_st
         store3(sweeping, at, {inertia.xx, inertia.xy, inertia.xz});
         store3(sweeping, at + 3, {inertia.yy, inertia.yz, inertia.zz});
 
-        const V3 spin = load3(body, body_field::spin);
+        const V3 angular_velocity = load3(body, body_field::angular_velocity);
         const V3 principal = {moves ? 1.0 / inverse.x : zero, moves ? 1.0 / inverse.y : zero,
                               moves ? 1.0 / inverse.z : zero};
-        const V3 gyroscopic = gyroscopic_change(turn, spin, principal, time_step);
+        const V3 gyroscopic = gyroscopic_change(turn, angular_velocity, principal, time_step);
         const V3 turned = {moves ? gyroscopic.x : zero, moves ? gyroscopic.y : zero, moves ? gyroscopic.z : zero};
         const V3 torque = inertia * load3(body, body_field::torque);
-        store3(body, body_field::start_spin, spin + (torque * (zero + time_step) + turned));
+        store3(body, body_field::start_angular_velocity, angular_velocity + (torque * (zero + time_step) + turned));
         store3(body, body_field::start_velocity,
                load3(body, body_field::velocity) + load3(body, body_field::force) * (inverse_mass * time_step));
         store3(sweeping, sweep_field::velocity, {zero, zero, zero});
-        store3(sweeping, sweep_field::spin, {zero, zero, zero});
+        store3(sweeping, sweep_field::angular_velocity, {zero, zero, zero});
     }
 }
 
@@ -108,11 +109,11 @@ inline Pack cosine(Pack s) {
 }
 
 /// btTransformUtil::integrateTransform: at most π/4 in a step.
-inline M3 turned(const M3& turn, const V3& spin, double time_step) {
+inline M3 turned(const M3& turn, const V3& angular_velocity, double time_step) {
     constexpr double limit = 0.39269908169872414;  // π/8
-    const Pack square = dot(spin, spin) * (0.25 * time_step * time_step);
+    const Pack square = dot(angular_velocity, angular_velocity) * (0.25 * time_step * time_step);
     const Pack half = square > limit * limit ? square * 0.0 + limit * limit : square;
-    const V3 axis = spin * (sine_ratio(half) * (0.5 * time_step));
+    const V3 axis = angular_velocity * (sine_ratio(half) * (0.5 * time_step));
     const Pack w = cosine(half);
     const Turn now = turn_of(turn);
     return matrix_of({axis * now.w + now.v * w + cross(axis, now.v), w * now.w - dot(axis, now.v)});
@@ -123,11 +124,12 @@ void advance_bodies(const LaneArrays& arrays, std::size_t groups, double time_st
         double* body = arrays.body + i * static_cast<std::size_t>(body_field::count * lanes);
         const double* sweeping = arrays.sweep + i * static_cast<std::size_t>(sweep_field::count * lanes);
         const V3 velocity = load3(body, body_field::start_velocity) + load3(sweeping, sweep_field::velocity);
-        const V3 spin = load3(body, body_field::start_spin) + load3(sweeping, sweep_field::spin);
+        const V3 angular_velocity =
+            load3(body, body_field::start_angular_velocity) + load3(sweeping, sweep_field::angular_velocity);
         const V3 step = velocity * (velocity.x * 0.0 + time_step);
-        const M3 turn = turned(load_matrix(body, body_field::rotation), spin, time_step);
+        const M3 turn = turned(load_matrix(body, body_field::rotation), angular_velocity, time_step);
         store3(body, body_field::velocity, velocity);
-        store3(body, body_field::spin, spin);
+        store3(body, body_field::angular_velocity, angular_velocity);
         store3(body, body_field::position, load3(body, body_field::position) + step);
         store3(body, body_field::rotation, {turn.x.x, turn.y.x, turn.z.x});
         store3(body, body_field::rotation + 3, {turn.x.y, turn.y.y, turn.z.y});

@@ -7,18 +7,18 @@
     const V3 torque_a = load3(row, contact_field::torque_a);
     const V3 torque_b = load3(row, contact_field::torque_b);
     const V3 sliding = a.velocity - b.velocity;
-    const Pack x = axis.x * sliding.x + (torque_a.x * a.spin.x - torque_b.x * b.spin.x);
-    const Pack y = axis.y * sliding.y + (torque_a.y * a.spin.y - torque_b.y * b.spin.y);
-    const Pack z = axis.z * sliding.z + (torque_a.z * a.spin.z - torque_b.z * b.spin.z);
+    const Pack x = axis.x * sliding.x + (torque_a.x * a.angular_velocity.x - torque_b.x * b.angular_velocity.x);
+    const Pack y = axis.y * sliding.y + (torque_a.y * a.angular_velocity.y - torque_b.y * b.angular_velocity.y);
+    const Pack z = axis.z * sliding.z + (torque_a.z * a.angular_velocity.z - torque_b.z * b.angular_velocity.z);
     return (x + z) + y;
 }
 
 [[gnu::always_inline]] inline void push(const double* row, Motion& a, Motion& b, Pack impulse) {
     const V3 axis = load3(row, contact_field::axis);
     a.velocity = a.velocity + axis * (a.inverse_mass * impulse);
-    a.spin = a.spin + load3(row, contact_field::spin_a) * impulse;
+    a.angular_velocity = a.angular_velocity + load3(row, contact_field::angular_change_a) * impulse;
     b.velocity = b.velocity - axis * (b.inverse_mass * impulse);
-    b.spin = b.spin - load3(row, contact_field::spin_b) * impulse;
+    b.angular_velocity = b.angular_velocity - load3(row, contact_field::angular_change_b) * impulse;
 }
 
 /// Packs solved at once, in turns: while a row waits for its sum those of the other pack go on, which the processor
@@ -118,7 +118,7 @@ void solve_frictions(double* delta, const ContactPacks& packs, const ContactRowA
                      const double* normal_impulse) {
     const auto solve = [&](int i, const double* row, Motion& a, Motion& b) __attribute__((always_inline)) {
         const Pack normal = load(normal_impulse, i);
-        const Pack bound = load(row, contact_field::grip) * normal;
+        const Pack bound = load(row, contact_field::friction_coefficient) * normal;
         const Pack old = load(all.impulse, i);
         const Pack total = old + (load(all.target, i) - along(row, a, b));
         const Pack capped = total < bound ? total : bound;
@@ -146,8 +146,9 @@ void solve_all_cones(double* delta, const ContactPacks& packs, const ContactRowA
     const auto solve = [&](int i, const double* row, Motion& a, Motion& b) __attribute__((always_inline)) {
         const double* first = all.first.row + static_cast<std::size_t>(i) * (contact_field::count * lanes);
         const double* second = all.second.row + static_cast<std::size_t>(i) * (contact_field::count * lanes);
-        const V3 sliding = (a.velocity - b.velocity) + (cross(a.spin, load3(first, contact_field::lever_a)) -
-                                                        cross(b.spin, load3(first, contact_field::lever_b)));
+        const V3 sliding =
+            (a.velocity - b.velocity) + (cross(a.angular_velocity, load3(first, contact_field::lever_a)) -
+                                         cross(b.angular_velocity, load3(first, contact_field::lever_b)));
         const V3 axis = load3(row, contact_field::axis);
         const Pack old = load(normals.impulse, i);
         const Pack normal = normal_impulse<limited>(normals, limits, i, old, dot(axis, sliding));
@@ -166,7 +167,8 @@ void solve_all_cones(double* delta, const ContactPacks& packs, const ContactRowA
         const Pack second_slides = dot(second_axis, sliding) + load(second, contact_field::coupling + 1) * pressed;
         const Pack first_total = old_first + (load(all.first.target, i) - first_slides);
         const Pack second_total = old_second + (load(all.second.target, i) - second_slides);
-        const Pack cut = in_circle(first_total, second_total, load(first, contact_field::grip) * normal);
+        const Pack cut =
+            in_circle(first_total, second_total, load(first, contact_field::friction_coefficient) * normal);
         const Pack next_first = first_total * cut;
         const Pack next_second = second_total * cut;
         store(all.first.impulse, i, next_first);
@@ -176,11 +178,12 @@ void solve_all_cones(double* delta, const ContactPacks& packs, const ContactRowA
         const V3 impulse = axis * pressed + first_axis * one + second_axis * two;
         a.velocity = a.velocity + impulse * a.inverse_mass;
         b.velocity = b.velocity - impulse * b.inverse_mass;
-        const auto turned = [&](int spin) __attribute__((always_inline)) {
-            return load3(row, spin) * pressed + load3(first, spin) * one + load3(second, spin) * two;
+        const auto turned = [&](int angular_velocity) __attribute__((always_inline)) {
+            return load3(row, angular_velocity) * pressed + load3(first, angular_velocity) * one +
+                   load3(second, angular_velocity) * two;
         };
-        a.spin = a.spin + turned(contact_field::spin_a);
-        b.spin = b.spin - turned(contact_field::spin_b);
+        a.angular_velocity = a.angular_velocity + turned(contact_field::angular_change_a);
+        b.angular_velocity = b.angular_velocity - turned(contact_field::angular_change_b);
     };
     for_each_row(delta, packs, normals.row, solve, never_idle);
 }

@@ -2,7 +2,7 @@
 
 /// One body of each pair.
 struct Touching {
-    V3 position, start_velocity, start_spin, spin;
+    V3 position, start_velocity, start_angular_velocity, angular_velocity;
     S3 inverse_inertia;
     Pack inverse_mass;
 };
@@ -29,14 +29,17 @@ inline Touching touching(const LaneArrays& arrays, const std::uint32_t* slots) {
     Pack m[7];
     static_assert(sweep_field::inverse_mass == sweep_field::inverse_inertia + 6);
     pick(arrays.sweep, sweep_field::count, sweep_field::inverse_inertia, slots, m);
-    return {pick3(arrays, body_field::position, slots),   pick3(arrays, body_field::start_velocity, slots),
-            pick3(arrays, body_field::start_spin, slots), pick3(arrays, body_field::spin, slots),
-            {m[0], m[1], m[2], m[3], m[4], m[5]},         m[6]};
+    return {pick3(arrays, body_field::position, slots),
+            pick3(arrays, body_field::start_velocity, slots),
+            pick3(arrays, body_field::start_angular_velocity, slots),
+            pick3(arrays, body_field::angular_velocity, slots),
+            {m[0], m[1], m[2], m[3], m[4], m[5]},
+            m[6]};
 }
 
-/// A unit impulse along `axis`: its torques, and the spins that these cause.
+/// A unit impulse along `axis`: its torques, and the angular velocities that these cause.
 struct Arm {
-    V3 axis, torque_a, torque_b, spin_a, spin_b;
+    V3 axis, torque_a, torque_b, angular_change_a, angular_change_b;
 };
 
 inline Arm make_arm(const V3& axis, const V3& lever_a, const V3& lever_b, const Touching& a, const Touching& b) {
@@ -45,17 +48,17 @@ inline Arm make_arm(const V3& axis, const V3& lever_a, const V3& lever_b, const 
     return {axis, torque_a, torque_b, a.inverse_inertia * torque_a, b.inverse_inertia * torque_b};
 }
 
-/// What a unit impulse along one changes along the other, through spin.
+/// What a unit impulse along one changes along the other, through angular velocity.
 inline Pack coupling(const Arm& one, const Arm& other) {
-    return dot(one.torque_a, other.spin_a) + dot(one.torque_b, other.spin_b);
+    return dot(one.torque_a, other.angular_change_a) + dot(one.torque_b, other.angular_change_b);
 }
 
 inline void store_row(double* row, const Arm& arm, Pack s) {
     store3(row, contact_field::axis, arm.axis * s);
     store3(row, contact_field::torque_a, arm.torque_a * s);
     store3(row, contact_field::torque_b, arm.torque_b * s);
-    store3(row, contact_field::spin_a, arm.spin_a * s);
-    store3(row, contact_field::spin_b, arm.spin_b * s);
+    store3(row, contact_field::angular_change_a, arm.angular_change_a * s);
+    store3(row, contact_field::angular_change_b, arm.angular_change_b * s);
 }
 
 /// A row along `axis` at the given levers. Returns its scale s = A^-1/2.
@@ -133,7 +136,7 @@ inline void prepare_cone(const FrictionArrays& frictions, int i, const V3& n, co
     store(frictions.second.row + row, contact_field::coupling + 1, coupling(normal, second) * (normal_scale * s));
     store3(frictions.first.row + row, contact_field::lever_a, lever_a);
     store3(frictions.first.row + row, contact_field::lever_b, lever_b);
-    store(frictions.first.row + row, contact_field::grip, friction * normal_scale / s);
+    store(frictions.first.row + row, contact_field::friction_coefficient, friction * normal_scale / s);
     store(frictions.first.target, i, -dot(first.axis, velocity) * s);
     store(frictions.second.target, i, -dot(second.axis, velocity) * s);
     const V3 start = load3(frictions.start, 3 * i);
@@ -154,8 +157,8 @@ inline void prepare_contact(const double* point, int i, const Touching& a, const
     const Pack distance = load(point, point_field::distance);
     const V3 lever_a = load3(point, point_field::on_a) - a.position;
     const V3 lever_b = load3(point, point_field::on_b) - b.position;
-    const V3 velocity =
-        (a.start_velocity + cross(a.start_spin, lever_a)) - (b.start_velocity + cross(b.start_spin, lever_b));
+    const V3 velocity = (a.start_velocity + cross(a.start_angular_velocity, lever_a)) -
+                        (b.start_velocity + cross(b.start_angular_velocity, lever_b));
     const Pack approach = dot(direction, velocity);
     const Pack none{};
     const Pack never = none - __builtin_inf();
@@ -180,8 +183,9 @@ inline void prepare_contact(const double* point, int i, const Touching& a, const
     // Bullet leaves the torque of this step out of the sliding velocity that the row stops.
     const V3 slide = slide_direction(velocity, direction);
     const Pack t = make_row(frictions.first.row + row, slide, lever_a, lever_b, a, b);
-    const V3 sliding = (a.start_velocity + cross(a.spin, lever_a)) - (b.start_velocity + cross(b.spin, lever_b));
-    store(frictions.first.row + row, contact_field::grip, friction * s / t);
+    const V3 sliding = (a.start_velocity + cross(a.angular_velocity, lever_a)) -
+                       (b.start_velocity + cross(b.angular_velocity, lever_b));
+    store(frictions.first.row + row, contact_field::friction_coefficient, friction * s / t);
     store(frictions.first.target, i, -dot(slide, sliding) * t);
     store(frictions.first.impulse, i, none);
     store(frictions.first.scale, i, t);

@@ -31,7 +31,7 @@ void DirectContacts::prepare(std::span<const SolverContact> contacts, std::span<
     for (AlignedArray<double>& impulse : impulse_) impulse.reserve(slots);
     for (AlignedArray<double>& scale : scale_) scale.reserve(slots);
     const bool crushing = law.normal == NormalLaw::crushing;
-    kernels.direct.prepare_contacts(all, floes.arrays(), floes.reaches(), order_.packs(), points_.data(),
+    kernels.direct.prepare_contacts(all, floes.arrays(), floes.columns(), order_.packs(), points_.data(),
                                     friction_start_.data(), rows(),
                                     {1.0 / time_step, crushing ? 0 : law.erp});  // crushed ice does not push back
     limited_ = crushing || !law.internal_edges;
@@ -44,10 +44,10 @@ void DirectContacts::prepare(std::span<const SolverContact> contacts, std::span<
 
 void DirectContacts::solve(const LaneArrays& all, DirectFloes& floes, const LaneKernels& kernels, int iterations) {
     double* impulse = floes.arrays().impulse;
-    kernels.direct.start_contacts(all.delta, impulse, floes.reaches(), order_.packs(), rows());
+    kernels.direct.start_contacts(all.delta, impulse, floes.columns(), order_.packs(), rows());
     const LimitArrays limits = limited_ ? LimitArrays{yield_.data(), give_.data()} : LimitArrays{};
     for (int i = 0; i < iterations; ++i) {
-        kernels.direct.solve_contacts(all.delta, impulse, floes.reaches(), order_.packs(), rows(), limits);
+        kernels.direct.solve_contacts(all.delta, impulse, floes.columns(), order_.packs(), rows(), limits);
     }
 }
 

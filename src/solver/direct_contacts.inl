@@ -1,5 +1,5 @@
-// Contacts between pieces that answer as a whole. A row has, for each of its two bodies, the impulse on it and what
-// that does to the velocity of the same body; what it does to the rest of the piece is spread once a visit.
+// Contacts between pieces that move as a whole. A row has, for each of its two bodies, the impulse on it and what
+// that does to the velocity of the same body; the rest of the piece is moved once a visit.
 
 inline Flat load_flat(const double* row, int field) {
     return {load3(row, field), load3(row, field + 3)};
@@ -26,25 +26,25 @@ inline Flat operator-(const Flat& a, const Flat& b) {
     return {a.within - b.within, a.out - b.out};
 }
 
-/// One body of each pair: its motion, the axes of its piece, and its own answer to impulses.
-struct Answering {
-    V3 position, start_velocity, start_spin;
+/// One body of each pair: its motion, the axes of its piece, and its own block of the piece's compliance.
+struct CompliantBody {
+    V3 position, start_velocity, start_angular_velocity;
     M3 frame;
-    M3 within, out;  ///< its own answer
+    M3 within, out;  ///< its own Delassus block
 };
 
-inline Answering answering(const LaneArrays& arrays, const DirectArrays& direct, const Reach* reaches,
-                           const std::uint32_t* slots) {
-    Answering body;
+inline CompliantBody compliant_body(const LaneArrays& arrays, const DirectArrays& direct,
+                                    const ComplianceColumn* columns, const std::uint32_t* slots) {
+    CompliantBody body;
     body.position = pick3(arrays, body_field::position, slots);
     body.start_velocity = pick3(arrays, body_field::start_velocity, slots);
-    body.start_spin = pick3(arrays, body_field::start_spin, slots);
+    body.start_angular_velocity = pick3(arrays, body_field::start_angular_velocity, slots);
     Pack frame[9];
     pick(direct.local, local_field::count, local_field::frame, slots, frame);
     body.frame = {{frame[0], frame[3], frame[6]}, {frame[1], frame[4], frame[7]}, {frame[2], frame[5], frame[8]}};
     alignas(Pack) double values[18][lanes];
     for (int lane = 0; lane < lanes; ++lane) {
-        const double* self = reaches[slots[lane]].self;
+        const double* self = columns[slots[lane]].self;
         for (int i = 0; i < 18; ++i)
             values[i][lane] = self == nullptr ? 0.0 : self[8 * (i / 6) + i % 3 + i % 6 / 3 * 4];
     }
@@ -56,7 +56,8 @@ inline Answering answering(const LaneArrays& arrays, const DirectArrays& direct,
     return body;
 }
 
-inline Flat answer(const Answering& body, const Flat& impulse) {
+/// Change of the body's own velocity by an impulse on it.
+inline Flat moved_by(const CompliantBody& body, const Flat& impulse) {
     return {body.within * impulse.within, body.out * impulse.out};
 }
 
@@ -65,13 +66,13 @@ struct DirectArm {
     Flat on_a, on_b, moves_a, moves_b;
 };
 
-inline DirectArm direct_arm(const V3& axis, const V3& lever_a, const V3& lever_b, const Answering& a,
-                            const Answering& b) {
+inline DirectArm direct_arm(const V3& axis, const V3& lever_a, const V3& lever_b, const CompliantBody& a,
+                            const CompliantBody& b) {
     DirectArm arm;
     arm.on_a = flat(transposed_times(a.frame, axis), transposed_times(a.frame, cross(lever_a, axis)));
     arm.on_b = flat(transposed_times(b.frame, axis), transposed_times(b.frame, cross(lever_b, axis)));
-    arm.moves_a = answer(a, arm.on_a);
-    arm.moves_b = answer(b, arm.on_b);
+    arm.moves_a = moved_by(a, arm.on_a);
+    arm.moves_b = moved_by(b, arm.on_b);
     return arm;
 }
 
@@ -86,15 +87,15 @@ inline void store_arm(double* row, int i, const DirectArm& arm, Pack s) {
     store_flat(row, direct_field::moves_b + 6 * i, arm.moves_b * s);
 }
 
-inline void prepare_direct_contact(const double* point, const double* friction_start, int i, const Answering& a,
-                                   const Answering& b, const DirectRowArrays& to, const DirectContactStep& step) {
+inline void prepare_direct_contact(const double* point, const double* friction_start, int i, const CompliantBody& a,
+                                   const CompliantBody& b, const DirectRowArrays& to, const DirectContactStep& step) {
     double* row = to.row + static_cast<std::size_t>(i) * (direct_field::count * lanes);
     const V3 n = load3(point, point_field::normal);
     const Pack distance = load(point, point_field::distance);
     const V3 lever_a = load3(point, point_field::on_a) - a.position;
     const V3 lever_b = load3(point, point_field::on_b) - b.position;
-    const V3 velocity =
-        (a.start_velocity + cross(a.start_spin, lever_a)) - (b.start_velocity + cross(b.start_spin, lever_b));
+    const V3 velocity = (a.start_velocity + cross(a.start_angular_velocity, lever_a)) -
+                        (b.start_velocity + cross(b.start_angular_velocity, lever_b));
     const Pack approach = dot(n, velocity);
     // A gap may close within the step; a penetration is opened by erp.
     const auto apart = distance > 0.0;
@@ -117,7 +118,7 @@ inline void prepare_direct_contact(const double* point, const double* friction_s
     store(row, direct_field::coupling, coupling(normal, first) * (s * t));
     store(row, direct_field::coupling + 1, coupling(normal, second) * (s * t));
     const Pack friction = load(point, point_field::friction);
-    store(row, direct_field::grip, friction * s / t);
+    store(row, direct_field::friction_coefficient, friction * s / t);
     store(to.target[1], i, -dot(plane.first, velocity) * t);
     store(to.target[2], i, -dot(plane.second, velocity) * t);
     const V3 start = load3(friction_start, 3 * i);
@@ -131,12 +132,12 @@ inline void prepare_direct_contact(const double* point, const double* friction_s
     store3(row, direct_field::second, plane.second);
 }
 
-void prepare_direct_contacts(const LaneArrays& arrays, const DirectArrays& direct, const Reach* reaches,
+void prepare_direct_contacts(const LaneArrays& arrays, const DirectArrays& direct, const ComplianceColumn* columns,
                              const ContactPacks& packs, const double* points, const double* friction_start,
                              const DirectRowArrays& to, const DirectContactStep& step) {
     for_each_pair(packs, [&](const ContactPack& pack, std::uint32_t turn, const std::uint32_t* slots) {
-        const Answering a = answering(arrays, direct, reaches, slots);
-        const Answering b = answering(arrays, direct, reaches, slots + lanes);
+        const CompliantBody a = compliant_body(arrays, direct, columns, slots);
+        const CompliantBody b = compliant_body(arrays, direct, columns, slots + lanes);
         for (std::uint32_t row = pack.first_row + turn; row < pack.end_row; row += pack.turns) {
             prepare_direct_contact(points + static_cast<std::size_t>(row) * (point_field::count * lanes),
                                    friction_start, static_cast<int>(row), a, b, to, step);
@@ -169,21 +170,21 @@ inline bool is_nothing(const double* impulse) {
 }
 
 /// Hands an impulse in each lane on to the piece that the lane's body belongs to.
-[[gnu::always_inline]] inline void hand_on(double* delta, double* impulse, const Reach* reaches,
-                                           const std::uint32_t* slots, const Flat& on) {
+[[gnu::always_inline]] inline void pass_to_piece(double* delta, double* impulse, const ComplianceColumn* columns,
+                                                 const std::uint32_t* slots, const Flat& on) {
     alignas(64) double by_lane[lanes][8];
     scatter_flat([&](int lane) { return by_lane[lane]; }, on);
     for (int lane = 0; lane < lanes; ++lane) {
-        const Reach& reach = reaches[slots[lane]];
-        if (reach.column == nullptr || is_nothing(by_lane[lane])) continue;
+        const ComplianceColumn& column = columns[slots[lane]];
+        if (column.blocks == nullptr || is_nothing(by_lane[lane])) continue;
         double* total = impulse + static_cast<std::size_t>(slots[lane]) * 8;
         for (int i = 0; i < 8; ++i) total[i] += by_lane[lane][i];
-        spread(delta, reach, by_lane[lane]);
+        add_velocity_changes(delta, column, by_lane[lane]);
     }
 }
 
 template <class Solve>
-[[gnu::always_inline]] inline void for_each_direct_row(double* delta, double* impulse, const Reach* reaches,
+[[gnu::always_inline]] inline void for_each_direct_row(double* delta, double* impulse, const ComplianceColumn* columns,
                                                        const ContactPacks& packs, const double* rows,
                                                        const Solve& solve) {
     const std::uint32_t* slots = packs.slots;
@@ -195,22 +196,22 @@ template <class Solve>
         for (std::uint32_t i = packs.packs[k].first_row; i < packs.packs[k].end_row; ++i) {
             solve(static_cast<int>(i), rows + static_cast<std::size_t>(i) * (direct_field::count * lanes), pair);
         }
-        hand_on(delta, impulse, reaches, slots, pair.on_a);
-        hand_on(delta, impulse, reaches, slots + lanes, pair.on_b);
+        pass_to_piece(delta, impulse, columns, slots, pair.on_a);
+        pass_to_piece(delta, impulse, columns, slots + lanes, pair.on_b);
     }
 }
 
-void start_direct_contacts(double* delta, double* impulse, const Reach* reaches, const ContactPacks& packs,
+void start_direct_contacts(double* delta, double* impulse, const ComplianceColumn* columns, const ContactPacks& packs,
                            const DirectRowArrays& all) {
     const auto start = [&](int i, const double* row, DirectPair& pair) __attribute__((always_inline)) {
         for (int k = 0; k < 3; ++k) push(row, k, pair, load(all.impulse[k], i));
     };
-    for_each_direct_row(delta, impulse, reaches, packs, all.row, start);
+    for_each_direct_row(delta, impulse, columns, packs, all.row, start);
 }
 
 /// Coulomb's cone as in solve_all_cones().
 template <bool limited>
-void solve_all_direct(double* delta, double* impulse, const Reach* reaches, const ContactPacks& packs,
+void solve_all_direct(double* delta, double* impulse, const ComplianceColumn* columns, const ContactPacks& packs,
                       const DirectRowArrays& all, const LimitArrays& limits) {
     const ContactRowArrays normals{nullptr, all.target[0], all.impulse[0], all.scale[0]};
     const auto solve = [&](int i, const double* row, DirectPair& pair) __attribute__((always_inline)) {
@@ -225,7 +226,7 @@ void solve_all_direct(double* delta, double* impulse, const Reach* reaches, cons
         const Pack second_slides = along(row, 2, pair) + load(row, direct_field::coupling + 1) * pressed;
         const Pack first_total = old_first + (load(all.target[1], i) - first_slides);
         const Pack second_total = old_second + (load(all.target[2], i) - second_slides);
-        const Pack cut = in_circle(first_total, second_total, load(row, direct_field::grip) * normal);
+        const Pack cut = in_circle(first_total, second_total, load(row, direct_field::friction_coefficient) * normal);
         const Pack next_first = first_total * cut;
         const Pack next_second = second_total * cut;
         store(all.impulse[1], i, next_first);
@@ -234,11 +235,11 @@ void solve_all_direct(double* delta, double* impulse, const Reach* reaches, cons
         push(row, 1, pair, next_first - old_first);
         push(row, 2, pair, next_second - old_second);
     };
-    for_each_direct_row(delta, impulse, reaches, packs, all.row, solve);
+    for_each_direct_row(delta, impulse, columns, packs, all.row, solve);
 }
 
-void solve_direct_contacts(double* delta, double* impulse, const Reach* reaches, const ContactPacks& packs,
+void solve_direct_contacts(double* delta, double* impulse, const ComplianceColumn* columns, const ContactPacks& packs,
                            const DirectRowArrays& all, const LimitArrays& limits) {
     const auto solve = limits.yield == nullptr ? solve_all_direct<false> : solve_all_direct<true>;
-    solve(delta, impulse, reaches, packs, all, limits);
+    solve(delta, impulse, columns, packs, all, limits);
 }

@@ -8,7 +8,7 @@
 namespace floes {
 namespace {
 
-/// Pieces up to this size keep their whole response, all columns of it.
+/// Pieces up to this size keep their whole compliance, all columns of it.
 constexpr std::size_t most_bodies_with_columns = 64;
 
 /// The rotation nearest to a mean of rotations (Higham 1986, Newton's iteration for the polar factor). Three steps are
@@ -33,7 +33,7 @@ DirectFloes::DirectFloes(std::span<const SolverBody> bodies, std::span<const Sol
     local_ = AlignedArray<double>(slots.body_groups * lanes * local_field::count);
     spring_ = AlignedArray<double>(slots.joint_groups * lanes * spring_field::count);
     impulse_ = AlignedArray<double>((slots.body_groups * lanes + 1) * 8);
-    reaches_.resize(slots.body_groups * lanes + 1);
+    columns_.resize(slots.body_groups * lanes + 1);
     for (std::size_t slot = 0; slot < slots.body_groups * lanes; ++slot) {  // bodies of no piece, and empty lanes
         for (int i = 0; i < 9; i += 4) {
             local_[place(static_cast<std::uint32_t>(slot), local_field::count, local_field::frame + i, kernels.width)] =
@@ -84,14 +84,14 @@ void DirectFloes::prepare(const LaneArrays& all, std::span<const LaneBlock> bloc
     if (stale_ || time_step != time_step_) {
         const bool all_anew = time_step != time_step_;
         time_step_ = time_step;
-        if (all_anew) responses_.clear();
+        if (all_anew) compliances_.clear();
         for (std::size_t i = 0; i < pieces_.size(); ++i) {
             if (pieces_[i].broken) split(i);
         }
         for (Piece& piece : pieces_) {
-            if (all_anew || piece.response == nullptr) make_response(piece);
+            if (all_anew || piece.compliance == nullptr) make_compliance(piece);
         }
-        std::erase_if(responses_, [](const auto& response) { return response.use_count() == 1; });
+        std::erase_if(compliances_, [](const auto& compliance) { return compliance.use_count() == 1; });
         stale_ = false;
     }
     turn_frames(all);
@@ -100,35 +100,36 @@ void DirectFloes::prepare(const LaneArrays& all, std::span<const LaneBlock> bloc
     kernels_->direct.to_pieces(all, arrays(), slots_.body_groups);
 }
 
-void DirectFloes::answer_at_once(Piece& piece, double* delta) {
+void DirectFloes::apply_whole_compliance(Piece& piece, double* delta) {
     piece_impulse_.resize(8 * piece.bodies.size());
     piece_change_.resize(8 * piece.bodies.size());
     for (std::size_t i = 0; i < piece.bodies.size(); ++i) {
         std::copy_n(impulse_.data() + 8 * static_cast<std::size_t>(piece.slots[i]), 8, &piece_impulse_[8 * i]);
     }
-    piece.response->respond(piece_impulse_.data(), piece_change_.data());
+    piece.compliance->velocity_changes(piece_impulse_.data(), piece_change_.data());
     for (std::size_t i = 0; i < piece.bodies.size(); ++i) {
         std::copy_n(&piece_change_[8 * i], 8, delta + 8 * static_cast<std::size_t>(piece.slots[i]));
     }
 }
 
-void DirectFloes::answer(Piece& piece, const std::vector<std::uint32_t>& slots,
-                         const std::vector<std::uint32_t>& within, double* delta) {
+void DirectFloes::apply_compliance(Piece& piece, const std::vector<std::uint32_t>& slots,
+                                   const std::vector<std::uint32_t>& within, double* delta) {
     if (piece.bodies.size() > most_bodies_with_columns) {
-        answer_at_once(piece, delta);
+        apply_whole_compliance(piece, delta);
         return;
     }
     for (const std::uint32_t slot : slots) std::fill_n(delta + 8 * static_cast<std::size_t>(slot), 8, 0.0);
     for (std::size_t i = 0; i < piece.bodies.size(); ++i) {
-        const Reach reach{piece.response->column(i), nullptr, slots.data(), within.data(), slots.size()};
-        kernels_->direct.spread(delta, reach, impulse_.data() + 8 * static_cast<std::size_t>(piece.slots[i]));
+        const ComplianceColumn column{piece.compliance->column(i), nullptr, slots.data(), within.data(), slots.size()};
+        kernels_->direct.add_velocity_changes(delta, column,
+                                              impulse_.data() + 8 * static_cast<std::size_t>(piece.slots[i]));
     }
 }
 
 void DirectFloes::touch(const LaneArrays& all, std::span<const SolverContact> contacts) {
     for (const std::uint32_t body : touched_bodies_) {
         is_touched_[body] = 0;
-        reaches_[slots_.body[body]] = {};
+        columns_[slots_.body[body]] = {};
     }
     touched_bodies_.clear();
     for (const SolverContact& contact : contacts) {
@@ -152,18 +153,18 @@ void DirectFloes::touch(const LaneArrays& all, std::span<const SolverContact> co
     }
     for (const std::uint32_t i : touched_pieces_) {
         Piece& piece = pieces_[i];
-        answer(piece, piece.touched_slots, piece.touched_within, all.delta);
+        apply_compliance(piece, piece.touched_slots, piece.touched_within, all.delta);
         for (std::size_t k = 0; k < piece.touched_slots.size(); ++k) {
             const std::uint32_t within = piece.touched_within[k];
-            const double* column = piece.response->column(within);
-            reaches_[piece.touched_slots[k]] = {column, column + within * response_block, piece.touched_slots.data(),
+            const double* blocks = piece.compliance->column(within);
+            columns_[piece.touched_slots[k]] = {blocks, blocks + within * compliance_block, piece.touched_slots.data(),
                                                 piece.touched_within.data(), piece.touched_slots.size()};
         }
     }
 }
 
 void DirectFloes::finish(const LaneArrays& all, std::span<const LaneBlock> blocks) {
-    for (Piece& piece : pieces_) answer(piece, piece.slots, piece.within, all.delta);
+    for (Piece& piece : pieces_) apply_compliance(piece, piece.slots, piece.within, all.delta);
     kernels_->direct.from_pieces(all, arrays(), slots_.body_groups);
     for (const LaneBlock& block : blocks) kernels_->direct.reactions(all, arrays(), block, time_step_);
 }

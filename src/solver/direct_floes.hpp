@@ -1,6 +1,6 @@
 #pragma once
 // Floes whose joints are solved exactly. What the joints of a connected piece do to the velocities at the end of a step
-// is one linear system (solver/piece_response.hpp), so an impulse on one element moves the whole piece at once, and
+// is one linear system (solver/piece_compliance.hpp), so an impulse on one element moves the whole piece at once, and
 // only contacts between pieces are left to iterate.
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 #include "solver/aligned_array.hpp"
 #include "solver/direct_layout.hpp"
 #include "solver/lane_layout.hpp"
-#include "solver/piece_response.hpp"
+#include "solver/piece_compliance.hpp"
 #include "solver/solver_contact.hpp"
 #include "solver/solver_parts.hpp"
 
@@ -39,13 +39,13 @@ class DirectFloes {
     /// Makes ready for impulses on the bodies in these contacts: `delta` of the bodies that they may move.
     void touch(const LaneArrays& all, std::span<const SolverContact> contacts);
 
-    /// The pieces' answer to all impulses, as changes of velocity, and what the joints carry.
+    /// What all impulses do to the velocities of the pieces, and what the joints carry.
     void finish(const LaneArrays& all, std::span<const LaneBlock> blocks);
 
     DirectArrays arrays() { return {local_.data(), spring_.data(), impulse_.data()}; }
 
     /// By slot of a body, and for the spare slot after them; valid from touch() on.
-    const Reach* reaches() const { return reaches_.data(); }
+    const ComplianceColumn* columns() const { return columns_.data(); }
 
     /// Of a body: two of one piece move together.
     std::uint32_t piece(std::size_t body) const { return piece_of_body_[body]; }
@@ -58,21 +58,21 @@ class DirectFloes {
         std::vector<std::uint32_t> joints;         ///< alive, rising
         std::vector<std::uint32_t> slots, within;  ///< of the bodies, and 0, 1, 2, …
         std::vector<Mat3> at_rest;                 ///< body -> piece where nothing strains it
-        std::shared_ptr<PieceResponse> response;
+        std::shared_ptr<PieceCompliance> compliance;
         std::vector<std::uint32_t> touched_slots, touched_within;
         bool broken = false;  ///< joints were removed since it was found
     };
 
     void split(std::size_t piece);
-    void make_response(Piece& piece);
-    void find_response(Piece& piece, std::vector<PieceBody> bodies, std::vector<PieceJoint> joints);
+    void make_compliance(Piece& piece);
+    void find_compliance(Piece& piece, std::vector<PieceBody> bodies, std::vector<PieceJoint> joints);
     PieceJoint at_rest(const Piece& piece, const SolverJoint& joint, const std::vector<PieceBody>& bodies,
                        std::array<double, 6>& stiffness) const;
     void store_spring(std::size_t joint, const PieceJoint& at_rest, const std::array<double, 6>& stiffness);
     void turn_frames(const LaneArrays& all);
-    void answer(Piece& piece, const std::vector<std::uint32_t>& slots, const std::vector<std::uint32_t>& within,
-                double* delta);
-    void answer_at_once(Piece& piece, double* delta);
+    void apply_compliance(Piece& piece, const std::vector<std::uint32_t>& slots,
+                          const std::vector<std::uint32_t>& within, double* delta);
+    void apply_whole_compliance(Piece& piece, double* delta);
 
     const LaneKernels* kernels_;
     LaneSlots slots_;
@@ -80,11 +80,11 @@ class DirectFloes {
     std::vector<SolverJoint> joints_;
     std::vector<Piece> pieces_;
     std::vector<std::uint32_t> piece_of_body_, within_piece_;
-    std::vector<std::shared_ptr<PieceResponse>> responses_;  ///< of the pieces that there are
+    std::vector<std::shared_ptr<PieceCompliance>> compliances_;  ///< of the pieces that there are
     bool stale_ = true;
     double time_step_ = 0;
     AlignedArray<double> local_, spring_, impulse_;
-    std::vector<Reach> reaches_;
+    std::vector<ComplianceColumn> columns_;
     std::vector<std::uint32_t> touched_pieces_, touched_bodies_;
     std::vector<std::uint8_t> is_touched_;  ///< by body
     std::vector<double> piece_impulse_, piece_change_;

@@ -23,7 +23,7 @@ inline V3 angular(const Flat& f) {
 template <class At>
 [[gnu::always_inline]] inline Flat gather_flat(const At& at) {
     const Motion places = gather(at);
-    return {places.velocity, places.spin};
+    return {places.velocity, places.angular_velocity};
 }
 
 template <class At>
@@ -45,7 +45,8 @@ void begin_local(const LaneArrays& arrays, const DirectArrays& direct, std::size
         double* local = body_group(direct.local, local_field::count, i);
         const M3 frame = load_matrix(local, local_field::frame);
         store3(local, local_field::velocity, transposed_times(frame, load3(body, body_field::start_velocity)));
-        store3(local, local_field::spin, transposed_times(frame, load3(body, body_field::start_spin)));
+        store3(local, local_field::angular_velocity,
+               transposed_times(frame, load3(body, body_field::start_angular_velocity)));
         store3(local, local_field::impulse, V3{});
         store3(local, local_field::impulse + 3, V3{});
     }
@@ -62,12 +63,12 @@ struct JointMotion {
 
 inline JointMotion joint_motion(const double* spring, const double* a, const double* b) {
     const M3 axes = load_matrix(spring, spring_field::axes);
-    const V3 spin_a = load3(a, local_field::spin);
-    const V3 spin_b = load3(b, local_field::spin);
-    const V3 sliding =
-        (load3(a, local_field::velocity) - load3(b, local_field::velocity)) +
-        (cross(spin_a, load3(spring, spring_field::lever_a)) - cross(spin_b, load3(spring, spring_field::lever_b)));
-    return {transposed_times(axes, sliding), transposed_times(axes, spin_a - spin_b)};
+    const V3 angular_change_a = load3(a, local_field::angular_velocity);
+    const V3 angular_change_b = load3(b, local_field::angular_velocity);
+    const V3 sliding = (load3(a, local_field::velocity) - load3(b, local_field::velocity)) +
+                       (cross(angular_change_a, load3(spring, spring_field::lever_a)) -
+                        cross(angular_change_b, load3(spring, spring_field::lever_b)));
+    return {transposed_times(axes, sliding), transposed_times(axes, angular_change_a - angular_change_b)};
 }
 
 inline void add3(double* group, int field, const V3& v) {
@@ -135,9 +136,9 @@ void from_pieces(const LaneArrays& arrays, const DirectArrays& direct, std::size
         const Flat change = gather_flat([from](int lane) { return from + 8 * lane; });
         const M3 frame = load_matrix(local, local_field::frame);
         store3(local, local_field::velocity, linear(change));
-        store3(local, local_field::spin, angular(change));
+        store3(local, local_field::angular_velocity, angular(change));
         store3(to, sweep_field::velocity, frame * linear(change));
-        store3(to, sweep_field::spin, frame * angular(change));
+        store3(to, sweep_field::angular_velocity, frame * angular(change));
     }
 }
 
@@ -157,15 +158,15 @@ void direct_reactions(const LaneArrays& arrays, const DirectArrays& direct, cons
     }
 }
 
-void spread(double* delta, const Reach& reach, const double* impulse) {
+void add_velocity_changes(double* delta, const ComplianceColumn& column, const double* impulse) {
     // The three impulses within the plane beside the three out of it, as the rows of a block are.
     alignas(64) double factor[3][8];
     for (int k = 0; k < 3; ++k) {
         for (int i = 0; i < 8; ++i) factor[k][i] = impulse[k + (i < 4 ? 0 : 4)];
     }
-    for (std::size_t i = 0; i < reach.count; ++i) {
-        const double* block = reach.column + static_cast<std::size_t>(reach.within[i]) * response_block;
-        double* to = delta + static_cast<std::size_t>(reach.slots[i]) * 8;
+    for (std::size_t i = 0; i < column.count; ++i) {
+        const double* block = column.blocks + static_cast<std::size_t>(column.within[i]) * compliance_block;
+        double* to = delta + static_cast<std::size_t>(column.slots[i]) * 8;
 #pragma GCC unroll 8
         for (int part = 0; part < 8; part += lanes) {
             Pack sum = load(to + part, 0);

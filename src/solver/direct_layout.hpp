@@ -15,14 +15,14 @@ struct LimitArrays;
 /// What an impulse on one body does to another, by three columns of 8 numbers, for an impulse {x, z, about y; y, about
 /// x, about z}: of its first parts the changes of {x, z, about y, 0}, of its last those of {y, about x, about z, 0}.
 /// The two halves do not mix.
-inline constexpr std::size_t response_block = 24;
+inline constexpr std::size_t compliance_block = 24;
 
 /// Fields of a body beside those of body_field.
 namespace local_field {
-inline constexpr int frame = 0;     ///< local -> world of its piece, row by row
-inline constexpr int velocity = 9;  ///< start velocity, local; after the solve the change of it
-inline constexpr int spin = 12;     ///< likewise
-inline constexpr int impulse = 15;  ///< by its joints, local; then angular
+inline constexpr int frame = 0;              ///< local -> world of its piece, row by row
+inline constexpr int velocity = 9;           ///< start velocity, local; after the solve the change of it
+inline constexpr int angular_velocity = 12;  ///< likewise
+inline constexpr int impulse = 15;           ///< by its joints, local; then angular
 inline constexpr int count = 21;
 }  // namespace local_field
 
@@ -45,8 +45,8 @@ struct DirectArrays {
 };
 
 /// Bodies of a piece that an impulse on one of them moves.
-struct Reach {
-    const double* column;         ///< PieceResponse::column() of the one that the impulse is on; null for none
+struct ComplianceColumn {
+    const double* blocks;         ///< PieceCompliance::column() of the one that the impulse is on; null for none
     const double* self;           ///< its block there
     const std::uint32_t* slots;   ///< of those moved
     const std::uint32_t* within;  ///< their numbers in the piece
@@ -59,9 +59,9 @@ inline constexpr int on_a = 0;      ///< 3 x what an impulse along the row is on
 inline constexpr int on_b = 18;     ///< likewise, local of b
 inline constexpr int moves_a = 36;  ///< 3 x what it does to the velocities of a
 inline constexpr int moves_b = 54;
-inline constexpr int coupling = 72;  ///< of the normal row with the first and the second
-inline constexpr int grip = 74;      ///< bound of friction / normal impulse, both scaled
-inline constexpr int first = 75;     ///< directions in the contact plane, world
+inline constexpr int coupling = 72;              ///< of the normal row with the first and the second
+inline constexpr int friction_coefficient = 74;  ///< bound of friction / normal impulse, both scaled
+inline constexpr int first = 75;                 ///< directions in the contact plane, world
 inline constexpr int second = 78;
 inline constexpr int count = 81;
 }  // namespace direct_field
@@ -90,14 +90,15 @@ struct DirectKernels {
     void (*from_pieces)(const LaneArrays&, const DirectArrays&, std::size_t groups);
     void (*reactions)(const LaneArrays&, const DirectArrays&, const LaneBlock&, double time_step);
     /// Adds to `delta` what an impulse, 8 numbers as above, does.
-    void (*spread)(double* delta, const Reach&, const double* impulse);
-    void (*prepare_contacts)(const LaneArrays&, const DirectArrays&, const Reach*, const ContactPacks&,
+    void (*add_velocity_changes)(double* delta, const ComplianceColumn&, const double* impulse);
+    void (*prepare_contacts)(const LaneArrays&, const DirectArrays&, const ComplianceColumn*, const ContactPacks&,
                              const double* points, const double* friction_start, const DirectRowArrays&,
                              const DirectContactStep&);
     /// What the impulses do that rows begin with; one sweep over all contacts.
-    void (*start_contacts)(double* delta, double* impulse, const Reach*, const ContactPacks&, const DirectRowArrays&);
-    void (*solve_contacts)(double* delta, double* impulse, const Reach*, const ContactPacks&, const DirectRowArrays&,
-                           const LimitArrays&);
+    void (*start_contacts)(double* delta, double* impulse, const ComplianceColumn*, const ContactPacks&,
+                           const DirectRowArrays&);
+    void (*solve_contacts)(double* delta, double* impulse, const ComplianceColumn*, const ContactPacks&,
+                           const DirectRowArrays&, const LimitArrays&);
 };
 
 }  // namespace floes

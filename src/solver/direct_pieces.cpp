@@ -1,4 +1,4 @@
-// The connected pieces of floes that are solved exactly: how they fall apart, and their response.
+// The connected pieces of floes that are solved exactly: how they fall apart, and their compliance.
 
 #include <algorithm>
 #include <cmath>
@@ -97,7 +97,7 @@ PieceJoint DirectFloes::at_rest(const Piece& piece, const SolverJoint& joint, co
     return found;
 }
 
-void DirectFloes::make_response(Piece& piece) {
+void DirectFloes::make_compliance(Piece& piece) {
     // Where nothing strains them all bodies are turned against the first as their joints say.
     piece.at_rest.assign(piece.bodies.size(), Mat3::Identity());
     std::vector<bool> known(piece.bodies.size(), false);
@@ -132,20 +132,20 @@ void DirectFloes::make_response(Piece& piece) {
         joints.push_back(at_rest(piece, joints_[joint], bodies, stiffness));
         store_spring(joint, joints.back(), stiffness);
     }
-    find_response(piece, std::move(bodies), std::move(joints));
+    find_compliance(piece, std::move(bodies), std::move(joints));
     piece.touched_slots.reserve(piece.bodies.size());  // so that steps need not
     piece.touched_within.reserve(piece.bodies.size());
 }
 
-void DirectFloes::find_response(Piece& piece, std::vector<PieceBody> bodies, std::vector<PieceJoint> joints) {
+void DirectFloes::find_compliance(Piece& piece, std::vector<PieceBody> bodies, std::vector<PieceJoint> joints) {
     const auto found =
-        std::ranges::find_if(responses_, [&](const auto& response) { return response->is_of(bodies, joints); });
-    if (found != responses_.end()) {
-        piece.response = *found;
+        std::ranges::find_if(compliances_, [&](const auto& compliance) { return compliance->is_of(bodies, joints); });
+    if (found != compliances_.end()) {
+        piece.compliance = *found;
         return;
     }
-    piece.response = std::make_shared<PieceResponse>(std::move(bodies), std::move(joints));
-    responses_.push_back(piece.response);
+    piece.compliance = std::make_shared<PieceCompliance>(std::move(bodies), std::move(joints));
+    compliances_.push_back(piece.compliance);
 }
 
 }  // namespace floes

@@ -5,16 +5,16 @@ struct JointSolve {
     double* row;
     double* a;  ///< of `sweep`, like b
     double* b;
-    V3 spin_a, spin_b;
+    V3 angular_change_a, angular_change_b;
     V3 relative;     ///< motion of a relative to b, of the kind that the three rows at hand act on
     Pack change[3];  ///< of the impulses of these rows
     V3 push;         ///< what they exert together
 };
 
 [[gnu::always_inline]] inline void start_joint(JointSolve& joint) {
-    joint.spin_a = load3(joint.a, sweep_field::spin);
-    joint.spin_b = load3(joint.b, sweep_field::spin);
-    joint.relative = joint.spin_a - joint.spin_b;
+    joint.angular_change_a = load3(joint.a, sweep_field::angular_velocity);
+    joint.angular_change_b = load3(joint.b, sweep_field::angular_velocity);
+    joint.relative = joint.angular_change_a - joint.angular_change_b;
 }
 
 /// Row first + i: it sees what the rows from `first` on did through the coupling.
@@ -39,15 +39,17 @@ template <int first>
 }
 
 [[gnu::always_inline]] inline void turn_bodies(JointSolve& joint) {
-    joint.spin_a = joint.spin_a + load_symmetric(joint.a, sweep_field::inverse_inertia) * joint.push;
-    joint.spin_b = joint.spin_b - load_symmetric(joint.b, sweep_field::inverse_inertia) * joint.push;
+    joint.angular_change_a =
+        joint.angular_change_a + load_symmetric(joint.a, sweep_field::inverse_inertia) * joint.push;
+    joint.angular_change_b =
+        joint.angular_change_b - load_symmetric(joint.b, sweep_field::inverse_inertia) * joint.push;
 }
 
 [[gnu::always_inline]] inline void slide_pivots(JointSolve& joint) {
     const V3 lever_a = load3(joint.row, row_field::lever_a);
     const V3 lever_b = load3(joint.row, row_field::lever_b);
     joint.relative = (load3(joint.a, sweep_field::velocity) - load3(joint.b, sweep_field::velocity)) +
-                     (cross(joint.spin_a, lever_a) - cross(joint.spin_b, lever_b));
+                     (cross(joint.angular_change_a, lever_a) - cross(joint.angular_change_b, lever_b));
 }
 
 [[gnu::always_inline]] inline void push_bodies(JointSolve& joint) {
@@ -62,8 +64,8 @@ template <int first>
     const V3 couple_b = cross(load3(joint.row, row_field::lever_b), joint.push);
     const S3 inertia_a = load_symmetric(joint.a, sweep_field::inverse_inertia);
     const S3 inertia_b = load_symmetric(joint.b, sweep_field::inverse_inertia);
-    store3(joint.a, sweep_field::spin, joint.spin_a + inertia_a * couple_a);
-    store3(joint.b, sweep_field::spin, joint.spin_b - inertia_b * couple_b);
+    store3(joint.a, sweep_field::angular_velocity, joint.angular_change_a + inertia_a * couple_a);
+    store3(joint.b, sweep_field::angular_velocity, joint.angular_change_b - inertia_b * couple_b);
 }
 
 template <auto stage, int n>

@@ -48,27 +48,27 @@ inline void prepare_joint(const double* frame, double* row, double* reaction, co
     const S3 inertia_a = load_symmetric(sweep_a, sweep_field::inverse_inertia);
     const S3 inertia_b = load_symmetric(sweep_b, sweep_field::inverse_inertia);
     const Pack mass = load(sweep_a, sweep_field::inverse_mass) + load(sweep_b, sweep_field::inverse_mass);
-    const V3 spin_a = load3(a, body_field::start_spin);
-    const V3 spin_b = load3(b, body_field::start_spin);
-    const V3 turning = spin_a - spin_b;
+    const V3 angular_change_a = load3(a, body_field::start_angular_velocity);
+    const V3 angular_change_b = load3(b, body_field::start_angular_velocity);
+    const V3 turning = angular_change_a - angular_change_b;
     const V3 sliding = (load3(a, body_field::start_velocity) - load3(b, body_field::start_velocity)) +
-                       (cross(spin_a, g.lever_a) - cross(spin_b, g.lever_b));
+                       (cross(angular_change_a, g.lever_a) - cross(angular_change_b, g.lever_b));
     const S3 inertia = inertia_a + inertia_b;
     const Pack angle[3] = {g.angle.x, g.angle.y, g.angle.z};
     const Pack gap[3] = {g.gap.x, g.gap.y, g.gap.z};
 
-    V3 axis[3], response[3];
+    V3 axis[3], compliance[3];
     for (int i = 0; i < 3; ++i) {
         const Pack s = row_scale(dot(g.angular[i], inertia * g.angular[i]), alive);
         axis[i] = g.angular[i] * s;
-        response[i] = inertia * axis[i];
+        compliance[i] = inertia * axis[i];
         store3(row, row_field::axis + 3 * i, axis[i]);
         store(row, row_field::target + i, (-(correction * angle[i]) - dot(g.angular[i], turning)) * s);
         store(row, row_field::impulse + i, s * 0.0);
     }
-    store(row, row_field::coupling, dot(axis[1], response[0]));
-    store(row, row_field::coupling + 1, dot(axis[2], response[0]));
-    store(row, row_field::coupling + 2, dot(axis[2], response[1]));
+    store(row, row_field::coupling, dot(axis[1], compliance[0]));
+    store(row, row_field::coupling + 1, dot(axis[2], compliance[0]));
+    store(row, row_field::coupling + 2, dot(axis[2], compliance[1]));
 
     V3 torque_a[3], torque_b[3], response_a[3], response_b[3];
     for (int i = 0; i < 3; ++i) {

@@ -26,22 +26,23 @@ namespace {
 }  // namespace
 
 extern const LaneKernels FLOES_KERNELS;
-const LaneKernels FLOES_KERNELS{FLOES_LANES,
-                                turns,
-                                prepare_bodies,
-                                prepare_joints,
-                                sweep,
-                                reactions,
-                                advance_bodies,
-                                to_contacts,
-                                from_contacts,
-                                prepare_contacts,
-                                prepare_limits,
-                                start_contacts,
-                                solve_normals,
-                                solve_frictions,
-                                solve_cones,
-                                {begin_local, press_joints, to_pieces, from_pieces, direct_reactions, spread,
-                                 prepare_direct_contacts, start_direct_contacts, solve_direct_contacts}};
+const LaneKernels FLOES_KERNELS{
+    FLOES_LANES,
+    turns,
+    prepare_bodies,
+    prepare_joints,
+    sweep,
+    reactions,
+    advance_bodies,
+    to_contacts,
+    from_contacts,
+    prepare_contacts,
+    prepare_limits,
+    start_contacts,
+    solve_normals,
+    solve_frictions,
+    solve_cones,
+    {begin_local, press_joints, to_pieces, from_pieces, direct_reactions, add_velocity_changes, prepare_direct_contacts,
+     start_direct_contacts, solve_direct_contacts}};
 
 }  // namespace floes

@@ -16,22 +16,23 @@ namespace body_field {
 inline constexpr int position = 0;
 inline constexpr int rotation = 3;
 inline constexpr int velocity = 12;
-inline constexpr int spin = 15;
+inline constexpr int angular_velocity = 15;
 inline constexpr int force = 18;            ///< sum of applied forces, weight included
 inline constexpr int torque = 21;           ///< about the centre of mass
 inline constexpr int inverse_inertia = 24;  ///< principal, own axes; 0 for a body that never moves
 inline constexpr int start_velocity = 27;   ///< velocity + what force does in the step
-inline constexpr int start_spin = 30;       ///< spin + what torque and the gyroscopic term do in the step
-inline constexpr int half_extent = 33;      ///< of a box, own axes; 0: flat and unbounded
-inline constexpr int covered = 36;          ///< 1 for a face on which a joint holds another body: +x +y +z -x -y -z
+inline constexpr int start_angular_velocity =
+    30;                                 ///< angular velocity + what torque and the gyroscopic term do in the step
+inline constexpr int half_extent = 33;  ///< of a box, own axes; 0: flat and unbounded
+inline constexpr int covered = 36;      ///< 1 for a face on which a joint holds another body: +x +y +z -x -y -z
 inline constexpr int count = 42;
 }  // namespace body_field
 
 /// Fields of a body that every sweep reads.
 namespace sweep_field {
-inline constexpr int velocity = 0;         ///< change by joints and contacts so far
-inline constexpr int spin = 3;             ///< likewise
-inline constexpr int inverse_inertia = 6;  ///< world axes: xx xy xz yy yz zz
+inline constexpr int velocity = 0;          ///< change by joints and contacts so far
+inline constexpr int angular_velocity = 3;  ///< likewise
+inline constexpr int inverse_inertia = 6;   ///< world axes: xx xy xz yy yz zz
 inline constexpr int inverse_mass = 12;
 inline constexpr int count = 13;
 }  // namespace sweep_field
@@ -85,8 +86,8 @@ struct LaneArrays {
     double* frame;
     double* row;
     double* reaction;
-    double* delta;  ///< velocity and spin change per body slot, {v, inverse mass, w, 0}: the contacts' view of `sweep`,
-                    ///< and a spare slot
+    double* delta;  ///< velocity and angular velocity change per body slot, {v, inverse mass, w, 0}: the contacts' view
+                    ///< of `sweep`, and a spare slot
 };
 
 /// Fields of a point at which two bodies touch.
@@ -107,12 +108,12 @@ inline constexpr int axis = 0;      ///< s * direction
 inline constexpr int torque_a = 3;  ///< lever a x axis
 inline constexpr int torque_b = 6;
 // In a cone one sliding velocity serves all three rows.
-inline constexpr int lever_a = torque_a;   ///< first friction row
-inline constexpr int lever_b = torque_b;   ///< likewise
-inline constexpr int coupling = torque_a;  ///< second friction row: J M^-1 J^T of the normal row with first and second
-inline constexpr int spin_a = 9;           ///< I_a^-1 torque_a
-inline constexpr int spin_b = 12;
-inline constexpr int grip = 15;  ///< friction: bound / normal impulse, both scaled
+inline constexpr int lever_a = torque_a;    ///< first friction row
+inline constexpr int lever_b = torque_b;    ///< likewise
+inline constexpr int coupling = torque_a;   ///< second friction row: J M^-1 J^T of the normal row with first and second
+inline constexpr int angular_change_a = 9;  ///< I_a^-1 torque_a
+inline constexpr int angular_change_b = 12;
+inline constexpr int friction_coefficient = 15;  ///< friction: bound / normal impulse, both scaled
 inline constexpr int count = 16;
 }  // namespace contact_field
 
@@ -171,7 +172,7 @@ struct LaneKernels {
     /// `sweeps` Gauss-Seidel sweeps over the joints of each block.
     void (*sweep)(const LaneArrays&, const LaneBlock* blocks, std::size_t count, int sweeps);
     void (*reactions)(const LaneArrays&, const LaneBlock&, double time_step);
-    /// body groups [0, groups): velocity and spin at the end of the step, and the pose they lead to.
+    /// body groups [0, groups): velocity and angular velocity at the end of the step, and the pose they lead to.
     void (*advance_bodies)(const LaneArrays&, std::size_t groups, double time_step);
     /// sweep -> delta and back, for some body groups.
     void (*to_contacts)(const LaneArrays&, const std::uint32_t* groups, std::size_t count);

@@ -58,7 +58,7 @@ void LaneSystem::set_state(std::size_t body, const SolverState& state) {
     put(to, width(), body_field::position, state.position);
     put(to, width(), body_field::rotation, state.rotation);
     put(to, width(), body_field::velocity, state.velocity);
-    put(to, width(), body_field::spin, state.spin);
+    put(to, width(), body_field::angular_velocity, state.angular_velocity);
 }
 
 void LaneSystem::set_force(std::size_t body, const std::array<double, 3>& force, const std::array<double, 3>& torque) {
@@ -73,7 +73,7 @@ SolverState LaneSystem::state(std::size_t body) const {
     get(from, width(), body_field::position, state.position);
     get(from, width(), body_field::rotation, state.rotation);
     get(from, width(), body_field::velocity, state.velocity);
-    get(from, width(), body_field::spin, state.spin);
+    get(from, width(), body_field::angular_velocity, state.angular_velocity);
     return state;
 }
 

@@ -60,8 +60,8 @@ class LaneSystem {
 
     SolverState state(std::size_t body) const;
 
-    /// Velocity and spin that only move the body out of a penetration (split impulse), for the caller to apply to its
-    /// pose between solve and advance; zero without a penetration that deep.
+    /// Velocity and angular velocity that only move the body out of a penetration (split impulse), for the caller to
+    /// apply to its pose between solve and advance; zero without a penetration that deep.
     bool pushed() const { return contact_rows_.any_split(); }
     std::array<double, 6> push(std::size_t body) const { return contact_rows_.push(slot_of_body_[body]); }
 

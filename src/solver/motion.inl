@@ -1,10 +1,10 @@
-// What contacts see and change of a body: 8 doubles {velocity, inverse mass, spin, 0}, one after the other in `delta`.
-// From there into lanes, and back.
+// What contacts see and change of a body: 8 doubles {velocity, inverse mass, angular velocity, 0}, one after the other
+// in `delta`. From there into lanes, and back.
 
 struct Motion {
     V3 velocity;
     Pack inverse_mass;
-    V3 spin;
+    V3 angular_velocity;
 };
 
 template <int stride, int... lane>
@@ -63,7 +63,7 @@ void to_contacts(const LaneArrays& arrays, const std::uint32_t* groups, std::siz
         double* to = arrays.delta + static_cast<std::size_t>(groups[i]) * (8 * lanes);
         scatter([to](int lane) { return to + 8 * lane; },
                 {load3(from, sweep_field::velocity), load(from, sweep_field::inverse_mass),
-                 load3(from, sweep_field::spin)});
+                 load3(from, sweep_field::angular_velocity)});
     }
 }
 
@@ -73,6 +73,6 @@ void from_contacts(const LaneArrays& arrays, const std::uint32_t* groups, std::s
         double* to = arrays.sweep + static_cast<std::size_t>(groups[i]) * (sweep_field::count * lanes);
         const Motion motion = gather([from](int lane) { return from + 8 * lane; });
         store3(to, sweep_field::velocity, motion.velocity);
-        store3(to, sweep_field::spin, motion.spin);
+        store3(to, sweep_field::angular_velocity, motion.angular_velocity);
     }
 }

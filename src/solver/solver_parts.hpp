@@ -38,7 +38,7 @@ struct SolverState {
     std::array<double, 3> position{};                           ///< of the centre of mass
     std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};  ///< body -> world, row by row
     std::array<double, 3> velocity{};
-    std::array<double, 3> spin{};
+    std::array<double, 3> angular_velocity{};
 };
 
 /// What a joint exerted on body a in the last solve: in the joint's frame in a, moment about the pivot; N and N m.

@@ -60,40 +60,40 @@ std::optional<std::string> Shape::fault() const {
     return std::nullopt;
 }
 
-std::vector<ConvexPiece> Shape::pieces() const {
+std::vector<ConvexSolid> Shape::solids() const {
     if (const auto wrong = fault()) throw InputError(fmt::format("The structure's profile {}.", *wrong));
-    std::vector<ConvexPiece> pieces;
+    std::vector<ConvexSolid> solids;
     for (std::size_t i = 1; i < profile_.size(); ++i) {
         const ProfilePoint& low = profile_[i - 1];
         const ProfilePoint& high = profile_[i];
         const bool flat = low.height == high.height;
         const bool on_axis = low.radius == 0 && high.radius == 0;
-        if (!flat && !on_axis) pieces.push_back({low.height, low.radius, high.height, high.radius});
+        if (!flat && !on_axis) solids.push_back({low.height, low.radius, high.height, high.radius});
     }
-    return pieces;
+    return solids;
 }
 
-std::vector<ConvexPiece> Shape::overlapping_pieces() const {
-    std::vector<ConvexPiece> continued = pieces();
-    for (ConvexPiece& piece : continued) {
-        const double slope = (piece.top_radius - piece.bottom_radius) / (piece.top_height - piece.bottom_height);
-        const double low = piece.bottom_height;
-        const auto wall = [&, from = piece.bottom_radius](double height) { return from + slope * (height - low); };
+std::vector<ConvexSolid> Shape::overlapping_solids() const {
+    std::vector<ConvexSolid> continued = solids();
+    for (ConvexSolid& solid : continued) {
+        const double slope = (solid.top_radius - solid.bottom_radius) / (solid.top_height - solid.bottom_height);
+        const double low = solid.bottom_height;
+        const auto wall = [&, from = solid.bottom_radius](double height) { return from + slope * (height - low); };
         const auto inside = [&](const ProfilePoint& point) {
             const double radius = wall(point.height);
             return radius >= 0 && radius <= point.radius;
         };
         for (const ProfilePoint& point : profile_) {
-            if (point.height <= piece.top_height) continue;
+            if (point.height <= solid.top_height) continue;
             if (!inside(point)) break;
-            piece.top_height = point.height;
-            piece.top_radius = wall(point.height);
+            solid.top_height = point.height;
+            solid.top_radius = wall(point.height);
         }
         for (const ProfilePoint& point : profile_ | std::views::reverse) {
-            if (point.height >= piece.bottom_height) continue;
+            if (point.height >= solid.bottom_height) continue;
             if (!inside(point)) break;
-            piece.bottom_radius = wall(point.height);
-            piece.bottom_height = point.height;
+            solid.bottom_radius = wall(point.height);
+            solid.bottom_height = point.height;
         }
     }
     return continued;

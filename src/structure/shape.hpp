@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/vector.hpp"
-#include "structure/convex_piece.hpp"
+#include "structure/convex_solid.hpp"
 
 namespace floes {
 
@@ -51,12 +51,12 @@ class Shape {
     /// 0"; nothing if it is one. What follows holds for a shape without fault.
     std::optional<std::string> fault() const;
 
-    /// The convex pieces that it is made of. Throws InputError with the fault of a shape that has one.
-    std::vector<ConvexPiece> pieces() const;
+    /// The convex solids that it is made of. Throws InputError with the fault of a shape that has one.
+    std::vector<ConvexSolid> solids() const;
 
-    /// The same body of pieces that are continued, straight on along their walls, for as long as that stays inside the
-    /// shape: at a waist the rims at which pieces meet then lie inside, where nothing can touch them.
-    std::vector<ConvexPiece> overlapping_pieces() const;
+    /// The same body of solids that are continued, straight on along their walls, for as long as that stays inside the
+    /// shape: at a waist the rims at which solids meet then lie inside, where nothing can touch them.
+    std::vector<ConvexSolid> overlapping_solids() const;
 
     /// Of the circle that it cuts out of the water, m; at a flat ring the larger. 0 if it does not span the waterline.
     double waterline_radius() const;

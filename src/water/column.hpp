@@ -9,15 +9,15 @@ namespace floes {
 
 /// Where an element is and how it moves. World axes, SI.
 struct ElementState {
-    Vec3 position = Vec3::Zero();      ///< of the centre of mass
-    Mat3 rotation = Mat3::Identity();  ///< body -> world; the columns are the element's x, normal (y) and z
-    Vec3 velocity = Vec3::Zero();      ///< of the centre of mass
-    Vec3 spin = Vec3::Zero();          ///< angular velocity
-    std::uint8_t exposed_edges = 0;    ///< edge faces with form drag: bit 0 +x, 1 -x, 2 +z, 3 -z
+    Vec3 position = Vec3::Zero();          ///< of the centre of mass
+    Mat3 rotation = Mat3::Identity();      ///< body -> world; the columns are the element's x, normal (y) and z
+    Vec3 velocity = Vec3::Zero();          ///< of the centre of mass
+    Vec3 angular_velocity = Vec3::Zero();  ///< angular velocity
+    std::uint8_t exposed_edges = 0;        ///< edge faces with form drag: bit 0 +x, 1 -x, 2 +z, 3 -z
 
     Vec3 normal() const { return rotation.col(1); }
     /// Velocity of the element's material at `arm` (m from the centre of mass, world axes).
-    Vec3 velocity_at(const Vec3& arm) const { return velocity + spin.cross(arm); }
+    Vec3 velocity_at(const Vec3& arm) const { return velocity + angular_velocity.cross(arm); }
 };
 
 /// Size of an element: a square box of `side` x `thickness` x `side`, m.

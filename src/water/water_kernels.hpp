@@ -12,7 +12,7 @@ namespace water_field {
 inline constexpr std::size_t position = 0;
 inline constexpr std::size_t rotation = 3;
 inline constexpr std::size_t velocity = 12;
-inline constexpr std::size_t spin = 15;
+inline constexpr std::size_t angular_velocity = 15;
 inline constexpr std::size_t count = 18;
 }  // namespace water_field
 

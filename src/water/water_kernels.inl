@@ -31,7 +31,7 @@ struct Group {
 };
 
 struct Element {
-    V3 position, x, normal, z, velocity, spin;
+    V3 position, x, normal, z, velocity, angular_velocity;
 };
 
 struct Column {
@@ -76,7 +76,7 @@ inline V3 relative_velocity(const Element& e, const V3& arm, const WaterFactors&
     const Pack along = strength * (x * x / r2 - z * z / r2);
     const Pack across = strength * 2.0 * (x * z / r2);
     const V3 water = {r2 == 0.0 ? zero + factors.speed : along, zero, r2 == 0.0 ? zero : across};
-    return water - (e.velocity + cross(e.spin, arm));
+    return water - (e.velocity + cross(e.angular_velocity, arm));
 }
 
 inline void add_form_drag(LaneWrench& total, const Element& e, Mask exposed, const V3& axis, double sign, double x,
@@ -127,7 +127,7 @@ void water(const WaterArrays& arrays, const WaterFactors& factors, std::size_t c
         const Group group{arrays.state + i, arrays.stride};
         const Element e{group.vector(water_field::position),     group.vector(water_field::rotation),
                         group.vector(water_field::rotation + 3), group.vector(water_field::rotation + 6),
-                        group.vector(water_field::velocity),     group.vector(water_field::spin)};
+                        group.vector(water_field::velocity),     group.vector(water_field::angular_velocity)};
         LaneWrench total{};
         LaneWrench drag = drag_on_faces(e, arrays.exposed_edges + i, factors, structure_x);
         add_gauss_point(total, drag, e, -g, -g, factors, structure_x);

@@ -46,7 +46,7 @@ void WaterLanes::set(std::size_t place, const ElementState& state) {
     put(state.position.data(), water_field::position, 3);
     put(state.rotation.data(), water_field::rotation, 9);  // by column, as in Eigen
     put(state.velocity.data(), water_field::velocity, 3);
-    put(state.spin.data(), water_field::spin, 3);
+    put(state.angular_velocity.data(), water_field::angular_velocity, 3);
     exposed_edges_[place] = state.exposed_edges;
 }
 

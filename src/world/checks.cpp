@@ -89,11 +89,11 @@ void check(const JointDefinition& joint, std::size_t bodies, ConstraintSolver so
             "at least 0");
 }
 
-void check_structure(std::span<const ConvexPiece> pieces, bool present) {
+void check_structure(std::span<const ConvexSolid> solids, bool present) {
     require(!present, "the number of structures", 2, "at most 1");
-    require(!pieces.empty(), "the number of pieces of the structure", 0, "at least 1");
-    for (const ConvexPiece& piece : pieces) {
-        if (const auto fault = piece.fault()) throw InputError(fmt::format("The world cannot be built: {}.", *fault));
+    require(!solids.empty(), "the number of solids of the structure", 0, "at least 1");
+    for (const ConvexSolid& solid : solids) {
+        if (const auto fault = solid.fault()) throw InputError(fmt::format("The world cannot be built: {}.", *fault));
     }
 }
 

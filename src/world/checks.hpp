@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "structure/convex_piece.hpp"
+#include "structure/convex_solid.hpp"
 #include "world/definitions.hpp"
 
 namespace floes {
@@ -14,6 +14,6 @@ void check(const WorldDefinition& definition);
 void check(const BoxDefinition& box);
 void check(const FixedBoxDefinition& box);
 void check(const JointDefinition& joint, std::size_t bodies, ConstraintSolver solver);
-void check_structure(std::span<const ConvexPiece> pieces, bool present);
+void check_structure(std::span<const ConvexSolid> solids, bool present);
 
 }  // namespace floes

@@ -31,11 +31,11 @@ JointDefinition FroudeUnits::to_own(JointDefinition joint) const {
 }
 
 BodyState FroudeUnits::to_own(const BodyState& state) const {
-    return {to_own(state.position), state.rotation, state.velocity / time_, state.spin * time_};
+    return {to_own(state.position), state.rotation, state.velocity / time_, state.angular_velocity * time_};
 }
 
 BodyState FroudeUnits::to_si(const BodyState& state) const {
-    return {state.position * length_, state.rotation, state.velocity * time_, state.spin / time_};
+    return {state.position * length_, state.rotation, state.velocity * time_, state.angular_velocity / time_};
 }
 
 JointReaction FroudeUnits::to_si(JointReaction reaction) const {

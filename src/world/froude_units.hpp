@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-#include "structure/convex_piece.hpp"
+#include "structure/convex_solid.hpp"
 #include "world/definitions.hpp"
 #include "world/state.hpp"
 
@@ -26,7 +26,7 @@ class FroudeUnits {
     BoxDefinition to_own(BoxDefinition box) const;
     FixedBoxDefinition to_own(FixedBoxDefinition box) const;
     JointDefinition to_own(JointDefinition joint) const;
-    ConvexPiece to_own(const ConvexPiece& piece) const { return piece.scaled(1 / length_); }
+    ConvexSolid to_own(const ConvexSolid& solid) const { return solid.scaled(1 / length_); }
     BodyState to_own(const BodyState& state) const;
     Wrench to_own(const Wrench& wrench) const { return {wrench.force, wrench.moment / length_}; }
 

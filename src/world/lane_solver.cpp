@@ -216,11 +216,11 @@ void LaneSolver::write_bodies(std::span<btCollisionObject* const> bodies) const 
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         btRigidBody& body = rigid(bodies[i]);
         if (!moves(body)) continue;
-        const auto [position, r, velocity, spin] = system_->state(i);
+        const auto [position, r, velocity, angular_velocity] = system_->state(i);
         body.setWorldTransform(
             btTransform(btMatrix3x3(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]), vector_of(position)));
         body.setLinearVelocity(vector_of(velocity));
-        body.setAngularVelocity(vector_of(spin));
+        body.setAngularVelocity(vector_of(angular_velocity));
         body.clearForces();
     }
 }

@@ -8,10 +8,10 @@ namespace floes {
 
 /// Motion of a body at the end of the last step, in world axes.
 struct BodyState {
-    Vec3 position = Vec3::Zero();      ///< of the centre of mass, m
-    Mat3 rotation = Mat3::Identity();  ///< body -> world
-    Vec3 velocity = Vec3::Zero();      ///< of the centre of mass, m/s
-    Vec3 spin = Vec3::Zero();          ///< angular velocity, rad/s
+    Vec3 position = Vec3::Zero();          ///< of the centre of mass, m
+    Mat3 rotation = Mat3::Identity();      ///< body -> world
+    Vec3 velocity = Vec3::Zero();          ///< of the centre of mass, m/s
+    Vec3 angular_velocity = Vec3::Zero();  ///< rad/s
 };
 
 /// What a joint exerted on body a during the last step, at the pivot and in the joint's frame of that step's solve

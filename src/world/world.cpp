@@ -23,7 +23,7 @@
 #include "world/material_friction.hpp"
 #include "world/ordered_dynamics_world.hpp"
 #include "world/piece_dispatcher.hpp"
-#include "world/piece_shape.hpp"
+#include "world/solid_shape.hpp"
 
 namespace floes {
 
@@ -114,7 +114,7 @@ class World::Bullet {
     std::optional<LaneSolver> lanes;  // owns the joints when present
     btSequentialImpulseConstraintSolver stock;
     std::deque<Box> boxes;
-    std::deque<PieceShape> pieces;
+    std::deque<SolidShape> solids;
     std::optional<btCompoundShape> structure_shape;
     std::deque<btRigidBody> bodies;
     std::optional<BodyId> structure;
@@ -145,12 +145,12 @@ BodyId World::add_fixed_box(const FixedBoxDefinition& given) {
     return bullet_->add_body(bullet_->box_shape(box.half_extents), 0, box.pose, bullet_->friction.ice, no_piece, 0);
 }
 
-BodyId World::add_structure(std::span<const ConvexPiece> pieces, const Vec3& position) {
-    check_structure(pieces, bullet_->structure.has_value());
+BodyId World::add_structure(std::span<const ConvexSolid> solids, const Vec3& position) {
+    check_structure(solids, bullet_->structure.has_value());
     bullet_->structure_shape.emplace();
-    for (const ConvexPiece& piece : pieces) {
+    for (const ConvexSolid& solid : solids) {
         bullet_->structure_shape->addChildShape(btTransform::getIdentity(),
-                                                &bullet_->pieces.emplace_back(bullet_->units.to_own(piece)));
+                                                &bullet_->solids.emplace_back(bullet_->units.to_own(solid)));
     }
     const Pose pose{bullet_->units.to_own(position), Quat::Identity()};
     bullet_->structure = bullet_->add_body(&*bullet_->structure_shape, 0, pose, bullet_->friction.structure, no_piece,
@@ -214,7 +214,7 @@ void World::place(BodyId body, const BodyState& given) {
     placed.setWorldTransform(transform);
     placed.setInterpolationWorldTransform(transform);  // what Bullet takes the structure's velocity from
     placed.setLinearVelocity(to_bullet(state.velocity));
-    placed.setAngularVelocity(to_bullet(state.spin));
+    placed.setAngularVelocity(to_bullet(state.angular_velocity));
     placed.setInterpolationLinearVelocity(placed.getLinearVelocity());
     placed.setInterpolationAngularVelocity(placed.getAngularVelocity());
     placed.updateInertiaTensor();
@@ -255,7 +255,7 @@ BodyState World::state(BodyId body) const {
     return bullet_->units.to_si({.position = from_bullet(transform.getOrigin()),
                                  .rotation = from_bullet(transform.getBasis()),
                                  .velocity = from_bullet(source.getLinearVelocity()),
-                                 .spin = from_bullet(source.getAngularVelocity())});
+                                 .angular_velocity = from_bullet(source.getAngularVelocity())});
 }
 
 JointReaction World::reaction(JointId joint) const {

@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-#include "structure/convex_piece.hpp"
+#include "structure/convex_solid.hpp"
 #include "world/definitions.hpp"
 #include "world/state.hpp"
 
@@ -32,9 +32,9 @@ class World {
     BodyId add_element(const BoxDefinition& box);
     BodyId add_fixed_box(const FixedBoxDefinition& box);
 
-    /// The towed body: pieces about the vertical axis through its origin, together not necessarily convex. Driven by
+    /// The towed body: solids about the vertical axis through its origin, together not necessarily convex. Driven by
     /// move_structure, never pushed back. At most one in a World.
-    BodyId add_structure(std::span<const ConvexPiece> pieces, const Vec3& position);
+    BodyId add_structure(std::span<const ConvexSolid> solids, const Vec3& position);
 
     /// Joints are solved in the order in which they are added.
     JointId add_joint(const JointDefinition& joint);

@@ -8,7 +8,7 @@
 
 #include "cli/commands.hpp"
 #include "core/error.hpp"
-#include "player/synthetic_record.hpp"
+#include "player/synthetic_recording.hpp"
 #include "support/refusal.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -24,7 +24,7 @@ int run(const std::vector<std::string>& words) {
 }
 
 TEST(ReplayOutput, IsWhatItsEndingSays) {
-    EXPECT_EQ(kind_of("a.h5"), ReplayOutput::record);
+    EXPECT_EQ(kind_of("a.h5"), ReplayOutput::recording);
     EXPECT_EQ(kind_of("a.html"), ReplayOutput::page);
     EXPECT_EQ(kind_of("a.svg"), ReplayOutput::picture);
     EXPECT_EQ(kind_of("a.b.webm"), ReplayOutput::film);
@@ -34,11 +34,11 @@ TEST(ReplayOutput, IsWhatItsEndingSays) {
 
 TEST(ReplayOutput, ThatCannotHaveItsNameLeavesNothingBehind) {
     const TemporaryFolder folder;
-    synthetic::write_record(folder / "record.h5", 3);
+    synthetic::write_recording(folder / "recording.h5", 3);
     const std::filesystem::path path = folder / "a.html";
     std::filesystem::create_directories(path / "taken");
     try {
-        write_replay_output(path, Record(folder / "record.h5"), {}, [] {});
+        write_replay_output(path, Recording(folder / "recording.h5"), {}, [] {});
         ADD_FAILURE() << "a folder was replaced";
     } catch (const RunError& error) {
         EXPECT_THAT(error.what(), HasSubstr("renaming "));
@@ -57,7 +57,7 @@ TEST(ReplayVerb, RefusesBeforeItComputes) {
     EXPECT_THAT(refusal([&] {
                     run({"replay", none, "0", "-o", folder / "kept.h5"});
                 }),
-                HasSubstr("is there and is no record"));
+                HasSubstr("is there and is no recording"));
     EXPECT_THROW(run({"replay", none, "-1", "-o", "a.html"}), CommandLineEnd);
     EXPECT_THROW(run({"replay", none, "0"}), CommandLineEnd);
     EXPECT_THROW(run({"replay", none, "0", "-o", "a.png", "--view", "sideways"}), CommandLineEnd);

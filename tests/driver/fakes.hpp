@@ -91,7 +91,7 @@ class Run {
     std::filesystem::path file;
     std::string said;
     Walltime walltime;
-    Patience patience;
+    SilenceLimits patience;
 };
 
 }  // namespace floes::fake

@@ -14,7 +14,7 @@ namespace {
 
 class InventoryOf : public testing::Test {
   protected:
-    Inventory take(const Part& part = {}, bool retry_failed = false) const {
+    Inventory take(const CampaignPart& part = {}, bool retry_failed = false) const {
         return take_inventory(campaign_, records_, attempts_, part, retry_failed);
     }
 

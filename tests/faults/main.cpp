@@ -78,8 +78,8 @@ int main(int argc, char** argv) {
     const int count = many ? std::stoi(words[5]) : 30;
     if (words.size() > 5 && !many) fault = {folder / "broke", words[4], std::stoi(words[5])};
     const MemberFunction compute = computing(fault, many);
-    const Patience patience = many ? Patience{.sign_of_life = 1, .with_a_worker = 20, .with_the_master = 40}
-                                   : Patience{.sign_of_life = 0.1, .with_a_worker = 1, .with_the_master = 2};
+    const SilenceLimits patience = many ? SilenceLimits{.sign_of_life = 1, .with_a_worker = 20, .with_the_master = 40}
+                                        : SilenceLimits{.sign_of_life = 0.1, .with_a_worker = 1, .with_the_master = 2};
     Helper helper(compute);
     const std::unique_ptr<Link> link = open_link(20);
     std::ofstream(folder / ("rank" + std::to_string(link->rank()))) << ::getpid() << " " << helper.pid() << "\n";

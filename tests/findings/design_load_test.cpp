@@ -1,6 +1,6 @@
 // The design load as a finding: rows of a case, Froude's law, pairs, and what cannot be answered.
 
-#include "findings/design_section.hpp"
+#include "findings/design_load_section.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -55,9 +55,10 @@ CampaignTable campaign() {
     return table;
 }
 
-nlohmann::json answer(const DesignRequest& request) {
+nlohmann::json answer(const DesignLoadRequest& request) {
     const CampaignTable table = campaign();
-    return nlohmann::json::parse(json(design_sections(summarise(table), find_design(table, request), request)));
+    return nlohmann::json::parse(
+        json(design_load_sections(summarise(table), find_design_loads(table, request), request)));
 }
 
 double load_of(const nlohmann::json& told, const std::string& name, const std::string& method = "both tails") {
@@ -105,22 +106,23 @@ TEST(DesignFinding, ComparesCasesWithOtherNumbersOfPeaks) {
             if (row.case_index == 1) row.averaged[0].peaks.resize(16);
             table.members.push_back(row);
         }
-    const std::vector<CaseDesign> designs = find_design(table, {});
+    const std::vector<CaseDesignLoad> designs = find_design_loads(table, {});
     ASSERT_NE(designs[0].load.draws.size(), designs[1].load.draws.size());
-    const auto told = nlohmann::json::parse(json(design_sections(summarise(table), designs, {})));
+    const auto told = nlohmann::json::parse(json(design_load_sections(summarise(table), designs, {})));
     EXPECT_EQ(told.at("design").at("pairs").size(), 1u);
 }
 
 TEST(DesignFinding, PairsNoOtherArrangements) {
     CampaignTable table = campaign();
     table.members.back().arrangement = 99;
-    const auto told = nlohmann::json::parse(json(design_sections(summarise(table), find_design(table, {}), {})));
+    const auto told =
+        nlohmann::json::parse(json(design_load_sections(summarise(table), find_design_loads(table, {}), {})));
     EXPECT_FALSE(told.at("design").contains("pairs"));
 }
 
 TEST(DesignFinding, SaysWhatItRestsOn) {
     const CampaignTable table = campaign();
-    const std::string told = text(design_sections(summarise(table), find_design(table, {}), {}), 100);
+    const std::string told = text(design_load_sections(summarise(table), find_design_loads(table, {}), {}), 100);
     EXPECT_THAT(told, HasSubstr("Design load: the largest load averaged over 1 s in 3 h"));
     EXPECT_THAT(told, HasSubstr("weak, both tails"));
     EXPECT_THAT(told, HasSubstr("exposure / time run"));
@@ -128,10 +130,10 @@ TEST(DesignFinding, SaysWhatItRestsOn) {
 }
 
 TEST(DesignFinding, RefusesAnAveragingTimeThatIsNotThere) {
-    EXPECT_EQ(refusal([] { find_design(campaign(), {.averaging = 3}); }),
+    EXPECT_EQ(refusal([] { find_design_loads(campaign(), {.averaging = 3}); }),
               "The members did not average the load over 3 s; take one of 0.5, 1 s, or run them with another "
               "analysis.averaging_s.");
-    EXPECT_THAT(refusal([] { find_design(campaign(), {.averaging = 1, .scale = 36}); }),
+    EXPECT_THAT(refusal([] { find_design_loads(campaign(), {.averaging = 1, .scale = 36}); }),
                 HasSubstr("over 1 s at full scale; take one of 3, 6 s"));
 }
 
@@ -139,7 +141,7 @@ TEST(DesignFinding, SaysWhereThereAreTooFewPeaks) {
     CampaignTable table = campaign();
     for (MemberRow& row : table.members)
         if (row.case_index == 1) row.averaged[0].peaks.resize(1);
-    const std::string told = text(design_sections(summarise(table), find_design(table, {}), {}), 100);
+    const std::string told = text(design_load_sections(summarise(table), find_design_loads(table, {}), {}), 100);
     EXPECT_THAT(told, HasSubstr("strong: too few peaks ("));
 }
 

@@ -1,6 +1,6 @@
 // The findings as table, JSON and CSV.
 
-#include "findings/parts.hpp"
+#include "findings/catalogue.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -43,8 +43,8 @@ Evidence evidence() {
 /// The parts of these names.
 std::vector<Section> sections(Evidence of, const std::vector<std::string_view>& names) {
     std::vector<Section> made;
-    for (const Part& part : parts())
-        if (std::ranges::find(names, part.name) != names.end()) made.push_back(part.section(of));
+    for (const Finding& finding : findings())
+        if (std::ranges::find(names, finding.name) != names.end()) made.push_back(finding.section(of));
     return made;
 }
 

@@ -2,7 +2,7 @@
 
 #include "campaign/write.hpp"
 #include "fuzz/edited_file.hpp"
-#include "replay/record.hpp"
+#include "replay/recording.hpp"
 #include "support/synthetic.hpp"
 
 namespace {
@@ -11,16 +11,16 @@ using namespace floes;
 
 constexpr int frames = 2;
 
-void write_record(const std::filesystem::path& path) {
+void write_recording(const std::filesystem::path& path) {
     const Campaign campaign = synthetic::campaign(1);
-    RecordSubject subject;
+    RecordingSubject subject;
     subject.campaign = campaign.name;
     subject.configuration = write_campaign(campaign);
     subject.case_name = campaign.cases.front().name;
     subject.scenario = campaign.cases.front().scenario;
     constexpr int floes_of_it = 2;
     const auto elements = static_cast<std::size_t>(floes_of_it * elements_of_a_floe(subject));
-    RecordWriter writer(path, subject, floes_of_it);
+    RecordingWriter writer(path, subject, floes_of_it);
     for (int k = 0; k < frames; ++k) {
         Frame frame;
         frame.step = k;
@@ -60,13 +60,13 @@ void put(const Frame& frame, ByteWriter& out) {
 
 /// All that is read of a record.
 Bytes record_read(const std::filesystem::path& path) {
-    const Record record(path);
+    const Recording record(path);
     ByteWriter out;
-    const RecordSubject& subject = record.subject();
+    const RecordingSubject& subject = record.subject();
     for (const std::string& text : {subject.campaign, subject.fingerprint, subject.configuration, subject.case_name})
         out.text(text);
     for (const int number : {subject.member, subject.arrangement, record.floes(), record.frames()}) out.i32(number);
-    const RecordOutcome& outcome = record.outcome();
+    const RecordingOutcome& outcome = record.outcome();
     for (const std::vector<double>* loads : {&outcome.history.surge, &outcome.history.sway, &outcome.history.heave})
         out.doubles(*loads);
     for (const BreakEvent& one : outcome.breaks) {
@@ -85,7 +85,7 @@ Bytes record_read(const std::filesystem::path& path) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static fuzz::DamagedFiles files(write_record, write_campaign(synthetic::campaign(1)));
+    static fuzz::DamagedFiles files(write_recording, write_campaign(synthetic::campaign(1)));
     static const Bytes right = record_read(files.whole());
     if (size < 2) return 0;
     const fuzz::FileInput input(std::span(data, size));

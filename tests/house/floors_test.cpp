@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "house/cycles.hpp"
+#include "house/names.hpp"
 #include "house/rules.hpp"
 
 namespace floes::house {
@@ -37,6 +38,10 @@ TEST(House, RoomsDeclaredAreRoomsIncluded) {
 
 TEST(House, NoFilesIncludeEachOther) {
     expect_none(cycles_of(sources_of(project)));
+}
+
+TEST(House, EveryClassHasANameOfItsOwn) {
+    expect_none(shared_names(sources_of(project)));
 }
 
 TEST(House, ArchitectureDrawsTheSameTable) {
@@ -199,6 +204,29 @@ TEST(CyclesOf, NameTheUnitsInOrder) {
                                    {"src/ice/d.hpp", "#include \"core/id.hpp\"\n"}};
     EXPECT_THAT(cycles_of(ring),
                 ElementsAre("these files include each other in a ring: ice/a -> ice/b -> ice/c -> ice/a"));
+}
+
+TEST(ClassesOf, AreThoseThatOthersSee) {
+    EXPECT_THAT(classes_of(R"(
+namespace floes {
+class Told;  // struct Said {
+template <class Value, int n = (2 > 1)>
+class Kept final : public Base<Value> { struct Inner {}; enum class Kind { a }; };
+enum class Mode : std::int8_t { one };
+namespace { struct Hidden {}; }
+void f() { struct Local {}; const char* text = "class Quoted {"; }
+namespace hdf5 { struct [[nodiscard]] Handle {}; }
+}
+)"),
+                ElementsAre("floes::Kept", "floes::Mode", "floes::hdf5::Handle"));
+}
+
+TEST(SharedNames, AreFoundAcrossRooms) {
+    const std::vector<Source> sources{
+        {"src/ice/part.hpp", "namespace floes {\nstruct Part {};\n}\n"},
+        {"src/ice/part.cpp", "namespace floes {\nclass Part::State {};\nstruct Piece {};\n}\n"},
+        {"src/world/parts.hpp", "namespace floes {\nclass Part {};\n}\n"}};
+    EXPECT_THAT(shared_names(sources), ElementsAre("floes::Part is a class of src/ice/part and of src/world/parts"));
 }
 
 TEST(DrawnRooms, AreTheRowsOfTheTables) {

@@ -71,7 +71,7 @@ TEST(IceFloating, StaysAtRestForAMinute) {
         const BodyState state = world.state(ice.elements()[i].body);
         EXPECT_LT((state.position - start[i]).norm(), 1e-9);
         EXPECT_LT(state.velocity.norm(), 1e-9);
-        EXPECT_LT(state.spin.norm(), 1e-9);
+        EXPECT_LT(state.angular_velocity.norm(), 1e-9);
     }
     EXPECT_EQ(ice.broken_floes(), 0);
     EXPECT_LT(ice.peaks().bending, 1e-6);

@@ -47,9 +47,9 @@ TEST(DesignLoad, OfExponentialPeaksIsWhatTheirTailSays) {
     EXPECT_EQ(load.peaks, 500u);  // a quarter of 2000
     EXPECT_NEAR(load.threshold, 30 + 20 * std::log(4), 3);
     ASSERT_EQ(load.estimates.size(), 5u);
-    for (const DesignEstimate& made : load.estimates) {
+    for (const DesignLoadEstimate& made : load.estimates) {
         for (std::size_t k = 0; k < 2; ++k) {
-            const DesignFigure& figure = made.quantiles[k];
+            const DesignLoadFigure& figure = made.quantiles[k];
             EXPECT_LT(figure.interval.low, figure.value) << name_of(made.method);
             EXPECT_GT(figure.interval.high, figure.value) << name_of(made.method);
             EXPECT_NEAR(figure.value / truth(three_times.probabilities[k]), 1, 0.25) << name_of(made.method);
@@ -81,8 +81,8 @@ TEST(DesignLoad, OfLoadsTwiceAsHighIsTwiceAsHigh) {
     const DesignLoad one = design_load(rows, measured, three_times);
     const DesignLoad other = design_load(doubled, {100, 20, 1e-9, 40}, three_times);
     for (std::size_t method = 0; method < one.estimates.size(); ++method) {
-        const DesignFigure& low = one.estimates[method].quantiles[1];
-        const DesignFigure& high = other.estimates[method].quantiles[1];
+        const DesignLoadFigure& low = one.estimates[method].quantiles[1];
+        const DesignLoadFigure& high = other.estimates[method].quantiles[1];
         EXPECT_NEAR(high.value / low.value, 2, 1e-3) << name_of(one.estimates[method].method);
         EXPECT_NEAR(high.interval.high / low.interval.high, 2, 1e-2) << name_of(one.estimates[method].method);
     }

@@ -1,6 +1,6 @@
 // The design load over what is left, of a tank whose largest loads are known.
 
-#include "match/predict_design.hpp"
+#include "match/predict_design_load.hpp"
 
 #include <gmock/gmock.h>
 
@@ -80,13 +80,13 @@ double exact(double friction, double exposure, double p) {
 }
 
 struct Found {
-    std::vector<PredictedDesign> designs;
-    DesignRequest request;
+    std::vector<PredictedDesignLoad> designs;
+    DesignLoadRequest request;
     double share;
 };
 
 /// With the mean load measured where the friction is 0.22.
-Found found_in(const MatchWave& wave, int runs, const DesignRequest& request = {}) {
+Found found_in(const MatchWave& wave, int runs, const DesignLoadRequest& request = {}) {
     const std::vector<MatchWave> waves{wave};
     Target target = to_predict("mean_load", "E60");
     target.held_out = false;
@@ -96,11 +96,11 @@ Found found_in(const MatchWave& wave, int runs, const DesignRequest& request = {
     const MatchData data = match_data(waves, targets);
     const std::vector<EmulatedTarget> emulated = emulate(data);
     const Matching left = match(data, emulated, 512, 1);
-    return {predict_design(waves, data, emulated, OverLeft(left, emulated), request), request, left.share()};
+    return {predict_design_load(waves, data, emulated, OverLeft(left, emulated), request), request, left.share()};
 }
 
 // The runs of a tank last as long as the exposure, so one tank errs by some 15 %; six tanks on average by some 6 %.
-TEST(PredictedDesign, HoldsTheLargestLoadOfTheTruth) {
+TEST(PredictedDesignLoad, HoldsTheLargestLoadOfTheTruth) {
     constexpr unsigned tanks = 6;
     int held = 0;
     double ratio = 0;
@@ -109,7 +109,7 @@ TEST(PredictedDesign, HoldsTheLargestLoadOfTheTruth) {
         const MatchWave wave = tank([](double) { return 1.0; }, seed);
         const Found narrow = found_in(wave, 30);
         ASSERT_EQ(narrow.designs.size(), 1u);
-        const PredictedDesign& one = narrow.designs.front();
+        const PredictedDesignLoad& one = narrow.designs.front();
         EXPECT_EQ(one.case_name, "E60");
         const double truth = exact(0.22, narrow.request.exposure, 0.9);
         for (const PredictedRange& range : {one.quantile, one.quantile_weighed})
@@ -124,13 +124,13 @@ TEST(PredictedDesign, HoldsTheLargestLoadOfTheTruth) {
     EXPECT_GT(widened, 1.1);
 }
 
-TEST(PredictedDesign, SeesThatTheGrowthDependsOnTheInputs) {
-    const PredictedDesign one =
+TEST(PredictedDesignLoad, SeesThatTheGrowthDependsOnTheInputs) {
+    const PredictedDesignLoad one =
         found_in(tank([](double friction) { return 0.05 * std::pow(40, 5 * (friction - 0.1)); }), 1).designs.front();
     EXPECT_GT(one.growth_upper_half, 1.3 * one.growth_lower_half);
 }
 
-TEST(PredictedDesign, CountsOnlyRunsThatAreLeftWhereThereAreEnough) {
+TEST(PredictedDesignLoad, CountsOnlyRunsThatAreLeftWhereThereAreEnough) {
     const MatchWave wave = tank([](double) { return 1.0; });
     const Found wide = found_in(wave, 1);
     const Found narrow = found_in(wave, 30);
@@ -143,7 +143,7 @@ TEST(PredictedDesign, CountsOnlyRunsThatAreLeftWhereThereAreEnough) {
 }
 
 // At scale L a load is L³ as large, and an exposure at full scale √L shorter in the model.
-TEST(PredictedDesign, ScalesByFroude) {
+TEST(PredictedDesignLoad, ScalesByFroude) {
     const MatchWave wave = tank([](double) { return 1.0; });
     const double model = found_in(wave, 1).designs.front().quantile.mean;
     const double full = found_in(wave, 1, {.averaging = 2, .scale = 4}).designs.front().quantile.mean;
@@ -151,7 +151,7 @@ TEST(PredictedDesign, ScalesByFroude) {
     EXPECT_LT(full, 64 * model);
 }
 
-TEST(PredictedDesign, NeedsAnAveragingTimeThatTheWavesHave) {
+TEST(PredictedDesignLoad, NeedsAnAveragingTimeThatTheWavesHave) {
     const MatchWave wave = tank([](double) { return 1.0; });
     EXPECT_THAT(refusal([&] { found_in(wave, 1, {.averaging = 7}); }), HasSubstr("take one of 0.5, 1 s"));
 }

@@ -27,14 +27,14 @@ def probed(film):
 def main(floes, config):
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
-        campaign, record = folder / "short.h5", folder / "record.h5"
+        campaign, recording = folder / "short.h5", folder / "recording.h5"
         subprocess.run([floes, "run", config, "-o", campaign, "--set", "campaign.arrangements=1", "--set",
                         "analysis.window_s=6.0"], check=True, capture_output=True)
-        subprocess.run([floes, "replay", campaign, "0", "--from", "10", "--to", "12", "-o", record], check=True,
+        subprocess.run([floes, "replay", campaign, "0", "--from", "10", "--to", "12", "-o", recording], check=True,
                        capture_output=True)
         for ending in ("mp4", "webm", "webp", "gif"):
             film = folder / f"film.{ending}"
-            subprocess.run([floes, "replay", record, "-o", film, "--size", "320x200"], check=True, capture_output=True)
+            subprocess.run([floes, "replay", recording, "-o", film, "--size", "320x200"], check=True, capture_output=True)
             if probed(film) != [21, 320, 200]:
                 sys.exit(f"{film.name} has {probed(film)} frames, width, height")
         film = folder / "stopped.mp4"

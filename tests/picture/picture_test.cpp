@@ -23,16 +23,16 @@ namespace {
 using testing::HasSubstr;
 
 /// One floe of 3 x 3 elements ahead of the structure, which stands at x = 2 m.
-RecordSubject subject() {
-    RecordSubject made;
+RecordingSubject subject() {
+    RecordingSubject made;
     made.campaign = "quiet";
     made.case_name = "one";
     made.scenario.field.floes = 1;
     return made;
 }
 
-RecordOutcome outcome() {
-    RecordOutcome made;
+RecordingOutcome outcome() {
+    RecordingOutcome made;
     made.history.surge.assign(500, 10.0);
     made.history.sway.assign(500, 0.0);
     made.history.heave.assign(500, 5.0);
@@ -184,22 +184,22 @@ TEST(Picture, IsAFileOfVectorsToo) {
     EXPECT_THROW(Canvas(folder / "no/such/folder.svg", 10, 10), RunError);
 }
 
-/// A record of `frames` frames at `path`.
-void write_record(const std::filesystem::path& path, int frames) {
-    RecordSubject about = subject();
+/// A recording of `frames` frames at `path`.
+void write_recording(const std::filesystem::path& path, int frames) {
+    RecordingSubject about = subject();
     about.configuration =
         "[field]\nfloes = 24\nconcentration_percent = 50.0\n[analysis]\nsteady_start_s = 30.0\nwindow_s = "
         "30.0\n[[case]]\nname = \"one\"\n";
-    RecordWriter writer(path, about, 1);
+    RecordingWriter writer(path, about, 1);
     for (int k = 0; k < frames; ++k) writer.add(frame(k + 1));
     writer.finish(outcome());
 }
 
 TEST(Film, IsAnAnimatedPngWithoutFfmpeg) {
     const TemporaryFolder folder;
-    write_record(folder / "a.h5", 3);
+    write_recording(folder / "a.h5", 3);
     double done = 0;
-    write_film(folder / "a.apng", Record(folder / "a.h5"), {.width = 320, .height = 200}, 25,
+    write_film(folder / "a.apng", Recording(folder / "a.h5"), {.width = 320, .height = 200}, 25,
                [&](double share) { done = share; });
     EXPECT_EQ(done, 1);
     std::stringstream text;
@@ -217,10 +217,10 @@ TEST(Film, IsAnAnimatedPngWithoutFfmpeg) {
 
 TEST(Film, SaysWhatIsMissing) {
     const TemporaryFolder folder;
-    write_record(folder / "a.h5", 1);
-    const Record record(folder / "a.h5");
+    write_recording(folder / "a.h5", 1);
+    const Recording recording(folder / "a.h5");
     const auto film = [&](const char* name) {
-        return refusal([&] { write_film(folder / name, record, {.width = 320, .height = 200}, 25, [](double) {}); });
+        return refusal([&] { write_film(folder / name, recording, {.width = 320, .height = 200}, 25, [](double) {}); });
     };
     EXPECT_THAT(film("a.avi"), HasSubstr("no ending of a film"));
     const std::string path = std::getenv("PATH");

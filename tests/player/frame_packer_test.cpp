@@ -5,7 +5,7 @@
 
 #include <cstring>
 
-#include "player/synthetic_record.hpp"
+#include "player/synthetic_recording.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
@@ -68,12 +68,12 @@ class PackedReplay : public testing::Test {
     }
 
     std::filesystem::path written() {
-        synthetic::write_record(folder_ / "record.h5", frames);
-        return folder_ / "record.h5";
+        synthetic::write_recording(folder_ / "recording.h5", frames);
+        return folder_ / "recording.h5";
     }
 
     TemporaryFolder folder_;
-    Record record_;
+    Recording record_;
     Quanta quanta_;
     PackedFrames packed_;
 };

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """The page of a real replay, opened in headless Chromium: ice, water, structure and arrows are drawn, time moves them,
-values are those of the record, controls work, no word on the console, and nothing is asked of the network.
+values are those of the recording, controls work, no word on the console, and nothing is asked of the network.
 
 Usage: replay_in_browser.py FLOES CONFIG.toml
 """
@@ -43,24 +43,24 @@ def expect(holds, words):
         sys.exit(words)
 
 
-def check(notes, record):
-    """`record`: what the HDF5 file says at the same time."""
+def check(notes, recording):
+    """`recording`: what the HDF5 file says at the same time."""
     expect("error" not in notes, f"the page fails: {notes.get('error')}")
     expect(not notes["notice"], f"the page says: {notes['notice']}")
-    expect(notes["hash"] == [f"{record['hash']:.2f} s", "above"], f"its address asked for another view: {notes['hash']}")
+    expect(notes["hash"] == [f"{recording['hash']:.2f} s", "above"], f"its address asked for another view: {notes['hash']}")
     for what in ("ice", "structure", "water"):
         expect(notes["first"][what] > 600, f"no {what} in the picture: {notes['first']}")
     expect(notes["same"] < 20, f"the picture changes by itself: {notes['same']} pixels")
     expect(notes["scrubbed"] > 1500, f"time moves nothing: {notes['scrubbed']} pixels")
-    expect(notes["time"] == f"{record['time']:.2f} s", f"wrong time: {notes['time']}")
-    for word, value in zip(notes["values"][:4], record["loads"]):
+    expect(notes["time"] == f"{recording['time']:.2f} s", f"wrong time: {notes['time']}")
+    for word, value in zip(notes["values"][:4], recording["loads"]):
         expect(abs(newtons(word) - value) <= 0.051,
-               f"loads {notes['values']} are not {record['loads']}")
-    expect(notes["values"][4] == record["broken"], f"broken floes: {notes['values'][4]}, not {record['broken']}")
-    expect(notes["failed"] == record["failed"], f"failed joints: {notes['failed']}, not {record['failed']}")
-    expect(notes["values"][5] == str(record["contacts"]), f"contacts: {notes['values'][5]}, not {record['contacts']}")
-    expect(numpy.allclose(notes["places"], record["place"], atol=1e-3),
-           f"an element stands at {notes['places']}, not at {record['place']}")
+               f"loads {notes['values']} are not {recording['loads']}")
+    expect(notes["values"][4] == recording["broken"], f"broken floes: {notes['values'][4]}, not {recording['broken']}")
+    expect(notes["failed"] == recording["failed"], f"failed joints: {notes['failed']}, not {recording['failed']}")
+    expect(notes["values"][5] == str(recording["contacts"]), f"contacts: {notes['values'][5]}, not {recording['contacts']}")
+    expect(numpy.allclose(notes["places"], recording["place"], atol=1e-3),
+           f"an element stands at {notes['places']}, not at {recording['place']}")
     expect(abs(notes["share"] - 0.25) < 0.01, f"ice does not move between frames: share {notes['share']}")
     for name, (view, seen) in notes["views"].items():
         expect(view == name and seen["structure"] > 100 and seen["ice"] + seen["water"] > 3000,
@@ -71,10 +71,10 @@ def check(notes, record):
                f"colouring by {colour} shows nothing: {notes['apart'][colour]}")
     expect(notes["withoutArrows"] > 30, f"no arrows are drawn: {notes['withoutArrows']} pixels")
     expect(notes["withArrows"] < 20, f"arrows do not come back: {notes['withArrows']} pixels")
-    expect(notes["step"] == f"{record['next']:.2f} s", f"a step leads to {notes['step']}, not {record['next']} s")
+    expect(notes["step"] == f"{recording['next']:.2f} s", f"a step leads to {notes['step']}, not {recording['next']} s")
     expect(notes["home"] == "0.00 s", f"home is {notes['home']}")
     expect(notes["played"] >= 0.05, f"playing does not move the time: {notes['played']} s")
-    expect(abs(notes["clicked"] - record["end"] / 2) < 0.01 * record["end"], f"a click led to {notes['clicked']} s")
+    expect(abs(notes["clicked"] - recording["end"] / 2) < 0.01 * recording["end"], f"a click led to {notes['clicked']} s")
     for how in ("turned", "moved", "zoomed", "pinched"):
         expect(notes[how] > 1500, f"the view cannot be {how}: {notes[how]} pixels")
     expect(notes["nothing"] < 20, f"a pointer that is not pressed moves the view: {notes['nothing']} pixels")
@@ -104,7 +104,7 @@ def main(floes, config):
     element = 100
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(folder)
-        campaign, kept, page = (folder / name for name in ("smoke.h5", "record.h5", "replay.html"))
+        campaign, kept, page = (folder / name for name in ("smoke.h5", "recording.h5", "replay.html"))
         subprocess.run([floes, "run", config, "-o", campaign, "--set", "campaign.arrangements=1"], check=True,
                        stdout=subprocess.DEVNULL)
         subprocess.run([floes, "replay", campaign, "0", "-o", kept, "-o", page], check=True)
@@ -113,14 +113,14 @@ def main(floes, config):
             loads = file["frames/surge_load"][:]
             after = file["time"][:] >= numpy.nanmin(file["joints/failure_time"][:])
             frame = int(numpy.argmax(numpy.where(after, loads, 0)[:-1]))
-        record = read_record(kept, frame, element)
-        probe = PROBE.read_text().replace("TIME,", f"{record['time']},").replace("* ELEMENT", f"* {element}")
+        recording = read_record(kept, frame, element)
+        probe = PROBE.read_text().replace("TIME,", f"{recording['time']},").replace("* ELEMENT", f"* {element}")
         page.write_text(page.read_text().replace("</body>", f"<script>{probe}</script></body>"))
         for size in ("1200,900", "500,900"):
             notes, console = opened(page, "#t=5&view=above", size)
             expect(not console, "the browser's console says:\n" + "\n".join(console))
-            check(notes, record)
-    print(f"drawn, moved and read at {record['time']:.2f} s: {notes['first']}")
+            check(notes, recording)
+    print(f"drawn, moved and read at {recording['time']:.2f} s: {notes['first']}")
 
 
 if __name__ == "__main__":

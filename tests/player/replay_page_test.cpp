@@ -9,7 +9,7 @@
 
 #include "core/base64.hpp"
 #include "core/error.hpp"
-#include "player/synthetic_record.hpp"
+#include "player/synthetic_recording.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
@@ -18,9 +18,9 @@ namespace {
 class ReplayPage : public testing::Test {
   protected:
     std::string page(int frames, const PageOptions& options = {}) {
-        synthetic::write_record(folder_ / "record.h5", frames);
+        synthetic::write_recording(folder_ / "recording.h5", frames);
         std::ostringstream text;
-        write_replay_page(text, Record(folder_ / "record.h5"), options);
+        write_replay_page(text, Recording(folder_ / "recording.h5"), options);
         return text.str();
     }
 
@@ -81,8 +81,8 @@ TEST_F(ReplayPage, LeavesFramesOutToStayBelowItsSize) {
 }
 
 TEST_F(ReplayPage, RefusesAPlaceThatCannotBeWritten) {
-    synthetic::write_record(folder_ / "record.h5", 2);
-    EXPECT_THROW(write_replay_page(folder_ / "no" / "page.html", Record(folder_ / "record.h5")), RunError);
+    synthetic::write_recording(folder_ / "recording.h5", 2);
+    EXPECT_THROW(write_replay_page(folder_ / "no" / "page.html", Recording(folder_ / "recording.h5")), RunError);
 }
 
 TEST(Base64, IsThatOfTheStandard) {

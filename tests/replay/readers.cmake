@@ -1,4 +1,4 @@
-# What others see of a record: Debian's own Python readers (packages-test.txt), and the page that describes it.
+# What others see of a recording: Debian's own Python readers (packages-test.txt), and the page that describes it.
 if(TARGET floes)
   add_test(NAME replay.readers
            COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/replay/record_test.py $<TARGET_FILE:floes>

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""record_test.py FLOES CONFIG PAGE: what h5py and xarray make of a record of floes replay, and whether the page that
+"""record_test.py FLOES CONFIG PAGE: what h5py and xarray make of a recording of floes replay, and whether the page that
 describes it names every dataset with its unit and dimensions."""
 
 import pathlib
@@ -18,12 +18,12 @@ from stored import datasets_of, described_on, stored_in  # noqa: E402
 FLOES, CONFIG, PAGE = sys.argv[1:4]
 
 
-class Record(unittest.TestCase):
+class Recording(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
         folder = pathlib.Path(cls.folder.name)
-        cls.campaign, cls.path = folder / "short.h5", folder / "record.h5"
+        cls.campaign, cls.path = folder / "short.h5", folder / "recording.h5"
         subprocess.run([FLOES, "run", CONFIG, "-o", cls.campaign, "--set", "campaign.arrangements=1", "--set",
                         "analysis.window_s=6.0"], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         run = subprocess.run([FLOES, "replay", cls.campaign, "--worst", "--case", "E60", "--every", "0.2", "-o", cls.path],
@@ -36,32 +36,32 @@ class Record(unittest.TestCase):
         cls.folder.cleanup()
 
     def test_has_the_load_of_the_campaign_file(self):
-        with h5py.File(self.campaign) as campaign, h5py.File(self.path) as record:
-            stored = campaign["history/surge_load"][record.attrs["member"][0]]
-            self.assertTrue((record["history/surge_load"][:] == stored).all())
-            steps = record["frames/step"][:]
-            self.assertTrue((record["frames/surge_load"][:] == stored[steps - 1]).all())
-            worst = campaign["members/maximum_load"][record.attrs["member"][0]]
-            self.assertIn(worst, record["frames/surge_load"][:])
-            failed = record["joints/failure_time"][:]
-            breaks = campaign["breaks/time"][:][campaign["breaks/member"][:] == record.attrs["member"][0]]
+        with h5py.File(self.campaign) as campaign, h5py.File(self.path) as recording:
+            stored = campaign["history/surge_load"][recording.attrs["member"][0]]
+            self.assertTrue((recording["history/surge_load"][:] == stored).all())
+            steps = recording["frames/step"][:]
+            self.assertTrue((recording["frames/surge_load"][:] == stored[steps - 1]).all())
+            worst = campaign["members/maximum_load"][recording.attrs["member"][0]]
+            self.assertIn(worst, recording["frames/surge_load"][:])
+            failed = recording["joints/failure_time"][:]
+            breaks = campaign["breaks/time"][:][campaign["breaks/member"][:] == recording.attrs["member"][0]]
             self.assertEqual(sorted(failed[~numpy.isnan(failed)]), sorted(breaks))
 
     def test_forces_of_contacts_add_up(self):
-        with h5py.File(self.path) as record:
-            first, count = record["frames/first_contact"][:], record["frames/contacts"][:]
+        with h5py.File(self.path) as recording:
+            first, count = recording["frames/first_contact"][:], recording["frames/contacts"][:]
             for frame in range(len(first)):
                 rows = slice(first[frame], first[frame] + count[frame])
-                on_structure = record["contacts/other"][rows] == -1
-                force = record["contacts/normal_force"][rows] + record["contacts/friction_force"][rows]
-                load = [record[f"frames/{name}_load"][frame] for name in ("surge", "heave", "sway")]
-                rounding = 1e-9 + sum(numpy.linalg.norm(record[f"contacts/{name}_force"][rows][on_structure], axis=1).sum()
+                on_structure = recording["contacts/other"][rows] == -1
+                force = recording["contacts/normal_force"][rows] + recording["contacts/friction_force"][rows]
+                load = [recording[f"frames/{name}_load"][frame] for name in ("surge", "heave", "sway")]
+                rounding = 1e-9 + sum(numpy.linalg.norm(recording[f"contacts/{name}_force"][rows][on_structure], axis=1).sum()
                                       for name in ("normal", "friction")) / 4096  # forces are kept to 2^-13
                 numpy.testing.assert_allclose(-force[on_structure].sum(0) * [-1, 1, 1], load, rtol=0, atol=rounding)
 
     def test_orientations_are_rotations(self):
-        with h5py.File(self.path) as record:
-            numpy.testing.assert_allclose(numpy.linalg.norm(record["frames/orientation"][:], axis=2), 1, atol=2**-14)
+        with h5py.File(self.path) as recording:
+            numpy.testing.assert_allclose(numpy.linalg.norm(recording["frames/orientation"][:], axis=2), 1, atol=2**-14)
 
     def test_xarray_opens_every_group_with_named_dimensions(self):
         for engine in ("netcdf4", "h5netcdf"):

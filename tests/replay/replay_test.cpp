@@ -71,31 +71,31 @@ TEST_F(Replay, KeepsTheFramesThatWereAskedFor) {
     const FrameSteps steps = frame_steps({.from = 2, .to = 4, .every = 0.5, .through = 2.66}, again.about.scenario);
     EXPECT_EQ(steps.first, 108);
     const MemberResult result = replay(again, steps, place("c.h5"));
-    const Record record(place("c.h5"));
-    ASSERT_EQ(record.frames(), steps.count());
-    EXPECT_EQ(record.frames(), 4);
-    EXPECT_NEAR(record.time(0), 2.16, 1e-12);
-    EXPECT_NEAR(record.time(1), 2.66, 1e-12);
-    EXPECT_EQ(record.nearest(2.5), 1);
-    EXPECT_EQ(record.floes(), 12);
-    EXPECT_EQ(record.elements(), 108);
-    EXPECT_EQ(record.outcome().history.surge, result.history.surge);
-    EXPECT_EQ(record.outcome().breaks, result.breaks);
-    EXPECT_EQ(record.subject().scenario.joint.cfm, 1e-10);
-    EXPECT_EQ(record.subject().scenario.ice.bending_strength, again.about.scenario.ice.bending_strength);
-    EXPECT_EQ(record.subject().scenario.structure.shape, again.about.scenario.structure.shape);
+    const Recording recording(place("c.h5"));
+    ASSERT_EQ(recording.frames(), steps.count());
+    EXPECT_EQ(recording.frames(), 4);
+    EXPECT_NEAR(recording.time(0), 2.16, 1e-12);
+    EXPECT_NEAR(recording.time(1), 2.66, 1e-12);
+    EXPECT_EQ(recording.nearest(2.5), 1);
+    EXPECT_EQ(recording.floes(), 12);
+    EXPECT_EQ(recording.elements(), 108);
+    EXPECT_EQ(recording.outcome().history.surge, result.history.surge);
+    EXPECT_EQ(recording.outcome().breaks, result.breaks);
+    EXPECT_EQ(recording.subject().scenario.joint.cfm, 1e-10);
+    EXPECT_EQ(recording.subject().scenario.ice.bending_strength, again.about.scenario.ice.bending_strength);
+    EXPECT_EQ(recording.subject().scenario.structure.shape, again.about.scenario.structure.shape);
 }
 
 // The forces at the contacts of a frame are what the load of its step is made of.
 TEST_F(Replay, HasContactsThatAddUpToTheLoad) {
     const ReplaySubject again = subject(0);
     const MemberResult result = replay(again, {1, 300, 1}, place("d.h5"));
-    const Record record(place("d.h5"));
+    const Recording recording(place("d.h5"));
     int touched = 0;
-    for (int k = 0; k < record.frames(); ++k) {
-        const Frame frame = record.read(k);
+    for (int k = 0; k < recording.frames(); ++k) {
+        const Frame frame = recording.read(k);
         Vec3 sum = Vec3::Zero();
-        double rounding = 1e-9;  // a record keeps forces to 2^-13
+        double rounding = 1e-9;  // a recording keeps forces to 2^-13
         for (const FrameContact& contact : frame.contacts) {
             ASSERT_GE(contact.element, 0);
             if (contact.other != touches_structure) continue;
@@ -142,20 +142,20 @@ TEST_F(Replay, RefusesWhatThereIsNot) {
     const Scenario scenario = subject(0).about.scenario;
     EXPECT_THAT(refusal([&] { frame_steps({7, 9, 0.1}, scenario); }), HasSubstr("the run goes from 0 s to 6 s"));
     EXPECT_THAT(refusal([&] { frame_steps({3, 2, 0.1}, scenario); }), HasSubstr("give --from and --to within it"));
-    EXPECT_THAT(refusal([&] { Record{file()}; }), HasSubstr("no record of floes replay"));
-    EXPECT_FALSE(is_record(file()));
-    EXPECT_FALSE(is_record(place("nothing.h5")));
+    EXPECT_THAT(refusal([&] { Recording{file()}; }), HasSubstr("no recording of floes replay"));
+    EXPECT_FALSE(is_recording(file()));
+    EXPECT_FALSE(is_recording(place("nothing.h5")));
 }
 
-// Every 1009th byte of a record, each with another bit.
+// Every 1009th byte of a recording, each with another bit.
 TEST_F(Replay, TakesNoDamagedByteForANumber) {
     const auto path = place("damaged.h5");
     replay(subject(0), {0, 300, 100}, path);
     const auto all_of = [&] {
-        const Record record(path);
-        std::vector<double> numbers = record.outcome().history.surge;
-        for (int k = 0; k < record.frames(); ++k) {
-            const Frame frame = record.read(k);
+        const Recording recording(path);
+        std::vector<double> numbers = recording.outcome().history.surge;
+        for (int k = 0; k < recording.frames(); ++k) {
+            const Frame frame = recording.read(k);
             numbers.push_back(frame.time);
             numbers.insert(numbers.end(), frame.utilisation.begin(), frame.utilisation.end());
             for (const BodyState& one : frame.elements)

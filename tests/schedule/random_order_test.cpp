@@ -120,7 +120,7 @@ class Surroundings {
                 attempts_[assign->number] = assign->attempt;
                 EXPECT_EQ(assign->apart, suspects_.contains(assign->number));
                 held_[{assign->number, assign->attempt}] = assign->worker;
-            } else if (const auto* record = std::get_if<Record>(&command)) {
+            } else if (const auto* record = std::get_if<Keep>(&command)) {
                 EXPECT_TRUE(recorded_.insert(record->number).second)
                     << "member " << record->number << " is recorded twice";
                 EXPECT_LE(failures_[record->number], most_failures_);

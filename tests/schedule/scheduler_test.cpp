@@ -95,7 +95,7 @@ TEST(Scheduler, KeepsAnAnswerOnceAndDismissesWhenAllIsDone) {
     Scheduler scheduler({{7, 1.0}});
     handle(scheduler, WorkerJoined{0, 1, 0});
     handle(scheduler, WorkerJoined{1, 1, 0});
-    EXPECT_EQ(handle(scheduler, MemberFinished{0, 7, 1}), (std::vector<Command>{Record{7, 1}, Dismiss{0}, Dismiss{1}}));
+    EXPECT_EQ(handle(scheduler, MemberFinished{0, 7, 1}), (std::vector<Command>{Keep{7, 1}, Dismiss{0}, Dismiss{1}}));
     EXPECT_FALSE(scheduler.finished());
     EXPECT_TRUE(handle(scheduler, MemberFinished{0, 7, 1}).empty());
     EXPECT_EQ(scheduler.late_answers(), 1);
@@ -112,7 +112,7 @@ TEST(Scheduler, RecognisesTheLateAnswerOfALostWorker) {
     EXPECT_TRUE(handle(scheduler, MemberFinished{1, 7, 1}).empty());
     EXPECT_TRUE(handle(scheduler, MemberFinished{2, 7, 1}).empty());
     EXPECT_EQ(scheduler.late_answers(), 2);
-    EXPECT_EQ(handle(scheduler, MemberFinished{2, 7, 2}), (std::vector<Command>{Record{7, 2}, Dismiss{2}}));
+    EXPECT_EQ(handle(scheduler, MemberFinished{2, 7, 2}), (std::vector<Command>{Keep{7, 2}, Dismiss{2}}));
 }
 
 TEST(Scheduler, CountsAttemptsOfEarlierRuns) {
@@ -126,14 +126,14 @@ TEST(Scheduler, TriesAFailedMemberAgainUntilItHasFailedTooOften) {
     EXPECT_EQ(handle(scheduler, MemberFinished{0, 7, 1, AttemptEnd::failed}),
               (std::vector<Command>{Retry{7, 1}, Assign{0, 7, 2}}));
     EXPECT_EQ(handle(scheduler, MemberFinished{0, 7, 2, AttemptEnd::failed}),
-              (std::vector<Command>{Record{7, 2}, Dismiss{0}}));
+              (std::vector<Command>{Keep{7, 2}, Dismiss{0}}));
 }
 
 TEST(Scheduler, CountsFailuresOfEarlierRunsButNotLosses) {
     Scheduler scheduler({{.number = 7, .cost = 1.0, .attempts_made = 4, .failures = 1, .suspect = true}}, 2);
     EXPECT_EQ(handle(scheduler, WorkerJoined{0, 1, 0}), (std::vector<Command>{Assign{0, 7, 5, true}}));
     EXPECT_EQ(handle(scheduler, MemberFinished{0, 7, 5, AttemptEnd::failed}),
-              (std::vector<Command>{Record{7, 5}, Dismiss{0}}));
+              (std::vector<Command>{Keep{7, 5}, Dismiss{0}}));
 }
 
 TEST(Scheduler, BeginsNoMemberThatCannotBeDoneInTheTimeLeft) {
@@ -141,8 +141,8 @@ TEST(Scheduler, BeginsNoMemberThatCannotBeDoneInTheTimeLeft) {
     handle(scheduler, TimeLeft{4.0});
     EXPECT_EQ(handle(scheduler, WorkerJoined{0, 1, 0}), (std::vector<Command>{Assign{0, 1, 1}}));
     handle(scheduler, TimeLeft{1.5});
-    EXPECT_EQ(handle(scheduler, MemberFinished{0, 1, 1}), (std::vector<Command>{Record{1, 1}, Assign{0, 3, 1}}));
-    EXPECT_EQ(handle(scheduler, MemberFinished{0, 3, 1}), (std::vector<Command>{Record{3, 1}}));
+    EXPECT_EQ(handle(scheduler, MemberFinished{0, 1, 1}), (std::vector<Command>{Keep{1, 1}, Assign{0, 3, 1}}));
+    EXPECT_EQ(handle(scheduler, MemberFinished{0, 3, 1}), (std::vector<Command>{Keep{3, 1}}));
     EXPECT_EQ(scheduler.assigned(), 0);
     EXPECT_EQ(scheduler.pending(), 2);
 }
@@ -152,7 +152,7 @@ TEST(Scheduler, HandsOutNothingNewAfterAStop) {
     handle(scheduler, WorkerJoined{0, 1, 0});
     EXPECT_EQ(handle(scheduler, StopRequested{}), (std::vector<Command>{Dismiss{0}}));
     EXPECT_TRUE(handle(scheduler, StopRequested{}).empty());
-    EXPECT_EQ(handle(scheduler, MemberFinished{0, 0, 1}), (std::vector<Command>{Record{0, 1}}));
+    EXPECT_EQ(handle(scheduler, MemberFinished{0, 0, 1}), (std::vector<Command>{Keep{0, 1}}));
     EXPECT_EQ(handle(scheduler, WorkerJoined{1, 1, 0}), (std::vector<Command>{Dismiss{1}}));
     handle(scheduler, WorkerLost{0});
     handle(scheduler, WorkerLost{1});

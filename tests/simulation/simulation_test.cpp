@@ -42,7 +42,7 @@ TEST(Floating, AFloeAtRestStaysAtRestForAMinute) {
         EXPECT_LT((after[i].position - before[i].position).norm(), 1e-9) << i;
         EXPECT_LT((after[i].rotation - before[i].rotation).norm(), 1e-9) << i;
         EXPECT_LT(after[i].velocity.norm(), 1e-9) << i;
-        EXPECT_LT(after[i].spin.norm(), 1e-9) << i;
+        EXPECT_LT(after[i].angular_velocity.norm(), 1e-9) << i;
     }
     EXPECT_TRUE(simulation.ice().breaks().empty());
 }
@@ -61,9 +61,9 @@ TEST(Floating, SettlesToTheTrueDraughtFromFiveMillimetresOff) {
     for (int step = 0; step < scenario.step_count(); ++step) {
         for (const IceElement& element : ice.elements()) {
             const BodyState state = world.state(element.body);
-            world.apply(
-                element.body,
-                water.wrench({state.position, state.rotation, state.velocity, state.spin, element.exposed_edges}, 0));
+            world.apply(element.body, water.wrench({state.position, state.rotation, state.velocity,
+                                                    state.angular_velocity, element.exposed_edges},
+                                                   0));
         }
         world.step();
     }

@@ -31,7 +31,7 @@ bool same_bits(const Simulation& a, const Simulation& b, int floe) {
         const BodyState& right = b.element_states()[i];
         if (a.ice().elements()[i].floe == floe &&
             !(left.position == right.position && left.rotation == right.rotation && left.velocity == right.velocity &&
-              left.spin == right.spin)) {
+              left.angular_velocity == right.angular_velocity)) {
             return false;
         }
     }

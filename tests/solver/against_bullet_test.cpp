@@ -83,10 +83,10 @@ void expect_same_poses(const BulletScene& scene, const Outcome& lanes) {
 }
 
 void expect_same_step(const BulletScene& scene, const Outcome& lanes) {
-    Deviation velocity, spin, force, moment, impulse, friction;
+    Deviation velocity, angular_velocity, force, moment, impulse, friction;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         velocity.add(lanes.states[i].velocity, scene.bodies[i]->getLinearVelocity());
-        spin.add(lanes.states[i].spin, scene.bodies[i]->getAngularVelocity());
+        angular_velocity.add(lanes.states[i].angular_velocity, scene.bodies[i]->getAngularVelocity());
     }
     for (std::size_t i = 0; i < scene.joints.size(); ++i) {
         const btJointFeedback& feedback = *scene.feedback[i];
@@ -106,7 +106,7 @@ void expect_same_step(const BulletScene& scene, const Outcome& lanes) {
     }
     EXPECT_GT(at, 10u);
     EXPECT_LT(velocity.relative(), 1e-9);
-    EXPECT_LT(spin.relative(), 1e-9);
+    EXPECT_LT(angular_velocity.relative(), 1e-9);
     EXPECT_LT(force.relative(), 1e-9);
     EXPECT_LT(moment.relative(), 1e-9);
     EXPECT_LT(impulse.relative(), 1e-9);
@@ -176,7 +176,7 @@ TEST(LaneWidths, GiveTheSameBits) {
             EXPECT_EQ(other.states[i].position, lanes[0].states[i].position);
             EXPECT_EQ(other.states[i].rotation, lanes[0].states[i].rotation);
             EXPECT_EQ(other.states[i].velocity, lanes[0].states[i].velocity);
-            EXPECT_EQ(other.states[i].spin, lanes[0].states[i].spin);
+            EXPECT_EQ(other.states[i].angular_velocity, lanes[0].states[i].angular_velocity);
         }
         EXPECT_EQ(other.pushes, lanes[0].pushes);
         for (std::size_t i = 0; i < other.reactions.size(); ++i) {

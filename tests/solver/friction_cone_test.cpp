@@ -158,11 +158,12 @@ double slip_of_sticking_contacts(int sweeps) {
         system.solve(contacts, law, sweeps);
         system.advance();
         const auto velocity = [&](std::uint32_t body, const Vector& point) {
-            const auto [position, rotation, linear, spin] = system.state(body);
+            const auto [position, rotation, linear, angular_velocity] = system.state(body);
             const Vector& from = before[body].position;
             const Vector r{point[0] - from[0], point[1] - from[1], point[2] - from[2]};
-            return Vector{linear[0] + spin[1] * r[2] - spin[2] * r[1], linear[1] + spin[2] * r[0] - spin[0] * r[2],
-                          linear[2] + spin[0] * r[1] - spin[1] * r[0]};
+            return Vector{linear[0] + angular_velocity[1] * r[2] - angular_velocity[2] * r[1],
+                          linear[1] + angular_velocity[2] * r[0] - angular_velocity[0] * r[2],
+                          linear[2] + angular_velocity[0] * r[1] - angular_velocity[1] * r[0]};
         };
         for (const SolverContact& contact : contacts) {
             if (!(contact.friction_impulse < 0.99 * contact.friction * contact.impulse)) continue;

@@ -47,17 +47,17 @@ TEST(Shape, WaterlineRadiusOfARingIsTheLarger) {
 
 TEST(Shape, ANarrowWaistIsNotFilledIn) {
     const Shape waist({{-1, 1}, {-0.2, 0.3}, {0.5, 1}});
-    const std::vector<ConvexPiece> expected{{-1, 1, -0.2, 0.3}, {-0.2, 0.3, 0.5, 1}};
-    EXPECT_EQ(waist.pieces(), expected);
+    const std::vector<ConvexSolid> expected{{-1, 1, -0.2, 0.3}, {-0.2, 0.3, 0.5, 1}};
+    EXPECT_EQ(waist.solids(), expected);
     EXPECT_EQ(waist.largest_radius(), 1);
 }
 
 TEST(Shape, OverlappingPiecesOfAWaistReachThroughIt) {
-    const std::vector<ConvexPiece> found = Shape({{-1, 1}, {-0.2, 0.3}, {0.5, 1.3}}).overlapping_pieces();
+    const std::vector<ConvexSolid> found = Shape({{-1, 1}, {-0.2, 0.3}, {0.5, 1.3}}).overlapping_solids();
     ASSERT_EQ(found.size(), 2);
-    EXPECT_EQ(found[0], (ConvexPiece{-1, 1, -0.2, 0.3})) << "it would narrow to below 0";
-    EXPECT_EQ(found[1], (ConvexPiece{-0.2, 0.3, 0.5, 1.3})) << "likewise";
-    const std::vector<ConvexPiece> flare = Shape({{-0.4, 0.5}, {0, 0.6}, {0.1, 0.7}}).overlapping_pieces();
+    EXPECT_EQ(found[0], (ConvexSolid{-1, 1, -0.2, 0.3})) << "it would narrow to below 0";
+    EXPECT_EQ(found[1], (ConvexSolid{-0.2, 0.3, 0.5, 1.3})) << "likewise";
+    const std::vector<ConvexSolid> flare = Shape({{-0.4, 0.5}, {0, 0.6}, {0.1, 0.7}}).overlapping_solids();
     ASSERT_EQ(flare.size(), 2);
     EXPECT_DOUBLE_EQ(flare[0].top_height, 0.1);
     EXPECT_DOUBLE_EQ(flare[0].top_radius, 0.625);
@@ -67,20 +67,20 @@ TEST(Shape, OverlappingPiecesOfAWaistReachThroughIt) {
 
 TEST(Shape, OverlappingPiecesStayInside) {
     const Shape barrel({{-1, 0.5}, {0, 1}, {1, 0.5}});  // an edge that sticks out is no waist
-    EXPECT_EQ(barrel.overlapping_pieces(), barrel.pieces());
-    const std::vector<ConvexPiece> stepped = Shape({{-1, 0.5}, {-0.3, 0.5}, {-0.3, 1}, {0.2, 1}}).overlapping_pieces();
-    const std::vector<ConvexPiece> expected{{-1, 0.5, 0.2, 0.5}, {-0.3, 1, 0.2, 1}};
+    EXPECT_EQ(barrel.overlapping_solids(), barrel.solids());
+    const std::vector<ConvexSolid> stepped = Shape({{-1, 0.5}, {-0.3, 0.5}, {-0.3, 1}, {0.2, 1}}).overlapping_solids();
+    const std::vector<ConvexSolid> expected{{-1, 0.5, 0.2, 0.5}, {-0.3, 1, 0.2, 1}};
     EXPECT_EQ(stepped, expected);
 }
 
 TEST(Shape, AFlatRingIsNoPiece) {
-    const std::vector<ConvexPiece> expected{{-1, 0.5, -0.3, 0.5}, {-0.3, 1, 0.2, 1}};
-    EXPECT_EQ(Shape({{-1, 0.5}, {-0.3, 0.5}, {-0.3, 1}, {0.2, 1}}).pieces(), expected);
+    const std::vector<ConvexSolid> expected{{-1, 0.5, -0.3, 0.5}, {-0.3, 1, 0.2, 1}};
+    EXPECT_EQ(Shape({{-1, 0.5}, {-0.3, 0.5}, {-0.3, 1}, {0.2, 1}}).solids(), expected);
 }
 
 TEST(Shape, ALineOnTheAxisIsNoPiece) {
-    const std::vector<ConvexPiece> expected{{-0.5, 0, 0.5, 1}};
-    EXPECT_EQ(Shape({{-1, 0}, {-0.5, 0}, {0.5, 1}}).pieces(), expected);
+    const std::vector<ConvexSolid> expected{{-0.5, 0, 0.5, 1}};
+    EXPECT_EQ(Shape({{-1, 0}, {-0.5, 0}, {0.5, 1}}).solids(), expected);
 }
 
 TEST(Shape, WallAngleIsThatOfThePartThatRisesFromTheWater) {
@@ -119,7 +119,7 @@ TEST(Shape, RefusesWhatIsNoBody) {
     for (const std::vector<ProfilePoint>& profile : faulty) {
         const Shape shape(profile);
         EXPECT_TRUE(shape.fault().has_value()) << shape.words();
-        EXPECT_THROW(static_cast<void>(shape.pieces()), InputError) << shape.words();
+        EXPECT_THROW(static_cast<void>(shape.solids()), InputError) << shape.words();
     }
 }
 

@@ -18,13 +18,13 @@ struct Load {
 
 const std::vector<Load> loads{{"E30, \"soft\"", 1.5, 3, true}, {"E60", std::nan(""), 0, false}};
 
-Records records() {
-    return make_records<Load>("loads", loads,
-                              {{"name", &Load::name},
-                               {Names{"mean_N", "mean/estimate"}, &Load::mean},
-                               {Names{"runs", ""}, &Load::runs},
-                               {Names{"", "steady"}, &Load::steady},
-                               {"most", [](const Load& one) { return one.runs > 0 ? Datum(2) : Datum(Absent{}); }}});
+DataRows records() {
+    return make_rows<Load>("loads", loads,
+                           {{"name", &Load::name},
+                            {Names{"mean_N", "mean/estimate"}, &Load::mean},
+                            {Names{"runs", ""}, &Load::runs},
+                            {Names{"", "steady"}, &Load::steady},
+                            {"most", [](const Load& one) { return one.runs > 0 ? Datum(2) : Datum(Absent{}); }}});
 }
 
 TEST(Csv, QuotesWhatWouldBeMisread) {
@@ -32,7 +32,7 @@ TEST(Csv, QuotesWhatWouldBeMisread) {
 }
 
 TEST(Csv, HasItsHeaderWithoutRows) {
-    EXPECT_EQ(csv(make_records<Load>("", {}, {{"name", &Load::name}})), "name\n");
+    EXPECT_EQ(csv(make_rows<Load>("", {}, {{"name", &Load::name}})), "name\n");
     EXPECT_EQ(csv(json_only(records())), "");
 }
 
@@ -61,9 +61,9 @@ TEST(Json, PutsValuesWhereTheirNamesSay) {
 }
 
 TEST(Json, HasEmptyListsAndListsOfValues) {
-    const std::vector<Records> all{make_records<Load>("a/rows", {}, {{"name", &Load::name}}),
-                                   make_list("a/notes", std::vector<std::string>{"one", "two"}),
-                                   make_object("", loads[0], {{Names{"", "runs"}, &Load::runs}})};
+    const std::vector<DataRows> all{make_rows<Load>("a/rows", {}, {{"name", &Load::name}}),
+                                    make_list("a/notes", std::vector<std::string>{"one", "two"}),
+                                    make_object("", loads[0], {{Names{"", "runs"}, &Load::runs}})};
     EXPECT_EQ(json(all),
               "{\n  \"a\": {\n    \"rows\": [],\n    \"notes\": [\n      \"one\",\n      \"two\"\n    ]\n  },\n"
               "  \"runs\": 3\n}\n");

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """The series of a replayed member, opened in ParaView by its default reader: every time step and part is there, the ice
-lies where the record has it, and the state beside it draws a picture of ice, structure and forces whose camera follows
+lies where the recording has it, and the state beside it draws a picture of ice, structure and forces whose camera follows
 the structure. Neither says a word on standard error.
 
 Usage: vtk_in_paraview.py FLOES CONFIG.toml
@@ -24,17 +24,17 @@ def said(*command):
     return run.stdout
 
 
-def corners(record, frame):
+def corners(recording, frame):
     """x, y, z of all eight corners of all elements."""
-    half = np.array([record["ice"].attrs["element_side"], record["ice"].attrs["thickness"],
-                     record["ice"].attrs["element_side"]]) / 2
-    w, x, y, z = record["frames/orientation"][frame].T.astype(float)
+    half = np.array([recording["ice"].attrs["element_side"], recording["ice"].attrs["thickness"],
+                     recording["ice"].attrs["element_side"]]) / 2
+    w, x, y, z = recording["frames/orientation"][frame].T.astype(float)
     rotation = np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
                          [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
                          [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
     signs = np.array(np.meshgrid([-1, 1], [-1, 1], [-1, 1])).reshape(3, -1)
     own = half[:, None] * signs
-    return record["frames/position"][frame][:, :, None] + np.einsum("ije,jc->eic", rotation, own)
+    return recording["frames/position"][frame][:, :, None] + np.einsum("ije,jc->eic", rotation, own)
 
 
 def leaves(source):
@@ -49,12 +49,12 @@ def leaves(source):
     return found
 
 
-def check_data(series, record):
+def check_data(series, recording):
     from paraview.simple import OpenDataFile
     from vtk.util.numpy_support import vtk_to_numpy
 
     source = OpenDataFile(str(series))
-    times = record["time"][:]
+    times = recording["time"][:]
     assert np.array_equal(list(source.TimestepValues), times), (list(source.TimestepValues), times)
     radius = None
     for frame, time in enumerate(times):
@@ -64,7 +64,7 @@ def check_data(series, record):
         for name, part in parts.items():
             assert name == "ice_sheets" or part.GetFieldData().GetArray("TimeValue").GetValue(0) == time, name
 
-        there = corners(record, frame)
+        there = corners(recording, frame)
         ice = parts["ice"]
         assert ice.GetNumberOfCells() == len(there)
         bounds = np.array(ice.GetBounds()).reshape(3, 2)
@@ -74,45 +74,45 @@ def check_data(series, record):
             assert np.allclose(np.array(ice.GetCell(i).GetBounds()).reshape(3, 2), box, atol=1e-5), (frame, i)
         cells = {name: vtk_to_numpy(ice.GetCellData().GetArray(name))
                  for name in ["floe", "piece", "broken", "utilisation", "velocity"]}
-        assert np.array_equal(cells["floe"], record["ice/floe"][:])
-        assert np.array_equal(cells["piece"], record["frames/piece"][frame])
-        assert np.allclose(cells["velocity"], record["frames/velocity"][frame])
-        assert np.allclose(cells["utilisation"], record["frames/utilisation"][frame])
+        assert np.array_equal(cells["floe"], recording["ice/floe"][:])
+        assert np.array_equal(cells["piece"], recording["frames/piece"][frame])
+        assert np.allclose(cells["velocity"], recording["frames/velocity"][frame])
+        assert np.allclose(cells["utilisation"], recording["frames/utilisation"][frame])
 
-        first, count = record["frames/first_contact"][frame], record["frames/contacts"][frame]
+        first, count = recording["frames/first_contact"][frame], recording["frames/contacts"][frame]
         contacts = parts["contacts"]
         assert contacts.GetNumberOfPoints() == count
         if count:
             force = vtk_to_numpy(contacts.GetPointData().GetArray("force"))
             rows = slice(first, first + count)
-            whole = record["contacts/normal_force"][rows] + record["contacts/friction_force"][rows]
+            whole = recording["contacts/normal_force"][rows] + recording["contacts/friction_force"][rows]
             assert np.allclose(force, whole, rtol=1e-5, atol=1e-3)
         load = vtk_to_numpy(parts["load"].GetPointData().GetArray("force"))
-        assert np.allclose(load[3], [-record["frames/surge_load"][frame], record["frames/heave_load"][frame],
-                                     record["frames/sway_load"][frame]], rtol=1e-5)
+        assert np.allclose(load[3], [-recording["frames/surge_load"][frame], recording["frames/heave_load"][frame],
+                                     recording["frames/sway_load"][frame]], rtol=1e-5)
         assert np.allclose(load[:3].sum(0), load[3])
         west, east = parts["structure"].GetBounds()[:2]
-        assert np.isclose((west + east) / 2, record["frames/structure"][frame], atol=1e-5)
+        assert np.isclose((west + east) / 2, recording["frames/structure"][frame], atol=1e-5)
         radius = radius or (east - west) / 2
         assert np.isclose((east - west) / 2, radius, atol=1e-5) and radius > 0
     floes = vtk_to_numpy(leaves(source)["ice"].GetCellData().GetArray("broken")).reshape(
-        -1, np.count_nonzero(record["ice/floe"][:] == 0))
+        -1, np.count_nonzero(recording["ice/floe"][:] == 0))
     assert 0 < floes[:, 0].sum() < len(floes) and (floes == floes[:, :1]).all(), "floes broken at the end"
 
 
-def check_state(state, record):
+def check_state(state, recording):
     """The camera goes with the structure, and forces are drawn where there are contacts."""
     from paraview.simple import FindSource, GetActiveView, GetAnimationScene, GetDisplayProperties
 
-    times = record["time"][:]
+    times = recording["time"][:]
     sys.argv = [str(state), "--time", str(times[3])]
     runpy.run_path(str(state))
-    ahead = [GetActiveView().CameraPosition[0] - record["frames/structure"][3]]
+    ahead = [GetActiveView().CameraPosition[0] - recording["frames/structure"][3]]
     for frame in range(len(times)):
         GetAnimationScene().AnimationTime = times[frame]
-        ahead.append(GetActiveView().CameraPosition[0] - record["frames/structure"][frame])
+        ahead.append(GetActiveView().CameraPosition[0] - recording["frames/structure"][frame])
     assert np.ptp(ahead) < 1e-3, ahead
-    for name, each in {"normal forces": record["frames/contacts"][-1], "friction": record["frames/contacts"][-1],
+    for name, each in {"normal forces": recording["frames/contacts"][-1], "friction": recording["frames/contacts"][-1],
                        "load": 4}.items():
         lines = FindSource(name)
         assert lines and GetDisplayProperties(lines).Visibility, name
@@ -138,9 +138,9 @@ def check_picture(path):
 
 def inside(folder):
     """What is checked in ParaView's own Python."""
-    with h5py.File(folder / "record.h5") as record:
-        check_data(folder / "series.pvd", record)
-        check_state(folder / "series.py", record)
+    with h5py.File(folder / "recording.h5") as recording:
+        check_data(folder / "series.pvd", recording)
+        check_state(folder / "series.py", recording)
     check_picture(folder / "picture.png")
 
 
@@ -150,7 +150,7 @@ def main(floes, config):
         subprocess.run([floes, "run", config, "-o", folder / "c.h5", "--set", "campaign.arrangements=1"], check=True,
                        capture_output=True)
         subprocess.run([floes, "replay", folder / "c.h5", "--case", "E60", "--from", "4", "--every", "1", "-o",
-                        folder / "record.h5", "-o", folder / "series.pvd"], check=True, capture_output=True)
+                        folder / "recording.h5", "-o", folder / "series.pvd"], check=True, capture_output=True)
         # Without -noreset the display starts anew whenever its last window closes, and may not be there for the next.
         pvpython = ["xvfb-run", "-a", "-s", "-noreset", "pvpython"]
         said(*pvpython, folder / "series.py", "--screenshot", folder / "picture.png")

@@ -164,16 +164,16 @@ TEST_F(Vtk, FloesAreBrokenFromTheStepInWhichAJointFails) {
 }
 
 TEST_F(Vtk, ASeriesOfARecordHasEveryPartAtEveryTime) {
-    RecordSubject subject;
+    RecordingSubject subject;
     subject.scenario.field.floes = 2;
     {
-        RecordWriter record(folder / "record.h5", subject, 2);
-        record.add(some_frame(0.5));
-        record.add(some_frame(1));
-        record.finish({.history = {}, .breaks = {{.time = 0.8, .floe = 1}}});
+        RecordingWriter recording(folder / "recording.h5", subject, 2);
+        recording.add(some_frame(0.5));
+        recording.add(some_frame(1));
+        recording.finish({.history = {}, .breaks = {{.time = 0.8, .floe = 1}}});
     }
-    const Record record(folder / "record.h5");
-    write_vtk_series(folder / "a & b.pvd", record);
+    const Recording recording(folder / "recording.h5");
+    write_vtk_series(folder / "a & b.pvd", recording);
 
     const std::string list = text_of(folder / "a & b.pvd");
     for (const std::string part : {"ice", "structure", "load", "contacts", "ice_sheets"})
@@ -187,7 +187,7 @@ TEST_F(Vtk, ASeriesOfARecordHasEveryPartAtEveryTime) {
 
     const VtkReader second(folder / "a & b" / "ice_00001.vtu");
     EXPECT_EQ(second.values<float>("Points"),
-              ice_part(record.read(1), record.subject().scenario, std::vector<std::uint8_t>{0, 1}).points);
+              ice_part(recording.read(1), recording.subject().scenario, std::vector<std::uint8_t>{0, 1}).points);
     EXPECT_THAT(second.values<std::uint8_t>("broken"), testing::Contains(1).Times(9));
     EXPECT_THAT(VtkReader(folder / "a & b" / "ice_00000.vtu").values<std::uint8_t>("broken"), testing::Each(0));
     EXPECT_THAT(text_of(folder / "a & b" / "ice_00001.vtu"), HasSubstr(">1</DataArray></FieldData>"));
@@ -200,7 +200,7 @@ TEST_F(Vtk, ASeriesOfARecordHasEveryPartAtEveryTime) {
 }
 
 TEST_F(Vtk, SaysWhyASeriesCannotBeWritten) {
-    const RecordSubject subject;
+    const RecordingSubject subject;
     EXPECT_THROW(VtkSeries(folder / "a.vtk", subject, 2, {}), InputError);
     std::ofstream(folder / "file") << "no folder";
     EXPECT_THROW(VtkSeries(folder / "file" / "a.pvd", subject, 2, {}), RunError);

@@ -44,7 +44,7 @@ std::vector<ElementState> every_kind_of_element() {
         state.position = vector(i % 5 == 0 ? 0.5 : 3);
         state.position.y() = between(-0.03, 0.03) * (i % 7 == 0 ? 10 : 1);
         state.velocity = vector(i % 4 == 0 ? 1 : 0.05);
-        state.spin = vector(i % 4 == 1 ? 2 : 0.05);
+        state.angular_velocity = vector(i % 4 == 1 ? 2 : 0.05);
         state.exposed_edges = static_cast<std::uint8_t>(random() % 16);
         elements.push_back(state);
     }

@@ -113,7 +113,7 @@ TEST(Drag, DryElementsFeelNone) {
     ElementState state;
     state.position.y() = 1;
     state.velocity = {1, 2, 3};
-    state.spin = {1, 1, 1};
+    state.angular_velocity = {1, 1, 1};
     state.exposed_edges = 15;
     EXPECT_EQ(model().drag(state, 0).force, Vec3::Zero());
 }
@@ -183,14 +183,14 @@ TEST(Drag, CriticalDampingCountsTheAddedMass) {
     EXPECT_NEAR(model(water).floating_draught(), 0.93 * shape.thickness, 1e-12);
 }
 
-// Linear part alone: the moment of four dampers c/4 at ±L/√12 is c L²/12 times the spin.
+// Linear part alone: the moment of four dampers c/4 at ±L/√12 is c L²/12 times the angular velocity.
 TEST(Drag, RollIsDampedLikeHeave) {
     Water water;
     water.flow = WaterFlow::still;
     water.heave_drag = 0;
     water.skin_drag = 0;
     ElementState state;
-    state.spin = {0.1, 0, 0};
+    state.angular_velocity = {0.1, 0, 0};
     const double side = shape.side;
     const double damping = 2 * water.heave_damping * std::sqrt(1000 * gravity * side * side * mass_of(930));
     EXPECT_NEAR(model(water).drag(state, 0).moment.x(), -damping * side * side / 12 * 0.1, 1e-13);
@@ -212,7 +212,7 @@ TEST(Wrench, IsTheSumOfItsParts) {
     state.position = {1, -0.01, 0.3};
     state.rotation = turned(0.1, Vec3(1, 2, 3).normalized());
     state.velocity = {0.1, -0.2, 0.05};
-    state.spin = {0.3, 0.1, -0.2};
+    state.angular_velocity = {0.3, 0.1, -0.2};
     state.exposed_edges = 5;
     const WaterModel water = model();
     Wrench sum = water.buoyancy(state);

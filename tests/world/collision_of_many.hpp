@@ -14,8 +14,9 @@ inline double kinetic_energy(const BodyState& state) {
     const double a = element_side * element_side;
     const double b = element_thickness * element_thickness;
     const Vec3 inertia = element_mass / 12 * Vec3(a + b, 2 * a, a + b);
-    const Vec3 spin = state.rotation.transpose() * state.spin;
-    return 0.5 * (element_mass * state.velocity.squaredNorm() + inertia.dot(spin.cwiseProduct(spin)));
+    const Vec3 angular_velocity = state.rotation.transpose() * state.angular_velocity;
+    return 0.5 *
+           (element_mass * state.velocity.squaredNorm() + inertia.dot(angular_velocity.cwiseProduct(angular_velocity)));
 }
 
 inline void expect_a_collision_that_never_gains_energy(const WorldDefinition& definition, double duration) {
@@ -26,7 +27,7 @@ inline void expect_a_collision_that_never_gains_energy(const WorldDefinition& de
         bodies.push_back(world.add_element(element_at(at, turned(0.1 * i, Vec3::UnitY()))));
         BodyState state = world.state(bodies.back());
         state.velocity = -0.8 * at + 0.1 * Vec3(std::sin(i), 0.2 * std::cos(3 * i), std::cos(2 * i));
-        state.spin = 0.5 * Vec3(0, std::sin(5 * i), 0);
+        state.angular_velocity = 0.5 * Vec3(0, std::sin(5 * i), 0);
         world.place(bodies.back(), state);
     }
     const auto energy = [&] {

@@ -129,15 +129,15 @@ struct LoneFloe {
     }
 
     /// Everything in motion, with strain rates that bend and twist it.
-    void stir(double speed, double spin) {
+    void stir(double speed, double angular_velocity) {
         const Vec3 middle = world.state(elements[elements.size() / 2]).position;
-        const Vec3 turning = spin * Vec3(0.3, 1, -0.2);
+        const Vec3 turning = angular_velocity * Vec3(0.3, 1, -0.2);
         for (std::size_t i = 0; i < elements.size(); ++i) {
             const auto k = static_cast<double>(i);
             BodyState state = world.state(elements[i]);
             state.velocity = turning.cross(state.position - middle) +
                              speed * Vec3(std::sin(3 * k), std::cos(5 * k), std::sin(7 * k + 1));
-            state.spin = turning + 5 * speed * Vec3(std::cos(2 * k), std::sin(11 * k), std::cos(k));
+            state.angular_velocity = turning + 5 * speed * Vec3(std::cos(2 * k), std::sin(11 * k), std::cos(k));
             world.place(elements[i], state);
         }
     }
@@ -153,7 +153,7 @@ struct LoneFloe {
         const double broad = element_side * element_side;
         const Vec3 inertia = element_mass / 12 * Vec3(thin + broad, 2 * broad, thin + broad);
         return element_mass * state.position.cross(state.velocity) +
-               state.rotation * inertia.asDiagonal() * state.rotation.transpose() * state.spin;
+               state.rotation * inertia.asDiagonal() * state.rotation.transpose() * state.angular_velocity;
     }
 
     Vec3 angular_momentum() const {
@@ -168,7 +168,7 @@ struct LoneFloe {
         for (const BodyId element : elements) {
             const BodyState state = world.state(element);
             const Vec3 own = angular_momentum_of(state) - element_mass * state.position.cross(state.velocity);
-            sum += element_mass * state.velocity.squaredNorm() / 2 + own.dot(state.spin) / 2;
+            sum += element_mass * state.velocity.squaredNorm() / 2 + own.dot(state.angular_velocity) / 2;
         }
         for (const JointId id : joints) {
             const JointReaction r = world.reaction(id);
@@ -258,7 +258,8 @@ TEST(Direct, AFloePressedAgainstTheWallPassesThePushOn) {
     for (int i = 0; i < 4000; ++i) {
         for (const BodyId element : scene.elements) {
             const BodyState state = world.state(element);
-            world.apply(element, {-5 * state.velocity - Vec3(0, 100 * state.position.y(), 0), -0.1 * state.spin});
+            world.apply(element,
+                        {-5 * state.velocity - Vec3(0, 100 * state.position.y(), 0), -0.1 * state.angular_velocity});
         }
         world.apply(scene.elements[3], {{push, 0, 0}, Vec3::Zero()});  // the middle of the first floe's near edge
         world.step();

@@ -53,10 +53,10 @@ TEST(InternalEdges, ACornerSlidesPastTheBoundaryOfTwoElements) {
     }
 }
 
-// A level floe is pressed flat on a waist, deep enough to meet the rim of the lower piece.
-Vec3 force_of_a_waist(const std::vector<ConvexPiece>& pieces) {
+// A level floe is pressed flat on a waist, deep enough to meet the rim of the lower solid.
+Vec3 force_of_a_waist(const std::vector<ConvexSolid>& solids) {
     World world(with(false, NormalLaw::crushing));
-    const BodyId structure = world.add_structure(pieces, Vec3::Zero());
+    const BodyId structure = world.add_structure(solids, Vec3::Zero());
     const BodyId body = world.add_element(element_at({0.614 + element_side / 2, 0.002 - element_thickness / 2, 0}));
     BodyState state = world.state(body);
     state.velocity = Vec3(-0.05, 0, 0);
@@ -73,11 +73,11 @@ Vec3 force_of_a_waist(const std::vector<ConvexPiece>& pieces) {
 TEST(InternalEdges, AWaistPushesAlongTheNormalsOfItsWalls) {
     const Shape shape({{-0.443, 0.499}, {0, 0.614}, {0.122, 0.736}});
     const double lower = 0.115 / 0.443;  // rise of the force over its thrust at the lower wall; 1 at the upper
-    const Vec3 overlapping = force_of_a_waist(shape.overlapping_pieces());
+    const Vec3 overlapping = force_of_a_waist(shape.overlapping_solids());
     EXPECT_LT(overlapping.x(), -0.1);
     EXPECT_GE(overlapping.y() / -overlapping.x(), 0.99 * lower);
-    const Vec3 rim = force_of_a_waist(shape.pieces());
-    EXPECT_LT(rim.y() / -rim.x(), 0.8 * lower) << "a rim between pieces pushes as it likes";
+    const Vec3 rim = force_of_a_waist(shape.solids());
+    EXPECT_LT(rim.y() / -rim.x(), 0.8 * lower) << "a rim between solids pushes as it likes";
 }
 
 TEST(InternalEdges, StockRefusesToLeaveThemOut) {

@@ -37,14 +37,14 @@ Eigen::Vector<double, 6> vector_of(const JointReaction& r) {
 }
 
 void expect_close(const LanesScene& a, const LanesScene& b, double tolerance) {
-    Deviation position, rotation, velocity, spin, reaction, load;
+    Deviation position, rotation, velocity, angular_velocity, reaction, load;
     for (std::size_t i = 0; i < a.elements.size(); ++i) {
         const BodyState ours = a.world.state(a.elements[i]);
         const BodyState theirs = b.world.state(b.elements[i]);
         position.add(ours.position, theirs.position);
         rotation.add(ours.rotation, theirs.rotation);
         velocity.add(ours.velocity, theirs.velocity);
-        spin.add(ours.spin, theirs.spin);
+        angular_velocity.add(ours.angular_velocity, theirs.angular_velocity);
         load.add(a.world.contact_force(a.elements[i]), b.world.contact_force(b.elements[i]));
     }
     for (std::size_t i = 0; i < a.joints.size(); ++i) {
@@ -54,7 +54,7 @@ void expect_close(const LanesScene& a, const LanesScene& b, double tolerance) {
     EXPECT_LT(position.relative(), tolerance);
     EXPECT_LT(rotation.relative(), tolerance);
     EXPECT_LT(velocity.relative(), tolerance);
-    EXPECT_LT(spin.relative(), tolerance);
+    EXPECT_LT(angular_velocity.relative(), tolerance);
     EXPECT_LT(reaction.relative(), tolerance);
     EXPECT_LT(load.relative(), tolerance);
 }

@@ -19,7 +19,7 @@ LanesScene::LanesScene(const WorldDefinition& definition, int floes)
     sheet.half_extents = Vec3(0.3, 0.1, 2);
     sheet.pose.position = Vec3(spacing * floes + 0.1, 0, 0);
     world.add_fixed_box(sheet);
-    const std::vector<ConvexPiece> frusta{{-0.4, 0.2, 0.2, 0.8}};
+    const std::vector<ConvexSolid> frusta{{-0.4, 0.2, 0.2, 0.8}};
     cone = world.add_structure(frusta, cone_start);
 }
 
@@ -53,7 +53,7 @@ void LanesScene::step() {
         const Vec3 wave(0.2 * std::sin(k), 0.3 * std::cos(2 * k), 0.1 * std::sin(3 * k));
         const Vec3 force = wave - 2 * state.velocity - Vec3(0, 200 * state.position.y() - 9.81 * element_mass, 0);
         const Vec3 moment(0.01 * std::cos(k), 0.005 * std::sin(5 * k), 0.01 * std::sin(2 * k));
-        world.apply(elements[i], {force, moment - 0.05 * state.spin});
+        world.apply(elements[i], {force, moment - 0.05 * state.angular_velocity});
     }
     world.step();
 }

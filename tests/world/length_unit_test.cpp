@@ -37,7 +37,9 @@ Swing swing(const WorldDefinition& definition) {
         joint = world.add_joint({.a = last, .b = next, .pivot = {element_side * i, 0, 0}, .cfm = 0.016});
         last = next;
     }
-    world.place(last, {.position = {element_side * 2.5, 0.01, 0}, .velocity = {0, 0.1, 0.2}, .spin = {0.3, 0, 0.1}});
+    world.place(
+        last,
+        {.position = {element_side * 2.5, 0.01, 0}, .velocity = {0, 0.1, 0.2}, .angular_velocity = {0.3, 0, 0.1}});
     for (int step = 0; step < 20; ++step) {
         world.apply(last, {.force = {3, 0, -2}, .moment = {0.1, 0.2, 0.3}});
         world.step();
@@ -54,7 +56,7 @@ TEST_P(LengthUnit, DoesNotShowInMotionAndReactions) {
         const auto error = [](const Vec3& one, const Vec3& other) { return (one - other).norm() / one.norm(); };
         EXPECT_LT(error(found.state.position, expected.state.position), tolerance) << unit;
         EXPECT_LT(error(found.state.velocity, expected.state.velocity), tolerance) << unit;
-        EXPECT_LT(error(found.state.spin, expected.state.spin), tolerance) << unit;
+        EXPECT_LT(error(found.state.angular_velocity, expected.state.angular_velocity), tolerance) << unit;
         EXPECT_LT((found.state.rotation - expected.state.rotation).norm(), tolerance) << unit;
         EXPECT_LT(error(found.force(), expected.force()), tolerance) << unit;
         EXPECT_LT(error(found.moment(), expected.moment()), tolerance) << unit;
@@ -75,8 +77,8 @@ TEST_P(LengthUnit, AContactCarriesTheWeight) {
 TEST_P(LengthUnit, TheStructurePushesAtItsSpeed) {
     for (const double unit : {0.25, 1.0, 30.0}) {
         World world(definition(unit));
-        const std::vector<ConvexPiece> pieces{{-0.5, 0.5, 0.5, 0.5}};
-        world.add_structure(pieces, {0, 0, 0});
+        const std::vector<ConvexSolid> solids{{-0.5, 0.5, 0.5, 0.5}};
+        world.add_structure(solids, {0, 0, 0});
         const BodyId pushed = world.add_element(element_at({0.62, 0, 0}));
         for (int step = 1; step <= 50; ++step) {
             world.apply(pushed, {.force = {0, element_mass * 9.81, 0}});

@@ -32,7 +32,8 @@ inline Quat turned(double angle, const Vec3& axis) {
 }
 
 inline bool same_bits(const BodyState& a, const BodyState& b) {
-    return a.position == b.position && a.rotation == b.rotation && a.velocity == b.velocity && a.spin == b.spin;
+    return a.position == b.position && a.rotation == b.rotation && a.velocity == b.velocity &&
+           a.angular_velocity == b.angular_velocity;
 }
 
 }  // namespace floes::test

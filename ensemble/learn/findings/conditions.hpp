@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "findings/summary.hpp"
-#include "tables/records.hpp"
+#include "tables/data_rows.hpp"
 
 namespace floes {
 
@@ -25,7 +25,7 @@ std::string window_words(const Analysis& analysis);
 /// One sentence for each condition; where cases differ, one for each value with the names of its cases.
 std::vector<std::string> condition_lines(const Summary& summary);
 
-using ConditionColumn = RecordField<CaseRow>;
+using ConditionColumn = DataColumn<CaseRow>;
 
 /// Whether maxima of single steps depend on the time step in some case, because its contacts are rigid.
 bool has_rigid_contacts(const Summary& summary);

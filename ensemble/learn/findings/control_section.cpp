@@ -75,18 +75,18 @@ Section control_section(const Summary& summary, const std::vector<ControlRow>& r
             "fit has not seen; at 0 or below, and where the interval is no shorter, the correction is off.\n",
             control_draws),
         .records = {
-            make_records<ControlRow>("control", rows,
-                                     {{"case", [&](const ControlRow& row) { return summary.name_of(row.case_index); }},
-                                      {"quantity", [](const ControlRow& row) { return row.quantity.name.view(); }},
-                                      {"mean", of(&ControlledMean::plain, &Interval::estimate)},
-                                      {"low", of(&ControlledMean::plain, &Interval::low)},
-                                      {"high", of(&ControlledMean::plain, &Interval::high)},
-                                      {"r_squared_left_out", [](const ControlRow& row) { return row.found.left_out; }},
-                                      {"used", [](const ControlRow& row) { return row.found.used; }},
-                                      {"corrected", of(&ControlledMean::corrected, &Interval::estimate)},
-                                      {"corrected_low", of(&ControlledMean::corrected, &Interval::low)},
-                                      {"corrected_high", of(&ControlledMean::corrected, &Interval::high)},
-                                      {"arrangements_saved", [](const ControlRow& row) { return row.found.saved; }}})}};
+            make_rows<ControlRow>("control", rows,
+                                  {{"case", [&](const ControlRow& row) { return summary.name_of(row.case_index); }},
+                                   {"quantity", [](const ControlRow& row) { return row.quantity.name.view(); }},
+                                   {"mean", of(&ControlledMean::plain, &Interval::estimate)},
+                                   {"low", of(&ControlledMean::plain, &Interval::low)},
+                                   {"high", of(&ControlledMean::plain, &Interval::high)},
+                                   {"r_squared_left_out", [](const ControlRow& row) { return row.found.left_out; }},
+                                   {"used", [](const ControlRow& row) { return row.found.used; }},
+                                   {"corrected", of(&ControlledMean::corrected, &Interval::estimate)},
+                                   {"corrected_low", of(&ControlledMean::corrected, &Interval::low)},
+                                   {"corrected_high", of(&ControlledMean::corrected, &Interval::high)},
+                                   {"arrangements_saved", [](const ControlRow& row) { return row.found.saved; }}})}};
 }
 
 }  // namespace floes

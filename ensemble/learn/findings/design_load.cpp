@@ -22,15 +22,15 @@ bool has_peaks(const CampaignTable& table) {
 
 }  // namespace
 
-double DesignRequest::model_exposure() const {
+double DesignLoadRequest::model_exposure() const {
     return exposure / std::sqrt(scale);
 }
 
-double DesignRequest::model_averaging() const {
+double DesignLoadRequest::model_averaging() const {
     return averaging / std::sqrt(scale);
 }
 
-double DesignRequest::force_factor() const {
+double DesignLoadRequest::force_factor() const {
     return scale * scale * scale;
 }
 
@@ -48,7 +48,7 @@ CampaignTable with_peaks(const std::filesystem::path& path, CampaignTable table)
     return table;
 }
 
-double averaging_time(const CampaignTable& table, const DesignRequest& request) {
+double averaging_time(const CampaignTable& table, const DesignLoadRequest& request) {
     for (const double time : table.averaging_times)
         if (std::abs(time - request.model_averaging()) < 0.005 * time) return time;
     std::vector<std::string> there;
@@ -60,13 +60,13 @@ double averaging_time(const CampaignTable& table, const DesignRequest& request) 
                     request.averaging, request.scale == 1 ? "" : " at full scale", fmt::join(there, ", ")));
 }
 
-std::vector<CaseDesign> find_design(const CampaignTable& table, const DesignRequest& request) {
+std::vector<CaseDesignLoad> find_design_loads(const CampaignTable& table, const DesignLoadRequest& request) {
     const double time = averaging_time(table, request);
     const Exposure exposure{request.model_exposure(), request.quantiles, request.share};
-    std::vector<CaseDesign> designs;
+    std::vector<CaseDesignLoad> designs;
     for (std::size_t index = 0; index < table.cases.size(); ++index) {
         const CaseRow& about = table.cases[index];
-        CaseDesign one;
+        CaseDesignLoad one;
         one.case_index = index;
         one.separation = about.analysis.peak_separation;
         std::vector<PeakRow> rows;

@@ -13,7 +13,7 @@ namespace floes {
 
 /// What is asked for, at full scale. Froude: times and speeds grow with the square root of the scale, forces with its
 /// cube.
-struct DesignRequest {
+struct DesignLoadRequest {
     double exposure = 3 * unit::hour;    ///< s
     std::vector<double> quantiles{0.9};  ///< probabilities of not being exceeded, each in (0, 1)
     double averaging = 1;                ///< s, that the load is averaged over
@@ -25,7 +25,7 @@ struct DesignRequest {
     double force_factor() const;     ///< load at full scale / load in the campaign
 };
 
-struct CaseDesign {
+struct CaseDesignLoad {
     std::size_t case_index = 0;
     double separation = 0;            ///< s, between peaks
     std::vector<int> arrangements;    ///< of the rows, in their order
@@ -43,9 +43,9 @@ CampaignTable with_peaks(const std::filesystem::path& path, CampaignTable table)
 
 /// The campaign's own averaging time that the request means, s at the campaign's scale. Throws InputError if there is
 /// none.
-double averaging_time(const CampaignTable& table, const DesignRequest& request);
+double averaging_time(const CampaignTable& table, const DesignLoadRequest& request);
 
 /// One for each case. Throws InputError if the members did not average over that time.
-std::vector<CaseDesign> find_design(const CampaignTable& table, const DesignRequest& request);
+std::vector<CaseDesignLoad> find_design_loads(const CampaignTable& table, const DesignLoadRequest& request);
 
 }  // namespace floes

@@ -34,7 +34,7 @@ std::vector<Cell> line(const CaseExtremes& one, const FittedExtreme& fitted) {
 /// Columns of one fit of a case; in JSON at `place` in the case's record.
 template <class Row>
 void add_fit(const std::string& place, const std::function<const FittedExtreme&(const Row&)>& fit_of,
-             std::vector<RecordField<Row>>& columns) {
+             std::vector<DataColumn<Row>>& columns) {
     const auto add = [&](const std::string& csv, const std::string& json, auto value) {
         columns.push_back({Names{csv, place + json}, [=](const Row& row) { return Datum(value(fit_of(row))); }});
     };
@@ -71,8 +71,8 @@ void add_fit(const std::string& place, const std::function<const FittedExtreme&(
 }
 
 /// For JSON: a record for each case.
-Records case_records(const Summary& summary, const std::vector<CaseExtremes>& extremes) {
-    std::vector<RecordField<CaseExtremes>> columns{
+DataRows case_records(const Summary& summary, const std::vector<CaseExtremes>& extremes) {
+    std::vector<DataColumn<CaseExtremes>> columns{
         {"case", [&](const CaseExtremes& one) { return summary.name_of(one.case_index); }},
         {"segment_s", &CaseExtremes::segment},
         {"maxima", &CaseExtremes::maxima}};
@@ -80,11 +80,11 @@ Records case_records(const Summary& summary, const std::vector<CaseExtremes>& ex
         "gumbel/", [](const CaseExtremes& one) -> const FittedExtreme& { return one.gumbel; }, columns);
     add_fit<CaseExtremes>(
         "gev/", [](const CaseExtremes& one) -> const FittedExtreme& { return one.gev; }, columns);
-    return json_only(make_records<CaseExtremes>("extremes", extremes, columns));
+    return json_only(make_rows<CaseExtremes>("extremes", extremes, columns));
 }
 
 /// For CSV: a line for each fit.
-Records fit_records(const Summary& summary, const std::vector<CaseExtremes>& extremes) {
+DataRows fit_records(const Summary& summary, const std::vector<CaseExtremes>& extremes) {
     struct Line {
         const CaseExtremes* of;
         const FittedExtreme* fitted;
@@ -92,14 +92,14 @@ Records fit_records(const Summary& summary, const std::vector<CaseExtremes>& ext
     std::vector<Line> lines;
     for (const CaseExtremes& one : extremes)
         for (const FittedExtreme* fitted : fits_of(one)) lines.push_back({&one, fitted});
-    std::vector<RecordField<Line>> columns{
+    std::vector<DataColumn<Line>> columns{
         {"case", [&](const Line& line) { return summary.name_of(line.of->case_index); }},
         {"distribution", [](const Line& line) { return name_of(line.fitted->kind); }},
         {"segment_s", [](const Line& line) { return line.of->segment; }},
         {"maxima", [](const Line& line) { return line.of->maxima; }}};
     add_fit<Line>(
         "", [](const Line& line) -> const FittedExtreme& { return *line.fitted; }, columns);
-    return csv_only(make_records<Line>("", lines, columns));
+    return csv_only(make_rows<Line>("", lines, columns));
 }
 
 }  // namespace
@@ -164,7 +164,7 @@ Section exceedance_section(const Summary& summary, const std::vector<CaseExtreme
     std::vector<Point> points;
     Section section{.records = {case_records(summary, extremes)}};
     for (std::size_t k = 0; k < extremes.size(); ++k) {
-        section.records.push_back(json_only(make_records<ExceedancePoint>(
+        section.records.push_back(json_only(make_rows<ExceedancePoint>(
             fmt::format("extremes/{}/exceedance", k), extremes[k].exceedance,
             {{"load_N", &ExceedancePoint::load}, {"probability", &ExceedancePoint::probability}})));
         for (const ExceedancePoint& point : extremes[k].exceedance) points.push_back({&extremes[k], point});
@@ -172,13 +172,13 @@ Section exceedance_section(const Summary& summary, const std::vector<CaseExtreme
     const auto beyond = [](const ExtremeFit& fit, double load) {
         return fit.valid() ? Datum(1 - extreme_cdf(fit, load)) : Datum(Undefined{});
     };
-    section.records.push_back(csv_only(make_records<Point>(
-        "", points,
-        {{"case", [&](const Point& point) { return summary.name_of(point.of->case_index); }},
-         {"load_N", [](const Point& point) { return point.at.load; }},
-         {"empirical", [](const Point& point) { return point.at.probability; }},
-         {"gumbel", [&](const Point& point) { return beyond(point.of->gumbel.fit, point.at.load); }},
-         {"gev", [&](const Point& point) { return beyond(point.of->gev.fit, point.at.load); }}})));
+    section.records.push_back(csv_only(
+        make_rows<Point>("", points,
+                         {{"case", [&](const Point& point) { return summary.name_of(point.of->case_index); }},
+                          {"load_N", [](const Point& point) { return point.at.load; }},
+                          {"empirical", [](const Point& point) { return point.at.probability; }},
+                          {"gumbel", [&](const Point& point) { return beyond(point.of->gumbel.fit, point.at.load); }},
+                          {"gev", [&](const Point& point) { return beyond(point.of->gev.fit, point.at.load); }}})));
     return section;
 }
 

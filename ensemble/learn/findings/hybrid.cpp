@@ -16,28 +16,28 @@ std::string crossing_text(const HybridCurve& curve) {
                           : "floes are pushed aside at any modulus\n";
 }
 
-std::vector<Records> records_of(const HybridCurve& curve) {
+std::vector<DataRows> records_of(const HybridCurve& curve) {
     using Row = const HybridPoint&;
     const std::array coefficients{curve.coefficients.static_part, curve.coefficients.dissipative,
                                   curve.coefficients.impact};
-    std::vector<RecordField<HybridCurve>> about{
+    std::vector<DataColumn<HybridCurve>> about{
         {Names{"", "crossing_MPa"},
          [](const HybridCurve& one) { return one.crossing ? Datum(*one.crossing / unit::megapascal) : Undefined{}; }},
         {Names{"", "wall_deg"}, [](const HybridCurve& one) { return one.hull.stem_angle / unit::degree; }}};
     for (std::size_t k = 0; k < coefficients.size(); ++k)
         about.push_back(
             {Names{"", fmt::format("kpr_coefficients/{}", k)}, [=](const HybridCurve&) { return coefficients[k]; }});
-    return {make_records<HybridPoint>(
-                "rows", curve.points,
-                {{"elastic_modulus_MPa", [](Row row) { return row.elastic_modulus / unit::megapascal; }},
-                 {"limit_stress_N", [](Row row) { return row.limit_stress.total(); }},
-                 {"limit_momentum_N", &HybridPoint::limit_momentum},
-                 {"hybrid_N", &HybridPoint::load},
-                 {"crushing_N", [](Row row) { return row.limit_stress.crushing; }},
-                 {"bending_N", [](Row row) { return row.limit_stress.bending; }},
-                 {"submergence_N", [](Row row) { return row.limit_stress.submergence; }},
-                 {"characteristic_length_m", &HybridPoint::characteristic_length}}),
-            make_object("", curve, about)};
+    return {
+        make_rows<HybridPoint>("rows", curve.points,
+                               {{"elastic_modulus_MPa", [](Row row) { return row.elastic_modulus / unit::megapascal; }},
+                                {"limit_stress_N", [](Row row) { return row.limit_stress.total(); }},
+                                {"limit_momentum_N", &HybridPoint::limit_momentum},
+                                {"hybrid_N", &HybridPoint::load},
+                                {"crushing_N", [](Row row) { return row.limit_stress.crushing; }},
+                                {"bending_N", [](Row row) { return row.limit_stress.bending; }},
+                                {"submergence_N", [](Row row) { return row.limit_stress.submergence; }},
+                                {"characteristic_length_m", &HybridPoint::characteristic_length}}),
+        make_object("", curve, about)};
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ std::vector<LevelRow> find_levels(const CampaignTable& table) {
 
 Section levels_section(const Summary& summary, const std::vector<LevelRow>& rows) {
     using Row = const LevelRow&;
-    Records records = make_records<LevelRow>(
+    DataRows records = make_rows<LevelRow>(
         "load_levels", rows,
         {{"case", [&](Row row) { return summary.name_of(row.case_index); }},
          {Names{"level_N", "level_N"}, &LevelRow::level},

@@ -23,7 +23,7 @@ const char* status_word(RowStatus status) {
 
 Section members_section(const CampaignTable& table) {
     using Row = const MemberRow&;
-    std::vector<RecordField<MemberRow>> columns{
+    std::vector<DataColumn<MemberRow>> columns{
         {"member", [&](Row row) { return &row - table.members.data(); }},
         {"case", [&](Row row) { return table.cases.at(static_cast<std::size_t>(row.case_index)).name; }},
         {"arrangement", &MemberRow::arrangement},
@@ -41,7 +41,7 @@ Section members_section(const CampaignTable& table) {
                                return row.done() && k < maxima.size() ? Datum(maxima[k]) : Datum(Absent{});
                            }});
     add(quantity("trend_p"), "trend_p");
-    return {.records = {csv_only(make_records<MemberRow>("", table.members, columns))}};
+    return {.records = {csv_only(make_rows<MemberRow>("", table.members, columns))}};
 }
 
 }  // namespace floes

@@ -74,7 +74,7 @@ std::string notes(const std::vector<PairRow>& rows, const PairOptions& options) 
         options.power / unit::percent);
 }
 
-std::vector<RecordField<PairRow>> columns_of(const Summary& summary, const PairOptions& options) {
+std::vector<DataColumn<PairRow>> columns_of(const Summary& summary, const PairOptions& options) {
     using Row = const PairRow&;
     const auto needed = [](int count) { return count == 0 ? Datum(Undefined{}) : Datum(count); };
     return {
@@ -127,7 +127,7 @@ std::string unasked_text(const Summary& summary) {
 }
 
 Section pairs_section(const Summary& summary, const std::vector<PairRow>& rows, const PairOptions& options) {
-    Section section{.records = {make_records<PairRow>("pairs", rows, columns_of(summary, options))}};
+    Section section{.records = {make_rows<PairRow>("pairs", rows, columns_of(summary, options))}};
     const std::string left_out = left_out_text(summary, rows);
     if (rows.empty()) {
         section.before = summary.cases.size() < 2 ? "Pairs: there is only one case.\n" : left_out + "\n";

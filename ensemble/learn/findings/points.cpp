@@ -51,7 +51,7 @@ Section points_section(const DesignPoints& points, const Summary& summary) {
     const auto summary_of = [&](Row row) -> const CaseSummary& {
         return summary.cases.at(static_cast<std::size_t>(&row - points.rows.data()));
     };
-    std::vector<RecordField<PointRow>> columns{
+    std::vector<DataColumn<PointRow>> columns{
         {"case", &PointRow::name}, {"base", &PointRow::base}, {"point", &PointRow::point}};
     for (std::size_t k = 0; k < points.keys.size(); ++k)
         columns.push_back({Names{points.keys[k], fmt::format("values/{}", k)}, [k](Row row) {
@@ -61,8 +61,8 @@ Section points_section(const DesignPoints& points, const Summary& summary) {
     for (const Quantity& one : shown_in(summary.quantities, Shown::in_summary))
         columns.push_back(
             {Names{std::string{one.name.view()}, ""}, [=, &one](Row row) { return summary_of(row).of(one).estimate; }});
-    Section section{.records = {make_list("design/axes", points.keys),
-                                make_records<PointRow>("design/points", points.rows, columns)}};
+    Section section{
+        .records = {make_list("design/axes", points.keys), make_rows<PointRow>("design/points", points.rows, columns)}};
     if (points.keys.empty()) {
         section.before = "The campaign has no design: its cases lie on no axes.\n";
     } else {

@@ -54,7 +54,7 @@ std::string heading_of(const SensitivityRow& row) {
 /// The slope and the indices of one axis. `axis_of` and `row_of` find them in the record's source.
 template <class Row>
 void add_axis(const std::string& place, const std::function<const SensitivityRow&(const Row&)>& row_of,
-              const std::function<std::size_t(const Row&)>& axis_of, std::vector<RecordField<Row>>& columns) {
+              const std::function<std::size_t(const Row&)>& axis_of, std::vector<DataColumn<Row>>& columns) {
     const auto add = [&](std::string csv, const std::string& json, auto value) {
         columns.push_back({Names{std::move(csv), json.empty() ? "" : place + json},
                            [=](const Row& row) { return Datum(value(row_of(row), axis_of(row))); }});
@@ -87,12 +87,12 @@ void add_axis(const std::string& place, const std::function<const SensitivityRow
     of_index("total", &SobolIndices::total);
 }
 
-Records row_records(const Sensitivity& found) {
+DataRows row_records(const Sensitivity& found) {
     using Row = const SensitivityRow&;
     const auto of_fit = [](auto value) {
         return [value](Row row) { return row.fit ? Datum(value(*row.fit)) : Datum(Undefined{}); };
     };
-    std::vector<RecordField<SensitivityRow>> columns{
+    std::vector<DataColumn<SensitivityRow>> columns{
         {"base", &SensitivityRow::base},
         {"quantity", [](Row row) { return row.quantity.name.view(); }},
         {"points", &SensitivityRow::points},
@@ -106,10 +106,10 @@ Records row_records(const Sensitivity& found) {
         add_axis<SensitivityRow>(
             place, [](Row row) -> Row { return row; }, [k](Row) { return k; }, columns);
     }
-    return json_only(make_records<SensitivityRow>("sensitivity/rows", found.rows, columns));
+    return json_only(make_rows<SensitivityRow>("sensitivity/rows", found.rows, columns));
 }
 
-Records axis_records(const Sensitivity& found) {
+DataRows axis_records(const Sensitivity& found) {
     struct Line {
         const SensitivityRow* row;
         const SensitivityAxis* axis;
@@ -117,18 +117,17 @@ Records axis_records(const Sensitivity& found) {
     std::vector<Line> lines;
     for (const SensitivityRow& row : found.rows)
         for (const SensitivityAxis& axis : found.axes) lines.push_back({&row, &axis});
-    std::vector<RecordField<Line>> columns{
-        {"base", [](const Line& line) { return line.row->base; }},
-        {"quantity", [](const Line& line) { return line.row->quantity.name.view(); }},
-        {"axis", [](const Line& line) { return line.axis->key; }},
-        {"from", [](const Line& line) { return line.axis->from; }},
-        {"to", [](const Line& line) { return line.axis->to; }},
-        {"scale", [](const Line& line) { return scale_word(*line.axis); }},
-        {"points", [](const Line& line) { return line.row->points; }}};
+    std::vector<DataColumn<Line>> columns{{"base", [](const Line& line) { return line.row->base; }},
+                                          {"quantity", [](const Line& line) { return line.row->quantity.name.view(); }},
+                                          {"axis", [](const Line& line) { return line.axis->key; }},
+                                          {"from", [](const Line& line) { return line.axis->from; }},
+                                          {"to", [](const Line& line) { return line.axis->to; }},
+                                          {"scale", [](const Line& line) { return scale_word(*line.axis); }},
+                                          {"points", [](const Line& line) { return line.row->points; }}};
     add_axis<Line>(
         "", [](const Line& line) -> const SensitivityRow& { return *line.row; },
         [&](const Line& line) { return static_cast<std::size_t>(line.axis - found.axes.data()); }, columns);
-    return csv_only(make_records<Line>("", lines, columns));
+    return csv_only(make_rows<Line>("", lines, columns));
 }
 
 }  // namespace
@@ -171,7 +170,7 @@ std::vector<std::string> sensitivity_notes(const Sensitivity& found) {
 
 Section sensitivity_section(const Sensitivity& found) {
     Section section{.before = "What decides the load\n\n",
-                    .records = {json_only(make_records<SensitivityAxis>(
+                    .records = {json_only(make_rows<SensitivityAxis>(
                                     "sensitivity/axes", found.axes,
                                     {{"key", &SensitivityAxis::key},
                                      {"from", &SensitivityAxis::from},

@@ -118,7 +118,7 @@ Section steady_section(const Summary& summary, const CampaignTable& table, const
     };
     Section section;
     section.records = {
-        json_only(make_records<CaseSteady>(
+        json_only(make_rows<CaseSteady>(
             "steady/cases", steady.cases,
             {{"case", case_of},
              {"steady_start_s", [=](const CaseSteady& one) { return or_undefined(one.start); }},
@@ -126,13 +126,12 @@ Section steady_section(const Summary& summary, const CampaignTable& table, const
              {"members_without_start", &CaseSteady::without_start},
              {"median_decorrelation_time_s", &CaseSteady::median_decorrelation_time},
              {"median_effective_samples", &CaseSteady::median_effective_samples}})),
-        make_records<MemberSteady>(
-            "steady/members", steady.members,
-            {{"member", &MemberSteady::member},
-             {Names{"case", ""}, case_of_member},
-             {"steady_start_s", [=](const MemberSteady& one) { return or_undefined(one.start); }},
-             {"decorrelation_time_s", &MemberSteady::decorrelation_time},
-             {"effective_samples", &MemberSteady::effective_samples}})};
+        make_rows<MemberSteady>("steady/members", steady.members,
+                                {{"member", &MemberSteady::member},
+                                 {Names{"case", ""}, case_of_member},
+                                 {"steady_start_s", [=](const MemberSteady& one) { return or_undefined(one.start); }},
+                                 {"decorrelation_time_s", &MemberSteady::decorrelation_time},
+                                 {"effective_samples", &MemberSteady::effective_samples}})};
     if (steady.members.empty()) {
         section.missing = "Steady state: unknown, because the file has no load histories (/history/surge_load).\n";
         return section;

@@ -145,7 +145,7 @@ std::string notes(const Summary& summary, const Totals& totals) {
 
 // -- CSV and JSON: a record for each case
 
-using CaseColumn = RecordField<CaseSummary>;
+using CaseColumn = DataColumn<CaseSummary>;
 
 void add_estimate(const Quantity& quantity, std::vector<CaseColumn>& columns) {
     const std::string name{quantity.name.view()};
@@ -208,15 +208,15 @@ std::vector<CaseColumn> case_columns(const Summary& summary, Reference reference
     return columns;
 }
 
-std::vector<Records> records_of(const Summary& summary, Reference reference) {
-    std::vector<RecordField<Summary>> about{
+std::vector<DataRows> records_of(const Summary& summary, Reference reference) {
+    std::vector<DataColumn<Summary>> about{
         {Names{"", "campaign"}, &Summary::title},
         {Names{"", "complete"}, &Summary::complete},
     };
     if (reference)
         about.push_back({Names{"", "reference"}, [&](const Summary&) { return summary.name_of(*reference); }});
     return {make_object("", summary, about),
-            make_records<CaseSummary>("cases", summary.cases, case_columns(summary, reference))};
+            make_rows<CaseSummary>("cases", summary.cases, case_columns(summary, reference))};
 }
 
 }  // namespace

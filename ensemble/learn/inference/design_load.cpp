@@ -136,8 +136,8 @@ Limits mixed_limits(const std::vector<double>& one, const std::vector<double>& o
     return {quantile(0.025), quantile(0.975)};
 }
 
-DesignEstimate estimate(LargestBy method, const Figures& values, const std::function<Limits(std::size_t)>& limits) {
-    DesignEstimate made{.method = method, .expected = {values[0], limits(0)}, .quantiles = {}};
+DesignLoadEstimate estimate(LargestBy method, const Figures& values, const std::function<Limits(std::size_t)>& limits) {
+    DesignLoadEstimate made{.method = method, .expected = {values[0], limits(0)}, .quantiles = {}};
     for (std::size_t k = 1; k < values.size(); ++k) made.quantiles.push_back({values[k], limits(k)});
     return made;
 }

@@ -44,26 +44,26 @@ enum class LargestBy {
 };
 std::string_view name_of(LargestBy method);
 
-struct DesignFigure {
+struct DesignLoadFigure {
     double value = 0;   ///< N
     Limits interval{};  ///< 95 %, bootstrap over arrangements
 };
 
-struct DesignEstimate {
+struct DesignLoadEstimate {
     LargestBy method = LargestBy::both_tails;
-    DesignFigure expected;                ///< mean of the largest load in the exposure
-    std::vector<DesignFigure> quantiles;  ///< in the order of Exposure::probabilities
+    DesignLoadFigure expected;                ///< mean of the largest load in the exposure
+    std::vector<DesignLoadFigure> quantiles;  ///< in the order of Exposure::probabilities
 };
 
 struct DesignLoad {
     std::size_t arrangements = 0;
-    double time_run = 0;                    ///< s, over all arrangements
-    std::size_t peaks = 0;                  ///< above the threshold
-    double threshold = 0;                   ///< N
-    Tail pareto;                            ///< shape below 0: the load has an upper bound; above 0: a heavy tail
-    Tail weibull;                           ///< shape 1: exponential; 2: Gaussian
-    double weibull_weight = 0;              ///< of the Weibull tail in both_tails, 0-1
-    std::vector<DesignEstimate> estimates;  ///< in the order of LargestBy; empty if there are too few peaks
+    double time_run = 0;                        ///< s, over all arrangements
+    std::size_t peaks = 0;                      ///< above the threshold
+    double threshold = 0;                       ///< N
+    Tail pareto;                                ///< shape below 0: the load has an upper bound; above 0: a heavy tail
+    Tail weibull;                               ///< shape 1: exponential; 2: Gaussian
+    double weibull_weight = 0;                  ///< of the Weibull tail in both_tails, 0-1
+    std::vector<DesignLoadEstimate> estimates;  ///< in the order of LargestBy; empty if there are too few peaks
     /// Of the quantiles of both_tails, a draw a row, NaN where it could not be fitted: the first rows of two cases with
     /// the same arrangements are of the same draws, as many as both have.
     std::vector<std::vector<double>> draws;

@@ -4,13 +4,13 @@
 
 #include "core/units.hpp"
 #include "match/predict.hpp"
-#include "match/predict_design.hpp"
+#include "match/predict_design_load.hpp"
 #include "tables/number_text.hpp"
 
 namespace floes {
-Section design_section(const std::vector<PredictedDesign>& designs, const DesignRequest& request) {
+Section design_section(const std::vector<PredictedDesignLoad>& designs, const DesignLoadRequest& request) {
     double largest = 0;
-    for (const PredictedDesign& one : designs) largest = std::max(largest, one.quantile.high);
+    for (const PredictedDesignLoad& one : designs) largest = std::max(largest, one.quantile.high);
     const LoadUnit unit = load_unit(largest);
     const std::string exceeded = fmt::format("exceeded with {:.3g} %", (1 - request.quantiles.front()) / unit::percent);
     Section section{.before = fmt::format("Design load over what is not ruled out: the largest load averaged over {:g} "
@@ -20,7 +20,7 @@ Section design_section(const std::vector<PredictedDesign>& designs, const Design
                       fmt::format("{}, {}", exceeded, unit.name), "weighed", "growth", "lower half", "upper half",
                       "runs"}};
     bool all_points = false;
-    for (const PredictedDesign& one : designs) {
+    for (const PredictedDesignLoad& one : designs) {
         const auto cell = [&](const PredictedRange& range) { return range_cell(range, unit.factor); };
         section.table.push_back({one.case_name.empty() ? "all" : one.case_name, cell(one.expected),
                                  cell(one.expected_weighed), cell(one.quantile), cell(one.quantile_weighed),
@@ -41,38 +41,38 @@ Section design_section(const std::vector<PredictedDesign>& designs, const Design
                                  fewest_growth_runs)
                    : "");
     const auto of = [](auto outer, auto inner) {
-        return [outer, inner](const PredictedDesign& one) { return static_cast<double>((one.*outer).*inner); };
+        return [outer, inner](const PredictedDesignLoad& one) { return static_cast<double>((one.*outer).*inner); };
     };
-    const auto limit = [](DesignFigure PredictedDesign::*figure, double Limits::*side) {
-        return [figure, side](const PredictedDesign& one) { return (one.*figure).interval.*side; };
+    const auto limit = [](DesignLoadFigure PredictedDesignLoad::*figure, double Limits::*side) {
+        return [figure, side](const PredictedDesignLoad& one) { return (one.*figure).interval.*side; };
     };
-    section.records = {make_records<PredictedDesign>(
+    section.records = {make_rows<PredictedDesignLoad>(
         "match/design_load", designs,
-        {{"case", &PredictedDesign::case_name},
-         {"exposure_s", [&](const PredictedDesign&) { return request.exposure; }},
-         {"averaging_s", [&](const PredictedDesign&) { return request.averaging; }},
-         {"scale", [&](const PredictedDesign&) { return request.scale; }},
-         {"quantile", [&](const PredictedDesign&) { return request.quantiles.front(); }},
-         {"expected_N", of(&PredictedDesign::expected, &PredictedRange::mean)},
-         {"expected_low_N", of(&PredictedDesign::expected, &PredictedRange::low)},
-         {"expected_high_N", of(&PredictedDesign::expected, &PredictedRange::high)},
-         {"expected_weighted_N", of(&PredictedDesign::expected_weighed, &PredictedRange::mean)},
-         {"expected_weighted_low_N", of(&PredictedDesign::expected_weighed, &PredictedRange::low)},
-         {"expected_weighted_high_N", of(&PredictedDesign::expected_weighed, &PredictedRange::high)},
-         {"quantile_N", of(&PredictedDesign::quantile, &PredictedRange::mean)},
-         {"quantile_low_N", of(&PredictedDesign::quantile, &PredictedRange::low)},
-         {"quantile_high_N", of(&PredictedDesign::quantile, &PredictedRange::high)},
-         {"quantile_weighted_N", of(&PredictedDesign::quantile_weighed, &PredictedRange::mean)},
-         {"quantile_weighted_low_N", of(&PredictedDesign::quantile_weighed, &PredictedRange::low)},
-         {"quantile_weighted_high_N", of(&PredictedDesign::quantile_weighed, &PredictedRange::high)},
-         {"growth_expected", of(&PredictedDesign::growth_expected, &DesignFigure::value)},
-         {"growth_quantile", of(&PredictedDesign::growth_quantile, &DesignFigure::value)},
-         {"growth_quantile_low", limit(&PredictedDesign::growth_quantile, &Limits::low)},
-         {"growth_quantile_high", limit(&PredictedDesign::growth_quantile, &Limits::high)},
-         {"growth_lower_half", &PredictedDesign::growth_lower_half},
-         {"growth_upper_half", &PredictedDesign::growth_upper_half},
-         {"runs", [](const PredictedDesign& one) { return static_cast<std::int64_t>(one.runs); }},
-         {"only_left", &PredictedDesign::only_left}})};
+        {{"case", &PredictedDesignLoad::case_name},
+         {"exposure_s", [&](const PredictedDesignLoad&) { return request.exposure; }},
+         {"averaging_s", [&](const PredictedDesignLoad&) { return request.averaging; }},
+         {"scale", [&](const PredictedDesignLoad&) { return request.scale; }},
+         {"quantile", [&](const PredictedDesignLoad&) { return request.quantiles.front(); }},
+         {"expected_N", of(&PredictedDesignLoad::expected, &PredictedRange::mean)},
+         {"expected_low_N", of(&PredictedDesignLoad::expected, &PredictedRange::low)},
+         {"expected_high_N", of(&PredictedDesignLoad::expected, &PredictedRange::high)},
+         {"expected_weighted_N", of(&PredictedDesignLoad::expected_weighed, &PredictedRange::mean)},
+         {"expected_weighted_low_N", of(&PredictedDesignLoad::expected_weighed, &PredictedRange::low)},
+         {"expected_weighted_high_N", of(&PredictedDesignLoad::expected_weighed, &PredictedRange::high)},
+         {"quantile_N", of(&PredictedDesignLoad::quantile, &PredictedRange::mean)},
+         {"quantile_low_N", of(&PredictedDesignLoad::quantile, &PredictedRange::low)},
+         {"quantile_high_N", of(&PredictedDesignLoad::quantile, &PredictedRange::high)},
+         {"quantile_weighted_N", of(&PredictedDesignLoad::quantile_weighed, &PredictedRange::mean)},
+         {"quantile_weighted_low_N", of(&PredictedDesignLoad::quantile_weighed, &PredictedRange::low)},
+         {"quantile_weighted_high_N", of(&PredictedDesignLoad::quantile_weighed, &PredictedRange::high)},
+         {"growth_expected", of(&PredictedDesignLoad::growth_expected, &DesignLoadFigure::value)},
+         {"growth_quantile", of(&PredictedDesignLoad::growth_quantile, &DesignLoadFigure::value)},
+         {"growth_quantile_low", limit(&PredictedDesignLoad::growth_quantile, &Limits::low)},
+         {"growth_quantile_high", limit(&PredictedDesignLoad::growth_quantile, &Limits::high)},
+         {"growth_lower_half", &PredictedDesignLoad::growth_lower_half},
+         {"growth_upper_half", &PredictedDesignLoad::growth_upper_half},
+         {"runs", [](const PredictedDesignLoad& one) { return static_cast<std::int64_t>(one.runs); }},
+         {"only_left", &PredictedDesignLoad::only_left}})};
     return section;
 }
 

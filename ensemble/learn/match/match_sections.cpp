@@ -109,7 +109,7 @@ Section target_section(const std::vector<EmulatedTarget>& targets, const Matchin
                               {{"left", [](Whole all) { return all.share(); }},
                                {"sampled", [](Whole all) { return all.sampled; }},
                                {"best_implausibility", [](Whole all) { return all.best_implausibility; }}}),
-        make_records<TargetRow>(
+        make_rows<TargetRow>(
             "match/targets", rows,
             {{"quantity", [](Row row) { return std::string(row.target->target().quantity.key.view()); }},
              {"case", [](Row row) { return row.target->target().case_name; }},
@@ -145,13 +145,13 @@ Section axis_section(const MatchData& data, const Matching& found) {
     const auto of_left = [](double AxisLeft::*field) {
         return [field](Row row) { return row.left != nullptr ? Datum(row.left->*field) : Datum(Undefined{}); };
     };
-    section.records = {make_records<AxisRow>("match/inputs", rows,
-                                             {{"key", [](Row row) { return row.axis->key; }},
-                                              {"from", [](Row row) { return row.axis->from; }},
-                                              {"to", [](Row row) { return row.axis->to; }},
-                                              {"low", of_left(&AxisLeft::low)},
-                                              {"high", of_left(&AxisLeft::high)},
-                                              {"median", of_left(&AxisLeft::middle)}})};
+    section.records = {make_rows<AxisRow>("match/inputs", rows,
+                                          {{"key", [](Row row) { return row.axis->key; }},
+                                           {"from", [](Row row) { return row.axis->from; }},
+                                           {"to", [](Row row) { return row.axis->to; }},
+                                           {"low", of_left(&AxisLeft::low)},
+                                           {"high", of_left(&AxisLeft::high)},
+                                           {"median", of_left(&AxisLeft::middle)}})};
     return section;
 }
 
@@ -210,7 +210,7 @@ Section point_section(const MatchData& data, const std::vector<EmulatedTarget>& 
     }
     section.after =
         "\nExpected to differ by: one standard deviation, of the emulator, single runs, measurement and model.\n";
-    section.records = {make_records<Row>(
+    section.records = {make_rows<Row>(
         "match/point", rows,
         {{"quantity", [](const Row& row) { return std::string(row.target->target().quantity.key.view()); }},
          {"case", [](const Row& row) { return row.target->target().case_name; }},

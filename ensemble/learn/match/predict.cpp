@@ -55,19 +55,19 @@ Section predicted_section(const std::vector<Predicted>& predicted) {
     const auto of = [](PredictedRange Predicted::*range, double PredictedRange::*field) {
         return [range, field](const Predicted& one) { return one.*range.*field; };
     };
-    section.records = {make_records<Predicted>(
-        "match/predicted", predicted,
-        {{"quantity", [](const Predicted& one) { return std::string(one.quantity.key.view()); }},
-         {"case", &Predicted::case_name},
-         {"mean", of(&Predicted::mean, &PredictedRange::mean)},
-         {"mean_low", of(&Predicted::mean, &PredictedRange::low)},
-         {"mean_high", of(&Predicted::mean, &PredictedRange::high)},
-         {"weighted", of(&Predicted::weighted, &PredictedRange::mean)},
-         {"weighted_low", of(&Predicted::weighted, &PredictedRange::low)},
-         {"weighted_high", of(&Predicted::weighted, &PredictedRange::high)},
-         {"run_low", of(&Predicted::run, &PredictedRange::low)},
-         {"run_high", of(&Predicted::run, &PredictedRange::high)},
-         {"effective_points", &Predicted::effective}})};
+    section.records = {
+        make_rows<Predicted>("match/predicted", predicted,
+                             {{"quantity", [](const Predicted& one) { return std::string(one.quantity.key.view()); }},
+                              {"case", &Predicted::case_name},
+                              {"mean", of(&Predicted::mean, &PredictedRange::mean)},
+                              {"mean_low", of(&Predicted::mean, &PredictedRange::low)},
+                              {"mean_high", of(&Predicted::mean, &PredictedRange::high)},
+                              {"weighted", of(&Predicted::weighted, &PredictedRange::mean)},
+                              {"weighted_low", of(&Predicted::weighted, &PredictedRange::low)},
+                              {"weighted_high", of(&Predicted::weighted, &PredictedRange::high)},
+                              {"run_low", of(&Predicted::run, &PredictedRange::low)},
+                              {"run_high", of(&Predicted::run, &PredictedRange::high)},
+                              {"effective_points", &Predicted::effective}})};
     return section;
 }
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "tables/records.hpp"
+#include "tables/data_rows.hpp"
 
 namespace floes {
 namespace {
@@ -28,17 +28,17 @@ void end_line(std::string& line) {
 
 }  // namespace
 
-Records csv_only(Records records) {
+DataRows csv_only(DataRows records) {
     for (Names& one : records.names) one.json.clear();
     return records;
 }
 
-Records json_only(Records records) {
+DataRows json_only(DataRows records) {
     for (Names& one : records.names) one.csv.clear();
     return records;
 }
 
-std::string csv(const Records& records) {
+std::string csv(const DataRows& records) {
     std::string text;
     for (const Names& one : records.names)
         if (!one.csv.empty()) text += Field{}(one.csv) + ",";

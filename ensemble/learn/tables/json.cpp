@@ -1,7 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "tables/records.hpp"
+#include "tables/data_rows.hpp"
 
 namespace floes {
 namespace {
@@ -29,16 +29,16 @@ void put(Json& record, const std::vector<Names>& names, const std::vector<Datum>
     }
 }
 
-bool has_names(const Records& records) {
+bool has_names(const DataRows& records) {
     for (const Names& one : records.names)
         if (!one.json.empty()) return true;
     return false;
 }
 
-void add(Json& document, const Records& records) {
+void add(Json& document, const DataRows& records) {
     if (!has_names(records)) return;
     Json& place = at(document, records.place);
-    if (records.shape == Records::Shape::object) {
+    if (records.shape == DataRows::Shape::object) {
         put(place, records.names, records.rows.front());
         return;
     }
@@ -48,9 +48,9 @@ void add(Json& document, const Records& records) {
 
 }  // namespace
 
-std::string json(std::span<const Records> records) {
+std::string json(std::span<const DataRows> records) {
     Json document = Json::object();
-    for (const Records& one : records) add(document, one);
+    for (const DataRows& one : records) add(document, one);
     return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -30,7 +30,7 @@ std::string text(std::span<const Section> sections, int width) {
 std::string csv(std::span<const Section> sections) {
     std::vector<std::string> parts;
     for (const Section& one : sections) {
-        for (const Records& records : one.records) {
+        for (const DataRows& records : one.records) {
             std::string part = csv(records);
             if (!part.empty()) parts.push_back(std::move(part));
         }
@@ -39,7 +39,7 @@ std::string csv(std::span<const Section> sections) {
 }
 
 std::string json(std::span<const Section> sections) {
-    std::vector<Records> all;
+    std::vector<DataRows> all;
     for (const Section& one : sections) all.insert(all.end(), one.records.begin(), one.records.end());
     return json(all);
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tables/records.hpp"
+#include "tables/data_rows.hpp"
 #include "tables/table.hpp"
 
 namespace floes {
@@ -16,7 +16,7 @@ struct Section {
     std::string before = {};  ///< above the table: the title, an empty line
     Table table = {};         ///< empty if there is nothing to show; `before` then says why
     std::string after = {};   ///< below the table: the meaning of its columns
-    std::vector<Records> records = {};
+    std::vector<DataRows> records = {};
     Layout layout = Layout::columns;
     std::string missing = {};  ///< a sentence if the file lacks the data; for CSV and JSON it goes to standard error
 };

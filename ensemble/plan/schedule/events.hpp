@@ -70,10 +70,10 @@ struct Assign {
 
 /// Keep the answer of this attempt: the member's first valid answer or its last allowed failure. A late answer gets no
 /// such command.
-struct Record {
+struct Keep {
     int number = 0;
     int attempt = 0;
-    friend bool operator==(const Record&, const Record&) = default;
+    friend bool operator==(const Keep&, const Keep&) = default;
 };
 
 /// The attempt failed but was not the last one: remember the reason.
@@ -89,6 +89,6 @@ struct Dismiss {
     friend bool operator==(const Dismiss&, const Dismiss&) = default;
 };
 
-using Command = std::variant<Assign, Record, Retry, Dismiss>;
+using Command = std::variant<Assign, Keep, Retry, Dismiss>;
 
 }  // namespace floes

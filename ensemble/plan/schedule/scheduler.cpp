@@ -87,7 +87,7 @@ void Scheduler::take(const MemberFinished& event, std::vector<Command>& commands
         timed_cost_ += entry.task.cost;
         run_time_ += event.run_time;
     }
-    commands.push_back(Record{event.number, event.attempt});
+    commands.push_back(Keep{event.number, event.attempt});
 }
 
 void Scheduler::remove(int worker, Leave how) {

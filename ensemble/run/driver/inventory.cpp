@@ -9,13 +9,13 @@
 
 namespace floes {
 
-std::optional<PrecisionStop> stop_rule_of(const Campaign& campaign, const Part& part) {
+std::optional<PrecisionStop> stop_rule_of(const Campaign& campaign, const CampaignPart& part) {
     if (part.of > 1) return {};
     return stop_rule_of(campaign);
 }
 
 Inventory take_inventory(const Campaign& campaign, const StoredMembers& members, const AttemptBook& attempts,
-                         const Part& part, bool retry_failed) {
+                         const CampaignPart& part, bool retry_failed) {
     Inventory found;
     found.precision = stop_rule_of(campaign, part);
     const std::vector<std::optional<std::size_t>> kept = match_records(campaign, members.notes());

@@ -16,7 +16,7 @@ namespace floes {
 
 /// Some of a campaign's arrangements, for independent runs: those whose number modulo `of` is `number` - 1. Cases that
 /// share an arrangement stay together.
-struct Part {
+struct CampaignPart {
     int number = 1;  ///< 1 … of
     int of = 1;
     bool has(int arrangement) const { return arrangement % of == number - 1; }
@@ -24,7 +24,7 @@ struct Part {
 
 /// The campaign's stop rule before any member. Empty if there is no rule, and for a part, which has no consecutive
 /// arrangements and is run in full. Throws InputError as PrecisionStop does.
-std::optional<PrecisionStop> stop_rule_of(const Campaign& campaign, const Part& part);
+std::optional<PrecisionStop> stop_rule_of(const Campaign& campaign, const CampaignPart& part);
 
 struct Inventory {
     /// Members without a result, and failed ones with attempts of campaign.run left; none if the stop rule is met. A
@@ -48,7 +48,7 @@ struct Inventory {
 /// `members` and `attempts`: of the campaign's journal, with no member running. `retry_failed` gives members that were
 /// set aside the full number of attempts again. Throws InputError as stop_rule_of() does.
 Inventory take_inventory(const Campaign& campaign, const StoredMembers& members, const AttemptBook& attempts,
-                         const Part& part = {}, bool retry_failed = false);
+                         const CampaignPart& part = {}, bool retry_failed = false);
 
 /// The fingerprint of each case.
 std::vector<std::string> case_fingerprints(const Campaign& campaign);

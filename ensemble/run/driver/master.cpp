@@ -173,7 +173,7 @@ void Master::handle(const Event& event, MemberRecord* record) {
         }
         if (const auto* dismiss = std::get_if<Dismiss>(&command)) obey(*dismiss);
         if (const auto* retry = std::get_if<Retry>(&command)) note_failure(*retry, *record);
-        if (const auto* kept = std::get_if<Record>(&command)) keep(kept->number, *record);
+        if (const auto* kept = std::get_if<Keep>(&command)) keep(kept->number, *record);
     }
 }
 

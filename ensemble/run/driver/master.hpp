@@ -30,7 +30,7 @@ struct MasterTools {
 /// Time limits of a run.
 struct MasterLimits {
     Walltime walltime;
-    Patience patience;
+    SilenceLimits patience;
 };
 
 class Master {

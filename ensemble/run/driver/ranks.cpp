@@ -47,7 +47,7 @@ int Muster::cores() const {
     return sum;
 }
 
-Muster muster(Link& link, const Campaign& campaign, const Hello& own, const Patience& patience) {
+Muster muster(Link& link, const Campaign& campaign, const Hello& own, const SilenceLimits& patience) {
     Muster result{std::vector<Hello>(static_cast<std::size_t>(link.size())), false};
     result.hellos[0] = own;
     const Bytes text = link.size() > 1 ? encode_text(write_campaign(campaign)) : Bytes{};
@@ -84,7 +84,7 @@ Muster muster(Link& link, const Campaign& campaign, const Hello& own, const Pati
     return result;
 }
 
-RankWatch::RankWatch(Link& link, const Muster& mustered, const Patience& patience, Time now)
+RankWatch::RankWatch(Link& link, const Muster& mustered, const SilenceLimits& patience, Time now)
     : link_(link), patience_(patience), silence_(link.size(), now) {
     const std::string& here = mustered.hellos.at(self).host;
     for (int rank = 1; rank < link.size(); ++rank) {

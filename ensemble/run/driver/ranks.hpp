@@ -24,7 +24,7 @@ struct Muster {
 /// Sends the campaign to every other rank and waits until each has said hello. `own`: the master's own hello. Throws
 /// RunError if a rank read a different campaign, reports trouble, or if those that have not answered are silent for
 /// twice the patience with a worker.
-Muster muster(Link& link, const Campaign& campaign, const Hello& own, const Patience& patience);
+Muster muster(Link& link, const Campaign& campaign, const Hello& own, const SilenceLimits& patience);
 
 class RankWatch {
   public:
@@ -36,7 +36,7 @@ class RankWatch {
     };
 
     /// `link` must outlive the watch. `mustered`: of muster().
-    RankWatch(Link& link, const Muster& mustered, const Patience& patience, Time now);
+    RankWatch(Link& link, const Muster& mustered, const SilenceLimits& patience, Time now);
 
     /// To be called when a message of the rank has arrived.
     void heard(int rank) { silence_.heard(rank); }
@@ -51,7 +51,7 @@ class RankWatch {
 
   private:
     Link& link_;
-    Patience patience_;
+    SilenceLimits patience_;
     Silence silence_;
     double next_sign_ = 0;                 // of life, in time listened
     std::map<int, Descriptor> processes_;  // of the ranks on this machine, by descriptors that stay valid

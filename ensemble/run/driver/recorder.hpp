@@ -22,7 +22,7 @@ class Recorder {
         Existing existing = Existing::refuse;
         std::chrono::seconds publish_every{300};
         std::vector<CalibrationRecord> calibrations = {};  ///< that gave cases their Σ, stored with the members
-        Part part = {};                                    ///< what to compute; default: the whole campaign
+        CampaignPart part = {};                            ///< what to compute; default: the whole campaign
         bool retry_failed = false;  ///< give members set aside before the full number of attempts again
     };
 

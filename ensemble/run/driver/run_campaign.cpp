@@ -26,7 +26,7 @@ std::string opening(const Campaign& campaign, const RunOptions& options, int ran
                        options.places.campaign_file.string());
 }
 
-std::string part_text(const Part& part, const Inventory& found) {
+std::string part_text(const CampaignPart& part, const Inventory& found) {
     return fmt::format("part {} of {}: {} of these members", part.number, part.of, found.total);
 }
 

@@ -20,7 +20,7 @@ struct RunOptions {
     int threads = 0;             ///< members at a time on this rank; 0: its cores
     std::string resume_command;  ///< command with which the user resumes after a stop
     Walltime walltime = Walltime();
-    Patience patience = {};
+    SilenceLimits patience = {};
 };
 
 /// `helper` computes members in isolated processes: all of them if campaign.run says so, otherwise those that were lost

@@ -10,7 +10,7 @@ namespace floes {
 
 /// How often signs of life are sent, and how long silence is tolerated. A master that publishes to a slow disk is
 /// silent for long.
-struct Patience {
+struct SilenceLimits {
     double sign_of_life = 5;       ///< s between two of them
     double with_a_worker = 60;     ///< s of silence after which its members are given to others
     double with_the_master = 600;  ///< s of silence after which a worker leaves

@@ -45,7 +45,7 @@ Message wait_for_message(Link& link) {
 /// A worker between hello and leave.
 class Worker {
   public:
-    Worker(Link& link, const Campaign& campaign, const CrewSetup& setup, const Patience& patience,
+    Worker(Link& link, const Campaign& campaign, const CrewSetup& setup, const SilenceLimits& patience,
            const StopSignals& signals)
         : link_(link), patience_(patience), signals_(signals), scribe_(campaign, link.rank()), crew_(campaign, setup) {
         link_.send(master, Tag::hello, encode(Hello{setup.threads, host_name(), fingerprint(campaign), ::getpid()}));
@@ -148,7 +148,7 @@ class Worker {
     }
 
     Link& link_;
-    const Patience& patience_;
+    const SilenceLimits& patience_;
     const StopSignals& signals_;
     Silence silence_{1, std::chrono::steady_clock::now()};  // of the master
     double next_sign_ = patience_.sign_of_life;             // of life, in time listened
@@ -164,7 +164,7 @@ class Worker {
     std::optional<int> exit_status_;
 };
 
-int serve(Link& link, const CrewSetup& setup, const Patience& patience, const StopSignals& signals) {
+int serve(Link& link, const CrewSetup& setup, const SilenceLimits& patience, const StopSignals& signals) {
     const Message first = wait_for_message(link);
     if (first.tag == Tag::leave) return decode_status(first.bytes);  // the run ended before it began
     if (first.tag != Tag::campaign) throw RunError("A worker must receive the campaign before anything else.");
@@ -178,7 +178,8 @@ int threads_of(const Link& link, int asked) {
     return asked > 0 ? asked : link.topology().cores;
 }
 
-int serve_campaign(Link& link, int threads, const MemberFunction& compute, Helper* helper, const Patience& patience) {
+int serve_campaign(Link& link, int threads, const MemberFunction& compute, Helper* helper,
+                   const SilenceLimits& patience) {
     const StopSignals signals;
     try {
         return serve(link, {compute, threads_of(link, threads), helper}, patience, signals);

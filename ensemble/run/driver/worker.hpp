@@ -11,7 +11,7 @@ namespace floes {
 /// computes members in isolated processes, see run_campaign(). Returns the exit status sent by the master, or 1 if the
 /// master has been silent for too long. Errors here are reported to the master, which ends the run.
 int serve_campaign(Link& link, int threads, const MemberFunction& compute, Helper* helper = nullptr,
-                   const Patience& patience = {});
+                   const SilenceLimits& patience = {});
 
 /// The number of threads of a rank: `asked`, or its cores if that is 0.
 int threads_of(const Link& link, int asked);

@@ -23,17 +23,17 @@ std::string load(double value, double low, double high) {
     return fmt::format("{1:.{0}f} N ({2:.{0}f} to {3:.{0}f})", decimals, value, low, high);
 }
 
-std::string load(const DesignFigure& figure) {
+std::string load(const DesignLoadFigure& figure) {
     return load(figure.value, figure.interval.low, figure.interval.high);
 }
 
-const CaseDesign* design_of(const ReportData& data, std::size_t index) {
-    const auto found = std::ranges::find(data.designs, index, &CaseDesign::case_index);
+const CaseDesignLoad* design_of(const ReportData& data, std::size_t index) {
+    const auto found = std::ranges::find(data.designs, index, &CaseDesignLoad::case_index);
     return found == data.designs.end() || !found->load.valid() ? nullptr : &*found;
 }
 
-std::string design_words(const DesignRequest& asked, const DesignLoad& found) {
-    const DesignEstimate& made = found.estimates.front();
+std::string design_words(const DesignLoadRequest& asked, const DesignLoad& found) {
+    const DesignLoadEstimate& made = found.estimates.front();
     return fmt::format(" Largest load averaged over {:g} s in {:g} h: expected {}, exceeded with {:.0f} %: {}.",
                        asked.averaging, asked.exposure / unit::hour, load(made.expected),
                        (1 - asked.quantiles.front()) / unit::percent, load(made.quantiles.front()));
@@ -70,7 +70,7 @@ std::vector<std::string> answer_sentences(const ReportData& data) {
         const Estimate& mean = row.of(quantity("mean_load"));
         const Estimate& broken = row.of(quantity("failure_ratio"));
         std::string told = fmt::format("{}: mean load {}.", row.about.name, load(mean.estimate, mean.low, mean.high));
-        if (const CaseDesign* design = design_of(data, k)) told += design_words(data.asked, design->load);
+        if (const CaseDesignLoad* design = design_of(data, k)) told += design_words(data.asked, design->load);
         told += fmt::format(" Broken floes {:.1f} %.", broken.estimate / unit::percent);
         sentences.push_back(std::move(told));
     }
@@ -91,7 +91,7 @@ std::vector<std::string> basis_sentences(const ReportData& data) {
                                     counted(done, "simulation"), unsteady));
     if (data.designs.empty()) return sentences;
     double times = 0;
-    for (const CaseDesign& one : data.designs)
+    for (const CaseDesignLoad& one : data.designs)
         if (one.load.valid()) times = std::max(times, data.asked.model_exposure() / one.load.time_run);
     if (times > 0)
         sentences.push_back(fmt::format(

@@ -9,7 +9,7 @@
 #include "core/wording.hpp"
 #include "findings/averaged_table.hpp"
 #include "findings/conditions.hpp"
-#include "findings/design_section.hpp"
+#include "findings/design_load_section.hpp"
 #include "findings/pairs_section.hpp"
 #include "findings/paper_table3.hpp"
 #include "findings/sensitivity_section.hpp"
@@ -142,7 +142,7 @@ std::string extremes(const ReportData& data) {
 std::string design_loads(const ReportData& data) {
     if (data.designs.empty()) return "";
     std::string body;
-    for (const Section& part : design_sections(data.summary, data.designs, data.asked))
+    for (const Section& part : design_load_sections(data.summary, data.designs, data.asked))
         body += html_table(part.table) + note(part.after);
     return section(fmt::format("Design load: averaged over {:g} s, in {:g} h", data.asked.averaging,
                                data.asked.exposure / unit::hour),

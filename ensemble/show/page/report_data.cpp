@@ -60,7 +60,7 @@ void take_designs(ReportData& data) {
     if (times.empty()) return;
     if (std::ranges::find(times, data.asked.averaging) == times.end()) data.asked.averaging = times.back();
     try {
-        data.designs = find_design(with_peaks(data.file, data.table), data.asked);
+        data.designs = find_design_loads(with_peaks(data.file, data.table), data.asked);
     } catch (const InputError&) {
         data.designs.clear();  // an older file without histories, or with thinned ones
     }
@@ -107,9 +107,9 @@ ReportData read_report_data(const std::filesystem::path& path) {
         data.extremes = find_extremes(data.table);
     }
     data.levels = find_levels(data.table);
-    for (const Part& part : parts())
-        if (!part.page_title.empty() && part.unasked(data.campaign))
-            data.further.emplace_back(part.page_title, part.section(data));
+    for (const Finding& finding : findings())
+        if (!finding.page_title.empty() && finding.unasked(data.campaign))
+            data.further.emplace_back(finding.page_title, finding.section(data));
     const int arrangement = common_arrangement(data.table);
     for_each_history(file, [&](const SurgeHistory& history) {
         const MemberRow& member = data.table.members[static_cast<std::size_t>(history.member)];

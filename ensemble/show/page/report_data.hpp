@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "campaign/campaign.hpp"
+#include "findings/catalogue.hpp"
 #include "findings/design_load.hpp"
 #include "findings/extremes.hpp"
 #include "findings/levels.hpp"
 #include "findings/load_maps.hpp"
 #include "findings/pairs.hpp"
-#include "findings/parts.hpp"
 #include "findings/points.hpp"
 #include "findings/sensitivity.hpp"
 #include "laboratory/calibration.hpp"
@@ -31,8 +31,8 @@ struct ReportData : Evidence {
     std::optional<std::vector<PairRow>> pairs;  ///< where in_detail()
     std::optional<Sensitivity> sensitivity;     ///< of a design
     std::optional<DesignPoints> points;         ///< of a design
-    DesignRequest asked;                        ///< of the design loads
-    std::vector<CaseDesign> designs;            ///< where in_detail() and the members averaged their load
+    DesignLoadRequest asked;                    ///< of the design loads
+    std::vector<CaseDesignLoad> designs;        ///< where in_detail() and the members averaged their load
     std::vector<LevelRow> levels;
     std::vector<std::pair<std::string, Section>> further;  ///< parts with a title for the page, with that title
     std::vector<DrawnHistory> histories;   ///< of the first arrangement that every case has done; empty: none is kept

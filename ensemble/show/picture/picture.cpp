@@ -73,7 +73,7 @@ void draw_ground(Canvas& canvas, double from, double to, double height) {
 
 void draw_words(Canvas& canvas, const Stage& stage, const Frame& frame, const PictureStyle& style) {
     const double unit = unit_of(style);
-    const RecordSubject& subject = stage.subject();
+    const RecordingSubject& subject = stage.subject();
     const double left = 16 * unit;
     draw_ground(canvas, 0, 440 * unit, 84 * unit);
     canvas.text({left, 28 * unit}, fmt::format("t = {:.2f} s", frame.time), bright, 20 * unit, Align::left, true);
@@ -183,7 +183,7 @@ void draw_history(Canvas& canvas, const Stage& stage, const Frame& frame, const 
 
 }  // namespace
 
-int picture_height(const PictureStyle& style, const RecordSubject& subject) {
+int picture_height(const PictureStyle& style, const RecordingSubject& subject) {
     if (style.view != View::plan) return style.height + style.height % 2;
     const Channel channel = channel_of(subject);
     const double share = 2 * channel.outer_edge / (channel.end - channel.begin);

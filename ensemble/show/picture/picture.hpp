@@ -16,7 +16,7 @@ struct PictureStyle {
 };
 
 /// The height that a picture of this style gets, pixels; even, as films want it.
-int picture_height(const PictureStyle& style, const RecordSubject& subject);
+int picture_height(const PictureStyle& style, const RecordingSubject& subject);
 
 /// Draws the frame all over the canvas.
 void draw_picture(Canvas& canvas, const Stage& stage, const Frame& frame, const PictureStyle& style);

@@ -168,7 +168,7 @@ double largest_load_of(const LoadHistory& history) {
 
 }  // namespace
 
-Stage::Stage(RecordSubject subject, RecordOutcome outcome, int floes)
+Stage::Stage(RecordingSubject subject, RecordingOutcome outcome, int floes)
     : subject_(std::move(subject)),
       outcome_(std::move(outcome)),
       floes_(floes),

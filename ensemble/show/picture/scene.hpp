@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "picture/canvas.hpp"
-#include "replay/record.hpp"
+#include "replay/recording.hpp"
 #include "view/colours.hpp"
 #include "view/projection.hpp"
 
@@ -27,7 +27,7 @@ struct SheetPart {
 /// A run on which frames are drawn: all that does not change from one to the next.
 class Stage {
   public:
-    Stage(RecordSubject subject, RecordOutcome outcome, int floes);
+    Stage(RecordingSubject subject, RecordingOutcome outcome, int floes);
 
     /// What of the frame is seen in a picture of `size` pixels.
     std::vector<Face> faces(const Frame& frame, const Projection& projection, const Vec2& size,
@@ -35,12 +35,12 @@ class Stage {
 
     int broken_floes(double time) const;
     double largest_load() const { return largest_load_; }  ///< of all steps, surge, sway and heave together, N
-    const RecordSubject& subject() const { return subject_; }
-    const RecordOutcome& outcome() const { return outcome_; }
+    const RecordingSubject& subject() const { return subject_; }
+    const RecordingOutcome& outcome() const { return outcome_; }
 
   private:
-    RecordSubject subject_;
-    RecordOutcome outcome_;
+    RecordingSubject subject_;
+    RecordingOutcome outcome_;
     int floes_;
     double largest_load_;
     std::vector<RecordJoint> joints_;

@@ -29,12 +29,12 @@ bool of_structure(const FrameContact& contact) {
 
 }  // namespace
 
-Quanta quanta_of(const Record& record) {
+Quanta quanta_of(const Recording& recording) {
     Eigen::AlignedBox3d box;
     double force = 0;
     Frame frame;
-    for (int i = 0; i < record.frames(); ++i) {
-        record.read(i, frame);
+    for (int i = 0; i < recording.frames(); ++i) {
+        recording.read(i, frame);
         for (const BodyState& one : frame.elements) box.extend(one.position);
         for (const FrameContact& contact : frame.contacts) {
             if (!of_structure(contact)) continue;

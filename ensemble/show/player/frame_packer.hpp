@@ -19,7 +19,7 @@
 
 #include "core/vector.hpp"
 #include "player/deflater.hpp"
-#include "replay/record.hpp"
+#include "replay/recording.hpp"
 #include "simulation/frame.hpp"
 
 namespace floes {
@@ -33,7 +33,7 @@ struct Quanta {
 };
 
 /// Such that every position and every force of the structure's contacts fits into an int16. Reads all frames.
-Quanta quanta_of(const Record& record);
+Quanta quanta_of(const Recording& recording);
 
 struct PackedFrames {
     int frames = 0;

@@ -44,7 +44,7 @@ json conditions(const Scenario& scenario) {
 }
 
 /// Cameras relative to the structure where they follow it.
-json views(const RecordSubject& subject) {
+json views(const RecordingSubject& subject) {
     json all = json::array();
     for (std::size_t i = 0; i < view_names.size(); ++i) {
         const auto view = static_cast<View>(i);
@@ -75,13 +75,13 @@ json outline(const FloeGrid& grid) {
 }
 
 /// [time, mode, floe, element a, its edge, element b, its edge]; edges as bits of Edge.
-json failures(const Record& record) {
-    const std::vector<RecordJoint> joints = joints_of(record.subject(), 1);
+json failures(const Recording& recording) {
+    const std::vector<RecordJoint> joints = joints_of(recording.subject(), 1);
     json all = json::array();
-    for (const BreakEvent& event : record.outcome().breaks) {
+    for (const BreakEvent& event : recording.outcome().breaks) {
         const RecordJoint& joint = joints.at(static_cast<std::size_t>(event.joint));
         const bool along_x = joint.axis == JointAxis::x;
-        const int first = event.floe * elements_of_a_floe(record.subject());
+        const int first = event.floe * elements_of_a_floe(recording.subject());
         all.push_back({event.time, event.mode, event.floe, first + joint.a, along_x ? edge_plus_x : edge_plus_z,
                        first + joint.b, along_x ? edge_minus_x : edge_minus_z});
     }
@@ -89,9 +89,9 @@ json failures(const Record& record) {
 }
 
 /// Of the steps that end in (from, to], s.
-json history(const Record& record, double from, double to) {
-    const Scenario& scenario = record.subject().scenario;
-    const LoadHistory& loads = record.outcome().history;
+json history(const Recording& recording, double from, double to) {
+    const Scenario& scenario = recording.subject().scenario;
+    const LoadHistory& loads = recording.outcome().history;
     const double step = scenario.general.time_step;
     const int all = static_cast<int>(loads.surge.size());
     const int begin = std::clamp(static_cast<int>(from / step + 0.5), 0, all);
@@ -109,13 +109,13 @@ json history(const Record& record, double from, double to) {
 
 }  // namespace
 
-std::string page_header(const Record& record, const Quanta& quanta, const PackedFrames& frames) {
-    const RecordSubject& subject = record.subject();
+std::string page_header(const Recording& recording, const Quanta& quanta, const PackedFrames& frames) {
+    const RecordingSubject& subject = recording.subject();
     const Scenario& scenario = subject.scenario;
     const FloeGrid grid = grid_of(scenario.floe);
     const Channel channel = channel_of(subject);
-    const double begin = record.time(0);
-    const double end = record.time(record.frames() - 1);
+    const double begin = recording.time(0);
+    const double end = recording.time(recording.frames() - 1);
     const double run = static_cast<double>(scenario.step_count()) * scenario.general.time_step;
     const json header{
         {"campaign", subject.campaign},
@@ -125,8 +125,8 @@ std::string page_header(const Record& record, const Quanta& quanta, const Packed
         {"arrangement", subject.arrangement},
         {"conditions", conditions(scenario)},
         {"configuration", subject.configuration},
-        {"elements", record.elements()},
-        {"floes", record.floes()},
+        {"elements", recording.elements()},
+        {"floes", recording.floes()},
         {"elements_of_a_floe", grid.elements()},
         {"element", {scenario.floe.element, scenario.ice.thickness, scenario.floe.element}},
         {"outline", outline(grid)},
@@ -143,9 +143,9 @@ std::string page_header(const Record& record, const Quanta& quanta, const Packed
           {"force", quanta.force},
           {"orientation", quanta.orientation}}},
         {"modes", failure_mode_names},
-        {"failures", failures(record)},
+        {"failures", failures(recording)},
         {"step", scenario.general.time_step},
-        {"histories", {history(record, 0, run), history(record, begin, end)}}};
+        {"histories", {history(recording, 0, run), history(recording, begin, end)}}};
     return header.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 

@@ -5,11 +5,11 @@
 #include <string>
 
 #include "player/frame_packer.hpp"
-#include "replay/record.hpp"
+#include "replay/recording.hpp"
 
 namespace floes {
 
 /// A JSON object; its names are read by page_assets/data.js. SI units.
-std::string page_header(const Record& record, const Quanta& quanta, const PackedFrames& frames);
+std::string page_header(const Recording& recording, const Quanta& quanta, const PackedFrames& frames);
 
 }  // namespace floes

@@ -25,12 +25,12 @@ struct Attempt {
     double expected = 0;  // bytes
 };
 
-Attempt pack(const Record& record, const Quanta& quanta, int stride, std::size_t most) {
-    FramePacker packer(quanta, record.elements());
+Attempt pack(const Recording& recording, const Quanta& quanta, int stride, std::size_t most) {
+    FramePacker packer(quanta, recording.elements());
     Frame frame;
-    const int last = record.frames() - 1;
+    const int last = recording.frames() - 1;
     for (int i = 0; i <= last; i = i == last ? last + 1 : std::min(i + stride, last)) {
-        record.read(i, frame);
+        recording.read(i, frame);
         packer.add(frame);
         if (packer.size() > most) return {std::nullopt, static_cast<double>(packer.size()) * (last + 1) / (i + 1)};
     }
@@ -41,11 +41,11 @@ Attempt pack(const Record& record, const Quanta& quanta, int stride, std::size_t
     return {std::move(frames), static_cast<double>(size)};
 }
 
-PackedFrames pack_within(const Record& record, const Quanta& quanta, std::size_t most) {
+PackedFrames pack_within(const Recording& recording, const Quanta& quanta, std::size_t most) {
     for (int stride = 1;;) {
-        Attempt attempt = pack(record, quanta, stride, most);
+        Attempt attempt = pack(recording, quanta, stride, most);
         if (attempt.frames) return std::move(*attempt.frames);
-        if (stride >= record.frames())
+        if (stride >= recording.frames())
             throw InputError(
                 fmt::format("A page of this replay does not fit into the bytes it may take; its first and "
                             "last frames alone take {:.0f} kB. Allow a larger page.",
@@ -96,13 +96,13 @@ std::size_t size_without_frames() {
 
 }  // namespace
 
-void write_replay_page(std::ostream& page, const Record& record, const PageOptions& options) {
-    const Quanta quanta = quanta_of(record);
-    const std::size_t header_size = page_header(record, quanta, {}).size();
+void write_replay_page(std::ostream& page, const Recording& recording, const PageOptions& options) {
+    const Quanta quanta = quanta_of(recording);
+    const std::size_t header_size = page_header(recording, quanta, {}).size();
     const std::size_t fixed = size_without_frames() + header_size + 1000;
     const std::size_t most = options.most_bytes > fixed ? (options.most_bytes - fixed) / 4 * 3 : 0;
-    const PackedFrames frames = pack_within(record, quanta, most);
-    const RecordSubject& subject = record.subject();
+    const PackedFrames frames = pack_within(recording, quanta, most);
+    const RecordingSubject& subject = recording.subject();
     expand(
         pattern(), [&](std::string_view text) { page << text; },
         [&](std::string_view name) {
@@ -110,7 +110,7 @@ void write_replay_page(std::ostream& page, const Record& record, const PageOptio
                 page << html_escaped(
                     fmt::format("{}: case {}, member {}", subject.campaign, subject.case_name, subject.member));
             else if (name == "header")
-                page << in_a_script(page_header(record, quanta, frames));
+                page << in_a_script(page_header(recording, quanta, frames));
             else if (name == "frames")
                 write_frames(page, frames);
             else
@@ -118,9 +118,9 @@ void write_replay_page(std::ostream& page, const Record& record, const PageOptio
         });
 }
 
-void write_replay_page(const std::filesystem::path& path, const Record& record, const PageOptions& options) {
+void write_replay_page(const std::filesystem::path& path, const Recording& recording, const PageOptions& options) {
     std::ofstream file(path, std::ios::binary);
-    if (file) write_replay_page(file, record, options);
+    if (file) write_replay_page(file, recording, options);
     file.close();
     if (!file)
         throw RunError(fmt::format("{} cannot be written ({}); does the folder exist, and has it free space?",

@@ -1,12 +1,12 @@
 #pragma once
-// The page of a replay: one self-contained HTML file that plays a record in any browser, opened from disk. It asks
+// The page of a replay: one self-contained HTML file that plays a recording in any browser, opened from disk. It asks
 // nothing of the network; three.js is part of it.
 
 #include <cstddef>
 #include <filesystem>
 #include <iosfwd>
 
-#include "replay/record.hpp"
+#include "replay/recording.hpp"
 
 namespace floes {
 
@@ -18,9 +18,9 @@ struct PageOptions {
 
 /// Frames are read one at a time, twice or oftener; what is kept of them is compressed, so memory is bounded by the
 /// size of the page. Throws InputError when even its first and last frame are larger than that.
-void write_replay_page(std::ostream& page, const Record& record, const PageOptions& options = {});
+void write_replay_page(std::ostream& page, const Recording& recording, const PageOptions& options = {});
 
 /// The same to a file. Throws RunError when it cannot be written.
-void write_replay_page(const std::filesystem::path& path, const Record& record, const PageOptions& options = {});
+void write_replay_page(const std::filesystem::path& path, const Recording& recording, const PageOptions& options = {});
 
 }  // namespace floes

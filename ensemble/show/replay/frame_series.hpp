@@ -1,5 +1,5 @@
 #pragma once
-// The part of a record that grows: what each frame adds to the file. For this room only.
+// The part of a recording that grows: what each frame adds to the file. For this room only.
 
 #include <cstdint>
 
@@ -8,7 +8,7 @@
 
 namespace floes {
 
-/// Scales of a record's frames.
+/// Scales of a recording's frames.
 struct RecordScales {
     hdf5::Scale coordinate;
     hdf5::Scale quaternion;

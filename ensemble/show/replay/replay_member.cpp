@@ -146,21 +146,21 @@ std::vector<std::string> differences(const ReplaySubject& subject, const MemberR
 
 MemberResult replay(const ReplaySubject& subject, const FrameSteps& steps, const std::filesystem::path& path,
                     const std::stop_token& stop, const ReplayProgress& progress) {
-    const RecordSubject& about = subject.about;
-    RecordWriter record(path, about, about.scenario.field.floes);
+    const RecordingSubject& about = subject.about;
+    RecordingWriter recording(path, about, about.scenario.field.floes);
     Frame frame;
     LoadHistory history;
     const Watcher watch = [&](const Simulation& run) {
         if (steps.has(run.steps())) {
             run.read_frame(frame);
-            record.add(frame);
+            recording.add(frame);
         }
         if (run.steps() > 0) add_last(run.loads(), history);
         if (progress) progress(run.time());
     };
     MemberResult result =
         run_member(about.scenario, subject.seed, static_cast<std::uint32_t>(about.arrangement), stop, watch);
-    record.finish({std::move(history), result.breaks});
+    recording.finish({std::move(history), result.breaks});
     return result;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // Computes a member of a campaign file again and keeps frames of it.
 //
-//   const Subject subject(path, member)  ->  replay(subject, frames, record)  ->  a record, and what differs from the
+//   const Subject subject(path, member)  ->  replay(subject, frames, recording)  ->  a recording, and what differs from the
 //   file
 
 #include <filesystem>
@@ -13,7 +13,7 @@
 #include "campaign_file/campaign_file.hpp"
 #include "campaign_file/campaign_table.hpp"
 #include "member/result.hpp"
-#include "replay/record.hpp"
+#include "replay/recording.hpp"
 
 namespace floes {
 
@@ -40,7 +40,7 @@ FrameSteps frame_steps(const FrameTimes& times, const Scenario& scenario);
 
 /// A member of a campaign file, with all that is needed to compute it again.
 struct ReplaySubject {
-    RecordSubject about;
+    RecordingSubject about;
     MemberRow stored;        ///< as the file has it
     std::uint64_t seed = 0;  ///< of the streams that its arrangement is drawn from
     std::filesystem::path file;
@@ -60,9 +60,9 @@ std::vector<std::string> differences(const ReplaySubject& subject, const MemberR
 /// Called after each step with the time, s, that the run has come to.
 using ReplayProgress = std::function<void(double time)>;
 
-/// Computes the member, writes frames of `steps` and what is known at the end to a record at `path`, and returns the
-/// result. Costs the member's time and that of the frames. A member that fails has a record up to there. Throws
-/// Interrupted on a stop, and then leaves no record.
+/// Computes the member, writes frames of `steps` and what is known at the end to a recording at `path`, and returns the
+/// result. Costs the member's time and that of the frames. A member that fails has a recording up to there. Throws
+/// Interrupted on a stop, and then leaves no recording.
 MemberResult replay(const ReplaySubject& subject, const FrameSteps& steps, const std::filesystem::path& path,
                     const std::stop_token& stop = {}, const ReplayProgress& progress = {});
 

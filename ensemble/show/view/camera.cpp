@@ -17,7 +17,7 @@ Camera looking(const Vec3& target, const Vec3& from, const Vec3& up, double heig
 
 }  // namespace
 
-Camera camera(View view, const RecordSubject& subject, double structure) {
+Camera camera(View view, const RecordingSubject& subject, double structure) {
     // So much ice round the structure that floes are seen to come, to turn and to leave.
     const double seen = 2 * subject.scenario.structure.shape.largest_radius() +
                         3 * std::max(subject.scenario.floe.length, subject.scenario.floe.breadth);

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "core/vector.hpp"
-#include "replay/record.hpp"
+#include "replay/recording.hpp"
 
 namespace floes {
 
@@ -27,6 +27,6 @@ struct Camera {
 };
 
 /// How a view sees a run while the structure's axis is at x = `structure` m. All views but `plan` follow it.
-Camera camera(View view, const RecordSubject& subject, double structure);
+Camera camera(View view, const RecordingSubject& subject, double structure);
 
 }  // namespace floes

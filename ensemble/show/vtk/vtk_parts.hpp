@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "replay/record.hpp"
+#include "replay/recording.hpp"
 #include "simulation/channel.hpp"
 #include "simulation/frame.hpp"
 #include "structure/shape.hpp"

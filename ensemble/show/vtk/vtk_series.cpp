@@ -23,17 +23,17 @@ void write_text(const std::filesystem::path& path, const std::string& text) {
 
 }  // namespace
 
-void write_vtk_series(const std::filesystem::path& path, const Record& record) {
-    VtkSeries series(path, record.subject(), record.floes(), record.outcome().breaks);
+void write_vtk_series(const std::filesystem::path& path, const Recording& recording) {
+    VtkSeries series(path, recording.subject(), recording.floes(), recording.outcome().breaks);
     Frame frame;
-    for (int number = 0; number < record.frames(); ++number) {
-        record.read(number, frame);
+    for (int number = 0; number < recording.frames(); ++number) {
+        recording.read(number, frame);
         series.add(frame);
     }
     series.finish();
 }
 
-VtkSeries::VtkSeries(const std::filesystem::path& path, const RecordSubject& subject, int floes,
+VtkSeries::VtkSeries(const std::filesystem::path& path, const RecordingSubject& subject, int floes,
                      const std::vector<BreakEvent>& breaks)
     : path_(path),
       folder_(std::filesystem::path(path).replace_extension()),

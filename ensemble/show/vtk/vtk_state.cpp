@@ -152,7 +152,7 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
-std::string vtk_state(const VtkStateOf& series, const RecordSubject& subject) {
+std::string vtk_state(const VtkStateOf& series, const RecordingSubject& subject) {
     const Camera seen = camera(View::perspective, subject, 0);
     const Channel channel = make_channel(subject.scenario);
     const Shape& shape = subject.scenario.structure.shape;

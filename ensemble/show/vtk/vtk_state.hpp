@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "replay/record.hpp"
+#include "replay/recording.hpp"
 
 namespace floes {
 
@@ -18,6 +18,6 @@ struct VtkStateOf {
 };
 
 /// The text of NAME.py. The camera is that of View::perspective.
-std::string vtk_state(const VtkStateOf& series, const RecordSubject& subject);
+std::string vtk_state(const VtkStateOf& series, const RecordingSubject& subject);
 
 }  // namespace floes

@@ -45,16 +45,16 @@ struct Names {
 
 /// A column of records: its names, and how a row gives its value.
 template <class Row>
-struct RecordField {
+struct DataColumn {
     /// One name for both.
-    RecordField(std::string name, std::function<Datum(const Row&)> of) : names{name, name}, value(std::move(of)) {}
-    RecordField(Names both, std::function<Datum(const Row&)> of) : names(std::move(both)), value(std::move(of)) {}
+    DataColumn(std::string name, std::function<Datum(const Row&)> of) : names{name, name}, value(std::move(of)) {}
+    DataColumn(Names both, std::function<Datum(const Row&)> of) : names(std::move(both)), value(std::move(of)) {}
 
     Names names;
     std::function<Datum(const Row&)> value;
 };
 
-struct Records {
+struct DataRows {
     enum class Shape { list, object };
 
     std::string place;  ///< in JSON: of the list, or of the object if there is one record; empty: the root
@@ -64,40 +64,40 @@ struct Records {
 };
 
 template <class Row>
-Records make_records(std::string place, std::span<const Row> rows, const std::vector<RecordField<Row>>& columns) {
-    Records records{std::move(place), {}, {}};
-    for (const RecordField<Row>& column : columns) records.names.push_back(column.names);
+DataRows make_rows(std::string place, std::span<const Row> rows, const std::vector<DataColumn<Row>>& columns) {
+    DataRows records{std::move(place), {}, {}};
+    for (const DataColumn<Row>& column : columns) records.names.push_back(column.names);
     for (const Row& row : rows) {
         std::vector<Datum>& values = records.rows.emplace_back();
         values.reserve(columns.size());
-        for (const RecordField<Row>& column : columns) values.push_back(column.value(row));
+        for (const DataColumn<Row>& column : columns) values.push_back(column.value(row));
     }
     return records;
 }
 
 /// An object of JSON.
 template <class Row>
-Records make_object(std::string place, const Row& row, const std::vector<RecordField<Row>>& columns) {
-    Records records = make_records(std::move(place), std::span<const Row>(&row, 1), columns);
-    records.shape = Records::Shape::object;
+DataRows make_object(std::string place, const Row& row, const std::vector<DataColumn<Row>>& columns) {
+    DataRows records = make_rows(std::move(place), std::span<const Row>(&row, 1), columns);
+    records.shape = DataRows::Shape::object;
     return records;
 }
 
 /// A list of values in JSON.
 template <class Element>
-Records make_list(std::string place, const std::vector<Element>& values) {
-    return make_records<Element>(std::move(place), values,
-                                 {{Names{"", "."}, [](const Element& value) { return Datum(value); }}});
+DataRows make_list(std::string place, const std::vector<Element>& values) {
+    return make_rows<Element>(std::move(place), values,
+                              {{Names{"", "."}, [](const Element& value) { return Datum(value); }}});
 }
 
 /// The same records for CSV or JSON only.
-Records csv_only(Records records);
-Records json_only(Records records);
+DataRows csv_only(DataRows records);
+DataRows json_only(DataRows records);
 
 /// A header line and a line for each record (RFC 4180), numbers with all digits; empty if no column is for CSV.
-std::string csv(const Records& records);
+std::string csv(const DataRows& records);
 
 /// All of them in one JSON document, names in order; ends in a newline. If two write to one place, the later one wins.
-std::string json(std::span<const Records> records);
+std::string json(std::span<const DataRows> records);
 
 }  // namespace floes

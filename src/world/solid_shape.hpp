@@ -1,5 +1,5 @@
 #pragma once
-// A convex piece of the structure as a smooth shape for collision. Only for files inside this room.
+// A convex solid of the structure as a smooth shape for collision. Only for files inside this room.
 //
 // Known to Bullet by its support function, so a contact normal on a round wall is its true normal and does not step
 // from facet to facet. As with all round shapes of Bullet the outermost layer, the margin, is a sphere swept over a
@@ -8,11 +8,11 @@
 
 #include <BulletCollision/CollisionShapes/btConvexInternalShape.h>
 
-#include "structure/convex_piece.hpp"
+#include "structure/convex_solid.hpp"
 
 namespace floes {
 
-ATTRIBUTE_ALIGNED16(class) PieceShape final : public btConvexInternalShape {
+ATTRIBUTE_ALIGNED16(class) SolidShape final : public btConvexInternalShape {
   public:
     BT_DECLARE_ALIGNED_ALLOCATOR();
 
@@ -20,7 +20,7 @@ ATTRIBUTE_ALIGNED16(class) PieceShape final : public btConvexInternalShape {
     /// of the World, 1 mm beside ice as thick as the paper's.
     static constexpr double margin = 1e-3;
 
-    explicit PieceShape(const ConvexPiece& piece);
+    explicit SolidShape(const ConvexSolid& solid);
 
     btVector3 localGetSupportingVertexWithoutMargin(const btVector3& direction) const override;
     void batchedUnitVectorGetSupportingVertexWithoutMargin(const btVector3* directions, btVector3* vertices, int count)
@@ -28,11 +28,11 @@ ATTRIBUTE_ALIGNED16(class) PieceShape final : public btConvexInternalShape {
     /// Zero: the structure is moved, not pushed.
     void calculateLocalInertia(btScalar mass, btVector3 & inertia) const override;
     const char* getName() const override {
-        return "ConvexPiece";
+        return "ConvexSolid";
     }
 
   private:
-    ConvexPiece core_;
+    ConvexSolid core_;
 };
 
 }  // namespace floes

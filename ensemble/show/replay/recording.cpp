@@ -1,4 +1,4 @@
-#include "replay/record.hpp"
+#include "replay/recording.hpp"
 
 #include <fmt/format.h>
 
@@ -10,18 +10,18 @@
 #include "core/error.hpp"
 #include "hdf5/columns.hpp"
 #include "hdf5/kind.hpp"
-#include "replay/record_kind.hpp"
+#include "replay/recording_kind.hpp"
 
 namespace floes {
 namespace {
 
-FloeGrid grid_of(const RecordSubject& subject) {
+FloeGrid grid_of(const RecordingSubject& subject) {
     const Floe& floe = subject.scenario.floe;
     return {floe.elements_long(), floe.elements_broad(), floe.element};
 }
 
-RecordSubject read_subject(hid_t file) {
-    RecordSubject subject;
+RecordingSubject read_subject(hid_t file) {
+    RecordingSubject subject;
     subject.campaign = hdf5::read_text_attribute(file, "campaign");
     subject.fingerprint = hdf5::read_text_attribute(file, "fingerprint");
     subject.case_name = hdf5::read_text_attribute(file, "case");
@@ -33,8 +33,8 @@ RecordSubject read_subject(hid_t file) {
 }
 
 /// Of `floes` floes.
-RecordOutcome read_outcome(hid_t file, const RecordSubject& subject, int floes) {
-    RecordOutcome outcome;
+RecordingOutcome read_outcome(hid_t file, const RecordingSubject& subject, int floes) {
+    RecordingOutcome outcome;
     outcome.history.surge = hdf5::read_values<double>(file, "history/surge_load");
     const std::size_t steps = outcome.history.surge.size();
     outcome.history.sway = hdf5::read_column<double>(file, "history/sway_load", steps);
@@ -60,24 +60,24 @@ Vec3 vector_at(std::span<const float> values, std::size_t index) {
 
 }  // namespace
 
-bool is_record(const std::filesystem::path& path) {
+bool is_recording(const std::filesystem::path& path) {
     const hdf5::QuietErrors quiet;
     try {
-        return hdf5::is_of_kind(hdf5::open_for_reading(path).id(), record_kind);
+        return hdf5::is_of_kind(hdf5::open_for_reading(path).id(), recording_kind);
     } catch (const InputError&) {
         return false;  // no such file, or no HDF5 file
     }
 }
 
-Channel channel_of(const RecordSubject& subject) {
+Channel channel_of(const RecordingSubject& subject) {
     return make_channel(subject.scenario);
 }
 
-int elements_of_a_floe(const RecordSubject& subject) {
+int elements_of_a_floe(const RecordingSubject& subject) {
     return grid_of(subject).elements();
 }
 
-std::vector<RecordJoint> joints_of(const RecordSubject& subject, int floes) {
+std::vector<RecordJoint> joints_of(const RecordingSubject& subject, int floes) {
     const FloeGrid grid = grid_of(subject);
     const std::vector<GridJoint> order = joint_order(grid);
     std::vector<RecordJoint> joints;
@@ -97,7 +97,7 @@ std::vector<std::uint8_t> broken_floes(const std::vector<BreakEvent>& breaks, in
     return broken;
 }
 
-class Record::File {
+class Recording::File {
   public:
     explicit File(const std::filesystem::path& path)
         : file_(opened(path)), elements_(file_.id()), contacts_(file_.id()) {
@@ -127,8 +127,8 @@ class Record::File {
         read_contacts(number, frame);
     }
 
-    RecordSubject subject;
-    RecordOutcome outcome;
+    RecordingSubject subject;
+    RecordingOutcome outcome;
     int elements = 0;
     std::vector<double> times;
 
@@ -163,7 +163,7 @@ class Record::File {
 
     static hdf5::Handle opened(const std::filesystem::path& path) {
         hdf5::Handle file = hdf5::open_for_reading(path);
-        hdf5::check_kind(file.id(), record_kind, path);
+        hdf5::check_kind(file.id(), recording_kind, path);
         return file;
     }
 
@@ -226,44 +226,44 @@ class Record::File {
     std::vector<std::int32_t> contact_count_;
 };
 
-Record::Record(const std::filesystem::path& path) : file_(std::make_unique<File>(path)) {}
-Record::~Record() = default;
+Recording::Recording(const std::filesystem::path& path) : file_(std::make_unique<File>(path)) {}
+Recording::~Recording() = default;
 
-const RecordSubject& Record::subject() const {
+const RecordingSubject& Recording::subject() const {
     return file_->subject;
 }
 
-const RecordOutcome& Record::outcome() const {
+const RecordingOutcome& Recording::outcome() const {
     return file_->outcome;
 }
 
-int Record::elements() const {
+int Recording::elements() const {
     return file_->elements;
 }
 
-int Record::floes() const {
+int Recording::floes() const {
     return file_->elements / elements_of_a_floe(file_->subject);
 }
 
-int Record::frames() const {
+int Recording::frames() const {
     return static_cast<int>(file_->times.size());
 }
 
-double Record::time(int frame) const {
+double Recording::time(int frame) const {
     return file_->times.at(static_cast<std::size_t>(frame));
 }
 
-int Record::nearest(double time) const {
+int Recording::nearest(double time) const {
     const auto nearest =
         std::ranges::min_element(file_->times, {}, [time](double one) { return std::abs(one - time); });
     return static_cast<int>(nearest - file_->times.begin());
 }
 
-void Record::read(int number, Frame& frame) const {
+void Recording::read(int number, Frame& frame) const {
     file_->read(static_cast<std::size_t>(number), frame);
 }
 
-Frame Record::read(int number) const {
+Frame Recording::read(int number) const {
     Frame frame;
     read(number, frame);
     return frame;

@@ -20,17 +20,17 @@
 namespace floes {
 
 /// Of one case. Loads are in N, at the scale that was asked for.
-struct PredictedDesign {
+struct PredictedDesignLoad {
     std::string case_name;
-    std::size_t runs = 0;             ///< behind the growth
-    bool only_left = true;            ///< whether they are those at points that are left; else all
-    DesignFigure growth_expected;     ///< expected largest load over the mean maximum
-    DesignFigure growth_quantile;     ///< the quantile over it; both of both tails
-    double growth_lower_half = 0;     ///< of the quantile, from the runs with the smaller mean maxima; NaN: too few
-    double growth_upper_half = 0;     ///< from the others
-    PredictedRange expected;          ///< every point that is left counting the same
-    PredictedRange expected_weighed;  ///< points weighed by the likelihood of the targets
-    PredictedRange quantile;          ///< that the largest load stays below with the probability asked for
+    std::size_t runs = 0;              ///< behind the growth
+    bool only_left = true;             ///< whether they are those at points that are left; else all
+    DesignLoadFigure growth_expected;  ///< expected largest load over the mean maximum
+    DesignLoadFigure growth_quantile;  ///< the quantile over it; both of both tails
+    double growth_lower_half = 0;      ///< of the quantile, from the runs with the smaller mean maxima; NaN: too few
+    double growth_upper_half = 0;      ///< from the others
+    PredictedRange expected;           ///< every point that is left counting the same
+    PredictedRange expected_weighed;   ///< points weighed by the likelihood of the targets
+    PredictedRange quantile;           ///< that the largest load stays below with the probability asked for
     PredictedRange quantile_weighed;
 };
 
@@ -39,10 +39,10 @@ inline constexpr std::size_t fewest_growth_runs = 20;
 
 /// One for each case with runs, of the first quantile asked for. The waves have their peaks (with_peaks()). Throws
 /// InputError as OverLeft::emulated() and averaging_time() do, and where a case has too few peaks to fit.
-std::vector<PredictedDesign> predict_design(std::span<const MatchWave> waves, const MatchData& data,
-                                            const std::vector<EmulatedTarget>& targets, const OverLeft& left,
-                                            const DesignRequest& request);
+std::vector<PredictedDesignLoad> predict_design_load(std::span<const MatchWave> waves, const MatchData& data,
+                                                     const std::vector<EmulatedTarget>& targets, const OverLeft& left,
+                                                     const DesignLoadRequest& request);
 
-Section design_section(const std::vector<PredictedDesign>& designs, const DesignRequest& request);
+Section design_section(const std::vector<PredictedDesignLoad>& designs, const DesignLoadRequest& request);
 
 }  // namespace floes

@@ -12,9 +12,9 @@
 namespace floes {
 
 /// Says on `out` what the program is doing, once, if this still lives after `patience`.
-class Patience {
+class WaitingNote {
   public:
-    Patience(std::ostream& out, std::string doing, std::chrono::milliseconds patience = std::chrono::seconds(2));
+    WaitingNote(std::ostream& out, std::string doing, std::chrono::milliseconds patience = std::chrono::seconds(2));
 
   private:
     std::mutex mutex_;

@@ -1,4 +1,4 @@
-#include "structure/convex_piece.hpp"
+#include "structure/convex_solid.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #pragma once
-// How a connected piece of ice answers to impulses within one step. With stiffness K, damping D and masses M the
-// velocities v at the end of an implicit step follow from
+// The compliance of a connected piece of ice: what impulses do to its velocities within one step. With stiffness K,
+// damping D and masses M the velocities v at the end of an implicit step follow from
 //
 //   (M + Δt D + Δt² K) (v - v_free) = impulses,
 //
@@ -35,23 +35,23 @@ struct PieceJoint {
     std::array<double, 6> hold{};  ///< Δt D + Δt² K of the linear, then of the angular parts: kg, kg m²
 };
 
-class PieceResponse {
+class PieceCompliance {
   public:
     /// Throws InputError for a piece that is not flat.
-    PieceResponse(std::vector<PieceBody> bodies, std::vector<PieceJoint> joints);
+    PieceCompliance(std::vector<PieceBody> bodies, std::vector<PieceJoint> joints);
 
-    /// Whether this is the response of such a piece, lengths and masses equal to a relative 1e-9.
+    /// Whether this is the compliance of such a piece, lengths and masses equal to a relative 1e-9.
     bool is_of(std::span<const PieceBody> bodies, std::span<const PieceJoint> joints) const;
 
     std::size_t bodies() const { return bodies_.size(); }
 
-    /// What unit impulses on body `source` do to the velocities of all bodies: a response_block for each. Computed when
-    /// first asked for.
+    /// What unit impulses on body `source` do to the velocities of all bodies: a compliance_block for each. Computed
+    /// when first asked for.
     const double* column(std::size_t source);
 
     /// Changes of velocity by impulses on all bodies, both 8 numbers a body in the order of a block's rows. For large
     /// pieces: it needs no columns.
-    void respond(const double* impulses, double* changes);
+    void velocity_changes(const double* impulses, double* changes);
 
   private:
     std::vector<PieceBody> bodies_;

@@ -1,4 +1,4 @@
-#include "cli/patience.hpp"
+#include "cli/waiting_note.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,18 +9,18 @@ namespace {
 
 using std::chrono::milliseconds;
 
-TEST(Patience, SpeaksOnceWhenItIsOver) {
+TEST(WaitingNote, SpeaksOnceWhenItIsOver) {
     std::ostringstream out;
     {
-        const Patience patience(out, "counting sand", milliseconds(1));
+        const WaitingNote patience(out, "counting sand", milliseconds(1));
         std::this_thread::sleep_for(milliseconds(100));
     }
     EXPECT_EQ(out.str(), "floes: counting sand\n");
 }
 
-TEST(Patience, SaysNothingOfWhatIsQuick) {
+TEST(WaitingNote, SaysNothingOfWhatIsQuick) {
     std::ostringstream out;
-    { const Patience patience(out, "counting sand", std::chrono::hours(1)); }
+    { const WaitingNote patience(out, "counting sand", std::chrono::hours(1)); }
     EXPECT_EQ(out.str(), "");
 }
 

@@ -1,4 +1,4 @@
-#include "findings/parts.hpp"
+#include "findings/catalogue.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include "campaign_file/read_campaign_file.hpp"
 #include "campaign_file/read_details.hpp"
 #include "findings/control_section.hpp"
-#include "findings/design_section.hpp"
+#include "findings/design_load_section.hpp"
 #include "findings/extremes.hpp"
 #include "findings/levels.hpp"
 #include "findings/members.hpp"
@@ -74,9 +74,9 @@ Section steady(Evidence& evidence) {
 
 /// As `floes design` has it by default, without what it rests on.
 Section design(Evidence& evidence) {
-    const DesignRequest request;
-    std::vector<Section> sections =
-        design_sections(evidence.summary, find_design(with_peaks(evidence.file, evidence.table), request), request);
+    const DesignLoadRequest request;
+    std::vector<Section> sections = design_load_sections(
+        evidence.summary, find_design_loads(with_peaks(evidence.file, evidence.table), request), request);
     Section loads = std::move(sections.front());
     for (Section& other : std::span(sections).subspan(1))
         std::ranges::move(other.records, std::back_inserter(loads.records));
@@ -92,21 +92,21 @@ Section members(Evidence& evidence) {
 }
 
 constexpr std::array all{
-    Part{"cases", cases, always},
-    Part{"points", points, never},
-    Part{"sensitivity", sensitivity, of_a_design},
-    Part{"pairs", pairs, in_detail},
-    Part{"extremes", extremes, in_detail},
-    Part{"exceedance", exceedance, never},
-    Part{"steady", steady, never},
-    Part{"control", control, never},
-    Part{"design", design, never},
-    Part{.name = "members", .section = members, .unasked = never, .for_csv_alone = true},
+    Finding{"cases", cases, always},
+    Finding{"points", points, never},
+    Finding{"sensitivity", sensitivity, of_a_design},
+    Finding{"pairs", pairs, in_detail},
+    Finding{"extremes", extremes, in_detail},
+    Finding{"exceedance", exceedance, never},
+    Finding{"steady", steady, never},
+    Finding{"control", control, never},
+    Finding{"design", design, never},
+    Finding{.name = "members", .section = members, .unasked = never, .for_csv_alone = true},
 };
 
 }  // namespace
 
-std::span<const Part> parts() {
+std::span<const Finding> findings() {
     return all;
 }
 

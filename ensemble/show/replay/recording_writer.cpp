@@ -11,8 +11,8 @@
 #include "hdf5/pages.hpp"
 #include "records/file_calls.hpp"
 #include "replay/frame_series.hpp"
-#include "replay/record.hpp"
-#include "replay/record_kind.hpp"
+#include "replay/recording.hpp"
+#include "replay/recording_kind.hpp"
 
 namespace floes {
 namespace {
@@ -24,11 +24,11 @@ Scale words_scale(hid_t parent, const char* name, const char* long_name, const s
     return hdf5::write_scale(parent, {name, "1", long_name}, words);
 }
 
-void write_root(hid_t file, const RecordSubject& subject) {
+void write_root(hid_t file, const RecordingSubject& subject) {
     const auto write_number = [file](const char* name, std::int32_t value) {
         hdf5::write_attribute(file, name, std::span<const std::int32_t>(&value, 1));
     };
-    hdf5::write_kind(file, record_kind,
+    hdf5::write_kind(file, recording_kind,
                      fmt::format("{}: member {}, case {}, arrangement {}", subject.campaign, subject.member,
                                  subject.case_name, subject.arrangement));
     hdf5::write_attribute(file, "campaign", subject.campaign);
@@ -39,7 +39,7 @@ void write_root(hid_t file, const RecordSubject& subject) {
     hdf5::write_attribute(file, "time_step", subject.scenario.general.time_step);
 }
 
-void write_ice(hid_t file, const RecordSubject& subject, int floes, const Scale& element) {
+void write_ice(hid_t file, const RecordingSubject& subject, int floes, const Scale& element) {
     std::vector<std::int32_t> floe;
     const int each = elements_of_a_floe(subject);
     for (int k = 0; k < floes * each; ++k) floe.push_back(k / each);
@@ -77,7 +77,7 @@ void write_sheets(hid_t file, const std::vector<IceSheet>& all, const Scale& coo
     hdf5::write_values(group.id(), {"sides", "m", "length of its sides"}, {sheet, coordinate}, sides);
 }
 
-void write_joints(hid_t file, const RecordSubject& subject, int floes, const std::vector<BreakEvent>& breaks) {
+void write_joints(hid_t file, const RecordingSubject& subject, int floes, const std::vector<BreakEvent>& breaks) {
     const std::vector<RecordJoint> joints = joints_of(subject, floes);
     const std::size_t each = joints.size() / static_cast<std::size_t>(std::max(floes, 1));
     std::vector<std::int32_t> a;
@@ -114,9 +114,9 @@ void write_history(hid_t file, const LoadHistory& history, double time_step) {
 
 }  // namespace
 
-class RecordWriter::File {
+class RecordingWriter::File {
   public:
-    File(std::filesystem::path path, const RecordSubject& subject, int floes)
+    File(std::filesystem::path path, const RecordingSubject& subject, int floes)
         : path_(std::move(path)), aside_(path_.string() + ".tmp"), subject_(subject), floes_(floes) {
         file_.emplace(hdf5::create_file(aside_));
         open_.emplace(file_->id(), subject_, floes_);
@@ -129,7 +129,7 @@ class RecordWriter::File {
 
     void add(const Frame& frame) { open_->series.add(frame); }
 
-    void finish(const RecordOutcome& outcome) {
+    void finish(const RecordingOutcome& outcome) {
         write_joints(file_->id(), subject_, floes_, outcome.breaks);
         write_history(file_->id(), outcome.history, subject_.scenario.general.time_step);
         open_->series.finish();
@@ -144,7 +144,7 @@ class RecordWriter::File {
 
   private:
     struct Open {
-        Open(hid_t file, const RecordSubject& subject, int floes)
+        Open(hid_t file, const RecordingSubject& subject, int floes)
             : scales{words_scale(file, "coordinate", "axis of a vector", {"x", "y", "z"}),
                      words_scale(file, "quaternion", "part of a quaternion", {"w", "x", "y", "z"}),
                      hdf5::write_index_scale(file, "element", "element, floe by floe",
@@ -170,22 +170,22 @@ class RecordWriter::File {
 
     std::filesystem::path path_;
     std::filesystem::path aside_;
-    RecordSubject subject_;
+    RecordingSubject subject_;
     int floes_;
     hdf5::QuietErrors quiet_;
     std::optional<Handle> file_;
     std::optional<Open> open_;
 };
 
-RecordWriter::RecordWriter(const std::filesystem::path& path, const RecordSubject& subject, int floes)
+RecordingWriter::RecordingWriter(const std::filesystem::path& path, const RecordingSubject& subject, int floes)
     : file_(std::make_unique<File>(path, subject, floes)) {}
-RecordWriter::~RecordWriter() = default;
+RecordingWriter::~RecordingWriter() = default;
 
-void RecordWriter::add(const Frame& frame) {
+void RecordingWriter::add(const Frame& frame) {
     file_->add(frame);
 }
 
-void RecordWriter::finish(const RecordOutcome& outcome) {
+void RecordingWriter::finish(const RecordingOutcome& outcome) {
     file_->finish(outcome);
 }
 

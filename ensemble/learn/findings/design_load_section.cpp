@@ -1,4 +1,4 @@
-#include "findings/design_section.hpp"
+#include "findings/design_load_section.hpp"
 
 #include <fmt/format.h>
 
@@ -12,18 +12,18 @@
 namespace floes {
 namespace {
 
-LoadUnit unit_for(const std::vector<CaseDesign>& designs, const DesignRequest& request) {
+LoadUnit unit_for(const std::vector<CaseDesignLoad>& designs, const DesignLoadRequest& request) {
     double largest = 0;
-    for (const CaseDesign& one : designs)
-        for (const DesignEstimate& made : one.load.estimates)
-            for (const DesignFigure& figure : made.quantiles)
+    for (const CaseDesignLoad& one : designs)
+        for (const DesignLoadEstimate& made : one.load.estimates)
+            for (const DesignLoadFigure& figure : made.quantiles)
                 if (figure.value > largest) largest = figure.value;
     largest *= request.force_factor();
     const LoadUnit unit = load_unit(largest);
     return {unit.name, unit.factor * request.force_factor()};
 }
 
-Cell load_cell(const DesignFigure& figure, double factor) {
+Cell load_cell(const DesignLoadFigure& figure, double factor) {
     const int decimals = std::abs(factor * figure.value) < 100 ? 1 : 0;
     return {fixed(factor * figure.value, decimals),
             bracket(factor * figure.interval.low, factor * figure.interval.high, decimals)};
@@ -33,7 +33,7 @@ std::string percent(double share) {
     return fmt::format("{:.3g} %", share / unit::percent);
 }
 
-std::string scale_words(const DesignRequest& request) {
+std::string scale_words(const DesignLoadRequest& request) {
     if (request.scale == 1) return "";
     return fmt::format(
         "\nFull scale by Froude, 1 : {0:g}: lengths x {0:g}, times x {1:.3g}, loads x {2:.3g}. The strength of the ice "
@@ -42,25 +42,25 @@ std::string scale_words(const DesignRequest& request) {
         request.scale, std::sqrt(request.scale), request.force_factor());
 }
 
-Section loads_section(const Summary& summary, const std::vector<CaseDesign>& designs, const DesignRequest& request,
-                      const LoadUnit& unit) {
+Section loads_section(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
+                      const DesignLoadRequest& request, const LoadUnit& unit) {
     Table table{{"case", {fmt::format("expected, {}", unit.name), ""}}};
     for (const double p : request.quantiles)
         table.front().push_back({fmt::format("exceeded with {}, {}", percent(1 - p), unit.name), ""});
-    for (const CaseDesign& one : designs) {
+    for (const CaseDesignLoad& one : designs) {
         const std::string& name = summary.name_of(one.case_index);
         if (!one.load.valid()) {
             table.emplace_back(table.front().size(), "").front() = fmt::format(
                 "{}: too few peaks ({} of {}) to fit; run more arrangements", name, one.load.peaks, fewest_peaks);
             continue;
         }
-        for (const DesignEstimate& made : one.load.estimates) {
+        for (const DesignLoadEstimate& made : one.load.estimates) {
             std::vector<Cell>& line = table.emplace_back();
             const bool first = made.method == LargestBy::both_tails;
             line.emplace_back(first ? fmt::format("{}, {}", name, name_of(made.method))
                                     : fmt::format("  {}", name_of(made.method)));
             line.push_back(load_cell(made.expected, unit.factor));
-            for (const DesignFigure& figure : made.quantiles) line.push_back(load_cell(figure, unit.factor));
+            for (const DesignLoadFigure& figure : made.quantiles) line.push_back(load_cell(figure, unit.factor));
         }
     }
     std::string before = fmt::format("Design load: the largest load averaged over {:g} s in {:g} h\n\n",
@@ -79,7 +79,7 @@ Section loads_section(const Summary& summary, const std::vector<CaseDesign>& des
 double disagreement(const DesignLoad& load) {
     double least = load.estimates.front().quantiles.front().value;
     double most = least;
-    for (const DesignEstimate& made : load.estimates) {
+    for (const DesignLoadEstimate& made : load.estimates) {
         const double value = made.quantiles.front().value;
         if (!std::isfinite(value)) continue;
         least = std::min(least, value);
@@ -88,39 +88,40 @@ double disagreement(const DesignLoad& load) {
     return (most - least) / load.estimates.front().quantiles.front().value;
 }
 
-Section basis_section(const Summary& summary, const std::vector<CaseDesign>& designs, const DesignRequest& request,
-                      const LoadUnit& unit) {
+Section basis_section(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
+                      const DesignLoadRequest& request, const LoadUnit& unit) {
     Table table{{"what it rests on"}};
     const auto row = [&](std::string label, auto cell) {
         std::vector<Cell>& line = table.emplace_back();
         line.emplace_back(std::move(label));
-        for (const CaseDesign& one : designs) line.push_back(one.load.valid() ? Cell{cell(one)} : Cell{"–"});
+        for (const CaseDesignLoad& one : designs) line.push_back(one.load.valid() ? Cell{cell(one)} : Cell{"–"});
     };
-    for (const CaseDesign& one : designs) table.front().emplace_back(summary.name_of(one.case_index));
-    row("arrangements", [](const CaseDesign& one) { return fmt::format("{}", one.load.arrangements); });
-    row("time run, h", [&](const CaseDesign& one) {
+    for (const CaseDesignLoad& one : designs) table.front().emplace_back(summary.name_of(one.case_index));
+    row("arrangements", [](const CaseDesignLoad& one) { return fmt::format("{}", one.load.arrangements); });
+    row("time run, h", [&](const CaseDesignLoad& one) {
         return fmt::format("{:.3g}", one.load.time_run * std::sqrt(request.scale) / unit::hour);
     });
     row("exposure / time run",
-        [&](const CaseDesign& one) { return fmt::format("{:.2g}", request.model_exposure() / one.load.time_run); });
+        [&](const CaseDesignLoad& one) { return fmt::format("{:.2g}", request.model_exposure() / one.load.time_run); });
     row("not steady",
-        [&](const CaseDesign& one) { return fmt::format("{}", summary.cases[one.case_index].not_steady); });
+        [&](const CaseDesignLoad& one) { return fmt::format("{}", summary.cases[one.case_index].not_steady); });
     row("peaks at least apart, s",
-        [&](const CaseDesign& one) { return fmt::format("{:.3g}", one.separation * std::sqrt(request.scale)); });
+        [&](const CaseDesignLoad& one) { return fmt::format("{:.3g}", one.separation * std::sqrt(request.scale)); });
     row(fmt::format("threshold, {}", unit.name),
-        [&](const CaseDesign& one) { return fmt::format("{:.3g}", unit.factor * one.load.threshold); });
-    row("peaks above", [](const CaseDesign& one) { return fmt::format("{}", one.load.peaks); });
-    row("ξ of the Pareto tail", [](const CaseDesign& one) { return fmt::format("{:.2f}", one.load.pareto.shape); });
-    row("c of the Weibull tail", [](const CaseDesign& one) { return fmt::format("{:.2f}", one.load.weibull.shape); });
+        [&](const CaseDesignLoad& one) { return fmt::format("{:.3g}", unit.factor * one.load.threshold); });
+    row("peaks above", [](const CaseDesignLoad& one) { return fmt::format("{}", one.load.peaks); });
+    row("ξ of the Pareto tail", [](const CaseDesignLoad& one) { return fmt::format("{:.2f}", one.load.pareto.shape); });
+    row("c of the Weibull tail",
+        [](const CaseDesignLoad& one) { return fmt::format("{:.2f}", one.load.weibull.shape); });
     row("weight of the Weibull tail",
-        [](const CaseDesign& one) { return fmt::format("{:.2f}", one.load.weibull_weight); });
+        [](const CaseDesignLoad& one) { return fmt::format("{:.2f}", one.load.weibull_weight); });
     for (std::size_t k = 0; k < std::size(threshold_shares); ++k)
         row(fmt::format("with the highest {} of the peaks, {}", percent(threshold_shares[k]), unit.name),
-            [&](const CaseDesign& one) { return fmt::format("{:.3g}", unit.factor * one.over_shares[k]); });
+            [&](const CaseDesignLoad& one) { return fmt::format("{:.3g}", unit.factor * one.over_shares[k]); });
     row("methods differ by",
-        [](const CaseDesign& one) { return fmt::format("{:.0f} %", 100 * disagreement(one.load)); });
+        [](const CaseDesignLoad& one) { return fmt::format("{:.0f} %", 100 * disagreement(one.load)); });
     row("more arrangements for half the interval",
-        [](const CaseDesign& one) { return fmt::format("{}", 3 * one.load.arrangements); });
+        [](const CaseDesignLoad& one) { return fmt::format("{}", 3 * one.load.arrangements); });
     return {.before = "",
             .table = std::move(table),
             .after = fmt::format(
@@ -132,30 +133,32 @@ Section basis_section(const Summary& summary, const std::vector<CaseDesign>& des
 
 /// The difference of the first quantile between two cases over the same arrangements.
 struct Paired {
-    const CaseDesign* first;
-    const CaseDesign* second;
-    DesignFigure difference;  ///< second - first
+    const CaseDesignLoad* first;
+    const CaseDesignLoad* second;
+    DesignLoadFigure difference;  ///< second - first
 };
 
-std::vector<Paired> pairs_of(const std::vector<CaseDesign>& designs) {
+std::vector<Paired> pairs_of(const std::vector<CaseDesignLoad>& designs) {
     std::vector<Paired> pairs;
     for (std::size_t a = 0; a < designs.size(); ++a) {
         for (std::size_t b = a + 1; b < designs.size(); ++b) {
-            const CaseDesign& one = designs[a];
-            const CaseDesign& other = designs[b];
+            const CaseDesignLoad& one = designs[a];
+            const CaseDesignLoad& other = designs[b];
             if (!one.load.valid() || !other.load.valid() || one.arrangements != other.arrangements) continue;
             std::vector<double> differences;
             for (std::size_t k = 0; k < std::min(one.load.draws.size(), other.load.draws.size()); ++k)
                 differences.push_back(other.load.draws[k].front() - one.load.draws[k].front());
-            const auto value = [](const CaseDesign& of) { return of.load.estimates.front().quantiles.front().value; };
+            const auto value = [](const CaseDesignLoad& of) {
+                return of.load.estimates.front().quantiles.front().value;
+            };
             pairs.push_back({&one, &other, {value(other) - value(one), percentile_interval(std::move(differences))}});
         }
     }
     return pairs;
 }
 
-Section pairs_section(const Summary& summary, const std::vector<CaseDesign>& designs, const DesignRequest& request,
-                      const LoadUnit& unit) {
+Section pairs_section(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
+                      const DesignLoadRequest& request, const LoadUnit& unit) {
     const std::vector<Paired> pairs = pairs_of(designs);
     if (pairs.empty()) return {};
     Table table{{"pair", {fmt::format("difference, {}", unit.name), ""}}};
@@ -163,7 +166,7 @@ Section pairs_section(const Summary& summary, const std::vector<CaseDesign>& des
         table.push_back(
             {fmt::format("{} - {}", summary.name_of(one.second->case_index), summary.name_of(one.first->case_index)),
              load_cell(one.difference, unit.factor)});
-    std::vector<RecordField<Paired>> columns{
+    std::vector<DataColumn<Paired>> columns{
         {"first", [&](const Paired& one) { return summary.name_of(one.first->case_index); }},
         {"second", [&](const Paired& one) { return summary.name_of(one.second->case_index); }},
         {"difference_N", [&](const Paired& one) { return request.force_factor() * one.difference.value; }},
@@ -174,26 +177,27 @@ Section pairs_section(const Summary& summary, const std::vector<CaseDesign>& des
         .table = std::move(table),
         .after = fmt::format("\nDifferences of the load exceeded with {}, by both tails, over the same arrangements.\n",
                              percent(1 - request.quantiles.front())),
-        .records = {json_only(make_records<Paired>("design/pairs", pairs, columns))}};
+        .records = {json_only(make_rows<Paired>("design/pairs", pairs, columns))}};
 }
 
 /// A line for each case, method and figure.
-Records load_records(const Summary& summary, const std::vector<CaseDesign>& designs, const DesignRequest& request) {
+DataRows load_records(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
+                      const DesignLoadRequest& request) {
     struct Line {
-        const CaseDesign* of;
-        const DesignEstimate* made;
-        const DesignFigure* figure;
+        const CaseDesignLoad* of;
+        const DesignLoadEstimate* made;
+        const DesignLoadFigure* figure;
         double probability;  ///< NaN for the expected load
     };
     std::vector<Line> lines;
-    for (const CaseDesign& one : designs)
-        for (const DesignEstimate& made : one.load.estimates) {
+    for (const CaseDesignLoad& one : designs)
+        for (const DesignLoadEstimate& made : one.load.estimates) {
             lines.push_back({&one, &made, &made.expected, std::nan("")});
             for (std::size_t k = 0; k < made.quantiles.size(); ++k)
                 lines.push_back({&one, &made, &made.quantiles[k], request.quantiles[k]});
         }
     const double factor = request.force_factor();
-    return make_records<Line>(
+    return make_rows<Line>(
         "design/loads", lines,
         {{"case", [&](const Line& line) { return summary.name_of(line.of->case_index); }},
          {"method", [](const Line& line) { return name_of(line.made->method); }},
@@ -208,45 +212,46 @@ Records load_records(const Summary& summary, const std::vector<CaseDesign>& desi
 }
 
 /// What the loads rest on, one record for each case, at the scale of the campaign.
-Records basis_records(const Summary& summary, const std::vector<CaseDesign>& designs, const DesignRequest& request) {
-    std::vector<RecordField<CaseDesign>> columns{
-        {"case", [&](const CaseDesign& one) { return summary.name_of(one.case_index); }},
-        {"arrangements", [](const CaseDesign& one) { return one.load.arrangements; }},
-        {"time_run_s", [](const CaseDesign& one) { return one.load.time_run; }},
-        {"exposure_s", [&](const CaseDesign&) { return request.model_exposure(); }},
-        {"peak_separation_s", [](const CaseDesign& one) { return one.separation; }},
-        {"peaks", [](const CaseDesign& one) { return one.load.peaks; }},
-        {"threshold_N", [](const CaseDesign& one) { return one.load.threshold; }},
-        {"pareto/scale_N", [](const CaseDesign& one) { return one.load.pareto.scale; }},
-        {"pareto/shape", [](const CaseDesign& one) { return one.load.pareto.shape; }},
-        {"weibull/origin_N", [](const CaseDesign& one) { return one.load.weibull.origin; }},
-        {"weibull/scale_N", [](const CaseDesign& one) { return one.load.weibull.scale; }},
-        {"weibull/shape", [](const CaseDesign& one) { return one.load.weibull.shape; }},
-        {"weibull/weight", [](const CaseDesign& one) { return one.load.weibull_weight; }}};
+DataRows basis_records(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
+                       const DesignLoadRequest& request) {
+    std::vector<DataColumn<CaseDesignLoad>> columns{
+        {"case", [&](const CaseDesignLoad& one) { return summary.name_of(one.case_index); }},
+        {"arrangements", [](const CaseDesignLoad& one) { return one.load.arrangements; }},
+        {"time_run_s", [](const CaseDesignLoad& one) { return one.load.time_run; }},
+        {"exposure_s", [&](const CaseDesignLoad&) { return request.model_exposure(); }},
+        {"peak_separation_s", [](const CaseDesignLoad& one) { return one.separation; }},
+        {"peaks", [](const CaseDesignLoad& one) { return one.load.peaks; }},
+        {"threshold_N", [](const CaseDesignLoad& one) { return one.load.threshold; }},
+        {"pareto/scale_N", [](const CaseDesignLoad& one) { return one.load.pareto.scale; }},
+        {"pareto/shape", [](const CaseDesignLoad& one) { return one.load.pareto.shape; }},
+        {"weibull/origin_N", [](const CaseDesignLoad& one) { return one.load.weibull.origin; }},
+        {"weibull/scale_N", [](const CaseDesignLoad& one) { return one.load.weibull.scale; }},
+        {"weibull/shape", [](const CaseDesignLoad& one) { return one.load.weibull.shape; }},
+        {"weibull/weight", [](const CaseDesignLoad& one) { return one.load.weibull_weight; }}};
     for (std::size_t k = 0; k < std::size(threshold_shares); ++k) {
         columns.push_back({fmt::format("over_thresholds/{}/share", k),
-                           [k](const CaseDesign&) { return Datum(threshold_shares[k]); }});
+                           [k](const CaseDesignLoad&) { return Datum(threshold_shares[k]); }});
         columns.push_back({fmt::format("over_thresholds/{}/load_N", k),
-                           [k](const CaseDesign& one) { return Datum(one.over_shares[k]); }});
+                           [k](const CaseDesignLoad& one) { return Datum(one.over_shares[k]); }});
     }
-    return json_only(make_records<CaseDesign>("design/basis", designs, columns));
+    return json_only(make_rows<CaseDesignLoad>("design/basis", designs, columns));
 }
 
 /// Peaks above each of them, with the rate that each tail gives: a curve for each case, at the scale of the campaign.
-Records rate_records(const Summary& summary, const std::vector<CaseDesign>& designs) {
+DataRows rate_records(const Summary& summary, const std::vector<CaseDesignLoad>& designs) {
     struct Point {
-        const CaseDesign* of;
+        const CaseDesignLoad* of;
         double load;
         double seen;  ///< per s
     };
     std::vector<Point> points;
-    for (const CaseDesign& one : designs)
+    for (const CaseDesignLoad& one : designs)
         for (std::size_t k = 0; k < one.peaks.size(); ++k)
             points.push_back({&one, one.peaks[k], static_cast<double>(k + 1) / one.load.time_run});
     const auto tail = [](const Tail& fitted, double load) {
         return fitted.valid() && load >= fitted.threshold ? Datum(rate_above(fitted, load)) : Datum(Undefined{});
     };
-    return json_only(make_records<Point>(
+    return json_only(make_rows<Point>(
         "design/rates", points,
         {{"case", [&](const Point& point) { return summary.name_of(point.of->case_index); }},
          {"load_N", [](const Point& point) { return point.load; }},
@@ -257,8 +262,8 @@ Records rate_records(const Summary& summary, const std::vector<CaseDesign>& desi
 
 }  // namespace
 
-std::vector<Section> design_sections(const Summary& summary, const std::vector<CaseDesign>& designs,
-                                     const DesignRequest& request) {
+std::vector<Section> design_load_sections(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
+                                          const DesignLoadRequest& request) {
     const LoadUnit unit = unit_for(designs, request);
     std::vector<Section> sections{loads_section(summary, designs, request, unit),
                                   basis_section(summary, designs, request, unit)};

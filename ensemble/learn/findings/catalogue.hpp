@@ -28,11 +28,11 @@ struct Evidence {
     double resolve = 0.1;  ///< difference that pairs are to resolve, as a fraction of the first case's mean
 };
 
-/// Reads the file. `automatic_window`: loads are recomputed over the steady part. Throws InputError as
+/// Reads the file. `automatic_window`: loads are recomputed over the steady finding. Throws InputError as
 /// read_campaign_file() and with_automatic_window() do, and if there is no case `reference` (empty: no reference).
 Evidence read_evidence(const CampaignFile& file, bool automatic_window = false, std::string_view reference = {});
 
-struct Part {
+struct Finding {
     std::string_view name;
     Section (*section)(Evidence&);     ///< may keep in the evidence what other parts need too
     bool (*unasked)(const Campaign&);  ///< whether it is shown for this campaign when no parts are named
@@ -41,6 +41,6 @@ struct Part {
 };
 
 /// In order of output. The first one, the cases, is always part of the JSON.
-std::span<const Part> parts();
+std::span<const Finding> findings();
 
 }  // namespace floes

@@ -9,7 +9,7 @@
 namespace floes {
 
 /// The loads, what they rest on, and the differences between cases with the same arrangements.
-std::vector<Section> design_sections(const Summary& summary, const std::vector<CaseDesign>& designs,
-                                     const DesignRequest& request);
+std::vector<Section> design_load_sections(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
+                                          const DesignLoadRequest& request);
 
 }  // namespace floes

@@ -1,4 +1,4 @@
-#include "match/predict_design.hpp"
+#include "match/predict_design_load.hpp"
 
 #include <fmt/format.h>
 
@@ -50,7 +50,7 @@ std::vector<bool> points_left(const MatchData& data, const std::vector<EmulatedT
 }
 
 CaseRuns runs_of(std::span<const MatchWave> waves, const MatchData& data, const std::vector<bool>& left,
-                 const EmulatedTarget& mean_maximum, const DesignRequest& request) {
+                 const EmulatedTarget& mean_maximum, const DesignLoadRequest& request) {
     CaseRuns made;
     for (std::size_t k = 0; k < data.points.size(); ++k) {
         const MatchPoint& point = data.points[k];
@@ -82,7 +82,7 @@ double growth_of(std::span<const DividedRun> runs, Measured measured, const Expo
 }
 
 /// The growth, with its own uncertainty, times the mean maximum at each point.
-AtPoints grown(const AtPoints& mean_maximum, const DesignFigure& growth, double factor) {
+AtPoints grown(const AtPoints& mean_maximum, const DesignLoadFigure& growth, double factor) {
     constexpr double half_width = 1.96;
     const double sd = (growth.interval.high - growth.interval.low) / (2 * half_width);
     AtPoints made;
@@ -95,9 +95,9 @@ AtPoints grown(const AtPoints& mean_maximum, const DesignFigure& growth, double 
     return made;
 }
 
-PredictedDesign of_case(CaseRuns all, const AtPoints& mean_maximum, const OverLeft& left, const std::string& case_name,
-                        const DesignRequest& request) {
-    PredictedDesign made;
+PredictedDesignLoad of_case(CaseRuns all, const AtPoints& mean_maximum, const OverLeft& left,
+                            const std::string& case_name, const DesignLoadRequest& request) {
+    PredictedDesignLoad made;
     made.case_name = case_name;
     const auto at_left = static_cast<std::size_t>(std::ranges::count(all.runs, true, &DividedRun::left));
     made.only_left = at_left >= fewest_growth_runs;
@@ -127,15 +127,15 @@ PredictedDesign of_case(CaseRuns all, const AtPoints& mean_maximum, const OverLe
 
 }  // namespace
 
-std::vector<PredictedDesign> predict_design(std::span<const MatchWave> waves, const MatchData& data,
-                                            const std::vector<EmulatedTarget>& targets, const OverLeft& left,
-                                            const DesignRequest& request) {
+std::vector<PredictedDesignLoad> predict_design_load(std::span<const MatchWave> waves, const MatchData& data,
+                                                     const std::vector<EmulatedTarget>& targets, const OverLeft& left,
+                                                     const DesignLoadRequest& request) {
     const double time = averaging_time(waves.front().table, request);
     std::vector<Target> indices;
     for (const std::string& name : match_cases(waves))
         indices.push_back(to_predict(fmt::format("mean_maximum_{:g}s", time), name));
     const std::vector<bool> at_left = points_left(data, targets);
-    std::vector<PredictedDesign> designs;
+    std::vector<PredictedDesignLoad> designs;
     for (const EmulatedTarget& index : emulate(match_data(waves, indices))) {
         if (!index.emulated()) continue;
         const std::string& name = index.target().case_name;

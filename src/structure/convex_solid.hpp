@@ -1,5 +1,5 @@
 #pragma once
-// A convex piece of the structure, as the world collides with it. Heights are above the waterline, the axis is
+// A convex solid of the structure, as the world collides with it. Heights are above the waterline, the axis is
 // vertical.
 
 #include <optional>
@@ -34,8 +34,8 @@ struct Frustum {
     friend bool operator==(const Frustum&, const Frustum&) = default;
 };
 
-/// What pieces of the structure are. The world asks a piece for fault(), farthest(), inside() and scaled(), and for
+/// What solids of the structure are. The world asks a solid for fault(), farthest(), inside() and scaled(), and for
 /// nothing else.
-using ConvexPiece = Frustum;
+using ConvexSolid = Frustum;
 
 }  // namespace floes

@@ -1,5 +1,5 @@
 #pragma once
-// The record of a replayed member: frames of all that there is to see, on what they stand, and the whole load history.
+// The recording of a replayed member: frames of all that there is to see, on what they stand, and the whole load history.
 // A file of its own in HDF5, described in docs/replay.md. Written and read a frame at a time: a long run is larger than
 // the memory.
 
@@ -25,11 +25,11 @@ struct RecordJoint {
     JointAxis axis = JointAxis::x;  ///< of the floe, from a to b
 };
 
-/// Whether the file is there and is a record, whatever its version.
-bool is_record(const std::filesystem::path& path);
+/// Whether the file is there and is a recording, whatever its version.
+bool is_recording(const std::filesystem::path& path);
 
 /// What does not change during a run.
-struct RecordSubject {
+struct RecordingSubject {
     std::string campaign;       ///< title
     std::string fingerprint;    ///< of the campaign
     std::string configuration;  ///< TOML that gives the campaign again
@@ -40,13 +40,13 @@ struct RecordSubject {
 };
 
 /// What follows from a subject.
-Channel channel_of(const RecordSubject& subject);
-int elements_of_a_floe(const RecordSubject& subject);
+Channel channel_of(const RecordingSubject& subject);
+int elements_of_a_floe(const RecordingSubject& subject);
 /// Floe by floe, within a floe in the order in which they are numbered in the break log.
-std::vector<RecordJoint> joints_of(const RecordSubject& subject, int floes);
+std::vector<RecordJoint> joints_of(const RecordingSubject& subject, int floes);
 
 /// What is known only at the end of a run.
-struct RecordOutcome {
+struct RecordingOutcome {
     LoadHistory history;             ///< of every step
     std::vector<BreakEvent> breaks;  ///< in order of time
 };
@@ -54,29 +54,29 @@ struct RecordOutcome {
 /// Of each floe, whether a joint of it has failed by `time`, s: 1 or 0. `breaks`: in order of time.
 std::vector<std::uint8_t> broken_floes(const std::vector<BreakEvent>& breaks, int floes, double time);
 
-/// Writes a record beside its place and renames it when it is finished; a record that is not leaves nothing.
-class RecordWriter {
+/// Writes a recording beside its place and renames it when it is finished; a recording that is not leaves nothing.
+class RecordingWriter {
   public:
     /// Throws RunError naming the call that failed, as the others do.
-    RecordWriter(const std::filesystem::path& path, const RecordSubject& subject, int floes);
-    ~RecordWriter();
+    RecordingWriter(const std::filesystem::path& path, const RecordingSubject& subject, int floes);
+    ~RecordingWriter();
 
     void add(const Frame& frame);
-    void finish(const RecordOutcome& outcome);
+    void finish(const RecordingOutcome& outcome);
 
   private:
     class File;
     std::unique_ptr<File> file_;
 };
 
-class Record {
+class Recording {
   public:
-    /// Throws InputError when there is no such file, it is no record, or its major version is not this program's.
-    explicit Record(const std::filesystem::path& path);
-    ~Record();
+    /// Throws InputError when there is no such file, it is no recording, or its major version is not this program's.
+    explicit Recording(const std::filesystem::path& path);
+    ~Recording();
 
-    const RecordSubject& subject() const;
-    const RecordOutcome& outcome() const;
+    const RecordingSubject& subject() const;
+    const RecordingOutcome& outcome() const;
     int floes() const;
     int elements() const;
 
@@ -84,7 +84,7 @@ class Record {
     double time(int frame) const;  ///< s
     /// The frame whose time is nearest to `time`, s.
     int nearest(double time) const;
-    /// Refills `frame` with frame `number`, as single precision keeps it; element spins are not kept.
+    /// Refills `frame` with frame `number`, as single precision keeps it; element angular velocities are not kept.
     void read(int number, Frame& frame) const;
     Frame read(int number) const;
 

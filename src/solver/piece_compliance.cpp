@@ -1,4 +1,4 @@
-#include "solver/piece_response.hpp"
+#include "solver/piece_compliance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -99,38 +99,38 @@ bool equal(const PieceJoint& a, const PieceJoint& b) {
 
 }  // namespace
 
-PieceResponse::PieceResponse(std::vector<PieceBody> bodies, std::vector<PieceJoint> joints)
+PieceCompliance::PieceCompliance(std::vector<PieceBody> bodies, std::vector<PieceJoint> joints)
     : bodies_(std::move(bodies)), joints_(std::move(joints)), columns_(bodies_.size()) {
     const std::array<Eigen::SparseMatrix<double>, 2> matrices = assembled(bodies_, joints_);
     for (std::size_t part = 0; part < 2; ++part) factors_[part].compute(matrices[part]);
 }
 
-bool PieceResponse::is_of(std::span<const PieceBody> bodies, std::span<const PieceJoint> joints) const {
+bool PieceCompliance::is_of(std::span<const PieceBody> bodies, std::span<const PieceJoint> joints) const {
     const auto same = [](const auto& a, const auto& b) { return equal(a, b); };
     return std::ranges::equal(bodies_, bodies, same) && std::ranges::equal(joints_, joints, same);
 }
 
-const double* PieceResponse::column(std::size_t source) {
+const double* PieceCompliance::column(std::size_t source) {
     AlignedArray<double>& column = columns_[source];
     if (column.size() > 0) return column.data();
-    column = AlignedArray<double>(bodies_.size() * response_block);
+    column = AlignedArray<double>(bodies_.size() * compliance_block);
     if (!(bodies_[source].mass > 0)) return column.data();  // it does not feel impulses
     const auto size = static_cast<Eigen::Index>(3 * bodies_.size());
     Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(size, 3);
     unit.middleRows<3>(static_cast<Eigen::Index>(3 * source)).setIdentity();
     for (std::size_t part = 0; part < 2; ++part) {
-        const Eigen::MatrixXd answer = factors_[part].solve(unit);
+        const Eigen::MatrixXd change = factors_[part].solve(unit);
         for (std::size_t i = 0; i < 3 * bodies_.size(); ++i) {
             for (std::size_t k = 0; k < 3; ++k) {
-                column[i / 3 * response_block + 8 * k + 4 * part + i % 3] =
-                    answer(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k));
+                column[i / 3 * compliance_block + 8 * k + 4 * part + i % 3] =
+                    change(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k));
             }
         }
     }
     return column.data();
 }
 
-void PieceResponse::respond(const double* impulses, double* changes) {
+void PieceCompliance::velocity_changes(const double* impulses, double* changes) {
     impulses_.resize(static_cast<Eigen::Index>(3 * bodies_.size()));
     for (std::size_t part = 0; part < 2; ++part) {
         const auto at = [&](std::size_t i) { return i / 3 * 8 + 4 * part + i % 3; };

@@ -1,5 +1,5 @@
 #pragma once
-// A record of a small field whose frames are formulas: floes drift, turn through more than half a turn and tilt, one
+// A recording of a small field whose frames are formulas: floes drift, turn through more than half a turn and tilt, one
 // falls into pieces, and contacts come and go.
 
 #include <cmath>
@@ -7,14 +7,14 @@
 #include <string>
 
 #include "campaign/write.hpp"
-#include "replay/record.hpp"
+#include "replay/recording.hpp"
 #include "support/synthetic.hpp"
 
 namespace floes::synthetic {
 
 inline constexpr int break_frame = 7;
 
-inline RecordSubject record_subject() {
+inline RecordingSubject record_subject() {
     Campaign one = campaign();
     one.cases.resize(1);
     return {.campaign = "synthetic </script>",
@@ -51,12 +51,12 @@ inline Frame frame(int number, int elements) {
     return made;
 }
 
-inline void write_record(const std::filesystem::path& path, int frames) {
-    const RecordSubject subject = record_subject();
+inline void write_recording(const std::filesystem::path& path, int frames) {
+    const RecordingSubject subject = record_subject();
     const int floes = subject.scenario.field.floes;
-    RecordWriter writer(path, subject, floes);
+    RecordingWriter writer(path, subject, floes);
     for (int i = 0; i < frames; ++i) writer.add(frame(i, floes * elements_of_a_floe(subject)));
-    RecordOutcome outcome;
+    RecordingOutcome outcome;
     for (int step = 0; step < subject.scenario.step_count(); ++step) {
         outcome.history.surge.push_back(2.0 * step);
         outcome.history.sway.push_back(1);
