@@ -29,6 +29,9 @@ IN_SUMMARY = [
     Quantity("failures_bending", "failures_bending_per_run"),
     Quantity("failures_shear", "failures_shear_per_run"),
     Quantity("failures_compression", "failures_compression_per_run"),
+    Quantity("failures_tension", "failures_tension_per_run"),
+    Quantity("failures_torsion", "failures_torsion_per_run"),
+    Quantity("failures_in_plane_bending", "failures_in_plane_bending_per_run"),
     Quantity("local_order", "local_order", least=-1, most=1),
     Quantity("coverage_ahead", "coverage_ahead", most=1),
 ]

@@ -28,19 +28,15 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-int count_failures(std::span<const BreakEvent> breaks, FailureMode mode) {
-    return static_cast<int>(std::ranges::count(breaks, mode, &BreakEvent::mode));
-}
-
 /// Takes over what was recorded, whether or not the run reached its end.
 void take_record(MemberResult& result, const Arrangement& floes, const Simulation& simulation) {
     result.local_order = floes.local_order;
     result.coverage_ahead = floes.coverage_ahead;
     result.history = simulation.loads();
     result.breaks = simulation.ice().breaks();
-    result.failures_bending = count_failures(result.breaks, FailureMode::bending);
-    result.failures_shear = count_failures(result.breaks, FailureMode::shear);
-    result.failures_compression = count_failures(result.breaks, FailureMode::compression);
+    for (std::size_t mode = 0; mode < result.failures.size(); ++mode)
+        result.failures[mode] =
+            static_cast<double>(std::ranges::count(result.breaks, static_cast<FailureMode>(mode), &BreakEvent::mode));
     result.peaks = simulation.ice().peaks();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // The numbers that a member measures. quantity.hpp lists those with a name and where they appear.
 
+#include <array>
 #include <vector>
 
 #include "ice/failure_mode.hpp"
@@ -17,9 +18,7 @@ struct MemberOutputs {
     double mean_sway = 0;                ///< N, over the window
     double mean_heave = 0;               ///< N, over the window
     double failure_ratio = 0;            ///< broken floes / floes at the end of the run, 0-1
-    int failures_bending = 0;            ///< failed joints by mode
-    int failures_shear = 0;
-    int failures_compression = 0;
+    std::array<double, failure_mode_names.size()> failures{};  ///< failed joints by mode
     double local_order = 0;     ///< of the arrangement, arrangement/order.hpp; its psi4 is stored with the poses
     double coverage_ahead = 0;  ///< share of the structure's path covered by ice at t = 0, 0-1
     PeakReactions peaks;        ///< over all joints and the whole run

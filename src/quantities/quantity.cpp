@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
+#include <limits>
 #include <string>
 
 namespace floes {
@@ -21,6 +23,11 @@ double Quantity::of(const MemberOutputs& outputs) const {
     if (averaging == 0) return place.get(outputs);
     const auto found = std::ranges::find(outputs.averaged, averaging, &AveragedLoad::time);
     return found == outputs.averaged.end() ? std::numeric_limits<double>::quiet_NaN() : (*found).*averaged;
+}
+
+bool Quantity::holds(double value) const {
+    return !count || std::isnan(value) ||
+           (value >= 0 && value <= std::numeric_limits<int>::max() && value == std::floor(value));
 }
 
 Quantity averaged_over(const Quantity& one, double time) {

@@ -6,14 +6,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <ranges>
 #include <span>
 #include <string_view>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "quantities/member_outputs.hpp"
@@ -24,27 +21,22 @@ namespace floes {
 /// Access to a quantity in the outputs.
 struct Place {
     double (*get)(const MemberOutputs&);
-    void (*set)(MemberOutputs&, double);  ///< of a number that it holds; a count takes its whole part, and NaN as 0
-    bool (*holds)(double);                ///< a count none beyond those of an int
+    void (*set)(MemberOutputs&, double);
 };
-
-/// Whether a chain of data members ends at an int; other quantities are doubles.
-template <auto... Path>
-inline constexpr bool is_count =
-    std::is_integral_v<std::remove_cvref_t<decltype((std::declval<MemberOutputs&>().*....*Path))>>;
 
 /// at<&MemberOutputs::load, &LoadStatistics::mean>: the chain of data members.
 template <auto... Path>
 constexpr Place at() {
-    return {[](const MemberOutputs& outputs) { return static_cast<double>((outputs.*....*Path)); },
-            [](MemberOutputs& outputs, double value) {
-                auto& field = (outputs.*....*Path);
-                if constexpr (is_count<Path...>)
-                    field = value == value ? static_cast<int>(value) : 0;
-                else
-                    field = value;
-            },
-            [](double value) { return !is_count<Path...> || !(std::abs(value) > std::numeric_limits<int>::max()); }};
+    return {[](const MemberOutputs& outputs) { return (outputs.*....*Path); },
+            [](MemberOutputs& outputs, double value) { (outputs.*....*Path) = value; }};
+}
+
+/// Joints that failed in this mode.
+template <FailureMode mode>
+constexpr Place failures_in() {
+    constexpr auto number = static_cast<std::size_t>(mode);
+    return {[](const MemberOutputs& outputs) { return outputs.failures[number]; },
+            [](MemberOutputs& outputs, double value) { outputs.failures[number] = value; }};
 }
 
 inline constexpr double no_least = -std::numeric_limits<double>::infinity();
@@ -80,6 +72,8 @@ struct Quantity {
 
     /// NaN where the outputs do not have that averaging time.
     double of(const MemberOutputs& outputs) const;
+    /// Whether it can have the value: a count is a whole number, or NaN where nobody counted.
+    bool holds(double value) const;
     constexpr double factor() const { return percent ? 100 : 1; }  ///< displayed value / stored value
 };
 
@@ -119,14 +113,12 @@ inline constexpr std::array quantities{
              .unit = "1",
              .long_name = "skewness of the surge load over the window",
              .place = at<&MemberOutputs::load, &LoadStatistics::skewness>(),
-             .least = no_least,
-             .since = 3},
+             .least = no_least},
     Quantity{.key = "excess_kurtosis",
              .unit = "1",
              .long_name = "excess kurtosis of the surge load over the window",
              .place = at<&MemberOutputs::load, &LoadStatistics::excess_kurtosis>(),
-             .least = no_least,
-             .since = 3},
+             .least = no_least},
     Quantity{.key = "mean_maximum",
              .unit = "N",
              .long_name = "mean of the segment maxima of the surge load",
@@ -205,7 +197,7 @@ inline constexpr std::array quantities{
     Quantity{.key = "failures_bending",
              .unit = "1",
              .long_name = "joints that failed in bending",
-             .place = at<&MemberOutputs::failures_bending>(),
+             .place = failures_in<FailureMode::bending>(),
              .shown = Shown::in_summary,
              .name = "failures_bending_per_run",
              .label = "joints failed in bending",
@@ -213,7 +205,7 @@ inline constexpr std::array quantities{
     Quantity{.key = "failures_shear",
              .unit = "1",
              .long_name = "joints that failed in shear",
-             .place = at<&MemberOutputs::failures_shear>(),
+             .place = failures_in<FailureMode::shear>(),
              .shown = Shown::in_summary,
              .name = "failures_shear_per_run",
              .label = "  in shear",
@@ -221,11 +213,38 @@ inline constexpr std::array quantities{
     Quantity{.key = "failures_compression",
              .unit = "1",
              .long_name = "joints that failed in compression",
-             .place = at<&MemberOutputs::failures_compression>(),
+             .place = failures_in<FailureMode::compression>(),
              .shown = Shown::in_summary,
              .name = "failures_compression_per_run",
              .label = "  in compression",
              .count = true},
+    Quantity{.key = "failures_tension",
+             .unit = "1",
+             .long_name = "joints that failed in tension",
+             .place = failures_in<FailureMode::tension>(),
+             .shown = Shown::in_summary,
+             .name = "failures_tension_per_run",
+             .label = "  in tension",
+             .count = true,
+             .since = 9},
+    Quantity{.key = "failures_torsion",
+             .unit = "1",
+             .long_name = "joints that failed in torsion",
+             .place = failures_in<FailureMode::torsion>(),
+             .shown = Shown::in_summary,
+             .name = "failures_torsion_per_run",
+             .label = "  in torsion",
+             .count = true,
+             .since = 9},
+    Quantity{.key = "failures_in_plane_bending",
+             .unit = "1",
+             .long_name = "joints that failed in bending in the plane",
+             .place = failures_in<FailureMode::in_plane_bending>(),
+             .shown = Shown::in_summary,
+             .name = "failures_in_plane_bending_per_run",
+             .label = "  in bending in the plane",
+             .count = true,
+             .since = 9},
     Quantity{.key = "local_order",
              .unit = "1",
              .long_name = "mean cosine of four times the difference in yaw between a floe and its four nearest, at the "
@@ -235,8 +254,7 @@ inline constexpr std::array quantities{
              .name = "local_order",
              .label = "local order at the start",
              .least = -1,
-             .most = 1,
-             .since = 5},
+             .most = 1},
     Quantity{.key = "coverage_ahead",
              .unit = "1",
              .long_name = "share of the structure's path through the field covered by ice at the start",
@@ -245,8 +263,7 @@ inline constexpr std::array quantities{
              .name = "coverage_ahead",
              .label = "coverage ahead at the start, %",
              .most = 1,
-             .percent = true,
-             .since = 5},
+             .percent = true},
 };
 
 /// The quantity of that key in the list; nullptr if there is none.
@@ -274,7 +291,7 @@ constexpr auto shown_in(const std::ranges::forward_range auto& all, Shown least)
     return std::views::filter(all, [least](const Quantity& one) { return one.shown >= least; });
 }
 
-/// Outputs without data: every quantity is NaN, every count 0, each of `segments` maxima NaN.
+/// Outputs without data: every quantity is NaN, each of `segments` maxima NaN.
 inline MemberOutputs unmeasured(int segments) {
     MemberOutputs outputs;
     outputs.load.steady = false;

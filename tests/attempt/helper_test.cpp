@@ -37,8 +37,7 @@ double seconds_since(Clock::time_point begin) {
 Bytes bytes_of(const MemberResult& result) {
     ByteWriter out;
     write(out, result);
-    write_averaged(out, result);
-    write_load_map(out, result);
+    write_arrays(out, result);
     return out.take();
 }
 

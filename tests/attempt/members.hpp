@@ -33,7 +33,8 @@ inline MemberResult good_result() {
     result.load.mean = 0.1;
     result.load.segment_maximum = {1.0 / 3, 2.0 / 3};
     result.averaged = {{.time = 0.5, .segment_maximum = {1, 2}, .peaks = {3}}};
-    result.load_map = {{1.0 / 11, 0}, {1.0 / 12, 0}, {1.0 / 13}};
+    constexpr std::size_t bins = LoadMap::heights * LoadMap::angles;
+    result.load_map = {std::vector(bins, 1.0 / 11), std::vector(bins, 1.0 / 12), std::vector(LoadMap::parts, 1.0 / 13)};
     result.history.surge.assign(100'000, 1.0 / 7);  // more than a socket holds
     return result;
 }

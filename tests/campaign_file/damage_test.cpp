@@ -106,7 +106,7 @@ TEST_F(Damage, FlippedBytesAreNeverNumbers) {
         }
         flip(at, bits);
     }
-    EXPECT_GT(found, flips * 2 / 3) << "the rest is what floes does not read";
+    EXPECT_GT(found, flips / 2) << "the rest is what floes does not read, /cases among it";
     EXPECT_EQ(everything_read(path_), right);
 }
 
@@ -196,7 +196,7 @@ TEST_F(Damage, IsFoundInAttributesAndNames) {
 
 TEST_F(Damage, SaysWhichMembersAHistoryIsLostOf) {
     strip_page_digests();
-    const Bytes chunk = synthetic::record(campaign_, 5).history.map.along_tow.chunk;
+    const Bytes chunk = pack(synthetic::record(campaign_, 5).result.load_map.along_tow).chunk;
     const Bytes all = file_bytes(path_);
     const auto found = std::ranges::search(all, chunk);
     ASSERT_FALSE(found.empty());

@@ -24,10 +24,9 @@ void publish_thinned(const std::filesystem::path& path, Campaign campaign, std::
     for (MemberRecord& record : records) {
         for (std::size_t k = 0; k < strides.size(); ++k) {
             if (record.case_key != case_fingerprint(campaign, static_cast<int>(k))) continue;
-            LoadHistory history = unpack(record.history);
+            LoadHistory& history = record.result.history;
             for (auto* load : {&history.surge, &history.sway, &history.heave})
                 load->resize(load->size() / static_cast<std::size_t>(strides[k]));
-            record.history = pack(history);
         }
     }
     publish(path, campaign, records, {});
@@ -119,13 +118,12 @@ TEST(LoadMaps, AreReadAsTheyWereWritten) {
     const auto path = folder / "a.h5";
     const Campaign campaign = synthetic::campaign();
     auto records = synthetic::records(campaign);
-    records[3].history.map = {};  // as of an earlier version
+    records[3].result.load_map = {};  // as of an earlier version
     publish(path, campaign, records, {});
     std::vector<int> members;
     for_each_load_map(path, [&](int member, const LoadMap& map) {
         members.push_back(member);
-        EXPECT_EQ(PackedLoadMap({pack(map.surge), pack(map.normal), pack(map.along_tow)}),
-                  synthetic::record(campaign, member).history.map);
+        EXPECT_EQ(map, synthetic::record(campaign, member).result.load_map);
     });
     EXPECT_THAT(members, testing::ElementsAre(0, 1, 2, 5, 6, 8, 9, 10, 11));  // 4 failed, and 7 is missing
 }

@@ -46,7 +46,7 @@ TEST_F(Report, SaysWhenThereAreNoHistoriesAndDrawsTheLevelsCounted) {
     const Campaign campaign = synthetic::campaign();
     const std::vector<Session> sessions{synthetic::session()};
     auto records = synthetic::records(campaign);
-    for (MemberRecord& record : records) record.history = {};
+    for (MemberRecord& record : records) record.result.history = {};
     publish(file_, campaign, records, sessions);
     run(file_.string() + " --no-plate-tests -o " + page_.string());
     EXPECT_THAT(file_text(page_), HasSubstr("the file has no load histories"));

@@ -119,7 +119,7 @@ TEST_F(Summarize, ReadsSteadyStatesFromThinnedHistoriesButMeasuresNothingAnew) {
 TEST_F(Summarize, SaysThatThereAreNoHistories) {
     Campaign campaign = synthetic::campaign();
     auto records = synthetic::records(campaign);
-    for (MemberRecord& record : records) record.history = {};
+    for (MemberRecord& record : records) record.result.history = {};
     publish(file_, campaign, records, {});
     EXPECT_THAT(summarize("--parts steady"), HasSubstr("the file has no load histories"));
     testing::internal::CaptureStderr();

@@ -42,7 +42,7 @@ Held held_by(int arrangements) {
     const Campaign campaign = synthetic::campaign(arrangements);
     std::array<MemberRecord, 3> models;
     for (int k = 0; k < 3; ++k) models[static_cast<std::size_t>(k)] = synthetic::record(campaign, k);
-    for (MemberRecord& model : models) model.history = {};  // a campaign of histories would only take longer
+    for (MemberRecord& model : models) model.result.history = {};  // a campaign of histories would only take longer
     Recorder recorder(campaign, {.campaign_file = folder / "a.h5"});
     recorder.begin(synthetic::session());
     Held found;

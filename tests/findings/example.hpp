@@ -23,8 +23,8 @@ inline MemberRow done(int case_index, int arrangement, double mean, double ratio
     row.load.mean_maximum = 4 * mean;
     row.load.sd_maximum = mean + 1;
     row.failure_ratio = ratio;
-    row.failures_bending = bending;
-    row.failures_shear = 1;
+    row.failures[0] = bending;
+    row.failures[1] = 1;
     row.load.steady = true;
     return row;
 }
@@ -35,7 +35,7 @@ inline MemberRow without_result(int case_index, int arrangement, RowStatus statu
     MemberRow row = done(case_index, arrangement, nan, nan, 0);
     row.status = status;
     row.reason = std::move(reason);
-    row.failures_shear = 0;
+    row.failures[1] = 0;
     row.load.steady = false;
     return row;
 }

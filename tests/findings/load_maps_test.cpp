@@ -25,7 +25,7 @@ std::vector<MemberRecord> loaded(const Campaign& campaign) {
         map.normal[17] = 10 * (number + 1);
         for (std::size_t part = 0; part < LoadMap::parts; ++part)
             map.along_tow.push_back(number + 0.1 * static_cast<double>(part));
-        record.history.map = pack({}, map).map;
+        record.result.load_map = map;
     }
     return records;
 }

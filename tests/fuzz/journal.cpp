@@ -57,7 +57,7 @@ void repair(Bytes& bytes) {
 floes::MemberRecord one_more() {
     floes::MemberRecord record;
     record.case_key = "one more";
-    record.history.surge = floes::pack(std::vector{1.0, 2.0});
+    record.result.history.surge = {1.0, 2.0};
     return record;
 }
 

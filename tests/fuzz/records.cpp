@@ -10,7 +10,7 @@ namespace {
 using floes::Bytes;
 
 /// What `decode` takes is written in one way only, and read from that with the same bits. Keys of a newer version
-/// are skipped, and older records end earlier, so the first bytes may be others.
+/// are skipped, so the first bytes may be others.
 template <class Decode>
 auto require_one_writing(std::span<const std::byte> bytes, const Decode& decode) {
     auto record = floes::fuzz::taken([&] { return decode(bytes); });
@@ -21,10 +21,8 @@ auto require_one_writing(std::span<const std::byte> bytes, const Decode& decode)
     return record;
 }
 
-void unpack_all(const floes::PackedHistory& history) {
-    for (const floes::PackedNumbers* numbers : {&history.surge, &history.sway, &history.heave, &history.map.surge,
-                                                &history.map.normal, &history.map.along_tow})
-        floes::fuzz::taken([&] { return floes::unpack(*numbers); });
+void use(const floes::MemberRecord& record) {
+    floes::fuzz::taken([&] { return record.whole(); });
 }
 
 }  // namespace
@@ -35,11 +33,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     switch (data[0] % 4) {
         case 0: {
             const auto record = require_one_writing(bytes, floes::decode_member_record);
-            if (record) unpack_all(record->history);
+            if (record) use(*record);
             break;
         }
         case 1: {
-            const auto older = floes::fuzz::taken([&] { return floes::decode_older_member_record(bytes); });
+            const auto older = floes::fuzz::taken([&] { return floes::decode_member_record_1_0(bytes); });
             if (older) require_one_writing(floes::encode(*older), floes::decode_member_record);
             break;
         }

@@ -43,7 +43,8 @@ MemberRecord member() {
     MemberRecord record = synthetic::record(campaign, 0);
     record.result.reason = "none";
     record.result.averaged = {{0.1, 1, {4, 5}, 2, 3, {6}}};
-    record.history = pack(LoadHistory{{1, 2}, {3, 4}, {5, 6}}, LoadMap{{7}, {8}, {9}});
+    record.result.history = {{1, 2}, {3, 4}, {5, 6}};
+    record.result.load_map.along_tow.assign(LoadMap::parts, 9);
     return record;
 }
 
@@ -56,28 +57,6 @@ Bytes numbers(std::size_t count) {
     Bytes bytes = out.take();
     bytes.insert(bytes.end(), packed.chunk.begin(), packed.chunk.end());
     return bytes;
-}
-
-Bytes older() {
-    const MemberRecord record = member();
-    ByteWriter out;
-    out.text(record.case_key);
-    for (const int number : {1, 2, 3}) out.i32(number);
-    out.text(record.host);
-    out.u64(record.peak_memory);
-    out.u8(0);
-    out.text("");
-    for (int k = 0; k < 7; ++k) out.f64(k);
-    out.u8(1);
-    out.doubles(std::vector{1.0});
-    for (int k = 0; k < 3; ++k) out.f64(k);
-    for (int k = 0; k < 3; ++k) out.i32(k);
-    for (int k = 0; k < 6; ++k) out.f64(k);
-    for (int k = 0; k < 3; ++k) out.doubles(std::vector{1.0, 2.0});
-    out.u64(0);
-    out.u64(0);
-    for (int k = 0; k < 2; ++k) out.f64(k);
-    return out.take();
 }
 
 Bytes journal() {
@@ -112,10 +91,9 @@ Bytes journal() {
 int main(int count, char** arguments) {
     if (count != 2) return 2;
     const Seeds seeds(arguments[1]);
-    seeds.write("packed_history/plain", numbers(3), "");
-    seeds.write("packed_history/deflated", numbers(200), "");
+    seeds.write("packed_numbers/plain", numbers(3), "");
+    seeds.write("packed_numbers/deflated", numbers(200), "");
     seeds.write("records/member", encode(member()), kind(0));
-    seeds.write("records/older", older(), kind(1));
     Session session;
     session.software = {{"bullet", "3"}};
     seeds.write("records/session", encode(session), kind(2));

@@ -26,6 +26,9 @@ QUANTITIES = {
     "failures_bending_per_run": "failures_bending",
     "failures_shear_per_run": "failures_shear",
     "failures_compression_per_run": "failures_compression",
+    "failures_tension_per_run": "failures_tension",
+    "failures_torsion_per_run": "failures_torsion",
+    "failures_in_plane_bending_per_run": "failures_in_plane_bending",
 }
 POSITIVE = ["maximum_N", "mean_maximum_N"]  # single runs on a logarithmic scale
 LEAST = {"mean_N": -np.inf, "maximum_N": -np.inf, "mean_maximum_N": -np.inf}

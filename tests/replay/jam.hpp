@@ -33,7 +33,6 @@ inline std::vector<MemberRecord> records(const Campaign& campaign) {
         record.case_key = case_fingerprint(campaign, key.case_index);
         record.arrangement = key.arrangement;
         record.result = compute_member(campaign, number, {});
-        record.history = pack(record.result.history);
     }
     return made;
 }

@@ -63,7 +63,7 @@ inline Bytes origin_read(const std::filesystem::path& path) {
 
 inline Bytes campaign_read(const std::filesystem::path& path) {
     ByteWriter out;
-    out.text(write_campaign(campaign_of(read_origin(path), path)));
+    out.text(write_campaign(CampaignFile(path).campaign()));
     return out.take();
 }
 

@@ -20,7 +20,7 @@ inline MemberRecord small_record(int number) {
     record.arrangement = number;
     record.host = "node";
     record.result.load.mean = 0.1 * number;
-    record.history.surge = pack(std::vector{1.0 * number, 2.0, 3.0});
+    record.result.history.surge = {1.0 * number, 2.0, 3.0};
     record.result.breaks = {{0.02, number, 1, FailureMode::shear}};
     return record;
 }

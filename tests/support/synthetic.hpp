@@ -81,9 +81,8 @@ inline MemberRecord record(const Campaign& campaign, int number) {
     result.mean_sway = base + 0.7;
     result.mean_heave = -base - 0.8;
     result.failure_ratio = 1.0 / (number + 3);
-    result.failures_bending = 3 * number;
-    result.failures_shear = 3 * number + 1;
-    result.failures_compression = 3 * number + 2;
+    for (std::size_t mode = 0; mode < result.failures.size(); ++mode)
+        result.failures[mode] = 3 * number + static_cast<double>(mode);
     result.local_order = 0.5 + 0.001 * number;
     result.coverage_ahead = 0.7 + 0.001 * number;
     result.peaks = {base + 1, base + 2, base + 3, base + 4, base + 5, base + 6};
@@ -100,7 +99,8 @@ inline MemberRecord record(const Campaign& campaign, int number) {
     }
     for (std::size_t part = 0; part < LoadMap::parts; ++part)
         map.along_tow.push_back(base + 0.1 * static_cast<double>(part));
-    made.history = pack(history, map);
+    result.history = std::move(history);
+    result.load_map = std::move(map);
     for (int k = 0; k < number % 4; ++k)
         result.breaks.push_back({0.02 * (k + 1), k, k + 9, static_cast<FailureMode>((number + k) % 6)});
     for (int k = 0; k < scenario.field.floes; ++k)

@@ -114,7 +114,7 @@ Evidence read_evidence(const CampaignFile& file, bool automatic_window, std::str
     Evidence evidence;
     evidence.file = file.path();
     evidence.origin = read_origin(file);
-    evidence.campaign = campaign_of(evidence.origin, file.path());
+    evidence.campaign = file.campaign();
     evidence.table = read_campaign_file(file);
     if (automatic_window) {
         evidence.steady = find_steady(file, evidence.table);

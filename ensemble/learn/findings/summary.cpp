@@ -28,7 +28,8 @@ void count(const MemberRow& member, CaseSummary& row) {
     ++row.done;
     row.not_steady += member.load.steady ? 0 : 1;
     for (const Quantity& one : quantities)
-        if (one.count) row.totals[std::string{one.key.view()}] += static_cast<std::int64_t>(one.of(member));
+        if (one.count && std::isfinite(one.of(member)))
+            row.totals[std::string{one.key.view()}] += static_cast<std::int64_t>(one.of(member));
 }
 
 CaseSummary summarise_case(const CampaignTable& table, const std::vector<Quantity>& quantities, int number) {

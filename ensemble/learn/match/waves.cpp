@@ -118,7 +118,7 @@ void refuse_other(const MatchWave& first, const MatchWave& other) {
 
 MatchWave read_wave(const std::filesystem::path& path) {
     const CampaignFile file(path);
-    return {path.string(), campaign_of(read_origin(file), path), read_campaign_file(file)};
+    return {path.string(), file.campaign(), read_campaign_file(file)};
 }
 
 double MatchAxis::coordinate(double value) const {

@@ -97,8 +97,7 @@ MemberResult understand(std::span<const std::byte> written, const Ending& ending
         return failed_result(in.text());
     }
     MemberResult result = read_member_result(in);
-    read_averaged(in, result);
-    read_load_map(in, result);
+    read_arrays(in, result);
     return result;
 }
 

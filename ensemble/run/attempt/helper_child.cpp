@@ -60,8 +60,7 @@ Bytes compute_answer(const Request& request, const Campaign& campaign, const Mem
         ByteWriter answer;
         answer.u8(static_cast<std::uint8_t>(Answer::result));
         write(answer, *attempt.result);
-        write_averaged(answer, *attempt.result);
-        write_load_map(answer, *attempt.result);
+        write_arrays(answer, *attempt.result);
         return answer.take();
     } catch (const std::bad_alloc&) {
         return sentence(memory_reason(limits));

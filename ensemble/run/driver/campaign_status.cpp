@@ -68,8 +68,7 @@ std::optional<StopStatus> stop_status(const Campaign& campaign, const std::optio
 std::optional<PrecisionStop> told_rule(const Campaign& campaign, const StoredMembers& members, const Matched& records) {
     std::optional<PrecisionStop> rule = stop_rule_of(campaign);
     for (std::size_t k = 0; rule && k < records.size(); ++k)
-        if (records[k])
-            tell(rule, campaign, member_key(campaign, static_cast<int>(k)), members.read(*records[k]).result);
+        if (records[k]) tell(rule, campaign, member_key(campaign, static_cast<int>(k)), members.read(*records[k]));
     return rule;
 }
 
@@ -163,7 +162,7 @@ CampaignSnapshot snapshot_of_journal(const std::filesystem::path& path) {
 CampaignSnapshot snapshot_of_file(const std::filesystem::path& path) {
     const CampaignFile file(path);
     CampaignTable table = read_campaign_file(file);
-    Campaign campaign = campaign_of(read_origin(file), path);
+    Campaign campaign = file.campaign();
     CampaignStatus status = status_of(table);
     status.stop = stop_status(campaign, stop_rule_of(campaign, table));
     return {std::move(status), std::move(campaign), std::move(table)};

@@ -32,7 +32,7 @@ MemberRecord Scribe::record(Outcome outcome) const {
     record.host = host_;
     record.peak_memory = outcome.peak_memory;
     record.result = std::move(*outcome.result);
-    record.history = std::move(outcome.history);
+    record.arrays = std::move(outcome.arrays);
     return record;
 }
 
@@ -81,8 +81,8 @@ Outcome Crew::execute(Assignment assignment) {
     if (!made.result) return {assignment, std::nullopt, made.peak_memory};
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     made.result->wall_time = taken.count();
-    PackedHistory history = pack(std::exchange(made.result->history, {}), std::exchange(made.result->load_map, {}));
-    return {assignment, std::move(made.result), made.peak_memory, std::move(history)};
+    PackedArrays arrays = take_arrays(*made.result);
+    return {assignment, std::move(made.result), made.peak_memory, std::move(arrays)};
 }
 
 Attempted Crew::attempt(Assignment assignment) {

@@ -18,7 +18,6 @@
 #include "attempt/attempt_here.hpp"
 #include "attempt/helper.hpp"
 #include "records/member_record.hpp"
-#include "records/packed_history.hpp"
 
 namespace floes {
 
@@ -34,7 +33,7 @@ struct Outcome {
     Assignment assignment;
     std::optional<MemberResult> result;
     std::uint64_t peak_memory = 0;  ///< of the process that computed it, bytes
-    PackedHistory history = {};     ///< of the load; removed from the result
+    PackedArrays arrays = {};       ///< removed from the result
 };
 
 /// Makes the records of members computed on this rank.

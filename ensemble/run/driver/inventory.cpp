@@ -20,7 +20,7 @@ Inventory take_inventory(const Campaign& campaign, const StoredMembers& members,
     found.precision = stop_rule_of(campaign, part);
     const std::vector<std::optional<std::size_t>> kept = match_records(campaign, members.notes());
     const auto tell_rule = [&](const MemberKey& key, std::size_t record) {
-        if (found.precision) tell(found.precision, campaign, key, members.read(record).result);
+        if (found.precision) tell(found.precision, campaign, key, members.read(record));
     };
     const std::vector<std::string> case_keys = case_fingerprints(campaign);
     for (int number = 0; number < member_count(campaign); ++number) {
@@ -68,11 +68,12 @@ std::vector<std::string> case_fingerprints(const Campaign& campaign) {
 }
 
 void tell(std::optional<PrecisionStop>& rule, const Campaign& campaign, const MemberKey& member,
-          const MemberResult& result) {
+          const MemberRecord& record) {
     if (!rule) return;
-    const bool done = result.status == MemberStatus::done;
+    const bool done = record.result.status == MemberStatus::done;
     rule->put(member.arrangement, member.case_index,
-              done ? any_quantity(campaign.stop.of)->of(result) : std::numeric_limits<double>::quiet_NaN());
+              done ? any_quantity(campaign.stop.of)->of(record.whole(MemberRecord::Arrays::in_table))
+                   : std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace floes

@@ -55,6 +55,6 @@ std::vector<std::string> case_fingerprints(const Campaign& campaign);
 
 /// Passes a member that is done or set aside to the stop rule, if there is one.
 void tell(std::optional<PrecisionStop>& rule, const Campaign& campaign, const MemberKey& member,
-          const MemberResult& result);
+          const MemberRecord& record);
 
 }  // namespace floes

@@ -34,7 +34,7 @@ MeasuredRun of_journal(const std::filesystem::path& journal, const std::filesyst
 MeasuredRun of_campaign_file(const std::filesystem::path& path) {
     const CampaignFile file(path);
     const CampaignTable table = read_campaign_file(file);
-    MeasuredRun run{campaign_of(read_origin(file), path), read_wall_times(file), 0};
+    MeasuredRun run{file.campaign(), read_wall_times(file), 0};
     for (std::size_t k = 0; k < run.wall_time.size(); ++k)
         if (table.members.at(k).status != RowStatus::done) run.wall_time[k] = nan;
     return run;

@@ -21,21 +21,31 @@ constexpr double peaks_a_separation = 0.57;  // declustered peaks; of the member
 
 constexpr int cores_of_a_node = 64;
 
-/// Size of a done member's record without its history, from an empty record with as many numbers.
+/// That many numbers of which none compresses well.
+std::vector<double> numbers(std::size_t count) {
+    std::vector<double> made(count);
+    for (std::size_t k = 0; k < count; ++k) made[k] = std::sin(static_cast<double>(k + 1));
+    return made;
+}
+
+/// Size of a done member's record without its history, from a record with as many numbers.
 double record_bytes(const Scenario& scenario) {
     MemberRecord record;
     record.case_key = std::string(32, '0');
     record.host = "node0000";
     const Analysis& analysis = scenario.analysis;
-    record.result.load.segment_maximum.resize(static_cast<std::size_t>(analysis.segments));
+    record.result.load.segment_maximum = numbers(static_cast<std::size_t>(analysis.segments));
     record.result.levels.resize(analysis.exceedance_levels.size());
     record.result.averaged.resize(scenario.averaging_times().size());
     const double peaks = peaks_a_separation * analysis.window / analysis.peak_separation;
     for (AveragedLoad& one : record.result.averaged) {
         one.segment_maximum = record.result.load.segment_maximum;
-        one.peaks.resize(static_cast<std::size_t>(std::lround(peaks)));
+        one.peaks = numbers(static_cast<std::size_t>(std::lround(peaks)));
     }
-    record.result.arrangement.resize(static_cast<std::size_t>(scenario.field.floes));
+    for (const double number : numbers(static_cast<std::size_t>(scenario.field.floes)))
+        record.result.arrangement.push_back({number, 2 * number, 3 * number});
+    record.result.load_map = {numbers(LoadMap::heights * LoadMap::angles), numbers(LoadMap::heights * LoadMap::angles),
+                              numbers(LoadMap::parts)};
     return static_cast<double>(encode(record).size());
 }
 

@@ -122,9 +122,7 @@ ReportData read_report_data(const std::filesystem::path& path) {
     });
     data.breaks = read_breaks(file);
     data.largest_member = member_with_largest_load(data.table, [](const MemberRow&) { return true; }).value_or(-1);
-    if (data.largest_member >= 0)
-        data.largest_poses =
-            read_poses(file, data.table.members[static_cast<std::size_t>(data.largest_member)].arrangement);
+    if (data.largest_member >= 0) data.largest_poses = read_poses(file, data.largest_member);
     data.hybrid = hybrid_of(data.campaign.cases.front().scenario);
     return data;
 }

@@ -94,8 +94,7 @@ FrameSteps frame_steps(const FrameTimes& times, const Scenario& scenario) {
 }
 
 ReplaySubject replay_subject(const CampaignFile& file, const CampaignTable& table, int member) {
-    const CampaignOrigin origin = read_origin(file);
-    const Campaign campaign = campaign_of(origin, file.path());
+    const Campaign& campaign = file.campaign();
     if (member < 0 || member >= static_cast<int>(table.members.size()))
         throw InputError(fmt::format("{} has no member {}: its members are 0 to {}.", file.path().string(), member,
                                      static_cast<int>(table.members.size()) - 1));

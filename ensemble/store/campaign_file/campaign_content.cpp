@@ -1,6 +1,7 @@
 #include "campaign_file/campaign_content.hpp"
 
-#include <set>
+#include <algorithm>
+#include <numeric>
 #include <string>
 
 namespace floes {
@@ -9,20 +10,23 @@ namespace {
 using hdf5::Label;
 using hdf5::Scale;
 
-// Ends of what the values of a history are of where all cases step alike, else the numbers of the values.
-Scale time_scale(hid_t file, const CampaignContent& content) {
-    std::set<double> steps;
-    for (const Case& one : content.campaign.cases)
-        steps.insert(one.scenario.general.time_step * one.scenario.analysis.history_stride);
-    const bool alike = steps.size() == 1;
-    std::vector<double> times(
-        content.largest([](const Scenario& s) { return s.step_count() / s.analysis.history_stride; }));
-    for (std::size_t k = 0; k < times.size(); ++k)
-        times[k] = static_cast<double>(k + 1) * (alike ? *steps.begin() : 1.0);
-    if (alike) return hdf5::write_scale(file, Label{"time", "s", "end of the time steps of a value"}, times);
-    return hdf5::write_scale(
-        file, Label{"time", "1", "number of the value from 1; times /cases/time_step and /cases/history_stride"},
-        times);
+std::vector<std::int32_t> counted_to(std::size_t count) {
+    std::vector<std::int32_t> numbers(count);
+    std::iota(numbers.begin(), numbers.end(), 0);
+    return numbers;
+}
+
+Scale make_scale(hid_t file, const ArrayAxis& axis, const CampaignContent& content) {
+    const Label label{std::string(axis.key), std::string(axis.unit), std::string(axis.long_name)};
+    const FiledAxis& filed = content.places.axis(axis);
+    if (axis.places == nullptr) return hdf5::write_scale(file, label, counted_to(content.found(axis)));
+    if (!axis.words.empty())
+        return hdf5::write_scale(file, label, std::vector<std::string>(axis.words.begin(), axis.words.end()));
+    if (axis.whole_numbers) return hdf5::write_scale(file, label, counted_to(filed.places.size()));
+    if (filed.alike) return hdf5::write_scale(file, label, filed.places);
+    std::vector<double> numbers(filed.places.size());
+    std::iota(numbers.begin(), numbers.end(), 1.0);
+    return hdf5::write_scale(file, Label{std::string(axis.key), "1", std::string(axis.unlike)}, numbers);
 }
 
 template <class Use>
@@ -38,18 +42,26 @@ CampaignContent::CampaignContent(const Campaign& of, const StoredMembers& all_me
       members(all_members),
       records(match_records(of, all_members.notes())),
       attempts(last_attempts(of, all_members.notes())),
-      rows(of) {}
+      rows(of),
+      places(of) {}
 
-std::size_t CampaignContent::break_count() const {
-    std::size_t count = 0;
-    for_each_done(*this, [&](const MemberNote& note) { count += static_cast<std::size_t>(note.breaks); });
-    return count;
+std::size_t CampaignContent::found(const ArrayAxis& axis) const {
+    std::size_t most = 0;
+    std::size_t all = 0;
+    for_each_done(*this, [&](const MemberNote& note) {
+        const auto own = static_cast<std::size_t>(found_along(note, axis));
+        most = std::max(most, own);
+        all += own;
+    });
+    return axis.kind == AxisKind::listed ? all : most;
 }
 
-std::size_t CampaignContent::most_peaks() const {
-    std::size_t most = 0;
-    for_each_done(*this, [&](const MemberNote& note) { most = std::max(most, static_cast<std::size_t>(note.peaks)); });
-    return most;
+bool CampaignContent::has(const ArrayOutput& array) const {
+    return std::ranges::none_of(array.axes, [&](const ArrayAxis* axis) {
+        if (axis == nullptr) return false;
+        return (axis->kind == AxisKind::placed && places.axis(*axis).places.empty()) ||
+               (axis->kind == AxisKind::longest && found(*axis) == 0);
+    });
 }
 
 CampaignScales::CampaignScales(hid_t file, const CampaignContent& content)
@@ -58,16 +70,14 @@ CampaignScales::CampaignScales(hid_t file, const CampaignContent& content)
       case_(hdf5::write_index_scale(file, "case", "case, a row of /cases", content.campaign.cases.size())),
       arrangement(hdf5::write_index_scale(file, "arrangement", "arrangement, a row of /arrangements",
                                           static_cast<std::size_t>(content.rows.arrangements().count()))),
-      segment(hdf5::write_index_scale(file, "segment", "equal part of the analysis window",
-                                      content.largest([](const Scenario& s) { return s.analysis.segments; }))),
-      floe(hdf5::write_index_scale(file, "floe", "floe of an arrangement",
-                                   content.largest([](const Scenario& s) { return s.field.floes; }))),
-      time(time_scale(file, content)),
-      coordinate(hdf5::write_scale(file, Label{"coordinate", "1", "coordinate of a floe's pose"},
-                                   std::vector<std::string>{"x", "z", "yaw"})),
       profile_point(
           hdf5::write_index_scale(file, "profile_point", "point of the structure's profile, from below",
-                                  content.largest([](const Scenario& s) { return s.structure.shape.rows().size(); }))),
-      break_(hdf5::write_index_scale(file, "break", "failed joint, a row of /breaks", content.break_count())) {}
+                                  content.largest([](const Scenario& s) { return s.structure.shape.rows().size(); }))) {
+    for (const ArrayOutput& array : array_outputs) {
+        if (!array.in_file() || !content.has(array)) continue;
+        for (const ArrayAxis* axis : array.axes)
+            if (axis != nullptr && !axes_.contains(axis)) axes_.emplace(axis, make_scale(file, *axis, content));
+    }
+}
 
 }  // namespace floes

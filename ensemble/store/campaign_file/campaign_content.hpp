@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
+#include "campaign_file/array_places.hpp"
 #include "campaign_file/member_rows.hpp"
 #include "campaign_file/member_tables.hpp"
 #include "hdf5/write.hpp"
@@ -23,12 +26,13 @@ struct CampaignContent {
     std::vector<std::optional<std::size_t>> records;  ///< by member: number of its record; none where there is none
     std::vector<int> attempts;                        ///< by member
     MemberRows rows;
+    ArrayPlaces places;
 
     const CampaignTable& table() const { return rows.table(); }
-    /// Of done members.
-    std::size_t break_count() const;
-    /// The most of an averaged load of a done member.
-    std::size_t most_peaks() const;
+    /// Of an axis that members find: how far it goes in the file.
+    std::size_t found(const ArrayAxis& axis) const;
+    /// Whether the file has the array: none of its axes is without places.
+    bool has(const ArrayOutput& array) const;
     /// The largest of a count over the cases' scenarios.
     template <class Function>
     std::size_t largest(Function function) const {
@@ -40,31 +44,31 @@ struct CampaignContent {
 };
 
 /// The dimensions at the root: only there do netCDF readers find them from every group.
-struct CampaignScales {
+class CampaignScales {
+  public:
     CampaignScales(hid_t file, const CampaignContent& content);
+
+    const hdf5::Scale& along(const ArrayAxis& axis) const { return axes_.at(&axis); }
 
     hdf5::Scale member;
     hdf5::Scale case_;
     hdf5::Scale arrangement;
-    hdf5::Scale segment;
-    hdf5::Scale floe;
-    hdf5::Scale time;
-    hdf5::Scale coordinate;
     hdf5::Scale profile_point;
-    hdf5::Scale break_;
+
+  private:
+    std::map<const ArrayAxis*, hdf5::Scale> axes_;
 };
 
 // These make datasets that are filled as `tables` get one member after another.
 
-void add_members(hid_t file, const CampaignContent& content, const CampaignScales& scales, MemberTables& tables);
-/// Nothing where no case counts steps above a load level.
-void add_levels(hid_t file, const CampaignContent& content, const CampaignScales& scales, MemberTables& tables);
-/// Nothing where no case averages the load.
-void add_averaged(hid_t file, const CampaignContent& content, const CampaignScales& scales, MemberTables& tables);
-void add_arrangements(hid_t file, const CampaignContent& content, const CampaignScales& scales, MemberTables& tables);
-/// With /load_map, which a record has beside its history.
-void add_history(hid_t file, const CampaignScales& scales, MemberTables& tables);
-void add_breaks(hid_t file, const CampaignScales& scales, MemberTables& tables);
+/// Quantities and states, a row for each member.
+void add_members(hid_t group, const CampaignScales& scales, MemberTables& tables);
+/// Those arrays of members that lie in the group of that name.
+void add_arrays(hid_t group, std::string_view name, const CampaignContent& content, const CampaignScales& scales,
+                MemberTables& tables);
+/// The number of each arrangement.
+void add_arrangement_numbers(hid_t group, const CampaignContent& content, const CampaignScales& scales,
+                             MemberTables& tables);
 /// /provenance, with all that is not of members.
 void add_provenance(hid_t file, const CampaignContent& content, std::span<const Session> sessions,
                     MemberTables& tables);

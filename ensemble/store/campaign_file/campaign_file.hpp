@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <memory>
 
+#include "campaign/campaign.hpp"
+
 namespace floes {
 
 class CampaignFile {
@@ -16,6 +18,8 @@ class CampaignFile {
     ~CampaignFile();
 
     const std::filesystem::path& path() const { return path_; }
+    /// That the file's own configuration describes.
+    const Campaign& campaign() const;
     /// Its identifier in HDF5. For this room only.
     std::int64_t id() const;
 

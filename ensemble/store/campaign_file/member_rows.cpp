@@ -57,21 +57,23 @@ MemberRows::MemberRows(const Campaign& campaign)
     : campaign_(campaign), table_(table_without_members(campaign)), arrangements_(campaign) {}
 
 MemberRow MemberRows::row(std::size_t member, const MemberRecord* record) const {
+    if (record == nullptr) return row(member, RowStatus::missing, {});
+    const bool done = record->result.status == MemberStatus::done;
+    return row(member, done ? RowStatus::done : RowStatus::failed, record->whole(MemberRecord::Arrays::in_table));
+}
+
+MemberRow MemberRows::row(std::size_t member, RowStatus status, const MemberResult& result) const {
     const MemberKey key = member_key(campaign_, static_cast<int>(member));
     MemberRow row;
     row.case_index = key.case_index;
     row.arrangement = arrangements_.row(key);
+    row.status = status;
+    row.reason = result.reason;
     const Analysis& analysis = table_.cases[static_cast<std::size_t>(key.case_index)].analysis;
     set_missing(row, analysis.segments, table_.levels.size());
-    if (record == nullptr) return row;
-    row.reason = record->result.reason;
-    if (record->result.status == MemberStatus::done) {
-        row.status = RowStatus::done;
-        static_cast<MemberOutputs&>(row) = record->result;
-        set_levels(row, table_.levels, analysis.exceedance_levels, record->result.levels);
-    } else {
-        row.status = RowStatus::failed;
-    }
+    if (status != RowStatus::done) return row;
+    static_cast<MemberOutputs&>(row) = result;
+    set_levels(row, table_.levels, analysis.exceedance_levels, result.levels);
     return row;
 }
 

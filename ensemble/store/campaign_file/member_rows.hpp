@@ -18,6 +18,7 @@ class MemberRows {
     const ArrangementRows& arrangements() const { return arrangements_; }
     /// `record`: nullptr where there is none.
     MemberRow row(std::size_t member, const MemberRecord* record) const;
+    MemberRow row(std::size_t member, RowStatus status, const MemberResult& result) const;
 
   private:
     const Campaign& campaign_;

@@ -1,6 +1,10 @@
 #include <fcntl.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "campaign/identity.hpp"
 #include "campaign_file/campaign_content.hpp"
@@ -14,6 +18,20 @@
 
 namespace floes {
 namespace {
+
+/// The groups of all that members yield, the quantities first.
+void add_member_groups(hid_t file, const CampaignContent& content, const CampaignScales& scales, MemberTables& tables) {
+    std::vector<std::string_view> groups{"members"};
+    for (const ArrayOutput& array : array_outputs)
+        if (array.in_file() && content.has(array) && std::ranges::find(groups, array.group()) == groups.end())
+            groups.push_back(array.group());
+    for (const std::string_view name : groups) {
+        const hdf5::Handle group = hdf5::create_group(file, std::string(name));
+        if (name == "members") add_members(group.id(), scales, tables);
+        if (name == "arrangements") add_arrangement_numbers(group.id(), content, scales, tables);
+        add_arrays(group.id(), name, content, scales, tables);
+    }
+}
 
 void write_members(const CampaignContent& content, const MemberTables& tables) {
     for (std::size_t member = 0; member < content.records.size(); ++member) {
@@ -35,13 +53,8 @@ void write_file(const std::filesystem::path& path, const CampaignContent& conten
         hdf5::write_attribute(file.id(), "fingerprint", fingerprint(content.campaign));
         const CampaignScales scales(file.id(), content);
         MemberTables tables;
-        add_members(file.id(), content, scales, tables);
-        add_levels(file.id(), content, scales, tables);
-        add_averaged(file.id(), content, scales, tables);
         write_cases(file.id(), content, scales);
-        add_arrangements(file.id(), content, scales, tables);
-        add_history(file.id(), scales, tables);
-        add_breaks(file.id(), scales, tables);
+        add_member_groups(file.id(), content, scales, tables);
         write_calibration(file.id(), content, calibrations);
         add_provenance(file.id(), content, sessions, tables);
         write_members(content, tables);

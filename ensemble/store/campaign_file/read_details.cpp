@@ -1,8 +1,7 @@
 #include "campaign_file/read_details.hpp"
 
-#include <cmath>
-
-#include "campaign/read.hpp"
+#include "campaign_file/arrangement_rows.hpp"
+#include "campaign_file/read_arrays.hpp"
 #include "hdf5/columns.hpp"
 #include "quantities/member_outputs.hpp"
 
@@ -41,22 +40,14 @@ CampaignOrigin read_origin(const CampaignFile& file) {
     return origin;
 }
 
-Campaign campaign_of(const CampaignOrigin& origin, const std::filesystem::path& path) {
-    return read_campaign({origin.configuration, path.stem().string() + ".toml", {}}, nullptr);
-}
-
-std::vector<PlanarPose> read_poses(const CampaignFile& file, int arrangement_row) {
+std::vector<PlanarPose> read_poses(const CampaignFile& file, int member) {
     const hdf5::QuietErrors quiet;
-    const auto rows = hdf5::read_values<double>(file.id(), "arrangements/psi4").size();
-    std::size_t width = 0;
-    const auto values = hdf5::read_table<double>(file.id(), "arrangements/pose", rows, width);
-    std::vector<PlanarPose> poses;
-    if (arrangement_row < 0 || static_cast<std::size_t>(arrangement_row) >= rows) return poses;
-    const std::size_t first = static_cast<std::size_t>(arrangement_row) * width;
-    for (std::size_t i = first; i + 2 < first + width; i += 3) {
-        if (!std::isnan(values.at(i))) poses.push_back({values[i], values[i + 1], values[i + 2]});
-    }
-    return poses;
+    const ArrayPlaces places(file.campaign());
+    const MemberKey key = member_key(file.campaign(), member);
+    MemberResult result;
+    ArrayReader(file, array_output("arrangements/pose"), places)
+        .read(static_cast<std::size_t>(ArrangementRows(file.campaign()).row(key)), key.case_index, result);
+    return result.arrangement;
 }
 
 std::vector<double> read_wall_times(const CampaignFile& file) {
@@ -66,7 +57,6 @@ std::vector<double> read_wall_times(const CampaignFile& file) {
 
 std::vector<BreakRow> read_breaks(const CampaignFile& file) {
     const hdf5::QuietErrors quiet;
-    if (!hdf5::exists(file.id(), "breaks")) return {};
     const auto member = hdf5::read_values<std::int32_t>(file.id(), "breaks/member");
     const auto time = hdf5::read_column<double>(file.id(), "breaks/time", member.size());
     const auto floe = hdf5::read_column<std::int32_t>(file.id(), "breaks/floe", member.size());

@@ -21,11 +21,8 @@ struct CampaignOrigin {
 /// Throws as read_campaign_file() does; so do the others.
 CampaignOrigin read_origin(const CampaignFile& file);
 
-/// The campaign that the file's own configuration, read from the file at `path`, describes.
-Campaign campaign_of(const CampaignOrigin& origin, const std::filesystem::path& path);
-
-/// Where the floes of a row of /arrangements lay at the start.
-std::vector<PlanarPose> read_poses(const CampaignFile& file, int arrangement_row);
+/// Where the floes of a member lay at the start; none where that is not known.
+std::vector<PlanarPose> read_poses(const CampaignFile& file, int member);
 
 /// Wall time of each member, s, in member order.
 std::vector<double> read_wall_times(const CampaignFile& file);

@@ -1,11 +1,8 @@
 #include "campaign_file/campaign_content.hpp"
-#include "hdf5/rows.hpp"
 
 namespace floes {
 
-void add_members(hid_t file, const CampaignContent&, const CampaignScales& scales, MemberTables& tables) {
-    const hdf5::Handle group = hdf5::create_group(file, "members");
-    const hid_t id = group.id();
+void add_members(hid_t id, const CampaignScales& scales, MemberTables& tables) {
     const hdf5::Dimensions member{scales.member};
     const auto integers = [&](const char* name, const char* long_name, auto of) {
         tables.add_numbers<std::int32_t>(id, {name, "1", long_name}, member, std::nullopt, of);
@@ -25,12 +22,26 @@ void add_members(hid_t file, const CampaignContent&, const CampaignScales& scale
     flags("steady", "whether the trend of the surge load does not differ from zero",
           hdf5::Flags{{0, 1}, "not_steady steady", -1},
           [](const FiledMember& m) { return static_cast<std::int8_t>(m.row.done() ? m.row.load.steady : -1); });
-    tables.add(std::make_shared<hdf5::Rows>(
-                   id, hdf5::Label{"segment_maximum", "N", "largest surge load in each segment of the window"},
-                   scales.member, hdf5::Dimensions{scales.segment}),
-               [](hdf5::Rows& rows, const FiledMember& m) { rows.write(m.number, m.row.load.segment_maximum); });
     tables.add_texts(id, {"reason", "1", "why the member failed; empty unless it did"}, member,
                      [](const FiledMember& m) { return m.row.reason; });
+}
+
+void add_arrangement_numbers(hid_t group, const CampaignContent& content, const CampaignScales& scales,
+                             MemberTables& tables) {
+    // Members come in the order of their arrangements, so each row begins where its number is first seen.
+    struct Numbers {
+        hdf5::Column<std::int32_t> column;
+        int rows = 0;
+        void finish() { column.finish(); }
+    };
+    const ArrangementRows& rows = content.rows.arrangements();
+    auto numbers =
+        std::make_shared<Numbers>(Numbers{{group, {"number", "1", "arrangement number"}, {scales.arrangement}}});
+    tables.add(numbers, [&rows](Numbers& all, const FiledMember& member) {
+        for (const int last = rows.number(member.row.arrangement) * rows.groups() + rows.groups(); all.rows < last;
+             ++all.rows)
+            all.column.add(rows.number(all.rows));
+    });
 }
 
 }  // namespace floes

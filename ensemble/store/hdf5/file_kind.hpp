@@ -9,6 +9,7 @@ namespace floes::hdf5 {
 struct FileKind {
     std::string_view filetype;   ///< attribute of the root
     std::array<int, 2> version;  ///< of the layout, {major, minor}: a new minor only adds names
+    int oldest_minor;            ///< that is read
     std::string_view what;       ///< as a message names it: "campaign of floes"
 };
 

@@ -34,6 +34,11 @@ void check_kind(hid_t file, const FileKind& kind, const std::filesystem::path& p
             fmt::format("{} has layout version {}, and this program reads version {}. Use the version of "
                         "floes that wrote it.",
                         path.string(), version.empty() ? 0 : version[0], kind.version[0]));
+    if (version[1] < kind.oldest_minor)
+        throw InputError(
+            fmt::format("{} has layout {}.{}, of a floes before 1.0, which this program does not read any more; floes "
+                        "1.0 does.",
+                        path.string(), version[0], version[1]));
 }
 
 }  // namespace floes::hdf5

@@ -67,6 +67,10 @@ std::uint64_t check_fixed_header(std::span<const std::byte> bytes, const std::fi
                         "version of floes that wrote it, or a newer one.",
                         path.string(), found, schema));
     if (!whole || found == 0) refuse(path, "is a journal whose header is damaged");
+    if (found < oldest_schema)
+        refuse(path, fmt::format("is a journal of schema {}, from before floes 1.0, which this program does not read "
+                                 "any more; floes 1.0 does",
+                                 found));
     return length;
 }
 
@@ -119,15 +123,15 @@ std::uint32_t type_of(std::span<const std::byte> record) {
 }
 
 MemberRecord decode_member(std::uint32_t type, std::span<const std::byte> payload) {
-    return static_cast<RecordType>(type) == RecordType::older_member ? decode_older_member_record(payload)
-                                                                     : decode_member_record(payload);
+    return static_cast<RecordType>(type) == RecordType::member_1_0 ? decode_member_record_1_0(payload)
+                                                                   : decode_member_record(payload);
 }
 
 void take_record(JournalContents& contents, std::uint32_t type, std::span<const std::byte> payload,
                  JournalContents::Place place) {
     switch (static_cast<RecordType>(type)) {
         case RecordType::member:
-        case RecordType::older_member:
+        case RecordType::member_1_0:
             contents.add(decode_member(type, payload), place);
             break;
         case RecordType::session_begin:

@@ -19,20 +19,21 @@
 namespace floes::journal_format {
 
 inline constexpr std::string_view magic = "floesjnl";
-inline constexpr std::uint32_t schema = 3;  ///< 2: histories are packed; 3: quantities have their keys
+inline constexpr std::uint32_t schema = 4;  ///< 3: of floes 1.0; 4: arrays have their keys
+inline constexpr std::uint32_t oldest_schema = 3;
 inline constexpr std::uint64_t fixed_header_bytes = 24;
 inline constexpr std::uint64_t record_head_bytes = 12;
 inline constexpr std::uint64_t crc_bytes = 4;
 
 /// Types are only added. A reader skips unknown ones.
 enum class RecordType : std::uint32_t {
-    older_member = 1,  ///< of schema 1 and 2
     session_begin = 2,
     session_end = 3,
     calibration = 4,
     attempt_started = 5,
     campaign = 6,
-    member = 7
+    member_1_0 = 7,  ///< of schema 3
+    member = 8
 };
 
 /// A whole journal, of a schema that only a newer floes reads.

@@ -1,52 +1,43 @@
 #include "records/member_record.hpp"
 
-#include <array>
-#include <utility>
-
 #include "core/error.hpp"
 #include "member/result_bytes.hpp"
+#include "records/record_head.hpp"
 
 namespace floes {
 namespace {
 
-void write(ByteWriter& out, const PackedNumbers& numbers) {
-    out.u64(numbers.count);
-    out.blob(numbers.chunk);
+void write(ByteWriter& out, const PackedArray& array) {
+    out.u8(static_cast<std::uint8_t>(array.sizes.size()));
+    for (const std::size_t size : array.sizes) out.u64(size);
+    out.u64(array.numbers.count);
+    out.blob(array.numbers.chunk);
 }
 
-PackedNumbers read_numbers(ByteReader& in) {
-    const std::uint64_t count = in.u64();
-    return {count, in.blob()};
-}
-
-/// In the order in which they stand at the end of a record; older ones end before them.
-auto parts_of(auto& map) {
-    return std::array{&map.surge, &map.normal, &map.along_tow};
-}
-
-MemberRecord read_head(ByteReader& in) {
-    MemberRecord record;
-    record.case_key = in.text();
-    record.arrangement = in.i32();
-    record.attempt = in.i32();
-    record.rank = in.i32();
-    record.host = in.text();
-    record.peak_memory = in.u64();
-    return record;
-}
-
-void read_history(ByteReader& in, MemberRecord& record) {
-    record.history.surge = read_numbers(in);
-    record.history.sway = read_numbers(in);
-    record.history.heave = read_numbers(in);
-    read_averaged(in, record.result);
-    if (in.left() > 0) {
-        for (PackedNumbers* part : parts_of(record.history.map)) *part = read_numbers(in);
-    }
-    if (in.left() != 0) throw RunError("a stored member is longer than expected; it was written by another version");
+PackedArray read_array(ByteReader& in) {
+    PackedArray array;
+    array.sizes.resize(in.u8());
+    for (std::size_t& size : array.sizes) size = in.u64();
+    array.numbers.count = in.u64();
+    array.numbers.chunk = in.blob();
+    return array;
 }
 
 }  // namespace
+
+PackedArray MemberRecord::array(std::size_t number) const {
+    return arrays[number].empty() ? pack(array_outputs[number].access.get(result)) : arrays[number];
+}
+
+MemberResult MemberRecord::whole(Arrays which) const {
+    MemberResult all = result;
+    for (std::size_t k = 0; k < array_outputs.size(); ++k) {
+        const ArrayOutput& one = array_outputs[k];
+        if (arrays[k].empty() || (which == Arrays::in_table && one.in_file() && !one.in_table)) continue;
+        one.access.set(all, unpack(arrays[k]));
+    }
+    return all;
+}
 
 MemberIdentity identity(const MemberRecord& record) {
     return {record.case_key, record.arrangement};
@@ -54,40 +45,35 @@ MemberIdentity identity(const MemberRecord& record) {
 
 Bytes encode(const MemberRecord& record) {
     ByteWriter out;
-    out.text(record.case_key);
-    out.i32(record.arrangement);
-    out.i32(record.attempt);
-    out.i32(record.rank);
-    out.text(record.host);
-    out.u64(record.peak_memory);
+    write_head(out, record);
     write(out, record.result);
-    write(out, record.history.surge);
-    write(out, record.history.sway);
-    write(out, record.history.heave);
-    write_averaged(out, record.result);
-    if (!record.history.map.empty()) {
-        for (const PackedNumbers* part : parts_of(record.history.map)) write(out, *part);
+    ByteWriter arrays;
+    std::uint32_t count = 0;
+    for (std::size_t k = 0; k < array_outputs.size(); ++k) {
+        const PackedArray array = record.array(k);
+        if (array.empty()) continue;
+        arrays.text(array_outputs[k].path);
+        write(arrays, array);
+        ++count;
     }
-    return out.take();
+    out.u32(count);
+    Bytes bytes = out.take();
+    bytes.insert(bytes.end(), arrays.bytes().begin(), arrays.bytes().end());
+    return bytes;
 }
 
 MemberRecord decode_member_record(std::span<const std::byte> bytes) {
     ByteReader in(bytes);
     MemberRecord record = read_head(in);
     record.result = read_member_result(in);
-    read_history(in, record);
-    return record;
-}
-
-MemberRecord decode_older_member_record(std::span<const std::byte> bytes) {
-    ByteReader in(bytes);
-    MemberRecord record = read_head(in);
-    record.result = read_older_member_result(in);
-    if (in.left() == 0) {
-        record.history = pack(std::exchange(record.result.history, {}));
-    } else {
-        read_history(in, record);
+    for (std::uint32_t left = in.u32(); left > 0; --left) {
+        const std::size_t number = array_number(in.text());
+        PackedArray array = read_array(in);
+        if (number == array_outputs.size()) continue;  // of a newer version
+        check_sizes(array_outputs[number], array.sizes, array.numbers.count);
+        record.arrays[number] = std::move(array);
     }
+    if (in.left() != 0) throw RunError("a stored member is longer than expected; it was written by another version");
     return record;
 }
 

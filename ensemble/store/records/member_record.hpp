@@ -10,7 +10,7 @@
 #include "core/bytes.hpp"
 #include "member/result.hpp"
 #include "records/attempt_book.hpp"
-#include "records/packed_history.hpp"
+#include "records/packed_arrays.hpp"
 
 namespace floes {
 
@@ -23,8 +23,14 @@ struct MemberRecord {
     int rank = 0;          ///< of the computing process
     std::string host;
     std::uint64_t peak_memory = 0;  ///< largest resident set of the computing process so far, bytes
-    MemberResult result;            ///< with an empty history and load map; the packed ones are in
-    PackedHistory history;          ///< of the load
+    MemberResult result;            ///< of a record that was stored, without its arrays: these are in
+    PackedArrays arrays;            ///< or still in the result, unpacked
+
+    /// The array of that number in array_outputs, wherever it is.
+    PackedArray array(std::size_t number) const;
+    /// The result with its arrays: all, or those that are read with the quantities.
+    enum class Arrays { all, in_table };
+    MemberResult whole(Arrays which = Arrays::all) const;
 };
 
 MemberIdentity identity(const MemberRecord& record);
@@ -32,10 +38,10 @@ MemberIdentity identity(const MemberRecord& record);
 /// The bytes of a record, the same on every machine.
 Bytes encode(const MemberRecord& record);
 
-/// Restores the record bit for bit. Throws RunError if the bytes are not exactly one record.
+/// Restores the record bit for bit, its arrays packed. Throws RunError if the bytes are not exactly one record.
 MemberRecord decode_member_record(std::span<const std::byte> bytes);
 
-/// The same for records of journals of schema 1 and 2; an unpacked history is packed.
-MemberRecord decode_older_member_record(std::span<const std::byte> bytes);
+/// The same for records of floes 1.0.
+MemberRecord decode_member_record_1_0(std::span<const std::byte> bytes);
 
 }  // namespace floes

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "records/packed_history.hpp"
+#include "records/packed_numbers.hpp"
 
 namespace floes {
 

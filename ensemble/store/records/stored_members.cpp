@@ -30,6 +30,22 @@ void for_each_match(const Campaign& campaign, const MemberNotes& notes, const Us
     }
 }
 
+/// How far the record's arrays go along the axes of which it alone knows that.
+std::array<int, found_axes.size()> found_in(const MemberRecord& record) {
+    std::array<int, found_axes.size()> found{};
+    for (std::size_t number = 0; number < array_outputs.size(); ++number) {
+        const auto& axes = array_outputs[number].axes;
+        for (std::size_t k = 0; k < axes.size() && axes[k] != nullptr; ++k) {
+            const auto at = std::ranges::find(found_axes, axes[k]);
+            if (at == found_axes.end()) continue;
+            const PackedArray array = record.array(number);
+            if (!array.empty())
+                found[static_cast<std::size_t>(at - found_axes.begin())] = static_cast<int>(array.sizes[k]);
+        }
+    }
+    return found;
+}
+
 MemberNotes notes_of(std::span<const MemberRecord> records) {
     MemberNotes notes;
     for (const MemberRecord& record : records) notes.add(record);
@@ -38,16 +54,17 @@ MemberNotes notes_of(std::span<const MemberRecord> records) {
 
 }  // namespace
 
+int found_along(const MemberNote& note, const ArrayAxis& axis) {
+    return note.found.at(static_cast<std::size_t>(std::ranges::find(found_axes, &axis) - found_axes.begin()));
+}
+
 void MemberNotes::add(const MemberRecord& record) {
     const int key = keys_.try_emplace(record.case_key, static_cast<int>(keys_.size())).first->second;
-    std::size_t peaks = 0;
-    for (const AveragedLoad& one : record.result.averaged) peaks = std::max(peaks, one.peaks.size());
     notes_.push_back({.wall_time = record.result.wall_time,
                       .key = key,
                       .arrangement = record.arrangement,
                       .attempt = record.attempt,
-                      .breaks = static_cast<int>(record.result.breaks.size()),
-                      .peaks = static_cast<int>(peaks),
+                      .found = found_in(record),
                       .status = record.result.status});
 }
 

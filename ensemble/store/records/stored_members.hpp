@@ -2,6 +2,7 @@
 // Members whose records are stored, in a journal or at hand. A note of each is in memory, some tens of bytes; the
 // record is read when somebody asks for it.
 
+#include <array>
 #include <cstddef>
 #include <deque>
 #include <functional>
@@ -21,12 +22,14 @@ struct MemberNote {
     int key = 0;           ///< number of the case's key, see MemberNotes::keys()
     int arrangement = 0;
     int attempt = 1;
-    int breaks = 0;  ///< failed joints in the record
-    int peaks = 0;   ///< of the averaged load that has most of them
+    std::array<int, found_axes.size()> found{};  ///< places along each of these axes
     MemberStatus status = MemberStatus::done;
 
     bool done() const { return status == MemberStatus::done; }
 };
+
+/// How far the member's arrays go along an axis of found_axes.
+int found_along(const MemberNote& note, const ArrayAxis& axis);
 
 /// The notes of records, in order of arrival.
 class MemberNotes {

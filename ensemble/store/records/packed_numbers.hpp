@@ -1,14 +1,12 @@
 #pragma once
-// Load histories and load maps as stored in the campaign file, compressed chunk by chunk. The rank that computes a
-// member packs its own, so that the master only moves bytes, and a third fewer in messages, journal and file alike.
+// Numbers as stored in the campaign file, compressed chunk by chunk. The rank that computes a member packs its own, so
+// that the master only moves bytes, and a third fewer in messages, journal and file alike.
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/bytes.hpp"
-#include "simulation/load_history.hpp"
-#include "statistics/load_map.hpp"
 
 namespace floes {
 
@@ -32,26 +30,5 @@ Bytes shuffled(std::span<const double> numbers);
 
 /// The numbers bit for bit. Throws RunError if the chunk is damaged.
 std::vector<double> unpack(const PackedNumbers& packed);
-
-struct PackedLoadMap {
-    PackedNumbers surge;
-    PackedNumbers normal;
-    PackedNumbers along_tow;
-
-    bool empty() const { return surge.count == 0; }
-    friend bool operator==(const PackedLoadMap&, const PackedLoadMap&) = default;
-};
-
-/// A load over time, and in space.
-struct PackedHistory {
-    PackedNumbers surge;
-    PackedNumbers sway;
-    PackedNumbers heave;
-    PackedLoadMap map = {};  ///< empty: of an earlier version, or failed
-    friend bool operator==(const PackedHistory&, const PackedHistory&) = default;
-};
-
-PackedHistory pack(const LoadHistory& history, const LoadMap& map = {});
-LoadHistory unpack(const PackedHistory& packed);
 
 }  // namespace floes

@@ -1,4 +1,4 @@
-#include "records/packed_history.hpp"
+#include "records/packed_numbers.hpp"
 
 #include <zlib.h>
 
@@ -47,7 +47,7 @@ Bytes deflated(const Bytes& plain) {
     Bytes chunk(size);
     const int code = compress2(reinterpret_cast<Bytef*>(chunk.data()), &size,
                                reinterpret_cast<const Bytef*>(plain.data()), plain.size(), compression_level);
-    if (code != Z_OK) throw RunError(fmt::format("zlib cannot compress a load history: {}.", zError(code)));
+    if (code != Z_OK) throw RunError(fmt::format("zlib cannot compress the numbers of a member: {}.", zError(code)));
     chunk.resize(size);
     chunk.shrink_to_fit();  // it is kept in a message for a while
     return chunk;
@@ -59,7 +59,8 @@ Bytes inflated(const Bytes& chunk, std::size_t size) {
     Bytes plain(size);
     const int code = uncompress(reinterpret_cast<Bytef*>(plain.data()), &found,
                                 reinterpret_cast<const Bytef*>(chunk.data()), chunk.size());
-    if (code != Z_OK || found != size) throw RunError("a stored load history cannot be decompressed; it was damaged");
+    if (code != Z_OK || found != size)
+        throw RunError("the numbers of a stored member cannot be decompressed; it was damaged");
     return plain;
 }
 
@@ -82,20 +83,9 @@ std::vector<double> unpack(const PackedNumbers& packed) {
     const bool possible = packed.deflated() ? packed.count <= most_in_a_byte * packed.chunk.size()
                                             : packed.chunk.size() == width * packed.count;
     if (!possible || packed.count > most_numbers)
-        throw RunError("a stored load history does not have the stated length; it was damaged");
+        throw RunError("the numbers of a stored member are not as many as stated; it was damaged");
     const Layout at = layout(packed.deflated(), packed.count);
     return numbers_of(packed.deflated() ? inflated(packed.chunk, width * packed.count) : packed.chunk, at);
-}
-
-PackedHistory pack(const LoadHistory& history, const LoadMap& map) {
-    return {pack(history.surge),
-            pack(history.sway),
-            pack(history.heave),
-            {pack(map.surge), pack(map.normal), pack(map.along_tow)}};
-}
-
-LoadHistory unpack(const PackedHistory& packed) {
-    return {unpack(packed.surge), unpack(packed.sway), unpack(packed.heave)};
 }
 
 }  // namespace floes

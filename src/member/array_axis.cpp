@@ -1,0 +1,98 @@
+#include "member/array_axis.hpp"
+
+#include <cstddef>
+
+#include "statistics/load_map.hpp"
+
+namespace floes {
+namespace {
+
+std::vector<double> counted_to(std::size_t count) {
+    std::vector<double> places(count);
+    for (std::size_t k = 0; k < count; ++k) places[k] = static_cast<double>(k);
+    return places;
+}
+
+template <auto middle, std::size_t count>
+std::vector<double> middles(const Scenario&) {
+    std::vector<double> places(count);
+    for (std::size_t k = 0; k < count; ++k) places[k] = middle(k);
+    return places;
+}
+
+/// Ends of what the values of a history are of.
+std::vector<double> history_times(const Scenario& scenario) {
+    const int stride = scenario.analysis.history_stride;
+    const double step = scenario.general.time_step * stride;
+    std::vector<double> times(static_cast<std::size_t>(scenario.step_count() / stride));
+    for (std::size_t k = 0; k < times.size(); ++k) times[k] = static_cast<double>(k + 1) * step;
+    return times;
+}
+
+constexpr const char* pose_words[]{"x", "z", "yaw"};
+
+}  // namespace
+
+const ArrayAxis segment_axis{
+    "segment", "1", "equal part of the analysis window", AxisKind::counted,
+    [](const Scenario& scenario) { return counted_to(static_cast<std::size_t>(scenario.analysis.segments)); }};
+
+const ArrayAxis level_axis{"level",
+                           "N",
+                           "surge load that steps are counted above",
+                           AxisKind::placed,
+                           [](const Scenario& scenario) { return scenario.analysis.exceedance_levels; },
+                           false};
+
+const ArrayAxis averaging_axis{"averaging_time",
+                               "s",
+                               "time that the surge load is averaged over",
+                               AxisKind::placed,
+                               [](const Scenario& scenario) { return scenario.averaging_times(); },
+                               false};
+
+const ArrayAxis peak_axis{"peak", "1", "declustered peak of a member, the highest first", AxisKind::longest};
+
+const ArrayAxis floe_axis{"floe", "1", "floe of an arrangement", AxisKind::counted, [](const Scenario& scenario) {
+                              return counted_to(static_cast<std::size_t>(scenario.field.floes));
+                          }};
+
+const ArrayAxis coordinate_axis{"coordinate",
+                                "1",
+                                "coordinate of a floe's pose",
+                                AxisKind::fixed,
+                                [](const Scenario&) { return counted_to(std::size(pose_words)); },
+                                true,
+                                pose_words};
+
+const ArrayAxis time_axis{"time",
+                          "s",
+                          "end of the time steps of a value",
+                          AxisKind::counted,
+                          history_times,
+                          false,
+                          {},
+                          {},
+                          "number of the value from 1; times /cases/time_step and /cases/history_stride"};
+
+const ArrayAxis height_axis{"height",
+                            "1",
+                            "height on the structure over its depth, from the keel",
+                            AxisKind::fixed,
+                            middles<middle_height, LoadMap::heights>,
+                            false};
+
+const ArrayAxis angle_axis{"angle",
+                           "degree",
+                           "angle round the structure's axis, 0 ahead, positive towards +z",
+                           AxisKind::fixed,
+                           middles<middle_angle, LoadMap::angles>,
+                           false};
+
+const ArrayAxis tow_axis{
+    "tow", "1", "time in the window over its length", AxisKind::fixed, middles<middle_part, LoadMap::parts>, false};
+
+const ArrayAxis break_axis{"break", "1", "failed joint, a row of /breaks",  AxisKind::listed, nullptr,
+                           true,    {},  "member in which the joint failed"};
+
+}  // namespace floes
