@@ -64,7 +64,7 @@ class Beam {
             .has_value();
     }
 
-    /// The joint, counted from the clamp, that fails at rest: the one with the largest λ/ε.
+    /// The joint nearest to the clamp of those that fail at rest: its index, from 0 at the clamp.
     std::optional<std::pair<int, FailureMode>> failing_joint() const {
         for (std::size_t j = 0; j < joints_.size(); ++j) {
             if (const auto mode = failure(world_.reaction(joints_[j]), thresholds_))

@@ -19,7 +19,7 @@ inline constexpr std::size_t count = 18;
 /// Fields of the result: force, then moment about the centre of mass.
 inline constexpr std::size_t wrench_fields = 6;
 
-/// Constants of WaterModel, multiplied in the same order. Named after the terms of water_model.hpp.
+/// Constants of the terms of water_model.hpp.
 struct WaterFactors {
     double half_side;
     double side;
@@ -43,8 +43,15 @@ struct WaterArrays {
     std::size_t stride;
 };
 
-/// Force and moment on elements [0, count) and on those that fill the last group of lanes. The same bits as
-/// WaterModel::wrench at every width.
+/// Force and moment on elements [0, count) and on those that fill the last group of lanes; the same bits at every
+/// width.
 using WaterKernel = void (*)(const WaterArrays&, const WaterFactors&, std::size_t count, double structure_x);
+
+extern const WaterKernel water_scalar;
+#if defined(__x86_64__)
+extern const WaterKernel water_sse2;
+extern const WaterKernel water_avx2;
+extern const WaterKernel water_avx512;
+#endif
 
 }  // namespace floes

@@ -1,6 +1,5 @@
-// The water on a group of elements, one a lane: WaterModel::wrench, operation by operation in its order, so that the
-// bits are the same. A kernels_*.cpp defines FLOES_LANES and FLOES_WATER_KERNEL and includes this once; its own
-// compiler flags choose the instruction set.
+// The water (water_model.hpp) on a group of elements, one in each lane. A kernels_*.cpp defines FLOES_LANES and
+// FLOES_WATER_KERNEL and includes this once; its own compiler flags choose the instruction set.
 
 #include "water/water_kernels.hpp"
 
@@ -35,8 +34,8 @@ struct Element {
 };
 
 struct Column {
-    Pack length;
-    V3 arm;
+    Pack length;  ///< m along the normal; 0 when dry
+    V3 arm;       ///< from the centre of mass to the middle of the submerged part, m
 };
 
 struct LaneWrench {
@@ -50,10 +49,14 @@ struct LaneWrench {
     }
 };
 
+/// The submerged part of the column through body point (x, 0, z); the water surface is y = 0. Exact for any tilt,
+/// upside down too.
 inline Column submerged_column(const Element& e, double x, double z, double thickness) {
     const Pack zero{};
     const V3 foot = e.x * (zero + x) + e.z * (zero + z);
     const Pack height = e.position.y + foot.y;
+    // Height along the column is height + s n_y with s in [-T/2, T/2]; the s that lie below the surface are low to
+    // high.
     const Pack bottom = zero + -0.5 * thickness;
     const Pack top = zero + 0.5 * thickness;
     const Pack crossing = -height / e.normal.y;
@@ -65,7 +68,7 @@ inline Column submerged_column(const Element& e, double x, double z, double thic
     return {0.0 < length ? length : zero, foot + e.normal * (0.5 * (low + high))};
 }
 
-/// Velocity of the water relative to the element's material at `arm`.
+/// Velocity of the water relative to the element's material at `arm`; cos²θ is x²/r², and so on.
 inline V3 relative_velocity(const Element& e, const V3& arm, const WaterFactors& factors, double structure_x) {
     const Pack zero{};
     const Pack x = e.position.x + arm.x - structure_x;
@@ -145,7 +148,6 @@ void water(const WaterArrays& arrays, const WaterFactors& factors, std::size_t c
 
 }  // namespace
 
-extern const WaterKernel FLOES_WATER_KERNEL;
 const WaterKernel FLOES_WATER_KERNEL = water;
 
 }  // namespace floes

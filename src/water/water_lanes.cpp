@@ -7,13 +7,6 @@
 
 namespace floes {
 
-extern const WaterKernel water_scalar;
-#if defined(__x86_64__)
-extern const WaterKernel water_sse2;
-extern const WaterKernel water_avx2;
-extern const WaterKernel water_avx512;
-#endif
-
 namespace {
 
 constexpr std::size_t widest = 8;
@@ -39,14 +32,7 @@ WaterLanes::WaterLanes(const WaterModel& model, std::size_t elements, int width)
       wrench_(wrench_fields * stride_) {}
 
 void WaterLanes::set(std::size_t place, const ElementState& state) {
-    double* at = state_.data() + place;
-    const auto put = [&](const double* values, std::size_t first, std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i) at[(first + i) * stride_] = values[i];
-    };
-    put(state.position.data(), water_field::position, 3);
-    put(state.rotation.data(), water_field::rotation, 9);  // by column, as in Eigen
-    put(state.velocity.data(), water_field::velocity, 3);
-    put(state.angular_velocity.data(), water_field::angular_velocity, 3);
+    put_fields(state, state_.data() + place, stride_);
     exposed_edges_[place] = state.exposed_edges;
 }
 
@@ -55,8 +41,7 @@ void WaterLanes::compute(std::size_t count, double structure_x) {
 }
 
 Wrench WaterLanes::wrench(std::size_t place) const {
-    const auto field = [&](std::size_t f) { return wrench_[f * stride_ + place]; };
-    return {{field(0), field(1), field(2)}, {field(3), field(4), field(5)}};
+    return wrench_at(wrench_.data() + place, stride_);
 }
 
 }  // namespace floes

@@ -1,5 +1,6 @@
 #pragma once
-// WaterModel::wrench for many elements at once, one for each SIMD lane. The same bits at every width.
+// The force of the water (water_model.hpp) on many elements at once, one for each SIMD lane. The same bits at every
+// width.
 //
 //   water.set(place, element);           // places 0, 1, ... in any order; neighbours with the same exposed edges are
 //   water.compute(count, structure_x);   // computed fastest

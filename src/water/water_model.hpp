@@ -6,60 +6,42 @@
 // neither face crosses the surface, force and moment are exact at any tilt: the Gauss points integrate ξ² exactly, so
 // the metacentric term ρ_w g L⁴/12 is complete. Fully submerged or dry elements are exact as well.
 //
-// Drag, relative to the water velocity u (flow.hpp, at the point concerned; the structure's circle moves):
+// Drag, relative to the velocity u of the water at the point concerned:
 //   form  an edge face without a live joint whose outward normal n meets the flow (u_rel · n < 0):
 //         F = -½ ρ_w C_d (L x wetted depth) (u_rel · n)² n, pushing inward, at the middle of the wetted depth
 //   skin  on the lower face at the wet Gauss points:  F = ½ ρ_w C_s (L²/4) |u_t| u_t,  u_t = tangential part of u_rel
 //   heave along the normal at the wet Gauss points, with w = u_rel · normal:
-//         F = [½ ρ_w C_h (L²/4) |w| w + (c/4) w] normal,  c = 2 ζ sqrt(ρ_w g L² m): a fraction ζ of critical damping of
-//         the element's heave; spread over the Gauss points it damps roll and pitch too.
+//         F = [½ ρ_w C_h (L²/4) |w| w + (c/4) w] normal,  c = 2 ζ sqrt(ρ_w g L² m (1 + a)): a fraction ζ of critical
+//         damping of the heave of an element of mass m that carries the share a of added mass; spread over the Gauss
+//         points it damps roll and pitch too.
+//
+// Flow. Horizontal potential flow round the structure's waterline circle of radius R, which moves at the speed V along
+// +x through water at rest: from the potential -V R² cosθ / r follow  u_r = V R² cosθ / r²,  u_θ = V R² sinθ / r²  for
+// r >= R (no flow through the circle, no vorticity). Inside the circle, the value at r = R in the same direction; at
+// the centre (V, 0). With WaterFlow::still u = 0.
 
 #include "core/vector.hpp"
 #include "scenario/scenario.hpp"
-#include "water/column.hpp"
+#include "water/element_state.hpp"
 #include "water/water_kernels.hpp"
 
 namespace floes {
 
 class WaterModel {
   public:
-    /// `gravity` m/s², `mass` of one element kg, `waterline_radius` of the structure m, `speed` of its tow m/s.
+    /// `gravity` m/s², `mass` of one element without added mass kg, `waterline_radius` of the structure m, `speed` of
+    /// its tow m/s.
     WaterModel(const Water& water, double gravity, ElementShape shape, double mass, double waterline_radius,
                double speed);
 
     /// Force (N) and moment about the centre of mass (N m), world axes, with the structure's axis at x = `structure_x`.
+    /// For many elements water_lanes.hpp gives the same bits sooner.
     Wrench wrench(const ElementState& state, double structure_x) const;
 
-    /// The parts of wrench(): hydrostatic, and all drag.
-    Wrench buoyancy(const ElementState& state) const;
-    Wrench drag(const ElementState& state, double structure_x) const;
-
-    /// Water velocity (x, z) at a place (x, z), m/s; zero for WaterFlow::still.
-    Vec2 flow_velocity(const Vec2& place, double structure_x) const;
-
-    /// Depth of the lower face of an element of this mass at rest: m / (ρ_w L²), m.
-    double floating_draught() const;
-
-    /// The constants for computing many elements at once (water_lanes.hpp).
-    WaterFactors factors() const;
+    const WaterFactors& factors() const { return factors_; }
 
   private:
-    struct Columns;
-    Columns gauss_columns(const ElementState& state) const;
-    Wrench buoyancy(const Columns& columns) const;
-    Wrench drag(const ElementState& state, const Columns& columns, double structure_x) const;
-    Wrench form_drag(const ElementState& state, double structure_x) const;
-    Vec3 relative_velocity(const ElementState& state, const Vec3& arm, double structure_x) const;
-
-    Water water_;
-    double gravity_;
-    ElementShape shape_;
-    double mass_;
-    double waterline_radius_;
-    double speed_;
-    double gauss_offset_;    ///< L / √12, m
-    double gauss_area_;      ///< L² / 4, m²
-    double linear_damping_;  ///< c / 4, N s/m
+    WaterFactors factors_;
 };
 
 }  // namespace floes

@@ -72,7 +72,7 @@ std::vector<ElementState> every_kind_of_element() {
 
 class WaterLanesOf : public ::testing::TestWithParam<WaterFlow> {};
 
-TEST_P(WaterLanesOf, EveryWidthHasTheBitsOfTheModel) {
+TEST_P(WaterLanesOf, EveryWidthHasTheBitsOfOneElementAlone) {
     const WaterModel one(model(GetParam()));
     const std::vector<ElementState> elements = every_kind_of_element();
     for (const int width : lane_widths()) {
