@@ -20,19 +20,20 @@ Simulation make_drift(const Drift& drift) {
     scenario.field.half_width = 0.5 * cell * across;
     scenario.field.far_end = FarEnd::open;  // the last row may be a part of one
 
-    Arrangement arrangement;
+    std::vector<PlanarPose> poses;
     for (int i = 0; i < drift.floes; ++i) {
-        arrangement.poses.push_back({.x = scenario.field.begin + cell * (i / across + 0.5),
+        poses.push_back({.x = scenario.field.begin + cell * (i / across + 0.5),
                                      .z = cell * (i % across + 0.5) - scenario.field.half_width});
     }
-    SimulationState state = Simulation(scenario, arrangement).state();
-    const std::size_t elements = state.elements.size() / arrangement.poses.size();
+    const FloeSet floes = floes_at(scenario, poses);
+    SimulationState state = Simulation(scenario, floes).state();
+    const std::size_t elements = state.elements.size() / floes.size();
     for (std::size_t i = 0; i < state.elements.size(); ++i) {
         // Directions spread evenly by the golden ratio.
         const double angle = 2 * std::numbers::pi * std::fmod(static_cast<double>(i / elements) * 0.6180339887, 1.0);
         state.elements[i].velocity = {drift.speed * std::cos(angle), 0, drift.speed * std::sin(angle)};
     }
-    return Simulation(scenario, arrangement, state);
+    return Simulation(scenario, floes, state);
 }
 
 }  // namespace floes::bench

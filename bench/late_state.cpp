@@ -20,8 +20,9 @@ int main(int count, char** arguments) {
     const bench::Wall wall = bench::wall_named(arguments[1]);
     const double end = std::atof(arguments[2]);
     const Scenario scenario = bench::tow_scenario(SolverKind::lanes, wall);
-    bench::Scene scene{wall, make_arrangement(scenario, 1, 0), {}};
-    Simulation tow(scenario, scene.arrangement);
+    const Arrangement floes = make_arrangement(scenario, 1, 0);
+    bench::Scene scene{wall, floes.poses(), {}};
+    Simulation tow(scenario, floes);
     while (tow.time() < end) {
         tow.step();
         if (tow.steps() % 500 == 0) {

@@ -30,7 +30,7 @@ void tow_step(benchmark::State& state, SolverKind solver, Scene (*make_scene)(),
     Scenario scenario = tow_scenario(solver, scene.wall);
     scenario.contact = law;
     if (iterations > 0) scenario.general.iterations = iterations;
-    Simulation simulation(scenario, scene.arrangement, scene.state);
+    Simulation simulation(scenario, floes_at(scenario, scene.poses), scene.state);
     for (int i = 0; i < warm_up; ++i) simulation.step();
     for (auto _ : state) simulation.step();
     state.counters["surge_N"] = simulation.loads().surge.back();
@@ -51,7 +51,7 @@ void member(benchmark::State& state, SolverKind solver, double wake_radius, Cont
     Scenario scenario = tow_scenario(solver, scene.wall);
     scenario.contact = law;
     scenario.arrangement.method = ArrangementMethod::file;
-    scenario.arrangement.poses = scene.arrangement.poses;
+    scenario.arrangement.poses = scene.poses;
     scenario.field.wake_radius = wake_radius;
     scenario.structure.speed *= 4;
     scenario.analysis = {.steady_start = 5, .window = 15, .segments = 3};

@@ -10,7 +10,7 @@ namespace floes::bench {
 
 WaterModel peer_water(const Scenario& scenario) {
     const double side = scenario.floe.element;
-    const double thickness = scenario.ice.thickness;
+    const double thickness = scenario.floe.thickness;
     return {scenario.water,
             scenario.general.gravity,
             {side, thickness},
@@ -23,7 +23,7 @@ PeerScene peer_scene(const Scene& scene) {
     PeerScene peer;
     const Scenario scenario = tow_scenario(SolverKind::stock, scene.wall);
     peer.scenario = scenario;
-    const Simulation simulation(scenario, scene.arrangement, scene.state);
+    const Simulation simulation(scenario, floes_at(scenario, scene.poses), scene.state);
     peer.elements = simulation.element_states();
     for (const IceElement& element : simulation.ice().elements()) peer.exposed_edges.push_back(element.exposed_edges);
 
@@ -55,7 +55,7 @@ PeerScene peer_scene(const Scene& scene) {
             }
         }
     }
-    peer.sheets = make_channel(scenario).sheets;
+    peer.sheets = make_channel(scenario, floes_of(scenario)).sheets;
     peer.structure = scenario.structure.shape.solids();
     peer.structure_x = Tow{scenario.structure.start, scenario.structure.speed}.x(simulation.time());
     peer.friction = material_friction(scenario.contact);

@@ -29,13 +29,13 @@ class BulletPeer final : public Peer {
     explicit BulletPeer(const PeerScene& scene)
         : scene_(scene),
           water_(peer_water(scene.scenario)),
-          element_(btVector3(scene.scenario.floe.element, scene.scenario.ice.thickness, scene.scenario.floe.element) /
+          element_(btVector3(scene.scenario.floe.element, scene.scenario.floe.thickness, scene.scenario.floe.element) /
                    2),
           x_(scene.structure_x) {
         world_.setGravity({0, -scene.scenario.general.gravity, 0});
         world_.getSolverInfo().m_numIterations = scene.scenario.general.iterations;
         const double side = scene.scenario.floe.element;
-        const double mass = scene.scenario.ice.density * side * side * scene.scenario.ice.thickness;
+        const double mass = scene.scenario.ice.density * side * side * scene.scenario.floe.thickness;
         for (const BodyState& state : scene.elements) {
             btRigidBody& body =
                 add(element_, mass, transform_of({state.position, Quat(state.rotation)}), scene.friction.ice);

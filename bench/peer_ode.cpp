@@ -23,7 +23,7 @@ class OdePeer final : public Peer {
         dWorldSetGravity(world_, 0, -scenario.general.gravity, 0);
         dWorldSetQuickStepNumIterations(world_, scenario.general.iterations);
         const double side = scenario.floe.element;
-        const double thickness = scenario.ice.thickness;
+        const double thickness = scenario.floe.thickness;
         dMass mass;
         dMassSetBox(&mass, scenario.ice.density, side, thickness, side);
         for (const BodyState& state : scene.elements) {

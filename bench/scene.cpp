@@ -83,7 +83,7 @@ std::string write_scene(const Scene& scene) {
         "# floe,x,z,yaw at t = 0 | element,position,rotation w x y z,velocity,angular_velocity | "
         "break,time,floe,joint,mode\n";
     text += fmt::format("steps,{}\n", scene.state.steps);
-    for (const PlanarPose& pose : scene.arrangement.poses) {
+    for (const PlanarPose& pose : scene.poses) {
         text += fmt::format("floe,{:.9f},{:.9f},{:.9f}\n", pose.x, pose.z, pose.yaw);
     }
     for (const BodyState& state : scene.state.elements) {
@@ -115,7 +115,7 @@ Scene read_scene(Wall wall, const std::string& text) {
         std::string kind;
         in >> kind;
         if (kind == "steps") in >> scene.state.steps;
-        if (kind == "floe") scene.arrangement.poses.push_back(read_floe(in));
+        if (kind == "floe") scene.poses.push_back(read_floe(in));
         if (kind == "element") scene.state.elements.push_back(read_element(in));
         if (kind == "break") scene.state.breaks.push_back(read_break(in));
         if (in.fail()) throw InputError(fmt::format("The stored scene has a line that cannot be read: {}.", line));
@@ -133,7 +133,8 @@ Scene late_steep_scene() {
 
 Scene early_scene() {
     Scene scene = late_scene();
-    const Simulation at_rest(tow_scenario(SolverKind::lanes, scene.wall), scene.arrangement);
+    const Scenario scenario = tow_scenario(SolverKind::lanes, scene.wall);
+    const Simulation at_rest(scenario, floes_at(scenario, scene.poses));
     scene.state = at_rest.state();
     return scene;
 }

@@ -26,10 +26,10 @@ void choose_solver(Scenario& scenario, SolverKind solver);
 /// The default scenario, but with the given wall and the structure 0.2 m before the ice: a tow that needs no run-up.
 Scenario tow_scenario(SolverKind solver, Wall wall);
 
-/// A tow at some time, with the arrangement that it began from.
+/// A tow at some time, with the poses that its floes began from.
 struct Scene {
     Wall wall = Wall::straight;
-    Arrangement arrangement;
+    std::vector<PlanarPose> poses;
     SimulationState state;
 };
 

@@ -25,7 +25,8 @@ int main(int count, char** arguments) {
     const bench::Scene scene = bench::late_scene();
     std::deque<Simulation> simulations;
     for (int i = 0; i < threads; ++i) {
-        simulations.emplace_back(bench::tow_scenario(SolverKind::lanes, scene.wall), scene.arrangement, scene.state);
+        const Scenario scenario = bench::tow_scenario(SolverKind::lanes, scene.wall);
+        simulations.emplace_back(scenario, floes_at(scenario, scene.poses), scene.state);
         for (int warm_up = 0; warm_up < 5; ++warm_up) simulations.back().step();
     }
     std::latch ready(threads + 1);

@@ -41,7 +41,7 @@ struct CalibrateOptions {
 Scenario base_scenario(const CalibrateOptions& options) {
     if (!options.config.empty()) return load_campaign(options.config, options.overrides).cases.front().scenario;
     Scenario scenario;
-    scenario.ice.thickness = 0.030;
+    scenario.floe.thickness = 0.030;
     return scenario;
 }
 
@@ -63,7 +63,7 @@ void vary(std::vector<PointPlan>& plans, const std::vector<Value>& values, Set s
 std::vector<PointPlan> make_plans(const CalibrateOptions& options) {
     std::vector<PointPlan> plans{{base_scenario(options), {.load = options.load}}};
     vary(plans, options.elements, [](PointPlan& plan, double value) { plan.scenario.floe.element = value; });
-    vary(plans, options.thicknesses, [](PointPlan& plan, double value) { plan.scenario.ice.thickness = value; });
+    vary(plans, options.thicknesses, [](PointPlan& plan, double value) { plan.scenario.floe.thickness = value; });
     vary(plans, options.time_steps, [](PointPlan& plan, double value) { plan.scenario.general.time_step = value; });
     vary(plans, options.erps, [](PointPlan& plan, double value) { plan.scenario.joint.erp = value; });
     vary(plans, options.iterations, [](PointPlan& plan, int value) { plan.scenario.general.iterations = value; });

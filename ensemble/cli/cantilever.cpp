@@ -67,7 +67,7 @@ std::vector<Row> measure(const CantileverOptions& options) {
                 const double elastic = test.floating
                                            ? floating_cantilever_factor(options.moduli.front() * unit::megapascal,
                                                                         elements * scenario.floe.element,
-                                                                        scenario.ice.thickness, foundation)
+                                                                        scenario.floe.thickness, foundation)
                                            : 1.0;
                 rows.push_back({cfm, measure_beam_strength(scenario, test), elastic});
             }

@@ -61,7 +61,7 @@ int frame_of_largest_load(const Recording& recording) {
 
 void write_picture(const std::filesystem::path& path, const Recording& recording, const ReplayLook& look) {
     const PictureStyle style = style_of(look, recording);
-    const Stage stage(recording.subject(), recording.outcome(), recording.floes());
+    const Stage stage(recording.subject(), recording.outcome());
     const Frame frame = recording.read(look.at ? recording.nearest(*look.at) : frame_of_largest_load(recording));
     const int height = picture_height(style, recording.subject());
     const bool vectors = path.extension() == ".svg";

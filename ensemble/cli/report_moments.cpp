@@ -24,7 +24,7 @@ std::string drawn(const Stage& stage, const Frame& frame, const PictureStyle& st
 }
 
 std::vector<MomentPicture> pictures_of(const ReplaySubject& subject, const KeyFrames& frames) {
-    const Stage stage(subject.about, {frames.history, frames.result.breaks}, subject.about.scenario.field.floes);
+    const Stage stage(subject.about, {frames.history, frames.result.breaks});
     const PictureStyle plan{.view = View::plan, .width = 1040};
     const double worst = frames.worst.time;
     const PictureStyle near{.width = 1040,

@@ -1,10 +1,11 @@
 #include "arrangement/arrangement.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <optional>
-#include <utility>
+#include <span>
 
 #include "arrangement/check.hpp"
 #include "arrangement/jittered_lattice.hpp"
@@ -19,65 +20,69 @@ namespace floes {
 
 namespace {
 
-std::vector<PlanarPose> monte_carlo(const Scenario& scenario, RandomStream random) {
+using Shapes = std::span<const Rectangle>;
+
+std::vector<PlanarPose> lattice_for(const Scenario& scenario, Shapes shapes) {
+    return lattice_start(field_walls(scenario), covering(shapes), scenario.arrangement.clearance,
+                         static_cast<int>(shapes.size()));
+}
+
+std::vector<PlanarPose> monte_carlo(const Scenario& scenario, Shapes shapes, RandomStream random) {
     const ArrangementRule& rule = scenario.arrangement;
     const Walls walls = field_walls(scenario);
-    const Rectangle shape = floe_shape(scenario);
     const auto begin_at = [&](const std::vector<PlanarPose>& poses) {
-        return HardRectangles(walls.shrunk(rule.clearance), shape, rule.clearance, poses);
+        return HardRectangles(walls.shrunk(rule.clearance), shapes, rule.clearance, poses);
     };
     // The step is tuned for the field, not for the start: tuned where floes are packed, it would be too short for the
     // chain ever to leave the start.
-    HardRectangles floes = begin_at(lattice_start(walls, shape, rule.clearance, scenario.field.floes));
+    HardRectangles floes = begin_at(lattice_for(scenario, shapes));
     const Step step = tune(floes, random);
     if (rule.start == ArrangementStart::stripes) {
-        floes = begin_at(stripes_start(walls, shape, rule.clearance, scenario.field.floes));
+        floes = begin_at(stripes_start(walls, covering(shapes), rule.clearance, static_cast<int>(shapes.size())));
     }
     for (int i = 0; i < rule.sweeps; ++i) floes.sweep(step, random);
     return floes.poses();
 }
 
-std::vector<PlanarPose> lattice(const Scenario& scenario, RandomStream random) {
+std::vector<PlanarPose> lattice(const Scenario& scenario, Shapes shapes, RandomStream random) {
     const ArrangementRule& rule = scenario.arrangement;
-    return jittered_lattice(field_walls(scenario), floe_shape(scenario), rule.clearance, scenario.field.floes,
-                            {rule.jitter, rule.jitter_angle}, random);
+    return jittered_lattice(field_walls(scenario), shapes, rule.clearance, {rule.jitter, rule.jitter_angle}, random);
 }
 
-std::vector<PlanarPose> scattered_and_ordered(const Scenario& scenario, std::uint64_t seed, std::uint32_t number) {
+std::vector<PlanarPose> scattered_and_ordered(const Scenario& scenario, Shapes shapes, std::uint64_t seed,
+                                              std::uint32_t number) {
     const ArrangementRule& rule = scenario.arrangement;
     const Walls walls = field_walls(scenario);
-    const Rectangle shape = floe_shape(scenario);
     // Not of ordering_sweeps: the same number with more of them is the same chain, later.
     Scenario unordered = scenario;
     unordered.arrangement.ordering_sweeps = 0;
     const std::uint64_t geometry = geometry_key(unordered);
     RandomStream scattering(seed, number, StreamId::scattering, geometry);
-    std::vector<PlanarPose> poses = scattered(walls, shape, rule.clearance, scenario.field.floes, scattering);
+    std::vector<PlanarPose> poses = scattered(walls, shapes, rule.clearance, scattering);
     if (rule.ordering_sweeps == 0) return poses;
     RandomStream ordering(seed, number, StreamId::ordering, geometry);
     const Walls room = walls.shrunk(rule.clearance);
     // The step of method monte_carlo, which is tuned on the lattice.
-    HardRectangles lattice(room, shape, rule.clearance,
-                           lattice_start(walls, shape, rule.clearance, scenario.field.floes));
+    HardRectangles lattice(room, shapes, rule.clearance, lattice_for(scenario, shapes));
     const Step step = tune(lattice, ordering);
-    HardRectangles floes(room, shape, rule.clearance, poses);
+    HardRectangles floes(room, shapes, rule.clearance, poses);
     for (int i = 0; i < rule.ordering_sweeps; ++i) floes.sweep(step, ordering);
     return floes.poses();
 }
 
-std::vector<PlanarPose> find_poses(const Scenario& scenario, std::uint64_t seed, std::uint32_t number) {
+std::vector<PlanarPose> find_poses(const Scenario& scenario, Shapes shapes, std::uint64_t seed, std::uint32_t number) {
     const std::uint64_t geometry = geometry_key(scenario);
     switch (scenario.arrangement.method) {
         case ArrangementMethod::file:
             return scenario.arrangement.poses;
         case ArrangementMethod::lattice:
-            return lattice(scenario, RandomStream(seed, number, StreamId::lattice_jitter, geometry));
+            return lattice(scenario, shapes, RandomStream(seed, number, StreamId::lattice_jitter, geometry));
         case ArrangementMethod::scattered:
-            return scattered_and_ordered(scenario, seed, number);
+            return scattered_and_ordered(scenario, shapes, seed, number);
         case ArrangementMethod::monte_carlo:
             break;
     }
-    return monte_carlo(scenario, RandomStream(seed, number, StreamId::monte_carlo, geometry));
+    return monte_carlo(scenario, shapes, RandomStream(seed, number, StreamId::monte_carlo, geometry));
 }
 
 }  // namespace
@@ -92,29 +97,35 @@ std::uint64_t geometry_key(const Scenario& scenario) {
                                    rule.clearance, rule.sweeps, rule.jitter, rule.jitter_angle);
     // Later than the others, and only for its own method: arrangements of before keep their key.
     if (rule.method == ArrangementMethod::scattered) text += fmt::format("ordering {}\n", rule.ordering_sweeps);
+    if (!rule.columns.empty()) text += fmt::format("columns {}\n", rule.columns);
+    for (const std::vector<double>& values : rule.values)
+        if (!values.empty()) text += fmt::format("values {}\n", fmt::join(values, " "));
     for (const PlanarPose& pose : rule.poses) text += fmt::format("pose {} {} {}\n", pose.x, pose.z, pose.yaw);
     return digest64(text);
 }
 
-double coverage_ahead(const Scenario& scenario, std::span<const PlanarPose> poses) {
+double coverage_ahead(const Scenario& scenario, const FloeSet& floes) {
     Walls path = field_walls(scenario);
     const double half_width = std::min(scenario.field.half_width, scenario.structure.shape.waterline_radius());
     path.low_z = -half_width;
     path.breadth = 2 * half_width;
-    return coverage(path, floe_shape(scenario), poses);
+    return coverage(path, rectangles(floes), floes.poses());
 }
 
 Arrangement make_arrangement(const Scenario& scenario, std::uint64_t seed, std::uint32_t number) {
-    std::vector<PlanarPose> poses = find_poses(scenario, seed, number);
-    if (const std::optional<Fault> fault = find_fault(scenario, poses)) {
+    Arrangement made{floes_of(scenario)};
+    const std::vector<PlanarPose> poses = find_poses(scenario, rectangles(made), seed, number);
+    for (std::size_t i = 0; i < poses.size(); ++i) made.floes[i].pose = poses[i];
+    if (const std::optional<Fault> fault = find_fault(scenario, made)) {
         if (scenario.arrangement.method == ArrangementMethod::file) {
             throw InputError(fmt::format("the given poses are no arrangement of this field: {}", fault->sentence));
         }
         throw RunError(fmt::format("arrangement {} came out wrong, which is an error of the program: {}", number,
                                    fault->sentence));
     }
-    Arrangement made{{}, fourfold_order(poses), local_order(poses), coverage_ahead(scenario, poses)};
-    made.poses = std::move(poses);
+    made.psi4 = fourfold_order(poses);
+    made.local_order = local_order(poses);
+    made.coverage_ahead = coverage_ahead(scenario, made);
     return made;
 }
 

@@ -8,19 +8,17 @@
 // docs/arrangement.md.
 
 #include <cstdint>
-#include <span>
-#include <vector>
 
-#include "core/vector.hpp"
+#include "scenario/floes.hpp"
 #include "scenario/scenario.hpp"
 
 namespace floes {
 
-struct Arrangement {
-    std::vector<PlanarPose> poses;  ///< floe centres, m, and yaws, rad
+/// Floes with their poses: centres in m, yaws in rad.
+struct Arrangement : FloeSet {
     double psi4 = 0;                ///< fourfold_order() of the poses
     double local_order = 0;         ///< local_order() of the poses
-    double coverage_ahead = 0;      ///< coverage_ahead() of the poses
+    double coverage_ahead = 0;      ///< coverage_ahead() of the floes
 };
 
 /// Arrangement `number` of the campaign with this seed: a pure function of its arguments, the same bits anywhere.
@@ -34,6 +32,6 @@ std::uint64_t geometry_key(const Scenario& scenario);
 
 /// Share of the structure's path that ice covers: |z| at most its radius at the waterline and within the field, along
 /// the whole field. NaN if the structure does not reach the water.
-double coverage_ahead(const Scenario& scenario, std::span<const PlanarPose> poses);
+double coverage_ahead(const Scenario& scenario, const FloeSet& floes);
 
 }  // namespace floes

@@ -22,14 +22,17 @@ struct Gap {
     double wanted = 0;
 };
 
-Gap widest_gap(const Rectangle& shape, const Rectangle& grown, Turn first, Turn second, double dx, double dz) {
-    const Extent reach = joint_extent(shape, first, second);
-    const Extent wanted = joint_extent(grown, first, second);
+/// margin: by which both are to be larger on every side, m.
+Gap widest_gap(const TurnedRectangle& first, const TurnedRectangle& second, double margin, double dx, double dz) {
     Gap widest{-std::numeric_limits<double>::infinity(), 0};
     const auto look = [&](double distance, double touching, double clear) {
         if (distance - clear > widest.width - widest.wanted) widest = {distance - touching, clear - touching};
     };
-    for (const Turn turn : {first, second}) {
+    const auto grown = [&](const TurnedRectangle& one) { return TurnedRectangle{one.shape.grown(margin), one.turn}; };
+    for (const auto& [own, other] : {std::pair(first, second), std::pair(second, first)}) {
+        const Turn turn = own.turn;
+        const Extent reach = joint_extent(own, other);
+        const Extent wanted = joint_extent(grown(own), grown(other));
         look(std::abs(turn.cos * dx - turn.sin * dz), reach.x, wanted.x);
         look(std::abs(turn.sin * dx + turn.cos * dz), reach.z, wanted.z);
     }
@@ -46,9 +49,9 @@ std::string gap_text(const Gap& gap, double clearance) {
 }
 
 /// "0.02 m beyond its edge at z = 5 m and is to stay 0.002 m within": the edge that it is worst at.
-std::string edge_text(const Scenario& scenario, const PlanarPose& pose, Turn turn) {
+std::string edge_text(const Scenario& scenario, const PlanarPose& pose, const TurnedRectangle& floe) {
     const Walls walls = field_walls(scenario);
-    const Extent half = extent(floe_shape(scenario), turn);
+    const Extent half = extent(floe.shape, floe.turn);
     struct Edge {
         char axis;
         double at;
@@ -66,9 +69,10 @@ std::string edge_text(const Scenario& scenario, const PlanarPose& pose, Turn tur
 
 /// The first floe that overlaps an earlier one, and the first such earlier one. Floes that overlap are of one cell of a
 /// diagonal's width, or of cells side by side.
-std::optional<std::pair<std::size_t, std::size_t>> overlapping_pair(const Rectangle& grown, std::span<const Turn> turns,
+std::optional<std::pair<std::size_t, std::size_t>> overlapping_pair(std::span<const TurnedRectangle> grown,
                                                                     std::span<const PlanarPose> poses) {
-    const double width = 2 * grown.half_diagonal();
+    double width = 0;
+    for (const TurnedRectangle& floe : grown) width = std::max(width, 2 * floe.shape.half_diagonal());
     std::map<std::pair<double, double>, std::vector<std::size_t>> cells;
     for (std::size_t j = 0; j < poses.size(); ++j) {
         const double column = std::floor(poses[j].x / width);
@@ -80,7 +84,7 @@ std::optional<std::pair<std::size_t, std::size_t>> overlapping_pair(const Rectan
                 if (cell == cells.end()) continue;
                 for (const std::size_t i : cell->second) {
                     if (i < first &&
-                        overlap(grown, turns[i], turns[j], poses[j].x - poses[i].x, poses[j].z - poses[i].z))
+                        overlap(grown[i], grown[j], poses[j].x - poses[i].x, poses[j].z - poses[i].z))
                         first = i;
                 }
             }
@@ -93,8 +97,11 @@ std::optional<std::pair<std::size_t, std::size_t>> overlapping_pair(const Rectan
 
 }  // namespace
 
-Rectangle floe_shape(const Scenario& scenario) {
-    return {0.5 * scenario.floe.length, 0.5 * scenario.floe.breadth};
+std::vector<Rectangle> rectangles(const FloeSet& floes) {
+    std::vector<Rectangle> found;
+    for (std::size_t i = 0; i < floes.size(); ++i)
+        found.push_back({0.5 * floes.shape(i).length, 0.5 * floes.shape(i).breadth});
+    return found;
 }
 
 Walls field_walls(const Scenario& scenario) {
@@ -102,40 +109,42 @@ Walls field_walls(const Scenario& scenario) {
     return {field.begin, -field.half_width, scenario.field_length(), 2 * field.half_width};
 }
 
-std::optional<Fault> find_fault(const Scenario& scenario, std::span<const PlanarPose> poses) {
+std::optional<Fault> find_fault(const Scenario& scenario, const FloeSet& floes) {
     const Field& field = scenario.field;
+    const std::vector<PlanarPose> poses = floes.poses();
     const double clearance = scenario.arrangement.clearance;
     if (poses.size() != static_cast<std::size_t>(field.floes)) {
         return Fault{fmt::format("the arrangement has {} floes where the field has {}", poses.size(), field.floes)};
     }
-    const double covered = field.floes * scenario.floe.length * scenario.floe.breadth;
-    const double concentration = covered / ((scenario.field_end() - field.begin) * 2 * field.half_width);
+    const double concentration =
+        covered_area(floes) / ((scenario.field_end() - field.begin) * 2 * field.half_width);
     if (!(std::abs(concentration - field.concentration) <= area_rounding * field.concentration)) {
         return Fault{fmt::format("the floes cover {} of the field instead of {}", concentration, field.concentration)};
     }
     const Walls walls = field_walls(scenario).shrunk(clearance - rounding);
-    const Rectangle shape = floe_shape(scenario);
-    const Rectangle grown = shape.grown(0.5 * (clearance - rounding));
-    std::vector<Turn> turns;
+    const double margin = 0.5 * (clearance - rounding);
+    const std::vector<Rectangle> shapes = rectangles(floes);
+    std::vector<TurnedRectangle> grown;
     for (std::size_t i = 0; i < poses.size(); ++i) {
         const PlanarPose& pose = poses[i];
         // Checked before the turn is computed, which NaN does not have.
         if (!(std::abs(pose.yaw) < 1e6)) return Fault{fmt::format("floe {} has the yaw {} rad", i, pose.yaw), {i}};
-        turns.push_back(turn_of(pose.yaw));
-        if (!walls.admits(shape, pose.x, pose.z, turns.back())) {
+        const TurnedRectangle turned{shapes[i], turn_of(pose.yaw)};
+        grown.push_back({shapes[i].grown(margin), turned.turn});
+        if (!walls.admits(shapes[i], pose.x, pose.z, turned.turn)) {
             return Fault{fmt::format("floe {} at x = {:.4f} m, z = {:.4f} m is not inside the field: it lies {}", i,
-                                     pose.x, pose.z, edge_text(scenario, pose, turns.back())),
+                                     pose.x, pose.z, edge_text(scenario, pose, turned)),
                          {i}};
         }
     }
-    const std::optional<std::pair<std::size_t, std::size_t>> pair = overlapping_pair(grown, turns, poses);
+    const std::optional<std::pair<std::size_t, std::size_t>> pair = overlapping_pair(grown, poses);
     if (!pair) return std::nullopt;
     const auto [i, j] = *pair;
     const double dx = poses[j].x - poses[i].x;
     const double dz = poses[j].z - poses[i].z;
     return Fault{fmt::format("floes {} and {}, at x = {:.4f} m, z = {:.4f} m and x = {:.4f} m, z = {:.4f} m, {}", i, j,
                              poses[i].x, poses[i].z, poses[j].x, poses[j].z,
-                             gap_text(widest_gap(shape, grown, turns[i], turns[j], dx, dz), clearance)),
+                             gap_text(widest_gap({shapes[i], grown[i].turn}, {shapes[j], grown[j].turn}, margin, dx, dz), clearance)),
                  {i, j}};
 }
 

@@ -2,18 +2,17 @@
 // The final check of an arrangement: every pair of floes, every wall, the concentration.
 
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "arrangement/boundary.hpp"
-#include "core/vector.hpp"
+#include "scenario/floes.hpp"
 #include "scenario/scenario.hpp"
 
 namespace floes {
 
-/// The shape of a floe of the scenario.
-Rectangle floe_shape(const Scenario& scenario);
+/// The outline of each floe.
+std::vector<Rectangle> rectangles(const FloeSet& floes);
 
 /// The walls of the scenario's ice field: x from field.begin to field_end(), |z| <= half_width.
 Walls field_walls(const Scenario& scenario);
@@ -23,11 +22,11 @@ struct Fault {
     std::vector<std::size_t> floes = {};  ///< that it is about, as numbers of poses; of most faults none, one or two
 };
 
-/// The first fault of poses as an arrangement of the scenario; nothing if there is none. Faults are a different number
+/// The first fault of floes as an arrangement of the scenario; nothing if there is none. Faults are a different number
 /// of floes, a floe closer than the clearance to a wall or to another floe (by more than a nanometre, to allow for
 /// rounding), and a concentration whose relative difference from the scenario's exceeds 1e-12. Two floes are too close
 /// if they overlap with half the clearance added on every side; between a corner and a side this requires up to 1.21
 /// times the clearance.
-std::optional<Fault> find_fault(const Scenario& scenario, std::span<const PlanarPose> poses);
+std::optional<Fault> find_fault(const Scenario& scenario, const FloeSet& floes);
 
 }  // namespace floes

@@ -25,15 +25,56 @@ double lever(const Vec2& arm, const Vec2& direction) {
     return direction.x() * arm.y() - direction.y() * arm.x();
 }
 
+/// Contact point from the centre of the rectangle that owns the pressed face, whose outward normal is `normal`. The
+/// other lies at `apart` and presses with one end or the whole of the side that faces it: the mean of both ends of the
+/// part of that side below the face and between its corners, weighted by their depths.
+Vec2 pressed_point(const TurnedRectangle& pressed, const TurnedRectangle& other, const Vec2& apart, const Vec2& normal,
+                   double depth) {
+    const double on_along = normal.dot(along(other.turn));
+    const double on_across = normal.dot(across(other.turn));
+    const bool presses_along = std::abs(on_along) < std::abs(on_across);  // the pressing side runs along its own x
+    const Vec2 tangent = presses_along ? Vec2(std::copysign(1.0, -on_along) * along(other.turn))
+                                       : Vec2(std::copysign(1.0, -on_across) * across(other.turn));
+    Vec2 deepest = apart + corner(other.shape, other.turn, -normal);
+    // Its points are deepest - s tangent, 0 <= s <= length; the depth falls by rise s.
+    const double rise = -tangent.dot(normal);
+    double low = 0;
+    double high = 2 * (presses_along ? other.shape.half_length : other.shape.half_breadth);
+    const Vec2 side(-normal.y(), normal.x());
+    const bool side_is_breadth = std::abs(normal.dot(along(pressed.turn))) > std::abs(normal.dot(across(pressed.turn)));
+    const double reach = side_is_breadth ? pressed.shape.half_breadth : pressed.shape.half_length;
+    const double at = side.dot(deepest);
+    const double rate = side.dot(tangent);  // at least 0.7 in size: the pressing side faces the pressed one
+    low = std::max(low, std::min((at - reach) / rate, (at + reach) / rate));
+    high = std::min(high, std::max((at - reach) / rate, (at + reach) / rate));
+    const double low_depth = std::max(depth - rise * low, 0.0);
+    const double high_depth = std::max(depth - rise * high, 0.0);
+    if (high < low || low_depth + high_depth <= 0) return deepest;
+    return deepest - (low_depth * low + high_depth * high) / (low_depth + high_depth) * tangent;
+}
+
+template <class Body>
+void shift(Body& body, const Vec2& arm, const Vec2& normal, double push) {
+    body.place += push * normal;
+    body.yaw += push * body.turn_weight * lever(arm, normal);
+    body.turn = turn_of(body.yaw);
+}
+
 }  // namespace
 
-Crowd::Crowd(const Walls& walls, const Rectangle& shape, std::span<const PlanarPose> poses)
-    : walls_(walls),
-      shape_(shape),
-      diagonal_(2 * shape.half_diagonal()),
-      turn_weight_(turning / (shape.half_diagonal() * shape.half_diagonal())),
-      skin_(0.25 * shape.half_diagonal()) {
-    for (const PlanarPose& pose : poses) bodies_.push_back({pose.yaw, turn_of(pose.yaw), {pose.x, pose.z}});
+void Crowd::Body::lie(const PlanarPose& pose) {
+    yaw = pose.yaw;
+    turn = turn_of(pose.yaw);
+    place = {pose.x, pose.z};
+}
+
+Crowd::Crowd(const Walls& walls, std::span<const Rectangle> shapes, std::span<const PlanarPose> poses)
+    : walls_(walls), diagonal_(2 * widest_reach(shapes)), skin_(0.25 * widest_reach(shapes)) {
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        const double reach = shapes[i].half_diagonal();
+        bodies_.push_back({.shape = shapes[i], .turn_weight = turning / (reach * reach), .turn = {}});
+        bodies_.back().lie(poses[i]);
+    }
     find_neighbours();
 }
 
@@ -44,12 +85,15 @@ double Crowd::sweep() {
         const auto met = contact(bodies_[first], bodies_[second]);
         if (!met) continue;
         deepest = std::max(deepest, met->depth);
-        const double by_first = lever(met->arm_first, met->normal);
-        const double by_second = lever(met->arm_second, met->normal);
-        const double push =
-            over_relaxation * met->depth / (2 + turn_weight_ * (by_first * by_first + by_second * by_second));
-        shift(bodies_[first], met->arm_first, met->normal, -push);
-        shift(bodies_[second], met->arm_second, met->normal, push);
+        Body& one = bodies_[first];
+        Body& other = bodies_[second];
+        const double by_one = lever(met->arm_first, met->normal);
+        const double by_other = lever(met->arm_second, met->normal);
+        // By a ratio of weights, which is exactly 1 where floes are alike.
+        const double turned = by_one * by_one + by_other * by_other * (other.turn_weight / one.turn_weight);
+        const double push = over_relaxation * met->depth / (2 + one.turn_weight * turned);
+        shift(one, met->arm_first, met->normal, -push);
+        shift(other, met->arm_second, met->normal, push);
     }
     for (Body& body : bodies_) {
         for (const Vec2& normal : wall_normals) {
@@ -57,7 +101,7 @@ double Crowd::sweep() {
             if (!met) continue;
             deepest = std::max(deepest, met->depth);
             const double by = lever(met->arm_first, normal);
-            shift(body, met->arm_first, normal, met->depth / (1 + turn_weight_ * by * by));
+            shift(body, met->arm_first, normal, met->depth / (1 + body.turn_weight * by * by));
         }
     }
     return deepest;
@@ -91,7 +135,7 @@ double Crowd::deepest() const {
 }
 
 void Crowd::put(std::size_t rectangle, const PlanarPose& pose) {
-    bodies_[rectangle] = {pose.yaw, turn_of(pose.yaw), {pose.x, pose.z}};
+    bodies_[rectangle].lie(pose);
 }
 
 std::vector<PlanarPose> Crowd::poses() const {
@@ -104,11 +148,12 @@ std::vector<PlanarPose> Crowd::poses() const {
 std::optional<Crowd::Contact> Crowd::contact(const Body& first, const Body& second) const {
     const Vec2 apart = second.place - first.place;
     if (apart.squaredNorm() >= diagonal_ * diagonal_) return {};
-    const Extent reach = joint_extent(shape_, first.turn, second.turn);
     Contact found{std::numeric_limits<double>::infinity(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
     bool side_of_first = true;
     for (const bool is_first : {true, false}) {
         const Turn turn = is_first ? first.turn : second.turn;
+        const Extent reach = is_first ? joint_extent(first.turned(), second.turned())
+                                      : joint_extent(second.turned(), first.turned());
         for (const auto& [axis, width] : {std::pair{along(turn), reach.x}, std::pair{across(turn), reach.z}}) {
             const double distance = axis.dot(apart);
             const double depth = width - std::abs(distance);
@@ -120,55 +165,22 @@ std::optional<Crowd::Contact> Crowd::contact(const Body& first, const Body& seco
         }
     }
     if (side_of_first) {
-        found.arm_first = pressed_point(first.turn, second.turn, apart, found.normal, found.depth);
+        found.arm_first = pressed_point(first.turned(), second.turned(), apart, found.normal, found.depth);
         found.arm_second = found.arm_first - apart;
     } else {
-        found.arm_second = pressed_point(second.turn, first.turn, -apart, -found.normal, found.depth);
+        found.arm_second = pressed_point(second.turned(), first.turned(), -apart, -found.normal, found.depth);
         found.arm_first = found.arm_second + apart;
     }
     return found;
 }
 
 std::optional<Crowd::Contact> Crowd::contact(const Body& body, const Vec2& wall_normal) const {
-    const Vec2 arm = corner(shape_, body.turn, -wall_normal);
+    const Vec2 arm = corner(body.shape, body.turn, -wall_normal);
     const Vec2 edge(wall_normal.x() > 0 ? walls_.low_x : walls_.low_x + walls_.length,
                     wall_normal.y() > 0 ? walls_.low_z : walls_.low_z + walls_.breadth);
     const double depth = wall_normal.dot(edge - body.place - arm);
     if (depth <= 0) return {};
     return Contact{depth, wall_normal, arm, Vec2::Zero()};
-}
-
-// From the middle of the one whose side with that normal is pressed. The other lies at apart and presses with the end
-// or the whole of the side that faces it: the mean of the two ends of what lies below the pressed side and between its
-// corners, with their depths as weights.
-Vec2 Crowd::pressed_point(Turn of_side, Turn other, const Vec2& apart, const Vec2& normal, double depth) const {
-    const double on_along = normal.dot(along(other));
-    const double on_across = normal.dot(across(other));
-    const bool presses_along = std::abs(on_along) < std::abs(on_across);  // the pressing side runs along its own x
-    const Vec2 tangent = presses_along ? Vec2(std::copysign(1.0, -on_along) * along(other))
-                                       : Vec2(std::copysign(1.0, -on_across) * across(other));
-    Vec2 deepest = apart + corner(shape_, other, -normal);
-    // Its points are deepest - s tangent, 0 <= s <= length; the depth falls by rise s.
-    const double rise = -tangent.dot(normal);
-    double low = 0;
-    double high = 2 * (presses_along ? shape_.half_length : shape_.half_breadth);
-    const Vec2 side(-normal.y(), normal.x());
-    const bool side_is_breadth = std::abs(normal.dot(along(of_side))) > std::abs(normal.dot(across(of_side)));
-    const double reach = side_is_breadth ? shape_.half_breadth : shape_.half_length;
-    const double at = side.dot(deepest);
-    const double rate = side.dot(tangent);  // at least 0.7 in size: the pressing side faces the pressed one
-    low = std::max(low, std::min((at - reach) / rate, (at + reach) / rate));
-    high = std::min(high, std::max((at - reach) / rate, (at + reach) / rate));
-    const double low_depth = std::max(depth - rise * low, 0.0);
-    const double high_depth = std::max(depth - rise * high, 0.0);
-    if (high < low || low_depth + high_depth <= 0) return deepest;
-    return deepest - (low_depth * low + high_depth * high) / (low_depth + high_depth) * tangent;
-}
-
-void Crowd::shift(Body& body, const Vec2& arm, const Vec2& normal, double push) const {
-    body.place += push * normal;
-    body.yaw += push * turn_weight_ * lever(arm, normal);
-    body.turn = turn_of(body.yaw);
 }
 
 bool Crowd::neighbours_are_old() const {

@@ -1,5 +1,5 @@
 #pragma once
-// Equal rectangles that overlap and push each other apart: how method scattered makes room for its floes. There is no
+// Rectangles that overlap and push each other apart: how method scattered makes room for its floes. There is no
 // randomness here.
 //
 // Two rectangles overlap by the least of the four depths of the separating-axis test. A sweep takes the pairs one after
@@ -22,8 +22,8 @@ namespace floes {
 
 class Crowd {
   public:
-    /// Rectangles of one shape between walls, at poses of any overlap.
-    Crowd(const Walls& walls, const Rectangle& shape, std::span<const PlanarPose> poses);
+    /// Rectangles between walls, at poses of any overlap, one a shape.
+    Crowd(const Walls& walls, std::span<const Rectangle> shapes, std::span<const PlanarPose> poses);
 
     /// Pushes every overlapping pair apart once, then every rectangle inside the walls. Returns the largest overlap
     /// that it met, m.
@@ -43,9 +43,14 @@ class Crowd {
 
   private:
     struct Body {
+        Rectangle shape;
+        double turn_weight = 0;  // turn (rad) that counts as much as a shift of 1 m, squared
         double yaw = 0;
         Turn turn;
         Vec2 place = Vec2::Zero();  // (x, z)
+
+        TurnedRectangle turned() const { return {shape, turn}; }
+        void lie(const PlanarPose& pose);
     };
     struct Contact {
         double depth;
@@ -55,18 +60,14 @@ class Crowd {
     };
     std::optional<Contact> contact(const Body& first, const Body& second) const;
     std::optional<Contact> contact(const Body& body, const Vec2& wall_normal) const;
-    Vec2 pressed_point(Turn of_side, Turn other, const Vec2& apart, const Vec2& normal, double depth) const;
-    void shift(Body& body, const Vec2& arm, const Vec2& normal, double push) const;
     template <class See>
     void for_each_overlap(const See& see) const;
     bool neighbours_are_old() const;
     void find_neighbours();
 
     Walls walls_;
-    Rectangle shape_;
-    double diagonal_;
-    double turn_weight_;  // turn (rad) that counts as much as a shift of 1 m, squared
-    double skin_;         // m, in which neighbours are found beyond those that can touch
+    double diagonal_;  // of the largest, m
+    double skin_;      // m, in which neighbours are found beyond those that can touch
     std::vector<Body> bodies_;
     std::vector<Vec2> places_;  // of the bodies when neighbours were found
     std::vector<std::pair<std::size_t, std::size_t>> pairs_;

@@ -23,22 +23,23 @@ PlanarPose jittered(const PlanarPose& site, const Jitter& jitter, RandomStream& 
 
 }  // namespace
 
-std::vector<PlanarPose> jittered_lattice(const Walls& walls, const Rectangle& shape, double clearance, int count,
+std::vector<PlanarPose> jittered_lattice(const Walls& walls, std::span<const Rectangle> shapes, double clearance,
                                          const Jitter& jitter, RandomStream& random) {
-    std::vector<PlanarPose> poses = lattice_start(walls, shape, clearance, count);
+    std::vector<PlanarPose> poses = lattice_start(walls, covering(shapes), clearance, static_cast<int>(shapes.size()));
     if (jitter.shift == 0 && jitter.turn == 0) return poses;
     const Walls room = walls.shrunk(clearance);
-    const Rectangle grown = shape.grown(0.5 * clearance);
-    std::vector<Turn> turns(poses.size());
+    std::vector<TurnedRectangle> grown;
+    for (const Rectangle& shape : shapes) grown.push_back({shape.grown(0.5 * clearance), {}});
     const auto place = [&](std::size_t floe, const PlanarPose& pose) {
         const Turn turn = turn_of(pose.yaw);
-        if (!room.admits(shape, pose.x, pose.z, turn)) return false;
+        if (!room.admits(shapes[floe], pose.x, pose.z, turn)) return false;
         for (std::size_t other = 0; other < poses.size(); ++other) {
             if (other == floe) continue;
-            if (overlap(grown, turn, turns[other], poses[other].x - pose.x, poses[other].z - pose.z)) return false;
+            if (overlap({grown[floe].shape, turn}, grown[other], poses[other].x - pose.x, poses[other].z - pose.z))
+                return false;
         }
         poses[floe] = pose;
-        turns[floe] = turn;
+        grown[floe].turn = turn;
         return true;
     };
     // A floe moves while later ones are still on their sites, so floes never overlap in between.
@@ -52,7 +53,7 @@ std::vector<PlanarPose> jittered_lattice(const Walls& walls, const Rectangle& sh
                             "turns up to {:.4g}°); "
                             "lower arrangement.jitter_m or arrangement.jitter_deg, or use arrangement.method = "
                             "\"monte_carlo\"",
-                            floe, count, trials, jitter.shift, jitter.turn * 180 / std::numbers::pi));
+                            floe, shapes.size(), trials, jitter.shift, jitter.turn * 180 / std::numbers::pi));
         }
     }
     return poses;

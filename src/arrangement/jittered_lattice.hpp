@@ -1,6 +1,7 @@
 #pragma once
 // A lattice whose floes are randomly shifted and turned about their sites: a broken sheet that has not drifted.
 
+#include <span>
 #include <vector>
 
 #include "arrangement/boundary.hpp"
@@ -16,10 +17,10 @@ struct Jitter {
     double turn = 0;
 };
 
-/// count floes at least clearance (m) apart and from the walls, each uniformly distributed over the positions within
+/// A floe of each shape, at least clearance (m) apart and from the walls, each uniformly distributed over the positions within
 /// its jitter that the others leave free. Throws InputError if floes fit on no lattice, or if a floe finds no position
 /// in 10 000 trials.
-std::vector<PlanarPose> jittered_lattice(const Walls& walls, const Rectangle& shape, double clearance, int count,
+std::vector<PlanarPose> jittered_lattice(const Walls& walls, std::span<const Rectangle> shapes, double clearance,
                                          const Jitter& jitter, RandomStream& random);
 
 }  // namespace floes

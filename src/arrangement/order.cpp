@@ -87,10 +87,10 @@ double local_order(std::span<const PlanarPose> poses) {
     return sum / static_cast<double>(poses.size());
 }
 
-double coverage(const Walls& area, const Rectangle& shape, std::span<const PlanarPose> poses) {
+double coverage(const Walls& area, std::span<const Rectangle> shapes, std::span<const PlanarPose> poses) {
     double covered = 0;
-    for (const PlanarPose& pose : poses) {
-        Polygon inside = cut(corners(shape, pose), {1, 0}, area.low_x + area.length);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        Polygon inside = cut(corners(shapes[i], poses[i]), {1, 0}, area.low_x + area.length);
         inside = cut(inside, {-1, 0}, -area.low_x);
         inside = cut(inside, {0, 1}, area.low_z + area.breadth);
         inside = cut(inside, {0, -1}, -area.low_z);

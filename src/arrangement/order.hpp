@@ -17,7 +17,7 @@ double fourfold_order(std::span<const PlanarPose> poses);
 /// are parallel or at right angles, about 0 for random yaws.
 double local_order(std::span<const PlanarPose> poses);
 
-/// The share of the area between the walls that rectangles of one shape cover; none of them overlap.
-double coverage(const Walls& area, const Rectangle& shape, std::span<const PlanarPose> poses);
+/// The share of the area between the walls that rectangles cover, one a pose; none of them overlap.
+double coverage(const Walls& area, std::span<const Rectangle> shapes, std::span<const PlanarPose> poses);
 
 }  // namespace floes

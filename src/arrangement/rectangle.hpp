@@ -2,7 +2,10 @@
 // Rectangles on the water and whether two of them overlap: the separating-axis test. Two convex polygons are disjoint
 // exactly if their projections on the normal of one of their sides are; here there are four directions.
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
 
 #include "core/turn.hpp"
 #include "core/vector.hpp"
@@ -47,23 +50,54 @@ inline Vec2 corner(const Rectangle& shape, Turn turn, const Vec2& direction) {
            std::copysign(shape.half_breadth, direction.dot(b)) * b;
 }
 
-/// Half the widths of two equal rectangles together, along the own x and z of either: they are apart exactly if their
-/// centres are at least so far apart along one of these four directions.
-inline Extent joint_extent(const Rectangle& shape, Turn first, Turn second) {
-    const double cos_between = std::abs(first.cos * second.cos + first.sin * second.sin);
-    const double sin_between = std::abs(first.cos * second.sin - first.sin * second.cos);
-    return {shape.half_length + shape.half_length * cos_between + shape.half_breadth * sin_between,
-            shape.half_breadth + shape.half_length * sin_between + shape.half_breadth * cos_between};
+/// A rectangle and how it is turned.
+struct TurnedRectangle {
+    Rectangle shape;
+    Turn turn;
+};
+
+/// Half the widths of two rectangles together, along the own x and z of the first: they are apart exactly if their
+/// centres are at least so far apart along one of these directions, or of those of the second.
+inline Extent joint_extent(const TurnedRectangle& first, const TurnedRectangle& second) {
+    const double cos_between = std::abs(first.turn.cos * second.turn.cos + first.turn.sin * second.turn.sin);
+    const double sin_between = std::abs(first.turn.cos * second.turn.sin - first.turn.sin * second.turn.cos);
+    return {first.shape.half_length + second.shape.half_length * cos_between + second.shape.half_breadth * sin_between,
+            first.shape.half_breadth + second.shape.half_length * sin_between + second.shape.half_breadth * cos_between};
 }
 
-/// Whether two equal rectangles overlap. The second lies at (dx, dz) from the first (m). Touching is not overlap. A
+/// Whether two rectangles overlap. The second lies at (dx, dz) from the first (m). Touching is not overlap. A
 /// rectangle turned by yaw about +y has its own x axis along (cos yaw, -sin yaw) of the world's (x, z).
-inline bool overlap(const Rectangle& shape, Turn first, Turn second, double dx, double dz) {
-    const Extent reach = joint_extent(shape, first, second);
-    const auto apart = [&](Turn turn) {
-        return std::abs(turn.cos * dx - turn.sin * dz) >= reach.x || std::abs(turn.sin * dx + turn.cos * dz) >= reach.z;
+inline bool overlap(const TurnedRectangle& first, const TurnedRectangle& second, double dx, double dz) {
+    const auto apart_along = [&](const TurnedRectangle& own, const TurnedRectangle& other) {
+        const Extent reach = joint_extent(own, other);
+        return std::abs(own.turn.cos * dx - own.turn.sin * dz) >= reach.x ||
+               std::abs(own.turn.sin * dx + own.turn.cos * dz) >= reach.z;
     };
-    return !apart(first) && !apart(second);
+    return !apart_along(first, second) && !apart_along(second, first);
+}
+
+/// The smallest rectangle that covers each of the shapes, unturned.
+inline Rectangle covering(std::span<const Rectangle> shapes) {
+    Rectangle all;
+    for (const Rectangle& one : shapes) {
+        all.half_length = std::max(all.half_length, one.half_length);
+        all.half_breadth = std::max(all.half_breadth, one.half_breadth);
+    }
+    return all;
+}
+
+/// The largest half diagonal, m.
+inline double widest_reach(std::span<const Rectangle> shapes) {
+    double reach = 0;
+    for (const Rectangle& one : shapes) reach = std::max(reach, one.half_diagonal());
+    return reach;
+}
+
+/// The smallest half side, m; infinite without shapes.
+inline double least_half_side(std::span<const Rectangle> shapes) {
+    double half = std::numeric_limits<double>::infinity();
+    for (const Rectangle& one : shapes) half = std::min({half, one.half_length, one.half_breadth});
+    return half;
 }
 
 }  // namespace floes

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <span>
 #include <vector>
@@ -26,17 +27,18 @@ struct Step {
 template <class Boundary>
 class HardRectangles {
   public:
-    /// Rectangles of one shape at least clearance (m) apart, starting at `poses`, which must not overlap.
-    HardRectangles(const Boundary& boundary, const Rectangle& shape, double clearance,
+    /// Rectangles at least clearance (m) apart, starting at `poses`, one a shape, which must not overlap.
+    HardRectangles(const Boundary& boundary, std::span<const Rectangle> shapes, double clearance,
                    std::span<const PlanarPose> poses)
         : boundary_(boundary),
-          wall_shape_(shape),
-          shape_(shape.grown(0.5 * clearance)),
-          certainly_apart_(4 * shape_.half_diagonal() * shape_.half_diagonal()),
-          certainly_overlapping_(4 * square(std::min(shape_.half_length, shape_.half_breadth))),
+          wall_shapes_(shapes.begin(), shapes.end()),
+          shapes_(grown(shapes, 0.5 * clearance)),
+          half_diagonal_(widest_reach(shapes_)),
+          certainly_apart_(4 * half_diagonal_ * half_diagonal_),
+          certainly_overlapping_(4 * square(least_half_side(shapes_))),
           poses_(poses.begin(), poses.end()),
           cells_({boundary.low_x, boundary.low_z, boundary.length, boundary.breadth, Boundary::periodic},
-                 2 * shape_.half_diagonal(), cell_capacity(), static_cast<int>(poses.size())) {
+                 2 * half_diagonal_, cell_capacity(), static_cast<int>(poses.size())) {
         for (std::size_t i = 0; i < poses_.size(); ++i) {
             cells_.insert({poses_[i].x, poses_[i].z, turn_of(poses_[i].yaw), static_cast<int>(i)});
         }
@@ -52,16 +54,25 @@ class HardRectangles {
     /// Where the floes are now. Yaw in [-pi, pi].
     const std::vector<PlanarPose>& poses() const { return poses_; }
 
-    const Rectangle& shape() const { return shape_; }
+    /// Of the largest rectangle, with half the clearance round it, m.
+    double half_diagonal() const { return half_diagonal_; }
 
   private:
     static double square(double value) { return value * value; }
 
+    static std::vector<Rectangle> grown(std::span<const Rectangle> shapes, double margin) {
+        std::vector<Rectangle> result;
+        for (const Rectangle& shape : shapes) result.push_back(shape.grown(margin));
+        return result;
+    }
+
     // A cell is less than two reaches wide, or less than one if it is the only one; the rectangles whose centres it
     // holds lie inside it grown by half a reach, without overlap.
     int cell_capacity() const {
-        const double width = 3 * 2 * shape_.half_diagonal();
-        return static_cast<int>(width * width / (4 * shape_.half_length * shape_.half_breadth)) + 1;
+        const double width = 3 * 2 * half_diagonal_;
+        double least_area = std::numeric_limits<double>::infinity();
+        for (const Rectangle& shape : shapes_) least_area = std::min(least_area, 4 * shape.half_length * shape.half_breadth);
+        return static_cast<int>(width * width / least_area) + 1;
     }
 
     bool try_move(std::size_t floe, const Step& step, RandomStream& random) {
@@ -70,7 +81,7 @@ class HardRectangles {
         pose.z += step.shift * (2 * random.uniform() - 1);
         pose.yaw += step.turn * (2 * random.uniform() - 1);
         const Resident trial = resident(pose, static_cast<int>(floe));
-        if (!boundary_.admits(wall_shape_, trial.x, trial.z, trial.turn) || hits_another(trial)) return false;
+        if (!boundary_.admits(wall_shapes_[floe], trial.x, trial.z, trial.turn) || hits_another(trial)) return false;
         poses_[floe] = {trial.x, trial.z, std::remainder(pose.yaw, 2 * std::numbers::pi)};
         cells_.move(trial);
         return true;
@@ -83,6 +94,7 @@ class HardRectangles {
     }
 
     bool hits_another(const Resident& trial) const {
+        const TurnedRectangle own{shapes_[static_cast<std::size_t>(trial.floe)], trial.turn};
         for (const int cell : cells_.neighbourhood(cells_.cell_at(trial.x, trial.z))) {
             for (const Resident& other : cells_.residents(cell)) {
                 double dx = other.x - trial.x;
@@ -90,17 +102,19 @@ class HardRectangles {
                 boundary_.nearest(dx, dz);
                 const double squared = dx * dx + dz * dz;
                 if (squared >= certainly_apart_ || other.floe == trial.floe) continue;
-                if (squared < certainly_overlapping_ || overlap(shape_, trial.turn, other.turn, dx, dz)) return true;
+                if (squared < certainly_overlapping_) return true;
+                if (overlap(own, {shapes_[static_cast<std::size_t>(other.floe)], other.turn}, dx, dz)) return true;
             }
         }
         return false;
     }
 
     Boundary boundary_;
-    Rectangle wall_shape_;          // actual size: the walls have been moved inward by the whole clearance
-    Rectangle shape_;               // grown by half the clearance
-    double certainly_apart_;        // squared distance of centres at which circumscribed circles touch, m²
-    double certainly_overlapping_;  // squared distance of centres at which inscribed circles touch, m²
+    std::vector<Rectangle> wall_shapes_;  // actual sizes: the walls have been moved inward by the whole clearance
+    std::vector<Rectangle> shapes_;       // grown by half the clearance
+    double half_diagonal_;                // of the largest
+    double certainly_apart_;        // squared distance of centres at which the largest circumscribed circles touch, m²
+    double certainly_overlapping_;  // squared distance of centres at which the smallest inscribed circles touch, m²
     std::vector<PlanarPose> poses_;
     Cells cells_;
 };
@@ -115,7 +129,7 @@ struct Tuning {
 /// Runs the rounds, which are part of the chain and also equilibrate it. Returns the step to use from then on.
 template <class Boundary>
 Step tune(HardRectangles<Boundary>& floes, RandomStream& random, const Tuning& tuning = {}) {
-    const double half_diagonal = floes.shape().half_diagonal();
+    const double half_diagonal = floes.half_diagonal();
     double scale =
         0.1;  // largest shift in half-diagonals, and largest turn in radians: a corner moves as far by either
     for (int round = 0; round < tuning.rounds; ++round) {

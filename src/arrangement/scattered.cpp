@@ -40,12 +40,11 @@ std::vector<std::size_t> most_pressed(const Crowd& crowd) {
     return floes;
 }
 
-std::optional<std::vector<PlanarPose>> attempt(const Walls& room, const Rectangle& shape, double margin, int count,
+std::optional<std::vector<PlanarPose>> attempt(const Walls& room, std::span<const Rectangle> shapes, double margin,
                                                RandomStream& random) {
     std::vector<PlanarPose> poses;
-    poses.reserve(static_cast<std::size_t>(count));
-    for (int i = 0; i < count; ++i) poses.push_back(throw_anywhere(room, random));
-    Crowd crowd(room, shape.grown(margin), poses);
+    for (std::size_t i = 0; i < shapes.size(); ++i) poses.push_back(throw_anywhere(room, random));
+    Crowd crowd(room, shapes, poses);
     for (int round = 0; round < rounds; ++round) {
         for (int sweep = 0; sweep < sweeps_per_round; ++sweep)
             if (crowd.sweep() < margin && crowd.deepest() < margin) return crowd.poses();
@@ -58,19 +57,21 @@ std::optional<std::vector<PlanarPose>> attempt(const Walls& room, const Rectangl
 
 }  // namespace
 
-std::vector<PlanarPose> scattered(const Walls& walls, const Rectangle& shape, double clearance, int count,
+std::vector<PlanarPose> scattered(const Walls& walls, std::span<const Rectangle> shapes, double clearance,
                                   RandomStream& random) {
     // At rest overlaps are below the margin by which the floes are larger here, so without it there are none.
-    const double margin = 1e-4 * std::min(shape.half_length, shape.half_breadth);
+    const double margin = 1e-4 * least_half_side(shapes);
     const Walls room = walls.shrunk(0.5 * clearance);
-    const Rectangle grown = shape.grown(0.5 * clearance);
+    std::vector<Rectangle> grown;
+    for (const Rectangle& shape : shapes) grown.push_back(shape.grown(0.5 * clearance).grown(margin));
     for (int i = 0; i < attempts; ++i)
-        if (const auto poses = attempt(room, grown, margin, count, random)) return *poses;
+        if (const auto poses = attempt(room, grown, margin, random)) return *poses;
+    const Rectangle largest = covering(shapes);
     throw InputError(fmt::format(
         "{} floes of {} m x {} m, scattered in a field of {:.3f} m x {:.3f} m, still overlap after {} attempts at "
         "pushing them apart to a clearance of {} m; lower field.concentration_percent or the clearance, or use "
         "arrangement.method = \"monte_carlo\", whose floes lie in rows where they are dense",
-        count, 2 * shape.half_length, 2 * shape.half_breadth, walls.length, walls.breadth, attempts, clearance));
+        shapes.size(), 2 * largest.half_length, 2 * largest.half_breadth, walls.length, walls.breadth, attempts, clearance));
 }
 
 }  // namespace floes

@@ -1,6 +1,7 @@
 #pragma once
 // A disordered field: rectangles thrown on the water anywhere and at any angle, then pushed apart until none overlap.
 
+#include <span>
 #include <vector>
 
 #include "arrangement/boundary.hpp"
@@ -10,9 +11,9 @@
 
 namespace floes {
 
-/// count rectangles at least clearance (m) apart and from the walls. Throws InputError if they do not come to rest in
-/// any of ten attempts.
-std::vector<PlanarPose> scattered(const Walls& walls, const Rectangle& shape, double clearance, int count,
+/// A pose of each shape, at least clearance (m) apart and from the walls. Throws InputError if they do not come to rest
+/// in any of ten attempts.
+std::vector<PlanarPose> scattered(const Walls& walls, std::span<const Rectangle> shapes, double clearance,
                                   RandomStream& random);
 
 }  // namespace floes

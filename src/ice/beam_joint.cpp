@@ -6,9 +6,8 @@ double ElasticIce::flexural_rigidity() const {
     return elastic_modulus * thickness * thickness * thickness / (12 * (1 - poisson_ratio * poisson_ratio));
 }
 
-ElasticIce elastic_ice(const Scenario& scenario) {
-    return {scenario.ice.elastic_modulus, scenario.ice.poisson_ratio, scenario.ice.thickness,
-            scenario.joint.damping_ratio};
+ElasticIce elastic_ice(const FloeShape& shape, const Material& material) {
+    return {material.ice.elastic_modulus, material.ice.poisson_ratio, shape.thickness, material.joint.damping_ratio};
 }
 
 JointSpring beam_joint(const ElasticIce& ice, double width, double span) {
@@ -24,9 +23,9 @@ JointSpring beam_joint(const ElasticIce& ice, double width, double span) {
             .damping_ratio = ice.damping_ratio};
 }
 
-std::optional<JointSpring> joint_spring(const Scenario& scenario) {
-    if (scenario.joint.model == JointModel::cfm) return std::nullopt;
-    return beam_joint(elastic_ice(scenario), scenario.floe.element, scenario.floe.element);
+std::optional<JointSpring> joint_spring(const FloeShape& shape, const Material& material) {
+    if (material.joint.model == JointModel::cfm) return std::nullopt;
+    return beam_joint(elastic_ice(shape, material), shape.element, shape.element);
 }
 
 }  // namespace floes

@@ -36,13 +36,13 @@ struct ElasticIce {
     double flexural_rigidity() const;  ///< D of a plate, N m
 };
 
-ElasticIce elastic_ice(const Scenario& scenario);
+ElasticIce elastic_ice(const FloeShape& shape, const Material& material);
 
 /// The joint in the middle of a beam of this width and span, m. Between elements both are L; from the edge of an
 /// element to its centre, where a clamp holds it, the span is L / 2.
 JointSpring beam_joint(const ElasticIce& ice, double width, double span);
 
-/// The joints of the scenario's floes; nothing where they follow Σ and Γ.
-std::optional<JointSpring> joint_spring(const Scenario& scenario);
+/// The joints of such a floe; nothing where they follow Σ and Γ.
+std::optional<JointSpring> joint_spring(const FloeShape& shape, const Material& material);
 
 }  // namespace floes

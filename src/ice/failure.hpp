@@ -34,8 +34,8 @@ struct Thresholds {
     double bending_arm = 0;  ///< a, m
 };
 
-/// The thresholds of a scenario: its strengths, element size, thickness and form of Eqs. (1)-(2).
-Thresholds make_thresholds(const Scenario& scenario);
+/// The thresholds of a floe: its strengths, element size, thickness and form of Eqs. (1)-(2).
+Thresholds make_thresholds(const FloeShape& shape, const Material& material);
 
 /// The largest λ/ε of a joint with this reaction: 0 unloaded, above 1 it fails.
 double utilisation(const JointReaction& reaction, const Thresholds& thresholds);

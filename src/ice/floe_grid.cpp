@@ -6,6 +6,10 @@
 
 namespace floes {
 
+FloeGrid grid_of(const FloeShape& shape) {
+    return {shape.elements_long(), shape.elements_broad(), shape.element};
+}
+
 Vec3 FloeGrid::centre(int index) const {
     const int i = index % elements_long;
     const int k = index / elements_long;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/vector.hpp"
+#include "scenario/scenario.hpp"
 
 namespace floes {
 
@@ -39,6 +40,9 @@ struct FloeGrid {
     /// The edge faces (bits of Edge) of an element that lie on the outline of the floe.
     std::uint8_t outline_edges(int index) const;
 };
+
+/// The elements of a floe of this shape.
+FloeGrid grid_of(const FloeShape& shape);
 
 /// All joints of a floe in the order in which they are created, numbered in the break log and swept by the solver.
 /// Joints whose Σ is nearly 0 are as stiff as 50 sweeps in this order make them (design decision 1), so the order is

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "core/error.hpp"
 #include "core/turn.hpp"
@@ -11,44 +12,51 @@
 
 namespace floes {
 
-IceField::IceField(World& world, const Scenario& scenario, std::span<const PlanarPose> poses)
-    : grid_{scenario.floe.elements_long(), scenario.floe.elements_broad(), scenario.floe.element},
-      thresholds_(make_thresholds(scenario)),
-      floes_(static_cast<int>(poses.size())) {
-    const std::vector<GridJoint> order = joint_order(grid_);
-    const std::optional<JointSpring> spring = joint_spring(scenario);
-    elements_.reserve(poses.size() * static_cast<std::size_t>(grid_.elements()));
-    joints_.reserve(poses.size() * order.size());
-    for (const PlanarPose& pose : poses) add_floe(world, scenario, spring, pose, order);
+IceField::IceField(World& world, const Scenario& scenario, const FloeSet& floes) {
+    std::vector<std::vector<GridJoint>> orders;
+    for (const FloeShape& shape : floes.shapes) orders.push_back(joint_order(grid_of(shape)));
+    std::size_t elements = 0;
+    std::size_t joints = 0;
+    for (std::size_t i = 0; i < floes.size(); ++i) {
+        elements += static_cast<std::size_t>(grid_of(floes.shape(i)).elements());
+        joints += orders[floes.floes[i].shape].size();
+    }
+    elements_.reserve(elements);
+    joints_.reserve(joints);
+    for (std::size_t i = 0; i < floes.size(); ++i) {
+        const Floe& floe = floes.floes[i];
+        add_floe(world, scenario.water, floe.pose, floes.shape(i), floes.material(i), orders[floe.shape]);
+    }
 }
 
-void IceField::add_floe(World& world, const Scenario& scenario, const std::optional<JointSpring>& spring,
-                        const PlanarPose& pose, const std::vector<GridJoint>& order) {
-    const double side = scenario.floe.element;
-    const double thickness = scenario.ice.thickness;
-    const int floe = static_cast<int>(elements_.size()) / grid_.elements();
+void IceField::add_floe(World& world, const Water& water, const PlanarPose& pose, const FloeShape& shape,
+                        const Material& material, const std::vector<GridJoint>& order) {
+    const FloeGrid grid = grid_of(shape);
+    const std::optional<JointSpring> spring = joint_spring(shape, material);
+    const int floe = floes();
     const int first = static_cast<int>(elements_.size());
+    floes_.push_back({first, grid, make_thresholds(shape, material)});
     const Turn half = turn_of(0.5 * pose.yaw);
     const Quat yaw(half.cos, 0, half.sin, 0);
-    const Vec3 middle(pose.x, scenario.floating_height(), pose.z);
+    const Vec3 middle(pose.x, shape.floating_height(material.ice, water.density), pose.z);
 
-    for (int index = 0; index < grid_.elements(); ++index) {
-        const BodyId body = world.add_element({.half_extents = Vec3(side, thickness, side) / 2,
-                                               .mass = scenario.moving_mass(),
-                                               .pose = {middle + yaw * grid_.centre(index), yaw},
+    for (int index = 0; index < grid.elements(); ++index) {
+        const BodyId body = world.add_element({.half_extents = Vec3(shape.element, shape.thickness, shape.element) / 2,
+                                               .mass = shape.element_mass(material.ice) * (1 + water.added_mass),
+                                               .pose = {middle + yaw * grid.centre(index), yaw},
                                                .piece = first});
-        const bool outline = scenario.water.form_drag_on == FormDragOn::outline;
-        const std::uint8_t edges = outline ? grid_.outline_edges(index) : std::uint8_t{every_edge};
+        const bool outline = water.form_drag_on == FormDragOn::outline;
+        const std::uint8_t edges = outline ? grid.outline_edges(index) : std::uint8_t{every_edge};
         elements_.push_back({body, floe, index, first, edges});
     }
     for (int number = 0; number < static_cast<int>(order.size()); ++number) {
         const GridJoint& joint = order[static_cast<std::size_t>(number)];
         const JointId id = world.add_joint({.a = elements_[static_cast<std::size_t>(first + joint.a)].body,
                                             .b = elements_[static_cast<std::size_t>(first + joint.b)].body,
-                                            .pivot = middle + yaw * grid_.pivot(joint),
+                                            .pivot = middle + yaw * grid.pivot(joint),
                                             .frame = yaw * joint_frame(joint.axis),
-                                            .cfm = scenario.joint.cfm,
-                                            .erp = scenario.joint.erp,
+                                            .cfm = material.joint.cfm,
+                                            .erp = material.joint.erp,
                                             .spring = spring});
         joints_.push_back({id, floe, number, joint});
     }
@@ -60,7 +68,7 @@ int IceField::break_joints(World& world, double time) {
     for (const Joint& joint : joints_) {
         const JointReaction reaction = world.reaction(joint.id);
         peaks_ = raised(peaks_, reaction);
-        const std::optional<FailureMode> mode = failure(reaction, thresholds_);
+        const std::optional<FailureMode> mode = failure(reaction, floe_of(joint).thresholds);
         if (!mode) {
             *kept++ = joint;
             continue;
@@ -75,8 +83,8 @@ int IceField::break_joints(World& world, double time) {
 void IceField::read_utilisation(const World& world, std::vector<double>& worst) const {
     worst.assign(elements_.size(), 0.0);
     for (const Joint& joint : joints_) {
-        const double used = utilisation(world.reaction(joint.id), thresholds_);
-        const auto first = static_cast<std::size_t>(joint.floe * grid_.elements());
+        const double used = utilisation(world.reaction(joint.id), floe_of(joint).thresholds);
+        const auto first = static_cast<std::size_t>(floe_of(joint).first);
         for (const int index : {joint.grid.a, joint.grid.b}) {
             double& element = worst[first + static_cast<std::size_t>(index)];
             element = std::max(element, used);
@@ -112,7 +120,7 @@ void IceField::split_floes(World& world, std::size_t first_break) {
 }
 
 void IceField::expose_edges(const Joint& joint) {
-    const int first = joint.floe * grid_.elements();
+    const int first = floe_of(joint).first;
     const bool along = joint.grid.axis == JointAxis::x;
     elements_[static_cast<std::size_t>(first + joint.grid.a)].exposed_edges |= along ? edge_plus_x : edge_plus_z;
     elements_[static_cast<std::size_t>(first + joint.grid.b)].exposed_edges |= along ? edge_minus_x : edge_minus_z;
@@ -123,9 +131,9 @@ void IceField::split_pieces(World& world, int floe) {
     for (const Joint& joint : joints_) {
         if (joint.floe == floe) left.push_back(joint.grid);
     }
-    const std::vector<int> pieces = connected_pieces(grid_.elements(), left);
-    const int first = floe * grid_.elements();
-    for (int index = 0; index < grid_.elements(); ++index) {
+    const auto& [first, grid, thresholds] = floes_[static_cast<std::size_t>(floe)];
+    const std::vector<int> pieces = connected_pieces(grid.elements(), left);
+    for (int index = 0; index < grid.elements(); ++index) {
         IceElement& element = elements_[static_cast<std::size_t>(first + index)];
         const int piece = first + pieces[static_cast<std::size_t>(index)];
         if (piece == element.piece) continue;
@@ -135,13 +143,13 @@ void IceField::split_pieces(World& world, int floe) {
 }
 
 int IceField::broken_floes() const {
-    std::vector<bool> broken(static_cast<std::size_t>(floes_), false);
+    std::vector<bool> broken(floes_.size(), false);
     for (const BreakEvent& event : breaks_) broken[static_cast<std::size_t>(event.floe)] = true;
     return static_cast<int>(std::count(broken.begin(), broken.end(), true));
 }
 
 double IceField::failure_ratio() const {
-    return floes_ == 0 ? 0.0 : static_cast<double>(broken_floes()) / floes_;
+    return floes_.empty() ? 0.0 : static_cast<double>(broken_floes()) / floes();
 }
 
 }  // namespace floes

@@ -1,11 +1,10 @@
 #pragma once
 // All floes of a run: their elements and joints in a World, and how they break.
 //
-//   IceField ice(world, scenario, poses);
+//   IceField ice(world, scenario, floes);
 //   ... world.step();  ice.break_joints(world, time);
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,6 +12,7 @@
 #include "ice/failure.hpp"
 #include "ice/failure_mode.hpp"
 #include "ice/floe_grid.hpp"
+#include "scenario/floes.hpp"
 #include "scenario/scenario.hpp"
 #include "world/world.hpp"
 
@@ -28,9 +28,10 @@ struct IceElement {
 
 class IceField {
   public:
-    /// Puts one floe at each pose, flat at its floating height: its middle is T/2 above its lower face, and the draught
-    /// is T ρ_i/ρ_w. Creates elements floe by floe, then joints floe by floe in joint_order(); every floe is one piece.
-    IceField(World& world, const Scenario& scenario, std::span<const PlanarPose> poses);
+    /// Puts each floe at its pose, flat at its floating height: its middle is T/2 above its lower face, and the draught
+    /// is T ρ_i/ρ_w. Creates the elements of a floe, then its joints in joint_order(), floe by floe; every floe is one
+    /// piece. Of the scenario it takes the water and what the paper leaves open, not the ice.
+    IceField(World& world, const Scenario& scenario, const FloeSet& floes);
 
     /// All elements, floe by floe, within a floe by index.
     const std::vector<IceElement>& elements() const { return elements_; }
@@ -51,7 +52,7 @@ class IceField {
     const std::vector<BreakEvent>& breaks() const { return breaks_; }  ///< by time, then floe, then joint
     const PeakReactions& peaks() const { return peaks_; }              ///< of all steps, failing joints included
 
-    int floes() const { return floes_; }
+    int floes() const { return static_cast<int>(floes_.size()); }
     int broken_floes() const;      ///< floes with at least one failed joint
     double failure_ratio() const;  ///< broken floes / floes, 0-1
     int live_joints() const { return static_cast<int>(joints_.size()); }
@@ -64,16 +65,22 @@ class IceField {
         GridJoint grid;  // indices within the floe
     };
 
-    void add_floe(World& world, const Scenario& scenario, const std::optional<JointSpring>& spring,
-                  const PlanarPose& pose, const std::vector<GridJoint>& order);
+    /// A floe as its elements and joints need it.
+    struct Sheet {
+        int first;  // of its elements
+        FloeGrid grid;
+        Thresholds thresholds;
+    };
+
+    void add_floe(World& world, const Water& water, const PlanarPose& pose, const FloeShape& shape,
+                  const Material& material, const std::vector<GridJoint>& order);
+    const Sheet& floe_of(const Joint& joint) const { return floes_[static_cast<std::size_t>(joint.floe)]; }
     void fail(World& world, const Joint& joint, const BreakEvent& event);
     void split_floes(World& world, std::size_t first_break);
     void expose_edges(const Joint& joint);
     void split_pieces(World& world, int floe);
 
-    FloeGrid grid_;
-    Thresholds thresholds_;
-    int floes_;
+    std::vector<Sheet> floes_;
     std::vector<IceElement> elements_;
     std::vector<Joint> joints_;  // live, in order of creation
     std::vector<BreakEvent> breaks_;

@@ -21,7 +21,7 @@ ConstraintSolver world_solver(SolverKind kind) {
 
 double size_of_ice(const Scenario& scenario) {
     constexpr double tank = 0.033;  // m
-    return scenario.ice.thickness / tank;
+    return scenario.floe.thickness / tank;
 }
 
 World scenario_world(const Scenario& scenario) {

@@ -16,7 +16,7 @@ std::string rows_text(const RowsField& rows, bool si) {
     for (const std::vector<double>& row : rows.get()) {
         std::vector<std::string> numbers;
         for (std::size_t i = 0; i < row.size(); ++i)
-            numbers.push_back(number_literal(row[i], si ? 1.0 : rows.columns[i].unit));
+            numbers.push_back(number_literal(row[i], si || i >= rows.columns.size() ? 1.0 : rows.columns[i].unit));
         lines.push_back(fmt::format("[{}]", fmt::join(numbers, ", ")));
     }
     return fmt::format("[{}]", fmt::join(lines, ", "));

@@ -74,6 +74,7 @@ struct RowsField {
     std::vector<Column> columns;
     std::function<std::vector<std::vector<double>>()> get;  ///< SI
     std::function<void(const std::vector<std::vector<double>>&)> set;
+    bool open = false;  ///< rows may have more numbers behind the columns, as they stand in the text
 };
 
 struct Key {

@@ -98,12 +98,18 @@ struct Assigner {
                                           to_text(item), what, allowed(key)));
         };
         const auto* values = std::get_if<std::vector<Value>>(&item.data);
-        if (values == nullptr || values->size() != field.columns.size()) {
+        if (values == nullptr || values->size() < field.columns.size() ||
+            (values->size() > field.columns.size() && !field.open)) {
             throw fail(fmt::format("is not a row of {} numbers", field.columns.size()));
         }
         std::vector<double> numbers;
         for (std::size_t i = 0; i < values->size(); ++i) {
             const std::optional<double> number = as_number((*values)[i]);
+            if (i >= field.columns.size()) {
+                if (!number || !std::isfinite(*number)) throw fail("has something that is not a number");
+                numbers.push_back(*number);
+                continue;
+            }
             if (!number) throw fail(fmt::format("has a {} that is not a number", field.columns[i].name));
             if (!field.columns[i].range.contains(*number))
                 throw fail(fmt::format("has a {} out of range", field.columns[i].name));

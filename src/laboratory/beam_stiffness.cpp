@@ -20,11 +20,11 @@ class Strip {
   public:
     Strip(const Scenario& scenario, int elements, double time_step)
         : side_(scenario.floe.element),
-          mass_(scenario.element_mass()),
+          mass_(scenario.floe.element_mass(scenario.ice)),
           time_step_(time_step),
           world_(world(scenario, time_step)) {
         const double side = side_;
-        const Vec3 half_extents(side / 2, scenario.ice.thickness / 2, side / 2);
+        const Vec3 half_extents(side / 2, scenario.floe.thickness / 2, side / 2);
         // The clamp acts only through its joint: its body is placed aside, where nothing touches it.
         BodyId last = world_.add_fixed_box({.half_extents = half_extents, .pose = {.position = {-10 * side, 0, 0}}});
         for (int i = 0; i < elements; ++i) {
@@ -36,7 +36,7 @@ class Strip {
             world_.add_joint({.a = last,
                               .b = elements_.back(),
                               .pivot = {side * (i + 0.5) - span / 2, 0, 0},
-                              .spring = beam_joint(elastic_ice(scenario), side, span)});
+                              .spring = beam_joint(elastic_ice(scenario.floe, scenario.material()), side, span)});
             last = elements_.back();
         }
     }
@@ -98,10 +98,10 @@ BeamStiffness measure_beam_stiffness(const Scenario& scenario, int elements) {
             "general.solver = \"direct\", or measure a sheet with floes calibrate.");
     }
     const double side = scenario.floe.element;
-    const double stiffness = elastic_ice(scenario).flexural_rigidity() * side;
+    const double stiffness = elastic_ice(scenario.floe, scenario.material()).flexural_rigidity() * side;
     const double arm = side * (elements - 0.5);
     BeamStiffness result;
-    result.elastic_frequency = cantilever_frequency(side * elements, stiffness, scenario.element_mass() / side);
+    result.elastic_frequency = cantilever_frequency(side * elements, stiffness, scenario.floe.element_mass(scenario.ice) / side);
     const double time_step = 1 / (steps_per_swing * result.elastic_frequency);
     const double load = 1e-3 * 3 * stiffness / (arm * arm);  // bends it by a thousandth of its length
     Strip strip(scenario, elements, time_step);

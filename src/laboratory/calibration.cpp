@@ -86,7 +86,7 @@ CurvePoint measure_curve_point(const Scenario& scenario, const PlateTest& test) 
     const PlateDeflection result = measure_plate_deflection(scenario, test);
     return {.sheet = test.sheet,
             .element = scenario.floe.element,
-            .thickness = scenario.ice.thickness,
+            .thickness = scenario.floe.thickness,
             .time_step = scenario.general.time_step,
             .erp = scenario.joint.erp,
             .iterations = scenario.general.iterations,

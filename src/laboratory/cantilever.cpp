@@ -30,14 +30,14 @@ class Beam {
         : test_(test),
           side_(scenario.floe.element),
           size_(size_of_ice(scenario)),
-          mass_(scenario.moving_mass()),
+          mass_(scenario.floe.element_mass(scenario.ice) * (1 + scenario.water.added_mass)),
           time_step_(scenario.general.time_step),
-          thresholds_(make_thresholds(scenario)),
+          thresholds_(make_thresholds(scenario.floe, scenario.material())),
           world_(scenario_world(scenario)),
-          water_(scenario.water, scenario.general.gravity, {side_, scenario.ice.thickness}, scenario.element_mass(), 0,
-                 0) {
-        const double height = test.floating ? scenario.floating_height() : 0;
-        const Vec3 half_extents(side_ / 2, scenario.ice.thickness / 2, side_ / 2);
+          water_(scenario.water, scenario.general.gravity, {side_, scenario.floe.thickness},
+                 scenario.floe.element_mass(scenario.ice), 0, 0) {
+        const double height = test.floating ? scenario.floe.floating_height(scenario.ice, scenario.water.density) : 0;
+        const Vec3 half_extents(side_ / 2, scenario.floe.thickness / 2, side_ / 2);
         // The clamp acts only through its joint: its body is placed aside, where nothing touches it.
         BodyId last = world_.add_fixed_box({.half_extents = half_extents, .pose = {.position = {-10 * side_, 0, 0}}});
         for (int i = 0; i < test.elements; ++i) {
@@ -116,7 +116,7 @@ class Beam {
 /// Strength shown by a load, Pa, and its inverse: load = strength * scale.
 double load_per_strength(const Scenario& scenario, BeamLoad kind, double length) {
     const double b = scenario.floe.element;
-    const double h = scenario.ice.thickness;
+    const double h = scenario.floe.thickness;
     if (kind == BeamLoad::bending) return 1 / nominal_flexural_strength(1, length, b, h);
     return scenario.joint.threshold_form == ThresholdForm::force ? b * h : b * h * h;
 }

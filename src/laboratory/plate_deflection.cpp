@@ -62,9 +62,9 @@ class Sheet {
     Sheet(const Scenario& scenario, int across)
         : scenario_(scenario),
           world_(scenario_world(scenario)),
-          ice_(world_, scenario, std::vector<PlanarPose>(1)),
-          water_(scenario.water, scenario.general.gravity, {scenario.floe.element, scenario.ice.thickness},
-                 scenario.element_mass(), 0, 0),
+          ice_(world_, scenario, floes_at(scenario, std::vector<PlanarPose>(1))),
+          water_(scenario.water, scenario.general.gravity, {scenario.floe.element, scenario.floe.thickness},
+                 scenario.floe.element_mass(scenario.ice), 0, 0),
           loaded_(loaded_elements(across, scenario)) {}
 
     /// Depth of the centre of the sheet below its initial height, at rest under a total load, m.
@@ -95,7 +95,7 @@ class Sheet {
     /// Below its freeboard the sheet is no longer a plate on a foundation.
     double checked_depth(double load) const {
         const double depth = start_height_ - centre_height();
-        const double freeboard = scenario_.ice.thickness * (1 - scenario_.ice.density / scenario_.water.density);
+        const double freeboard = scenario_.floe.thickness * (1 - scenario_.ice.density / scenario_.water.density);
         if (depth > freeboard)
             throw InputError(fmt::format(
                 "The load of {} N sinks the middle of the sheet below its freeboard of {:.3g} m; try a smaller one.",
@@ -152,7 +152,7 @@ PlateDeflection measure_plate_deflection(const Scenario& scenario, const PlateTe
         result.load.push_back(test.load * i / test.increments);
         result.deflection.push_back(sheet.settled_depth(result.load.back()) - unloaded);
     }
-    const FloatingPlate plate{.thickness = scenario.ice.thickness,
+    const FloatingPlate plate{.thickness = scenario.floe.thickness,
                               .water_density = scenario.water.density,
                               .gravity = scenario.general.gravity};
     const double loaded_area = (across % 2 == 1 ? 1 : 4) * scenario.floe.element * scenario.floe.element;

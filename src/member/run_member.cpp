@@ -82,7 +82,7 @@ MemberResult run_member(const Scenario& scenario, std::uint64_t seed, std::uint3
     const double cpu_start = cpu_seconds_of_this_thread();
     const Arrangement floes = make_arrangement(scenario, seed, arrangement);
     MemberResult result;
-    result.arrangement = floes.poses;
+    result.arrangement = floes.poses();
     result.psi4 = floes.psi4;
     Simulation simulation(scenario, floes);
     try {

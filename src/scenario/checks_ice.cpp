@@ -64,7 +64,7 @@ void check_floating(const Scenario& scenario, Contradictions& found) {
     }
     // An element heaves as a spring of stiffness ρ_w g L_e² under a mass ρ_i T_e L_e²; explicit forces need ω Δt < 2.
     const double heave =
-        std::sqrt(scenario.water.density * scenario.general.gravity / (scenario.ice.density * scenario.ice.thickness));
+        std::sqrt(scenario.water.density * scenario.general.gravity / (scenario.ice.density * scenario.floe.thickness));
     if (heave * scenario.general.time_step >= 2) {
         found.push_back(
             {{"general.time_step_s", "ice.thickness_m", "ice.density_kg_m3", "water.density_kg_m3",

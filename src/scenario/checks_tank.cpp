@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
+#include "core/error.hpp"
+#include "scenario/floes.hpp"
 #include "scenario/keys.hpp"
 #include "scenario/validate.hpp"
 
@@ -82,8 +86,10 @@ void check_wake(const Scenario& scenario, Contradictions& found) {
                          "radius to 0",
                          given(scenario, "field.wake_radius_m"), given(scenario, "general.solver"))});
     }
-    const double least =
-        scenario.structure.shape.largest_radius() + 0.5 * std::hypot(scenario.floe.length, scenario.floe.breadth);
+    double diagonal = 0;
+    for (const FloeShape& shape : floes_of(scenario).shapes)
+        diagonal = std::max(diagonal, std::hypot(shape.length, shape.breadth));
+    const double least = scenario.structure.shape.largest_radius() + 0.5 * diagonal;
     if (radius < least) {
         found.push_back(
             {{"field.wake_radius_m", "structure.profile_m", "floe.length_m", "floe.breadth_m"},
@@ -112,6 +118,44 @@ void check_lattice(const Scenario& scenario, Contradictions& found) {
              given(scenario, "field.concentration_percent"), given(scenario, "field.floes"),
              given(scenario, "arrangement.clearance_m"), scenario.field_length(), 2 * scenario.field.half_width, rows,
              columns)});
+}
+
+void check_given_floes(const Scenario& scenario, Contradictions& found) {
+    const ArrangementRule& rule = scenario.arrangement;
+    const std::vector<std::string> keys{"arrangement.columns", "arrangement.poses", "arrangement.file"};
+    if (rule.columns.empty()) {
+        const auto longer = std::ranges::find_if(rule.values, [](const auto& values) { return !values.empty(); });
+        if (longer == rule.values.end()) return;
+        found.push_back({keys, fmt::format("arrangement.poses[{}] has more than x_m, z_m and yaw_deg; name what follows "
+                                           "them in arrangement.columns",
+                                           longer - rule.values.begin())});
+        return;
+    }
+    if (rule.method != ArrangementMethod::file || rule.poses.empty()) {
+        found.push_back({keys, fmt::format("{} needs arrangement.method = \"file\" and poses with these columns",
+                                           given(scenario, "arrangement.columns"))});
+        return;
+    }
+    try {
+        const FloeSet floes = floes_of(scenario);
+        std::set<std::pair<std::size_t, std::size_t>> kinds;
+        for (std::size_t i = 0; i < floes.size(); ++i) {
+            if (!kinds.emplace(floes.floes[i].shape, floes.floes[i].material).second) continue;
+            Scenario alike = scenario;
+            alike.floe = floes.shape(i);
+            alike.ice = floes.material(i).ice;
+            alike.joint = floes.material(i).joint;
+            Contradictions of_floe;
+            check_elements(alike, of_floe);
+            check_floating(alike, of_floe);
+            for (Contradiction& one : of_floe) {
+                one.sentence = fmt::format("floe {}: {}", i, one.sentence);
+                found.push_back(std::move(one));
+            }
+        }
+    } catch (const InputError& fault) {
+        found.push_back({keys, fault.what()});
+    }
 }
 
 void check_poses(const Scenario& scenario, Contradictions& found) {

@@ -24,7 +24,7 @@ Keys describe(Scenario& scenario) {
     Keys keys;
     keys.reserve(100);
     add_general(keys, scenario.general);
-    add_ice(keys, scenario.ice);
+    add_ice(keys, scenario.floe, scenario.ice);
     add_floe(keys, scenario.floe);
     add_joint(keys, scenario.joint);
     add_field(keys, scenario.field);

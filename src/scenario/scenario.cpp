@@ -3,40 +3,44 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenario/floes.hpp"
+
 namespace floes {
 
-int Floe::elements_long() const {
+int FloeShape::elements_long() const {
     return static_cast<int>(std::lround(length / element));
 }
 
-int Floe::elements_broad() const {
+int FloeShape::elements_broad() const {
     return static_cast<int>(std::lround(breadth / element));
 }
 
+double FloeShape::element_mass(const Ice& ice) const {
+    return ice.density * element * element * thickness;
+}
+
+double FloeShape::floating_height(const Ice& ice, double water_density) const {
+    return thickness * (0.5 - ice.density / water_density);
+}
+
 double Scenario::field_length() const {
-    return field.floes * floe.length * floe.breadth / (field.concentration * 2.0 * field.half_width);
+    const double covered = arrangement.columns.empty() ? field.floes * floe.length * floe.breadth  // all alike
+                                                       : covered_area(floes_of(*this));
+    return covered / (field.concentration * 2.0 * field.half_width);
 }
 
 double Scenario::field_end() const {
     return field.begin + field_length();
 }
 
-double Scenario::element_mass() const {
-    return ice.density * floe.element * floe.element * ice.thickness;
-}
-
-double Scenario::moving_mass() const {
-    return element_mass() * (1 + water.added_mass);
+Material Scenario::material() const {
+    return {ice, joint};
 }
 
 ContactLaw Scenario::contact_law() const {
     ContactLaw law = contact;
     if (law.crushing_pressure == 0) law.crushing_pressure = ice.compressive_strength;
     return law;
-}
-
-double Scenario::floating_height() const {
-    return ice.thickness * (0.5 - ice.density / water.density);
 }
 
 bool Scenario::is_averaging_time(double time) const {

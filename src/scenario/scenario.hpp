@@ -33,9 +33,8 @@ struct General {
     double runaway_speed = 10.0;  ///< m/s; an element faster than this ends the member as failed
 };
 
-/// The ice as a material (Table 1).
+/// The ice of a floe, without its joints (Table 1).
 struct Ice {
-    double thickness = 0.033;               ///< T_i = T_e, m
     double density = 930.0;                 ///< ρ_i, kg/m³
     double bending_strength = 36.4e3;       ///< σ_b, Pa
     double compressive_strength = 145.6e3;  ///< σ_c, Pa
@@ -45,16 +44,24 @@ struct Ice {
     double in_plane_bending_strength = 0;   ///< Pa; 0: no criterion
     double elastic_modulus = 60e6;          ///< E, Pa; where joints follow Σ, only a label
     double poisson_ratio = 0.3;             ///< ν, of beam joints
+
+    friend bool operator==(const Ice&, const Ice&) = default;
 };
 
-/// One floe: length x breadth of square elements (Table 1).
-struct Floe {
-    double length = 0.6;   ///< L_i along the floe's own x, m
-    double breadth = 0.6;  ///< B_i along the floe's own z, m
-    double element = 0.2;  ///< L_e, m; divides length and breadth
+/// A sheet of ice, made of square elements of its own thickness (Table 1).
+struct FloeShape {
+    double length = 0.6;       ///< L_i along the floe's own x, m
+    double breadth = 0.6;      ///< B_i along the floe's own z, m
+    double thickness = 0.033;  ///< T_i = T_e, m
+    double element = 0.2;      ///< L_e, m; divides length and breadth
 
-    int elements_long() const;   ///< along x, at least 1
-    int elements_broad() const;  ///< along z, at least 1
+    int elements_long() const;               ///< along x, at least 1
+    int elements_broad() const;              ///< along z, at least 1
+    double element_mass(const Ice&) const;   ///< of ice, kg
+    /// Of the middle of the floe above the water at rest, m; negative above half draught. Density of the water: kg/m³.
+    double floating_height(const Ice&, double water_density) const;
+
+    friend bool operator==(const FloeShape&, const FloeShape&) = default;
 };
 
 /// The fixed joints between elements.
@@ -65,6 +72,16 @@ struct Joint {
     double damping_ratio = 0.05;  ///< of beam joints, of critical
     ThresholdForm threshold_form = ThresholdForm::force;
     MomentAbout moment_about = MomentAbout::pivot;
+
+    friend bool operator==(const Joint&, const Joint&) = default;
+};
+
+/// All that a floe is made of.
+struct Material {
+    Ice ice;
+    Joint joint;
+
+    friend bool operator==(const Material&, const Material&) = default;
 };
 
 /// The channel and the ice field in it.
@@ -89,6 +106,10 @@ struct ArrangementRule {
     double jitter_angle = 0;        ///< lattice: largest random turn, rad
     std::string file;               ///< method file: CSV that the poses come from; empty once they are in `poses`
     std::vector<PlanarPose> poses;  ///< method file: one pose a floe
+    /// Method file: keys of [floe], [ice] and [joint] that each floe has values of its own for, as in the header of
+    /// arrangement.file: "ice.thickness_m,floe.length_m". Empty: all floes are as these tables say.
+    std::string columns;
+    std::vector<std::vector<double>> values;  ///< of each floe, in the order of `columns` and in the units of the keys
 };
 
 /// The towed structure.
@@ -125,7 +146,7 @@ struct Analysis {
 struct Scenario {
     General general;
     Ice ice;
-    Floe floe;
+    FloeShape floe;
     Joint joint;
     Field field;
     ArrangementRule arrangement;
@@ -134,12 +155,10 @@ struct Scenario {
     Water water;
     Analysis analysis;
 
-    double field_length() const;     ///< m: floes * length * breadth / (concentration * 2 half_width)
+    double field_length() const;     ///< m: covered area / (concentration * 2 half_width)
     double field_end() const;        ///< x of the field's far edge, m
-    double element_mass() const;     ///< of ice, kg
+    Material material() const;       ///< of floes that have no other
     ContactLaw contact_law() const;  ///< contact, with the crushing pressure that is in force
-    double moving_mass() const;      ///< of an element with the water that it carries along, kg
-    double floating_height() const;  ///< of the middle of floating ice above the water, m; negative above half draught
     /// Averaging times that are measured, s: those given; of the default, only whole steps that fit into a segment.
     std::vector<double> averaging_times() const;
     /// Whether the time is whole steps, at least one, and fits into a segment.

@@ -7,8 +7,8 @@
 namespace floes {
 
 void add_general(Keys& keys, General& general);
-void add_ice(Keys& keys, Ice& ice);
-void add_floe(Keys& keys, Floe& floe);
+void add_ice(Keys& keys, FloeShape& floe, Ice& ice);
+void add_floe(Keys& keys, FloeShape& floe);
 void add_joint(Keys& keys, Joint& joint);
 void add_field(Keys& keys, Field& field);
 void add_arrangement(Keys& keys, ArrangementRule& arrangement);

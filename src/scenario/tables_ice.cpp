@@ -26,10 +26,10 @@ void add_general(Keys& keys, General& general) {
         "If an element exceeds this speed, the member ends as failed, because the simulation has diverged."));
 }
 
-void add_ice(Keys& keys, Ice& ice) {
+void add_ice(Keys& keys, FloeShape& floe, Ice& ice) {
     const Range strength = above(0).at_most(1e6);
     const Range criterion = at_least(0).at_most(1e6);
-    keys.push_back(number_key("ice.thickness_m", ice.thickness, unit::one, above(0).at_most(10), "Table 1",
+    keys.push_back(number_key("ice.thickness_m", floe.thickness, unit::one, above(0).at_most(10), "Table 1",
                               "Thickness of floes and elements. Failure thresholds and mass increase with it."));
     keys.push_back(number_key("ice.density_kg_m3", ice.density, unit::one, above(0).at_most(5000), "Table 1",
                               "Density of ice. The draught is thickness x density / water density."));
@@ -58,7 +58,7 @@ void add_ice(Keys& keys, Ice& ice) {
                                        "usual for ice", "Poisson's ratio ν, with joint.model = \"beam\".")));
 }
 
-void add_floe(Keys& keys, Floe& floe) {
+void add_floe(Keys& keys, FloeShape& floe) {
     const Range size = above(0).at_most(1000);
     keys.push_back(
         number_key("floe.length_m", floe.length, unit::one, size, "Table 1", "Length of a floe along its own x."));

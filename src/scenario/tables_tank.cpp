@@ -10,19 +10,29 @@ namespace {
 
 constexpr double farthest = 1e5;  // m; beyond it a double still holds a micrometre, and no tank is that long
 
-RowsField pose_rows(std::vector<PlanarPose>& poses) {
+RowsField pose_rows(ArrangementRule& rule) {
     const Range place = at_least(-farthest).at_most(farthest);
     return {
         {{"x_m", unit::one, place}, {"z_m", unit::one, place}, {"yaw_deg", unit::degree, at_least(-360).at_most(360)}},
-        [&poses] {
+        [&rule] {
             std::vector<std::vector<double>> rows;
-            for (const PlanarPose& pose : poses) rows.push_back({pose.x, pose.z, pose.yaw});
+            for (std::size_t floe = 0; floe < rule.poses.size(); ++floe) {
+                const PlanarPose& pose = rule.poses[floe];
+                rows.push_back({pose.x, pose.z, pose.yaw});
+                if (floe < rule.values.size())
+                    rows.back().insert(rows.back().end(), rule.values[floe].begin(), rule.values[floe].end());
+            }
             return rows;
         },
-        [&poses](const std::vector<std::vector<double>>& rows) {
-            poses.clear();
-            for (const std::vector<double>& row : rows) poses.push_back({row[0], row[1], row[2]});
-        }};
+        [&rule](const std::vector<std::vector<double>>& rows) {
+            rule.poses.clear();
+            rule.values.clear();
+            for (const std::vector<double>& row : rows) {
+                rule.poses.push_back({row[0], row[1], row[2]});
+                rule.values.emplace_back(row.begin() + 3, row.end());
+            }
+        },
+        true};
 }
 
 RowsField shape_rows(Shape& shape) {
@@ -109,8 +119,14 @@ void add_arrangement(Keys& keys, ArrangementRule& arrangement) {
         "arrangement.file", arrangement.file, "none",
         "Method file: a CSV file with the header x_m,z_m,yaw_deg and one line per floe, for example from a tank "
         "photograph. The path is relative to the configuration file. Its lines are stored as arrangement.poses."));
-    keys.push_back({"arrangement.poses", pose_rows(arrangement.poses), "none",
-                    "Method file: the poses themselves, one per floe; a positive yaw turns +z towards +x."});
+    keys.push_back({"arrangement.poses", pose_rows(arrangement), "none",
+                    "Method file: the poses themselves, one per floe; a positive yaw turns +z towards +x. Behind each "
+                    "pose stand the floe's own values of arrangement.columns."});
+    keys.push_back(late_key(text_key(
+        "arrangement.columns", arrangement.columns, "none",
+        "Method file: numbers of [floe], [ice] and [joint] that each floe has a value of its own for, such as "
+        "\"floe.length_m,floe.breadth_m,ice.thickness_m\". In arrangement.file they stand in the header behind "
+        "x_m,z_m,yaw_deg; in arrangement.poses each row has them behind its pose.")));
 }
 
 void add_structure(Keys& keys, Structure& structure) {

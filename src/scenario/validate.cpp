@@ -14,6 +14,7 @@ std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
     check_levels(scenario, found);
     check_averaging(scenario, found);
     check_shape(scenario, found);
+    check_given_floes(scenario, found);
     if (!found.empty()) return found;  // what follows would only repeat it in other words
     check_tow(scenario, found);
     check_wake(scenario, found);

@@ -33,6 +33,7 @@ void check_shape(const Scenario& scenario, Contradictions& found);      ///< a b
 void check_tow(const Scenario& scenario, Contradictions& found);        ///< it meets the ice and stays in it
 void check_wake(const Scenario& scenario, Contradictions& found);       ///< the structure strikes no resting floe
 void check_lattice(const Scenario& scenario, Contradictions& found);    ///< the floes fit
+void check_given_floes(const Scenario& scenario, Contradictions& found);  ///< each is ice that floats, in elements
 void check_poses(const Scenario& scenario, Contradictions& found);      ///< given poses belong to the field
 
 }  // namespace floes

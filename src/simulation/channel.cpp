@@ -1,30 +1,28 @@
 #include "simulation/channel.hpp"
 
-#include <algorithm>
-
 namespace floes {
 namespace {
 
 /// Floes pass round the structure and stay between walls. 1 m in the paper's tank.
-double room_for_a_floe(const Floe& floe) {
-    return 5 * std::max(floe.length, floe.breadth) / 3;
+double room_for_a_floe(const FloeSet& floes) {
+    return 5 * largest_side(floes) / 3;
 }
 
 IceSheet sheet(const Scenario& scenario, const Vec2& x_range, const Vec2& z_range) {
     const Vec2 x_part{x_range.mean(), 0.5 * (x_range.y() - x_range.x())};
     const Vec2 z_part{z_range.mean(), 0.5 * (z_range.y() - z_range.x())};
-    return {{x_part.x(), scenario.floating_height(), z_part.x()},
-            {x_part.y(), 0.5 * scenario.ice.thickness, z_part.y()}};
+    return {{x_part.x(), scenario.floe.floating_height(scenario.ice, scenario.water.density), z_part.x()},
+            {x_part.y(), 0.5 * scenario.floe.thickness, z_part.y()}};
 }
 
 }  // namespace
 
-Channel make_channel(const Scenario& scenario) {
+Channel make_channel(const Scenario& scenario, const FloeSet& floes) {
     const Field& field = scenario.field;
     const bool closed = field.far_end == FarEnd::ice_sheet;
     const double towed = scenario.structure.speed * (scenario.analysis.steady_start + scenario.analysis.window);
     Channel channel;
-    channel.room = room_for_a_floe(scenario.floe);
+    channel.room = room_for_a_floe(floes);
     channel.begin = scenario.structure.start - scenario.structure.shape.largest_radius() - channel.room;
     channel.end = scenario.field_end() + field.sheet_width + (closed ? 0.0 : towed);
     channel.inner_edge = field.half_width;

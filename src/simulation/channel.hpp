@@ -1,10 +1,11 @@
 #pragma once
-// The fixed ice round the field (Fig. 3): sheets of the floes' own thickness along both walls and, if the far end is
+// The fixed ice round the field (Fig. 3): sheets of [ice]'s thickness along both walls and, if the far end is
 // closed, across it, floating where the floes float.
 
 #include <vector>
 
 #include "core/vector.hpp"
+#include "scenario/floes.hpp"
 #include "scenario/scenario.hpp"
 
 namespace floes {
@@ -24,7 +25,7 @@ struct Channel {
     std::vector<IceSheet> sheets;
 };
 
-/// The channel of a scenario.
-Channel make_channel(const Scenario& scenario);
+/// The channel of a scenario with room for these floes.
+Channel make_channel(const Scenario& scenario, const FloeSet& floes);
 
 }  // namespace floes

@@ -30,28 +30,43 @@ void add_sheets(World& world, const Channel& channel) {
 /// Of the structure in one step. More than the tank's ever are, and no bound: with more the memory grows.
 constexpr std::size_t most_contacts = 1024;
 
-WaterModel make_water(const Scenario& scenario) {
-    const double side = scenario.floe.element;
-    const double thickness = scenario.ice.thickness;
-    return {scenario.water,
-            scenario.general.gravity,
-            {side, thickness},
-            scenario.element_mass(),
-            scenario.structure.shape.waterline_radius(),
-            scenario.structure.speed};
+/// One model for all elements of the same size and density.
+WaterLanes make_water(const Scenario& scenario, const FloeSet& floes, const std::vector<IceElement>& elements) {
+    struct Kind {
+        std::size_t shape;
+        double density;
+        bool operator==(const Kind&) const = default;
+    };
+    std::vector<Kind> kinds;
+    std::vector<WaterModel> models;
+    std::vector<std::size_t> kind_of_floe;
+    for (std::size_t i = 0; i < floes.size(); ++i) {
+        const Kind kind{floes.floes[i].shape, floes.material(i).ice.density};
+        kind_of_floe.push_back(static_cast<std::size_t>(std::ranges::find(kinds, kind) - kinds.begin()));
+        if (kind_of_floe.back() < kinds.size()) continue;
+        const FloeShape& shape = floes.shape(i);
+        kinds.push_back(kind);
+        models.emplace_back(scenario.water, scenario.general.gravity, ElementShape{shape.element, shape.thickness},
+                            shape.element_mass(floes.material(i).ice), scenario.structure.shape.waterline_radius(),
+                            scenario.structure.speed);
+    }
+    std::vector<std::size_t> kind_of_element;
+    for (const IceElement& element : elements)
+        kind_of_element.push_back(kind_of_floe[static_cast<std::size_t>(element.floe)]);
+    return {models, kind_of_element, lane_widths().back()};
 }
 
 }  // namespace
 
-Simulation::Simulation(const Scenario& scenario, const Arrangement& arrangement)
+Simulation::Simulation(const Scenario& scenario, const FloeSet& floes)
     : scenario_(scenario),
-      channel_(make_channel(scenario)),
+      channel_(make_channel(scenario, floes)),
       wellbeing_(scenario, channel_),
       tow_{scenario.structure.start, scenario.structure.speed},
       world_(scenario_world(scenario)),
       structure_(add_structure(world_, scenario)),
-      ice_(world_, scenario, arrangement.poses),
-      water_(make_water(scenario), ice_.elements().size(), lane_widths().back()),
+      ice_(world_, scenario, floes),
+      water_(make_water(scenario, floes, ice_.elements())),
       sleeping_(scenario.field.wake_radius, ice_.elements()),
       contact_bins_(scenario.structure.shape.bottom(), scenario.structure.shape.top()) {
     add_sheets(world_, channel_);
@@ -65,11 +80,11 @@ Simulation::Simulation(const Scenario& scenario, const Arrangement& arrangement)
     sleeping_.lay_down(world_, states_, tow_.x(0));
 }
 
-Simulation::Simulation(const Scenario& scenario, const Arrangement& arrangement, const SimulationState& state)
-    : Simulation(scenario, arrangement) {
+Simulation::Simulation(const Scenario& scenario, const FloeSet& floes, const SimulationState& state)
+    : Simulation(scenario, floes) {
     if (state.elements.size() != states_.size()) {
         throw InputError(fmt::format("A state of {} elements cannot be that of {} floes with {} elements.",
-                                     state.elements.size(), arrangement.poses.size(), states_.size()));
+                                     state.elements.size(), floes.size(), states_.size()));
     }
     const auto known = static_cast<std::size_t>(state.steps);
     for (std::vector<double>* history : {&loads_.surge, &loads_.sway, &loads_.heave}) {
@@ -148,15 +163,14 @@ void Simulation::wake_floes() {
 void Simulation::apply_water() {
     const std::vector<IceElement>& elements = ice_.elements();
     const std::vector<std::size_t>& awake = sleeping_.awake_elements();
-    for (std::size_t place = 0; place < awake.size(); ++place) {
-        const BodyState& state = states_[awake[place]];
-        water_.set(place, {state.position, state.rotation, state.velocity, state.angular_velocity,
-                           elements[awake[place]].exposed_edges});
+    water_.clear();
+    for (const std::size_t i : awake) {
+        const BodyState& state = states_[i];
+        water_.set(i, {state.position, state.rotation, state.velocity, state.angular_velocity,
+                       elements[i].exposed_edges});
     }
-    water_.compute(awake.size(), tow_.x(time()));
-    for (std::size_t place = 0; place < awake.size(); ++place) {
-        world_.apply(elements[awake[place]].body, water_.wrench(place));
-    }
+    water_.compute(tow_.x(time()));
+    for (const std::size_t i : awake) world_.apply(elements[i].body, water_.wrench(i));
 }
 
 void Simulation::read_states() {

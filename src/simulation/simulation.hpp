@@ -11,9 +11,9 @@
 #include <stop_token>
 #include <vector>
 
-#include "arrangement/arrangement.hpp"
 #include "ice/failure_mode.hpp"
 #include "ice/ice_field.hpp"
+#include "scenario/floes.hpp"
 #include "scenario/scenario.hpp"
 #include "simulation/channel.hpp"
 #include "simulation/frame.hpp"
@@ -41,14 +41,14 @@ using Watcher = std::function<void(const Simulation&)>;
 
 class Simulation {
   public:
-    /// Floes float at rest where the arrangement says. Throws InputError for what the world refuses.
-    Simulation(const Scenario& scenario, const Arrangement& arrangement);
+    /// Floes float at rest at their poses. Throws InputError for what the world refuses.
+    Simulation(const Scenario& scenario, const FloeSet& floes);
 
-    /// A tow that has come as far as `state`: floes as in `arrangement` when their joints were made, then moved. The
+    /// A tow that has come as far as `state`: floes as in `floes` when their joints were made, then moved. The
     /// contacts of the last step are not part of a state, so the next steps differ from those of the run that it comes
     /// from as far as these matter. The histories begin with NaN for the steps that are not known here, peaks anew.
     /// Throws InputError when the state is of other floes.
-    Simulation(const Scenario& scenario, const Arrangement& arrangement, const SimulationState& state);
+    Simulation(const Scenario& scenario, const FloeSet& floes, const SimulationState& state);
 
     /// One time step. Throws MemberFailure, with the element, its floe and the time, when an element runs away, is gone
     /// or is no longer a number; the histories then end with the step before.

@@ -14,7 +14,7 @@ namespace {
 constexpr double right_angle = std::numbers::pi / 2;
 
 LevelIce ice_of(const Scenario& scenario) {
-    return {.thickness = scenario.ice.thickness,
+    return {.thickness = scenario.floe.thickness,
             .bending_strength = scenario.ice.bending_strength,
             .density = scenario.ice.density,
             .water_density = scenario.water.density,
@@ -45,7 +45,7 @@ HybridModel hybrid_model(const Scenario& scenario) {
 }
 
 HybridCurve hybrid_curve(const Scenario& scenario, const HybridModel& model, std::span<const double> moduli) {
-    const FloatingPlate plate{.thickness = scenario.ice.thickness,
+    const FloatingPlate plate{.thickness = scenario.floe.thickness,
                               .water_density = scenario.water.density,
                               .gravity = scenario.general.gravity};
     HybridCurve curve{hull_of(scenario), model.coefficients(), {}, model.crossing()};

@@ -2,12 +2,17 @@
 // The force of the water (water_model.hpp) on many elements at once, one for each SIMD lane. The same bits at every
 // width.
 //
-//   water.set(place, element);           // places 0, 1, ... in any order; neighbours with the same exposed edges are
-//   water.compute(count, structure_x);   // computed fastest
-//   water.wrench(place);
+//   water.clear();
+//   water.set(element, state);      // of each element that is to be computed; fastest where neighbours in this order
+//   water.compute(structure_x);     // have the same exposed edges
+//   water.wrench(element);
+//
+// Elements of one model fill lanes together, so a vector of floes that differ in shape or density is a few lanes short.
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "core/vector.hpp"
 #include "solver/aligned_array.hpp"
@@ -18,21 +23,32 @@ namespace floes {
 
 class WaterLanes {
   public:
-    /// Space for `elements` elements. width: one of lane_widths(); throws RunError for any other.
-    WaterLanes(const WaterModel& model, std::size_t elements, int width);
+    /// model_of: by element, the index of its model. width: one of lane_widths(); throws RunError for any other.
+    WaterLanes(std::span<const WaterModel> models, std::span<const std::size_t> model_of, int width);
 
-    void set(std::size_t place, const ElementState& state);
+    void clear();
+    void set(std::size_t element, const ElementState& state);
 
-    /// Forces on the elements at places [0, count), with the structure's axis at x = `structure_x`, m.
-    void compute(std::size_t count, double structure_x);
+    /// Forces on the elements set since clear(), with the structure's axis at x = `structure_x`, m.
+    void compute(double structure_x);
 
     /// Of the last compute: force (N) and moment about the centre of mass (N m), world axes.
-    Wrench wrench(std::size_t place) const;
+    Wrench wrench(std::size_t element) const;
 
   private:
+    /// Elements of one model, side by side from a vector boundary on.
+    struct Group {
+        WaterFactors factors;
+        std::size_t elements = 0;
+        std::size_t first = 0;
+        std::size_t count = 0;
+    };
+
     WaterKernel kernel_;
-    WaterFactors factors_;
-    std::size_t stride_;
+    std::vector<Group> groups_;
+    std::vector<std::size_t> group_of_;  // by element
+    std::vector<std::size_t> place_of_;  // by element
+    std::size_t stride_ = 0;
     AlignedArray<double> state_;
     AlignedArray<std::int64_t> exposed_edges_;
     AlignedArray<double> wrench_;

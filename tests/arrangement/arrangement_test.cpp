@@ -30,8 +30,8 @@ std::string refusal(const Scenario& scenario) {
 }
 
 bool same(const Arrangement& a, const Arrangement& b) {
-    for (std::size_t i = 0; i < a.poses.size(); ++i) {
-        if (a.poses[i].x != b.poses[i].x || a.poses[i].z != b.poses[i].z || a.poses[i].yaw != b.poses[i].yaw)
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (a.floes[i].pose.x != b.floes[i].pose.x || a.floes[i].pose.z != b.floes[i].pose.z || a.floes[i].pose.yaw != b.floes[i].pose.yaw)
             return false;
     }
     return a.psi4 == b.psi4;
@@ -40,10 +40,10 @@ bool same(const Arrangement& a, const Arrangement& b) {
 TEST(Arrangement, FillsThePapersChannel) {
     const Scenario scenario = quick();
     const Arrangement arrangement = make_arrangement(scenario, 1, 0);
-    EXPECT_EQ(arrangement.poses.size(), 189u);
+    EXPECT_EQ(arrangement.size(), 189u);
     EXPECT_NEAR(scenario.field_end(), 24.9, 1e-12);
-    EXPECT_EQ(find_fault(scenario, arrangement.poses), std::nullopt);
-    EXPECT_EQ(arrangement.psi4, fourfold_order(arrangement.poses));
+    EXPECT_EQ(find_fault(scenario, arrangement), std::nullopt);
+    EXPECT_EQ(arrangement.psi4, fourfold_order(arrangement.poses()));
 }
 
 TEST(Arrangement, IsAFunctionOfSeedNumberAndGeometry) {
@@ -82,7 +82,7 @@ TEST(Arrangement, KeyFollowsEveryGeometryFieldAndNoOther) {
     EXPECT_NE(key, key_after([](Scenario& s) { s.arrangement.poses = {{7, 0, 0}}; }));
     EXPECT_EQ(key, key_after([](Scenario& s) { s.floe.element = 0.1; }));
     EXPECT_EQ(key, key_after([](Scenario& s) { s.field.far_end = FarEnd::open; }));
-    EXPECT_EQ(key, key_after([](Scenario& s) { s.ice.thickness = 0.04; }));
+    EXPECT_EQ(key, key_after([](Scenario& s) { s.floe.thickness = 0.04; }));
     EXPECT_EQ(key, key_after([](Scenario& s) { s.analysis.window = 100; }));
 }
 
@@ -94,7 +94,7 @@ TEST(Arrangement, OblongFloesFitToo) {
     scenario.field.concentration = 0.6;
     for (const ArrangementStart start : {ArrangementStart::lattice, ArrangementStart::stripes}) {
         scenario.arrangement.start = start;
-        EXPECT_EQ(find_fault(scenario, make_arrangement(scenario, 1, 0).poses), std::nullopt);
+        EXPECT_EQ(find_fault(scenario, make_arrangement(scenario, 1, 0)), std::nullopt);
     }
 }
 
@@ -117,10 +117,10 @@ TEST(Arrangement, FloesThatNoLatticeHoldsAreRefused) {
 TEST(Starts, AreValidAndDifferMuch) {
     const Scenario scenario;
     const double clearance = scenario.arrangement.clearance;
-    const auto lattice = lattice_start(field_walls(scenario), floe_shape(scenario), clearance, 189);
-    const auto stripes = stripes_start(field_walls(scenario), floe_shape(scenario), clearance, 189);
-    EXPECT_EQ(find_fault(scenario, lattice), std::nullopt);
-    EXPECT_EQ(find_fault(scenario, stripes), std::nullopt);
+    const auto lattice = lattice_start(field_walls(scenario), covering(rectangles(floes_of(scenario))), clearance, 189);
+    const auto stripes = stripes_start(field_walls(scenario), covering(rectangles(floes_of(scenario))), clearance, 189);
+    EXPECT_EQ(find_fault(scenario, floes_at(scenario, lattice)), std::nullopt);
+    EXPECT_EQ(find_fault(scenario, floes_at(scenario, stripes)), std::nullopt);
     EXPECT_NEAR(fourfold_order(lattice), 1, 1e-15);
     EXPECT_LT(fourfold_order(stripes), 0.6);
     double sway = 0;
@@ -138,10 +138,10 @@ TEST(JitteredLattice, StaysWithinItsJitter) {
     const Arrangement moved = make_arrangement(scenario, 1, 0);
     double furthest = 0, widest = 0;
     for (std::size_t i = 0; i < 189; ++i) {
-        const double dx = moved.poses[i].x - still.poses[i].x;
-        const double dz = moved.poses[i].z - still.poses[i].z;
+        const double dx = moved.floes[i].pose.x - still.floes[i].pose.x;
+        const double dz = moved.floes[i].pose.z - still.floes[i].pose.z;
         furthest = std::max({furthest, std::abs(dx), std::abs(dz)});
-        widest = std::max(widest, std::abs(moved.poses[i].yaw));
+        widest = std::max(widest, std::abs(moved.floes[i].pose.yaw));
     }
     EXPECT_LE(furthest, 0.04);
     EXPECT_GT(furthest, 0.03);
@@ -165,7 +165,7 @@ TEST(GivenPoses, AreTakenAsTheyAre) {
     Scenario scenario = quick();
     const Arrangement sampled = make_arrangement(scenario, 1, 0);
     scenario.arrangement.method = ArrangementMethod::file;
-    scenario.arrangement.poses = sampled.poses;
+    scenario.arrangement.poses = sampled.poses();
     EXPECT_TRUE(same(sampled, make_arrangement(scenario, 5, 9)));
 }
 
@@ -174,7 +174,7 @@ TEST(GivenPoses, AreRefusedWithTheReason) {
     const Arrangement sampled = make_arrangement(scenario, 1, 0);
     scenario.arrangement.method = ArrangementMethod::file;
     const auto refusal_after = [&](auto change) {
-        scenario.arrangement.poses = sampled.poses;
+        scenario.arrangement.poses = sampled.poses();
         change(scenario.arrangement.poses);
         return refusal(scenario);
     };
@@ -191,7 +191,7 @@ TEST(GivenPoses, AreRefusedWithTheFloesAndHowFarTheyAreOff) {
     scenario.field = {.floes = 2, .concentration = 0.01, .begin = 6, .half_width = 2.4};
     scenario.arrangement.clearance = 0.01;
     const auto fault_of = [&](PlanarPose first, PlanarPose second) {
-        const std::optional<Fault> fault = find_fault(scenario, std::vector{first, second});
+        const std::optional<Fault> fault = find_fault(scenario, floes_at(scenario, std::vector{first, second}));
         return fault ? fault->sentence : "none";
     };
     const double tip = 0.3 * std::sqrt(2.0);  // from the middle of a floe to its corner
@@ -212,7 +212,7 @@ TEST(GivenPoses, AreRefusedWithTheFloesAndHowFarTheyAreOff) {
               "m and is to stay 0.01 m within");
     EXPECT_THAT(fault_of({6.304, 0, 0}, {8, 0, 0}), HasSubstr("floe 0 at"));
     EXPECT_THAT(fault_of({6.304, 0, 0}, {8, 0, 0}), HasSubstr("it lies 0.004 m from its edge at x = 6 m"));
-    EXPECT_EQ(find_fault(scenario, std::vector<PlanarPose>{{8, 0, 0}, {8.1, 0, 0}})->floes,
+    EXPECT_EQ(find_fault(scenario, floes_at(scenario, std::vector<PlanarPose>{{8, 0, 0}, {8.1, 0, 0}}))->floes,
               (std::vector<std::size_t>{0, 1}));
 }
 
@@ -225,9 +225,9 @@ TEST(GivenPoses, OfALargeFieldAreLookedAtInTime) {
     std::vector<PlanarPose> poses;
     for (int k = 0; k < floes; ++k) poses.push_back({k / rows + 0.5, k % rows + 0.5 - 0.5 * rows, 0.01 * k});
     const std::clock_t begin = std::clock();  // of the processor
-    EXPECT_EQ(find_fault(scenario, poses), std::nullopt);
+    EXPECT_EQ(find_fault(scenario, floes_at(scenario, poses)), std::nullopt);
     poses[80'000].x += 0.5;
-    EXPECT_EQ(find_fault(scenario, poses)->floes, (std::vector<std::size_t>{80'000, 80'250}));
+    EXPECT_EQ(find_fault(scenario, floes_at(scenario, poses))->floes, (std::vector<std::size_t>{80'000, 80'250}));
     EXPECT_LT(std::clock() - begin, 5 * CLOCKS_PER_SEC);
 }
 
@@ -243,12 +243,12 @@ TEST(GivenPoses, OverlapExactlyWhenAPairOfThemDoes) {
         for (int k = 0; k < floes; ++k)
             poses.push_back({0.5 + 3.8 * random.uniform(), -2.5 + 5 * random.uniform(), 6 * random.uniform()});
         bool some = false;
-        const Rectangle grown = floe_shape(scenario).grown(0.5 * scenario.arrangement.clearance);
+        const Rectangle grown = rectangles(floes_of(scenario)).front().grown(0.5 * scenario.arrangement.clearance);
         for (int i = 0; i < floes; ++i)
             for (int j = 0; j < i; ++j)
-                some = some || overlap(grown, turn_of(poses[i].yaw), turn_of(poses[j].yaw), poses[j].x - poses[i].x,
+                some = some || overlap({grown, turn_of(poses[i].yaw)}, {grown, turn_of(poses[j].yaw)}, poses[j].x - poses[i].x,
                                        poses[j].z - poses[i].z);
-        EXPECT_EQ(find_fault(scenario, poses).has_value(), some);
+        EXPECT_EQ(find_fault(scenario, floes_at(scenario, poses)).has_value(), some);
         faults += some ? 1 : 0;
     }
     EXPECT_GT(faults, 200);

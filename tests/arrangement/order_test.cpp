@@ -59,13 +59,13 @@ TEST(LocalOrder, OfFewFloesTakesAllOthers) {
 }
 
 TEST(Coverage, OfAStripByOneTurnedFloe) {
-    const Rectangle square{0.5, 0.5};
+    const std::vector<Rectangle> square{{0.5, 0.5}};
     const double tip = std::sqrt(0.5);
     const double half = 0.4;  // of the strip: cuts off both tips
     EXPECT_NEAR(coverage({-3, -half, 10, 2 * half}, square, std::vector<PlanarPose>{{1, 0, eighth}}),
                 (1 - 2 * (tip - half) * (tip - half)) / (10 * 2 * half), 1e-14);
     // A line through its middle halves a rectangle at any angle.
-    const Rectangle oblong{1, 0.25};
+    const std::vector<Rectangle> oblong{{1, 0.25}};
     const std::vector<PlanarPose> turned{{2, 1, 0.3}};
     EXPECT_NEAR(coverage({-3, 1, 10, 4}, oblong, turned), 0.5 / 40, 1e-14);
     EXPECT_NEAR(coverage({-3, -3, 10, 4}, oblong, turned), 0.5 / 40, 1e-14);
@@ -78,7 +78,7 @@ TEST(Coverage, OfATiledAreaIsFull) {
     std::vector<PlanarPose> poses;
     for (int i = 0; i < 8; ++i)
         for (int j = 0; j < 8; ++j) poses.push_back({0.5 * i, 0.5 * j, 2 * eighth * (i % 4)});
-    EXPECT_NEAR(coverage({0.1, 0.3, 2.7, 1.9}, {0.25, 0.25}, poses), 1, 1e-13);
+    EXPECT_NEAR(coverage({0.1, 0.3, 2.7, 1.9}, std::vector<Rectangle>(64, {0.25, 0.25}), poses), 1, 1e-13);
 }
 
 TEST(CoverageAhead, IsOfThePathAndOfNothingBesideIt) {
@@ -86,9 +86,9 @@ TEST(CoverageAhead, IsOfThePathAndOfNothingBesideIt) {
     const double radius = scenario.structure.shape.waterline_radius();
     ASSERT_NEAR(radius, 0.614, 0.2);
     const double path = 18.9 * 2 * radius;
-    EXPECT_NEAR(coverage_ahead(scenario, std::vector<PlanarPose>{{10, 0, 0}}), 0.36 / path, 1e-12);
-    EXPECT_NEAR(coverage_ahead(scenario, std::vector<PlanarPose>{{10, -radius, 0}}), 0.18 / path, 1e-12);
-    EXPECT_EQ(coverage_ahead(scenario, std::vector<PlanarPose>{{10, radius + 0.31, 0}}), 0);
+    EXPECT_NEAR(coverage_ahead(scenario, floes_at(scenario, std::vector<PlanarPose>{{10, 0, 0}})), 0.36 / path, 1e-12);
+    EXPECT_NEAR(coverage_ahead(scenario, floes_at(scenario, std::vector<PlanarPose>{{10, -radius, 0}})), 0.18 / path, 1e-12);
+    EXPECT_EQ(coverage_ahead(scenario, floes_at(scenario, std::vector<PlanarPose>{{10, radius + 0.31, 0}})), 0);
     // A structure wider than the field sweeps all of it.
     scenario.field.half_width = 0.9 * radius;
     scenario.field.floes = 20;
@@ -104,10 +104,10 @@ TEST(Order, IsMeasuredWhateverTheMethod) {
          {ArrangementMethod::monte_carlo, ArrangementMethod::lattice, ArrangementMethod::scattered}) {
         scenario.arrangement.method = method;
         const Arrangement made = make_arrangement(scenario, 1, 0);
-        EXPECT_EQ(made.psi4, fourfold_order(made.poses));
-        EXPECT_EQ(made.local_order, local_order(made.poses));
-        EXPECT_EQ(made.coverage_ahead, coverage_ahead(scenario, made.poses));
-        EXPECT_NEAR(coverage(field_walls(scenario), floe_shape(scenario), made.poses), 0.75, 1e-12);
+        EXPECT_EQ(made.psi4, fourfold_order(made.poses()));
+        EXPECT_EQ(made.local_order, local_order(made.poses()));
+        EXPECT_EQ(made.coverage_ahead, coverage_ahead(scenario, made));
+        EXPECT_NEAR(coverage(field_walls(scenario), rectangles(made), made.poses()), 0.75, 1e-12);
     }
 }
 

@@ -15,9 +15,9 @@ namespace {
 
 TEST(OrderingSweeps, ContinueTheSameField) {
     Scenario scenario = scattered_scenario();
-    const std::vector<PlanarPose> start = make_arrangement(scenario, 1, 0).poses;
+    const std::vector<PlanarPose> start = make_arrangement(scenario, 1, 0).poses();
     scenario.arrangement.ordering_sweeps = 1;
-    const std::vector<PlanarPose> moved = make_arrangement(scenario, 1, 0).poses;
+    const std::vector<PlanarPose> moved = make_arrangement(scenario, 1, 0).poses();
     double furthest = 0;
     for (std::size_t i = 0; i < start.size(); ++i)
         furthest = std::max({furthest, std::abs(moved[i].x - start[i].x), std::abs(moved[i].z - start[i].z)});
@@ -49,9 +49,9 @@ std::vector<double> equilibrium_figures(const Arrangement& made) {
     std::vector<double> values(1 + distances.size(), 0);
     values[0] = made.psi4;
     values[1] = made.local_order;
-    for (std::size_t i = 0; i < made.poses.size(); ++i) {
+    for (std::size_t i = 0; i < made.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
-            const double distance = std::hypot(made.poses[i].x - made.poses[j].x, made.poses[i].z - made.poses[j].z);
+            const double distance = std::hypot(made.floes[i].pose.x - made.floes[j].pose.x, made.floes[i].pose.z - made.floes[j].pose.z);
             for (std::size_t k = 0; k + 1 < distances.size(); ++k)
                 values[2 + k] += distance >= distances[k] && distance < distances[k + 1];
         }

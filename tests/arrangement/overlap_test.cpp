@@ -65,18 +65,22 @@ struct Pair {
     double dx;
     double dz;
 
-    bool overlaps() const { return overlap(shape, turn_of(yaw_first), turn_of(yaw_second), dx, dz); }
+    Rectangle other;
+
+    bool overlaps() const { return overlap({shape, turn_of(yaw_first)}, {other, turn_of(yaw_second)}, dx, dz); }
     bool overlaps_by_corners_and_sides(double margin) const {
-        const Rectangle grown = shape.grown(margin);
-        return share_a_point(corners(grown, 0, 0, yaw_first), corners(grown, dx, dz, yaw_second));
+        return share_a_point(corners(shape.grown(margin), 0, 0, yaw_first),
+                             corners(other.grown(margin), dx, dz, yaw_second));
     }
 };
 
 Pair random_pair(RandomStream& random) {
-    Pair pair{{random.uniform(0.1, 1), random.uniform(0.1, 1)}, random.uniform(-4, 4), random.uniform(-4, 4), 0, 0};
+    Pair pair{{random.uniform(0.1, 1), random.uniform(0.1, 1)}, random.uniform(-4, 4), random.uniform(-4, 4), 0, 0,
+              {random.uniform(0.1, 1), random.uniform(0.1, 1)}};
+    if (random.below(3) == 0) pair.other = pair.shape;
     if (random.below(4) == 0) pair.yaw_second = pair.yaw_first + random.below(4) * std::numbers::pi / 2;  // parallel
     const double direction = random.uniform(0, 2 * std::numbers::pi);
-    const double distance = random.uniform(0, 2.1) * pair.shape.half_diagonal();
+    const double distance = random.uniform(0, 1.05) * (pair.shape.half_diagonal() + pair.other.half_diagonal());
     pair.dx = distance * std::cos(direction);
     pair.dz = distance * std::sin(direction);
     return pair;
@@ -143,10 +147,10 @@ TEST(Overlap, AgreesWithCornersAndSidesOnAHundredThousandPairsThatNearlyTouch) {
 
 TEST(Overlap, TouchingIsNotOverlapping) {
     const Rectangle shape{1, 0.5};
-    EXPECT_FALSE(overlap(shape, Turn{}, Turn{}, 2, 0));
-    EXPECT_FALSE(overlap(shape, Turn{}, Turn{}, 0, 1));
-    EXPECT_TRUE(overlap(shape, Turn{}, Turn{}, std::nextafter(2, 0), 0));
-    EXPECT_TRUE(overlap(shape, Turn{}, Turn{}, 0, std::nextafter(1, 0)));
+    EXPECT_FALSE(overlap({shape, {}}, {shape, {}}, 2, 0));
+    EXPECT_FALSE(overlap({shape, {}}, {shape, {}}, 0, 1));
+    EXPECT_TRUE(overlap({shape, {}}, {shape, {}}, std::nextafter(2, 0), 0));
+    EXPECT_TRUE(overlap({shape, {}}, {shape, {}}, 0, std::nextafter(1, 0)));
 }
 
 TEST(Turn, IsCosineAndSine) {

@@ -33,9 +33,9 @@ TEST_P(ScatteredFields, LieApartWithinTheirWalls) {
     scenario.floe.breadth = geometry.breadth;
     scenario.arrangement.clearance = geometry.clearance;
     for (std::uint32_t number = 0; number < 3; ++number) {
-        const std::vector<PlanarPose> poses = make_arrangement(scenario, 1, number).poses;
+        const std::vector<PlanarPose> poses = make_arrangement(scenario, 1, number).poses();
         ASSERT_EQ(poses.size(), 189u);
-        const auto fault = find_fault(scenario, poses);
+        const auto fault = find_fault(scenario, floes_at(scenario, poses));
         EXPECT_FALSE(fault.has_value()) << fault->sentence;
     }
 }
@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(Geometries, ScatteredFields,
 TEST(Scattered, IsAFunctionOfSeedNumberAndGeometry) {
     const Scenario scenario = scattered_scenario();
     const auto yaw = [](const Scenario& of, std::uint64_t seed, std::uint32_t number) {
-        return make_arrangement(of, seed, number).poses[100].yaw;
+        return make_arrangement(of, seed, number).floes[100].pose.yaw;
     };
     const double first = yaw(scenario, 1, 0);
     EXPECT_EQ(first, yaw(scenario, 1, 0));
@@ -66,7 +66,7 @@ TEST(Scattered, OneFloeLiesAnywhere) {
     scenario.field.floes = 1;
     const Arrangement made = make_arrangement(scenario, 1, 0);
     EXPECT_NEAR(made.psi4, 1, 1e-15);
-    EXPECT_NE(made.poses[0].yaw, 0);
+    EXPECT_NE(made.floes[0].pose.yaw, 0);
 }
 
 TEST(Scattered, DoesNotCrystallise) {
@@ -84,14 +84,14 @@ TEST(Scattered, CoversTheFieldEvenly) {
     constexpr int parts = 6;
     const Figures figures = figures_of(scenario, 300, [&](const Arrangement& made) {
         std::vector<double> values{0, 0};
-        for (const PlanarPose& pose : made.poses) {
+        for (const PlanarPose& pose : made.poses()) {
             values[0] += pose.x - scenario.field.begin - 0.5 * scenario.field_length();
             values[1] += pose.z;
         }
         Walls part = field_walls(scenario);
         part.length /= parts;
         for (int i = 0; i < parts; ++i, part.low_x += part.length)
-            values.push_back(coverage(part, floe_shape(scenario), made.poses));
+            values.push_back(coverage(part, rectangles(made), made.poses()));
         return values;
     });
     EXPECT_LT(std::abs(mean(figures[0])), 4 * error_of_mean(figures[0]));

@@ -20,7 +20,7 @@ constexpr int bins_across = 8;
 std::vector<double> figures(const Scenario& scenario, const Arrangement& arrangement) {
     std::vector<double> result(5 + bins_along + bins_across, 0);
     result[0] = arrangement.psi4;
-    for (const PlanarPose& pose : arrangement.poses) {
+    for (const PlanarPose& pose : arrangement.poses()) {
         const double along = (pose.x - scenario.field.begin) / scenario.field_length();
         const double across = 0.5 + 0.5 * pose.z / scenario.field.half_width;
         result[1] += std::cos(std::numbers::pi * along);

@@ -151,7 +151,7 @@ TEST(WriteCampaign, ReadsBackEqual) {
     Campaign written = sample();
     written.cases[1].scenario.structure.shape = Shape({{-1.0 / 3, 0.1}, {0.0, 0.5}, {0.0, 0.6}, {0.2, 0.7}});
     written.cases[2].scenario.field.far_end = FarEnd::open;
-    for (Case& one : written.cases) one.scenario.ice.thickness = 0.1 * 0.3;
+    for (Case& one : written.cases) one.scenario.floe.thickness = 0.1 * 0.3;
     const std::string text = write_campaign(written);
     const Campaign read_back = read_campaign({text, "other.toml", {}}, nullptr);
     EXPECT_EQ(read_back.name, "sample");

@@ -76,7 +76,7 @@ TEST(Design, EveryCaseIsRunAtEveryPoint) {
     EXPECT_THAT(names(campaign), ElementsAre("A+0.03", "A+0.04", "B+0.03", "B+0.04"));
     EXPECT_EQ(campaign.cases[2].base, "B");
     EXPECT_EQ(campaign.cases[2].scenario.general.iterations, 20);
-    EXPECT_EQ(campaign.cases[2].scenario.ice.thickness, 0.03);
+    EXPECT_EQ(campaign.cases[2].scenario.floe.thickness, 0.03);
 }
 
 const std::string sobol_axes =
@@ -89,7 +89,7 @@ TEST(Design, ALatinHypercubeMeetsEachPartOnce) {
     std::set<int> thickness;
     std::set<int> cfm;
     for (const Case& one : campaign.cases) {
-        thickness.insert(static_cast<int>(points * (one.scenario.ice.thickness - 0.02) / 0.02));
+        thickness.insert(static_cast<int>(points * (one.scenario.floe.thickness - 0.02) / 0.02));
         cfm.insert(static_cast<int>(points * std::log(one.scenario.joint.cfm / 0.001) / std::log(100)));
     }
     EXPECT_EQ(thickness.size(), 50u);
@@ -103,7 +103,7 @@ TEST(Design, SixteenSobolPointsMeetEachSixteenthAndEachQuarterSquareOnce) {
     std::set<int> sixteenths;
     std::set<std::pair<int, int>> squares;
     for (const Case& one : campaign.cases) {
-        const double x = (one.scenario.ice.thickness - 0.02) / 0.02;
+        const double x = (one.scenario.floe.thickness - 0.02) / 0.02;
         const double y = std::log(one.scenario.joint.cfm / 0.001) / std::log(100);
         sixteenths.insert(static_cast<int>(16 * x));
         squares.emplace(static_cast<int>(4 * x), static_cast<int>(4 * y));
@@ -125,7 +125,7 @@ TEST(Design, SaltellisPointsMixAAndB) {
     for (std::size_t base = 0; base < campaign.cases.size(); base += 4) {
         const auto at = [&](std::size_t r) {
             const Scenario& scenario = campaign.cases[base + r].scenario;
-            return std::pair(scenario.ice.thickness, scenario.joint.cfm);
+            return std::pair(scenario.floe.thickness, scenario.joint.cfm);
         };
         const auto [a, b] = std::pair(at(0), at(1));
         EXPECT_NE(a.first, b.first);  // the digital shift: without it the first base point is one point four times
@@ -165,8 +165,8 @@ TEST(Design, HasAPartOfTheProfileAsAnAxis) {
 TEST(Design, FollowsTheSeed) {
     const std::string text = design("method = \"sobol\"\npoints = 8") + sobol_axes;
     EXPECT_EQ(fingerprint(read(text)), fingerprint(read(text)));
-    EXPECT_NE(read(text).cases[0].scenario.ice.thickness,
-              read(text, {"campaign.seed=2"}).cases[0].scenario.ice.thickness);
+    EXPECT_NE(read(text).cases[0].scenario.floe.thickness,
+              read(text, {"campaign.seed=2"}).cases[0].scenario.floe.thickness);
 }
 
 TEST(Design, ReadsBackWhatItWrites) {

@@ -77,7 +77,7 @@ TEST(ReadCampaign, CasesOverrideTheTables) {
     EXPECT_EQ(campaign.cases[1].scenario.joint.cfm, 0.016);
     EXPECT_EQ(campaign.cases[2].scenario.joint.cfm, 1e-10);
     EXPECT_EQ(campaign.cases[2].scenario.ice.elastic_modulus, 200e6);
-    for (const Case& one : campaign.cases) EXPECT_EQ(one.scenario.ice.thickness, 0.03);
+    for (const Case& one : campaign.cases) EXPECT_EQ(one.scenario.floe.thickness, 0.03);
 }
 
 TEST(ReadCampaign, EmptyTextIsTheDefaultCase) {
@@ -134,7 +134,7 @@ TEST(ReadCampaign, OverridesComeLast) {
                                                  "field.far_end=open", "case.E30.cfm=0.05", "case.E200.joint.erp=0.7"});
     EXPECT_EQ(campaign.seed, 8u);
     for (const Case& one : campaign.cases) {
-        EXPECT_EQ(one.scenario.ice.thickness, 0.05);
+        EXPECT_EQ(one.scenario.floe.thickness, 0.05);
         EXPECT_EQ(one.scenario.field.far_end, FarEnd::open);
     }
     EXPECT_EQ(campaign.cases[0].scenario.joint.cfm, 0.05);

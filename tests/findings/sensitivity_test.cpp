@@ -62,7 +62,7 @@ CampaignTable table_of(const Campaign& campaign) {
     for (int arrangement = 0; arrangement < campaign.arrangements; ++arrangement) {
         for (std::size_t k = 0; k < campaign.cases.size(); ++k) {
             const Scenario& scenario = campaign.cases[k].scenario;
-            const double x = (scenario.ice.thickness - 0.03) / 0.01;
+            const double x = (scenario.floe.thickness - 0.03) / 0.01;
             const double y = std::log10(scenario.joint.cfm) + 2;
             table.members.push_back(
                 example::done(static_cast<int>(k), arrangement, 20 + 6 * x + 2 * y + arrangement, 0.5, 1));

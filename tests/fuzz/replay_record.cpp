@@ -18,9 +18,9 @@ void write_recording(const std::filesystem::path& path) {
     subject.configuration = write_campaign(campaign);
     subject.case_name = campaign.cases.front().name;
     subject.scenario = campaign.cases.front().scenario;
-    constexpr int floes_of_it = 2;
-    const auto elements = static_cast<std::size_t>(floes_of_it * elements_of_a_floe(subject));
-    RecordingWriter writer(path, subject, floes_of_it);
+    subject.floes = floes_at(subject.scenario, std::vector<PlanarPose>(2));
+    const std::size_t elements = IceLayout(subject.floes).elements.size();
+    RecordingWriter writer(path, subject);
     for (int k = 0; k < frames; ++k) {
         Frame frame;
         frame.step = k;
@@ -65,7 +65,7 @@ Bytes record_read(const std::filesystem::path& path) {
     const RecordingSubject& subject = record.subject();
     for (const std::string& text : {subject.campaign, subject.fingerprint, subject.configuration, subject.case_name})
         out.text(text);
-    for (const int number : {subject.member, subject.arrangement, record.floes(), record.frames()}) out.i32(number);
+    for (const int number : {subject.member, subject.arrangement, record.layout().floes(), record.frames()}) out.i32(number);
     const RecordingOutcome& outcome = record.outcome();
     for (const std::vector<double>* loads : {&outcome.history.surge, &outcome.history.sway, &outcome.history.heave})
         out.doubles(*loads);
@@ -77,7 +77,7 @@ Bytes record_read(const std::filesystem::path& path) {
     for (int k = 0; k < std::min(frames, record.frames()); ++k) {
         record.read(record.nearest(record.time(k)), frame);
         put(frame, out);
-        for (const std::uint8_t broken : broken_floes(outcome.breaks, record.floes(), frame.time)) out.u8(broken);
+        for (const std::uint8_t broken : broken_floes(outcome.breaks, record.layout().floes(), frame.time)) out.u8(broken);
     }
     return out.take();
 }

@@ -25,7 +25,7 @@ class Pair {
         : scenario_(axis == JointAxis::x ? scenario_of(2, 1) : scenario_of(1, 2)),
           axis_(axis),
           world_(weightless_world()),
-          ice_(world_, strong(scenario_), std::vector<PlanarPose>{{3, -1, 0.7}}) {}
+          ice_(world_, strong(scenario_), floes_at(strong(scenario_), std::vector<PlanarPose>{{3, -1, 0.7}})) {}
 
     /// Grows the load in the joint's axes to `share` of (force, moment) and holds it. Returns the joints that failed.
     int load(const Vec3& force, const Vec3& moment, double share) {
@@ -98,7 +98,7 @@ TEST(IceBreaking, IsLoggedAndCountedAndSplitsTheFloe) {
     Scenario scenario = scenario_of(3, 1);
     scenario.ice.tensile_strength = 10.0 / (0.2 * 0.033);  // 10 N
     World world = weightless_world();
-    IceField ice(world, scenario, std::vector<PlanarPose>{{0, 0, 0}, {0, 2, 0}});
+    IceField ice(world, scenario, floes_at(scenario, std::vector<PlanarPose>{{0, 0, 0}, {0, 2, 0}}));
     ASSERT_EQ(ice.live_joints(), 4);
     EXPECT_EQ(ice.elements()[5].piece, 3);
     EXPECT_EQ(ice.elements()[5].exposed_edges, edge_plus_x | edge_plus_z | edge_minus_z);
@@ -130,7 +130,7 @@ TEST(IceBreaking, LetsThePartsTouchInTheNextStep) {
     Scenario scenario = scenario_of(2, 1);
     scenario.ice.compressive_strength = 100.0 / (0.2 * 0.033);  // 100 N
     World world = weightless_world();
-    IceField ice(world, scenario, std::vector<PlanarPose>{{0, 0, 0}});
+    IceField ice(world, scenario, floes_at(scenario, std::vector<PlanarPose>{{0, 0, 0}}));
     const BodyId a = ice.elements()[0].body;
     const BodyId b = ice.elements()[1].body;
     for (int step = 0; step < 1000 && ice.breaks().empty(); ++step) {
@@ -150,7 +150,7 @@ TEST(IceBreaking, LeavesAConnectedFloeOnePiece) {
     Scenario scenario = scenario_of(2, 2);
     scenario.ice.compressive_strength = 50.0 / (0.2 * 0.033);  // 50 N
     World world = weightless_world();
-    IceField ice(world, scenario, std::vector<PlanarPose>{{0, 0, 0}});
+    IceField ice(world, scenario, floes_at(scenario, std::vector<PlanarPose>{{0, 0, 0}}));
     const BodyId a = ice.elements()[0].body;
     const BodyId b = ice.elements()[1].body;
     const auto squeeze = [&](double force) {

@@ -13,7 +13,7 @@ namespace {
 constexpr double none = std::numeric_limits<double>::infinity();
 
 TEST(ThresholdsTest, AreForcesByDefault) {
-    const Thresholds t = make_thresholds(Scenario{});
+    const Thresholds t = make_thresholds({}, {});
     EXPECT_NEAR(t.compression, 960.96, 1e-9);
     EXPECT_NEAR(t.shear, 480.48, 1e-9);
     EXPECT_NEAR(t.bending, 1.32132, 1e-12);
@@ -25,7 +25,7 @@ TEST(ThresholdsTest, AreForcesByDefault) {
 TEST(ThresholdsTest, AreAsPrintedOnRequest) {
     Scenario scenario;
     scenario.joint.threshold_form = ThresholdForm::as_printed;
-    const Thresholds t = make_thresholds(scenario);
+    const Thresholds t = make_thresholds(scenario.floe, scenario.material());
     EXPECT_NEAR(t.compression, 31.71168, 1e-9);
     EXPECT_NEAR(t.shear, 15.85584, 1e-9);
     EXPECT_NEAR(t.bending, 1.32132, 1e-12);
@@ -36,7 +36,7 @@ TEST(ThresholdsTest, HaveTheirOwnSectionsWhereThePaperIsSilent) {
     scenario.ice.tensile_strength = 1e4;
     scenario.ice.torsion_strength = 2e4;
     scenario.ice.in_plane_bending_strength = 3e4;
-    const Thresholds t = make_thresholds(scenario);
+    const Thresholds t = make_thresholds(scenario.floe, scenario.material());
     EXPECT_NEAR(t.tension, 0.2 * 0.033 * 1e4, 1e-12);
     EXPECT_NEAR(t.torsion, 0.2 * 0.033 * 0.033 / 3 * 2e4, 1e-12);
     EXPECT_NEAR(t.in_plane_bending, 0.033 * 0.2 * 0.2 / 6 * 3e4, 1e-12);
@@ -47,8 +47,8 @@ TEST(ThresholdsTest, HaveTheirOwnSectionsWhereThePaperIsSilent) {
 TEST(ThresholdsTest, TakeTheMomentAboutTheCentreOfTheElementOnRequest) {
     Scenario scenario;
     scenario.joint.moment_about = MomentAbout::element_centre;
-    const Thresholds centre = make_thresholds(scenario);
-    const Thresholds pivot = make_thresholds(Scenario{});
+    const Thresholds centre = make_thresholds(scenario.floe, scenario.material());
+    const Thresholds pivot = make_thresholds({}, {});
     const double load = centre.bending / (0.15 + 0.1);
     const auto held = [](double force) { return JointReaction{.shear_vertical = -force, .bending = -force * 0.15}; };
     EXPECT_FALSE(failure(held(0.999 * load), centre));
@@ -100,7 +100,7 @@ TEST(FailureTest, IsInTheModeThatIsMostOverloaded) {
 }
 
 TEST(FailureTest, NeedsACriterion) {
-    const Thresholds paper = make_thresholds(Scenario{});
+    const Thresholds paper = make_thresholds({}, {});
     EXPECT_EQ(failure({.axial = 1e9}, paper), std::nullopt);
     EXPECT_EQ(failure({.torsion = 1e9}, paper), std::nullopt);
     EXPECT_EQ(failure({.in_plane_bending = 1e9}, paper), std::nullopt);

@@ -20,7 +20,7 @@ constexpr double gravity = 9.81;
 Wrench buoyancy(const Scenario& scenario, const BodyState& state) {
     const double side = scenario.floe.element;
     const double stiffness = scenario.water.density * gravity * side * side;
-    const double draught = scenario.ice.thickness / 2 - state.position.y();
+    const double draught = scenario.floe.thickness / 2 - state.position.y();
     const Vec3 tilt = Vec3::UnitY().cross(state.rotation.col(1));
     return {Vec3(0, stiffness * draught, 0), -stiffness * side * side / 12 * tilt};
 }
@@ -28,9 +28,9 @@ Wrench buoyancy(const Scenario& scenario, const BodyState& state) {
 TEST(IceFloating, BeginsAtTheDraughtOfArchimedes) {
     const Scenario scenario;
     World world{WorldDefinition{}};
-    const IceField ice(world, scenario, std::vector<PlanarPose>{{5, 1, 0.3}});
+    const IceField ice(world, scenario, floes_at(scenario, std::vector<PlanarPose>{{5, 1, 0.3}}));
     for (const IceElement& element : ice.elements()) {
-        const double lower_face = world.state(element.body).position.y() - scenario.ice.thickness / 2;
+        const double lower_face = world.state(element.body).position.y() - scenario.floe.thickness / 2;
         EXPECT_NEAR(lower_face, -0.93 * 0.033, 1e-12);
     }
 }
@@ -40,7 +40,7 @@ TEST(IceFloating, LaysElementsWhereThePoseSays) {
     scenario.floe.length = 0.4;  // 2 x 3 elements
     World world{WorldDefinition{}};
     const double yaw = 0.4;
-    const IceField ice(world, scenario, std::vector<PlanarPose>{{0, 0, 0}, {5, 1, yaw}});
+    const IceField ice(world, scenario, floes_at(scenario, std::vector<PlanarPose>{{0, 0, 0}, {5, 1, yaw}}));
     ASSERT_EQ(ice.elements().size(), 12u);
     EXPECT_EQ(ice.live_joints(), 2 * 7);
     const Vec3 along(std::cos(yaw), 0, -std::sin(yaw));  // +z turns to +x
@@ -57,7 +57,7 @@ TEST(IceFloating, LaysElementsWhereThePoseSays) {
 TEST(IceFloating, StaysAtRestForAMinute) {
     const Scenario scenario;
     World world{WorldDefinition{}};
-    IceField ice(world, scenario, std::vector<PlanarPose>{{5, 1, 0.3}});
+    IceField ice(world, scenario, floes_at(scenario, std::vector<PlanarPose>{{5, 1, 0.3}}));
     std::vector<Vec3> start;
     for (const IceElement& element : ice.elements()) start.push_back(world.state(element.body).position);
     for (int step = 0; step < 3000; ++step) {
@@ -86,7 +86,7 @@ TEST(IceFloating, CarriesItsAddedMassAlong) {
     const double step = scenario.general.time_step;
     const auto speed_after_a_step = [&](double sunk) {
         World world = scenario_world(scenario);
-        const IceField ice(world, scenario, std::vector<PlanarPose>{{0, 0, 0}});
+        const IceField ice(world, scenario, floes_at(scenario, std::vector<PlanarPose>{{0, 0, 0}}));
         const BodyId element = ice.elements()[0].body;
         BodyState state = world.state(element);
         state.position.y() -= sunk;
@@ -104,7 +104,7 @@ TEST(IceFloating, ShowsTheWaterTheOutlineOfAFloeOrEveryElement) {
         Scenario scenario;
         scenario.water.form_drag_on = on;
         World world{WorldDefinition{}};
-        const IceField ice(world, scenario, std::vector<PlanarPose>{{0, 0, 0}});
+        const IceField ice(world, scenario, floes_at(scenario, std::vector<PlanarPose>{{0, 0, 0}}));
         int found = 0;
         for (const IceElement& element : ice.elements()) found += std::popcount(element.exposed_edges);
         EXPECT_EQ(found, faces);
@@ -117,7 +117,7 @@ TEST(IceFloating, DoesNotTouchItself) {
     scenario.joint.cfm = 0.1;  // soft
     scenario.ice.bending_strength = scenario.ice.compressive_strength = scenario.ice.shear_strength = 1e9;
     World world = weightless_world();
-    IceField ice(world, scenario, std::vector<PlanarPose>{{0, 0, 0}});
+    IceField ice(world, scenario, floes_at(scenario, std::vector<PlanarPose>{{0, 0, 0}}));
     double closest = 1;
     for (int step = 0; step < 200; ++step) {
         for (const IceElement& element : ice.elements()) {

@@ -23,7 +23,7 @@ inline World weightless_world() {
 }
 
 inline double element_mass(const Scenario& scenario) {
-    return scenario.ice.density * scenario.ice.thickness * scenario.floe.element * scenario.floe.element;
+    return scenario.ice.density * scenario.floe.thickness * scenario.floe.element * scenario.floe.element;
 }
 
 /// Loads a joint between `a` and its neighbour `b`, `arm` being the joint seen from a in a's own axes: such that, at

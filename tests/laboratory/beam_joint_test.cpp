@@ -57,7 +57,7 @@ class BeamSheet : public testing::TestWithParam<SheetOfIce> {};
 // A load on one element acts at a node of the beams, so it is a point load to the plate.
 TEST_P(BeamSheet, SinksAsAPlateOnWater) {
     Scenario scenario = with_beam_joints({}, 60e6);
-    scenario.ice.thickness = 0.03;
+    scenario.floe.thickness = 0.03;
     scenario.floe.element = GetParam().element;
     scenario.general.iterations = 10;
     const CurvePoint few = measure_curve_point(scenario, {.sheet = GetParam().sheet});

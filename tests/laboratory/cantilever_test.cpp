@@ -44,7 +44,7 @@ TEST(Beam, AsPrintedShearNeedsAThirtiethOfTheLoad) {
     const double load = measure_beam_strength(scenario, {.load = BeamLoad::shear, .elements = 1}).load;
     scenario.joint.threshold_form = ThresholdForm::as_printed;
     const BeamStrength printed = measure_beam_strength(scenario, {.load = BeamLoad::shear, .elements = 1});
-    EXPECT_NEAR(printed.load / load, scenario.ice.thickness, 0.01 * scenario.ice.thickness);
+    EXPECT_NEAR(printed.load / load, scenario.floe.thickness, 0.01 * scenario.floe.thickness);
     EXPECT_NEAR(printed.strength, 72.8e3, 0.01 * 72.8e3);
 }
 
@@ -59,7 +59,7 @@ TEST(Beam, AFloatingBeamReadsMoreThanItsStrengthAsOneOnAFoundationDoes) {
     const Scenario scenario;
     for (const int elements : {2, 3}) {
         const BeamStrength shown = measure_beam_strength(scenario, {.elements = elements, .floating = true});
-        const double elastic = floating_cantilever_factor(60e6, elements * 0.2, scenario.ice.thickness, 9810);
+        const double elastic = floating_cantilever_factor(60e6, elements * 0.2, scenario.floe.thickness, 9810);
         EXPECT_GT(shown.strength / shown.set, elastic);
         EXPECT_LT(shown.strength / shown.set, 1.2 * elastic);
     }

@@ -12,7 +12,7 @@ namespace {
 
 Scenario paper_plate(double cfm) {
     Scenario scenario;
-    scenario.ice.thickness = 0.030;
+    scenario.floe.thickness = 0.030;
     scenario.joint.cfm = cfm;
     return scenario;
 }

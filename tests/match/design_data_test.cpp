@@ -32,7 +32,7 @@ const std::string two_axes =
 
 /// 1000 times the thickness, and 1 N more on each arrangement.
 double thickness_load(const Case& one, int arrangement) {
-    return 1000 * one.scenario.ice.thickness + arrangement;
+    return 1000 * one.scenario.floe.thickness + arrangement;
 }
 
 std::vector<Target> mean_target(const std::string& case_name = "") {
@@ -152,7 +152,7 @@ TEST(MatchData, SaysWhatArrangementsShare) {
     for (const double part : {0.0, 0.75}) {
         const auto load = [&](const Case& one, int arrangement) {
             const auto row = static_cast<std::uint32_t>(arrangement);
-            return 50 * one.scenario.ice.thickness + std::sqrt(part) * noise(row, 1000) +
+            return 50 * one.scenario.floe.thickness + std::sqrt(part) * noise(row, 1000) +
                    std::sqrt(1 - part) * noise(row, static_cast<std::uint32_t>(one.point));
         };
         const std::vector<MatchWave> waves{wave("a.h5", many, load)};

@@ -28,6 +28,7 @@ RecordingSubject subject() {
     made.campaign = "quiet";
     made.case_name = "one";
     made.scenario.field.floes = 1;
+    made.floes = floes_of(made.scenario);
     return made;
 }
 
@@ -87,7 +88,7 @@ TEST(Projection, SeesItsAngleOfView) {
 }
 
 TEST(Plan, ShowsTheChannelToScaleWithTheTowToTheRight) {
-    const Channel channel = channel_of(subject());
+    const Channel channel = subject().channel();
     const Camera seen = camera(View::plan, subject(), 2);
     const Projection projection(seen, 1000, 200);
     const Vec2 a = projection.at({2, 0, 0});
@@ -175,7 +176,7 @@ TEST(Picture, IsAFileOfVectorsToo) {
     const TemporaryFolder folder;
     const PictureStyle style{.width = 400, .height = 300};
     Canvas canvas(folder / "a.svg", style.width, picture_height(style, subject()));
-    draw_picture(canvas, Stage(subject(), outcome(), 1), frame(1), style);
+    draw_picture(canvas, Stage(subject(), outcome()), frame(1), style);
     canvas.finish();
     std::stringstream text;
     text << std::ifstream(folder / "a.svg").rdbuf();
@@ -190,7 +191,7 @@ void write_recording(const std::filesystem::path& path, int frames) {
     about.configuration =
         "[field]\nfloes = 24\nconcentration_percent = 50.0\n[analysis]\nsteady_start_s = 30.0\nwindow_s = "
         "30.0\n[[case]]\nname = \"one\"\n";
-    RecordingWriter writer(path, about, 1);
+    RecordingWriter writer(path, about);
     for (int k = 0; k < frames; ++k) writer.add(frame(k + 1));
     writer.finish(outcome());
 }

@@ -23,7 +23,8 @@ inline RecordingSubject record_subject() {
             .case_name = "soft",
             .member = 3,
             .arrangement = 1,
-            .scenario = one.cases.front().scenario};
+            .scenario = one.cases.front().scenario,
+            .floes = floes_of(one.cases.front().scenario)};
 }
 
 inline Frame frame(int number, int elements) {
@@ -53,9 +54,9 @@ inline Frame frame(int number, int elements) {
 
 inline void write_recording(const std::filesystem::path& path, int frames) {
     const RecordingSubject subject = record_subject();
-    const int floes = subject.scenario.field.floes;
-    RecordingWriter writer(path, subject, floes);
-    for (int i = 0; i < frames; ++i) writer.add(frame(i, floes * elements_of_a_floe(subject)));
+    const int elements = static_cast<int>(IceLayout(subject.floes).elements.size());
+    RecordingWriter writer(path, subject);
+    for (int i = 0; i < frames; ++i) writer.add(frame(i, elements));
     RecordingOutcome outcome;
     for (int step = 0; step < subject.scenario.step_count(); ++step) {
         outcome.history.surge.push_back(2.0 * step);

@@ -28,7 +28,7 @@ TEST(CalibrationRecord, KeyIsTheIceAndTheWantedModulusAlone) {
     elsewhere.joint.cfm = 0.5;
     EXPECT_EQ(calibration_key(elsewhere), calibration_key(ice));
     for (const auto change :
-         {+[](Scenario& s) { s.ice.elastic_modulus = 61e6; }, +[](Scenario& s) { s.ice.thickness = 0.04; },
+         {+[](Scenario& s) { s.ice.elastic_modulus = 61e6; }, +[](Scenario& s) { s.floe.thickness = 0.04; },
           +[](Scenario& s) { s.floe.element = 0.3; }, +[](Scenario& s) { s.general.iterations = 51; },
           +[](Scenario& s) { s.general.time_step = 0.01; }, +[](Scenario& s) { s.general.solver = SolverKind::stock; },
           +[](Scenario& s) { s.joint.erp = 0.7; }, +[](Scenario& s) { s.water.density = 1025; }}) {

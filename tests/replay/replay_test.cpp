@@ -77,8 +77,8 @@ TEST_F(Replay, KeepsTheFramesThatWereAskedFor) {
     EXPECT_NEAR(recording.time(0), 2.16, 1e-12);
     EXPECT_NEAR(recording.time(1), 2.66, 1e-12);
     EXPECT_EQ(recording.nearest(2.5), 1);
-    EXPECT_EQ(recording.floes(), 12);
-    EXPECT_EQ(recording.elements(), 108);
+    EXPECT_EQ(recording.layout().floes(), 12);
+    EXPECT_EQ(recording.layout().elements.size(), 108);
     EXPECT_EQ(recording.outcome().history.surge, result.history.surge);
     EXPECT_EQ(recording.outcome().breaks, result.breaks);
     EXPECT_EQ(recording.subject().scenario.joint.cfm, 1e-10);

@@ -48,7 +48,7 @@ TEST(Baumgarte, DampingTimeIsFiveMilliseconds) {
 
 TEST(JointRows, ReproduceTheTableOfTheDefaultElement) {
     const Scenario scenario;
-    const JointRows rows = joint_rows(scenario.floe.element, scenario.ice.thickness, scenario.ice.density);
+    const JointRows rows = joint_rows(scenario.floe.element, scenario.floe.thickness, scenario.ice.density);
     EXPECT_NEAR(rows.axial, 1.629, 5e-4);
     EXPECT_NEAR(rows.vertical_shear, 6.39, 5e-3);
     EXPECT_NEAR(rows.in_plane_shear, 4.07, 5e-3);

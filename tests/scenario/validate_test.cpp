@@ -51,7 +51,7 @@ TEST(Validate, EveryContradictionIsOneSentence) {
         {[](Scenario& s) { s.ice.density = 1000; },
          "ice.density_kg_m3 = 1000.0 is not below water.density_kg_m3 = 1000.0, so the ice sinks; lower the ice's "
          "density"},
-        {[](Scenario& s) { s.ice.thickness = 0.001; },
+        {[](Scenario& s) { s.floe.thickness = 0.001; },
          "general.time_step_s = 0.02 is too long for ice.thickness_m = 0.001: floating ice heaves at 102.7 rad/s there "
          "and "
          "diverges; take a step below 0.01947"},

@@ -62,7 +62,7 @@ class StepLoop : public ::testing::Test {
 /// Floes in rows of four, `gap` m apart, between walls that are as far, the structure at the near edge.
 struct Rows {
     Scenario scenario;
-    Arrangement arrangement;
+    FloeSet arrangement;
 
     Rows(int rows, double gap) {
         scenario.general.solver = SolverKind::lanes;
@@ -72,10 +72,10 @@ struct Rows {
         scenario.field.concentration = 0.36 * 4 * rows / (2 * scenario.field.half_width * (cell * rows + gap));
         scenario.structure.shape = Shape({{-0.443, 0.171}, {0.122, 0.736}});  // nothing breaks at this wall
         scenario.structure.start = scenario.field.begin - scenario.structure.shape.waterline_radius() - 0.02;
-        for (int i = 0; i < 4 * rows; ++i) {
-            arrangement.poses.push_back(
-                {.x = scenario.field.begin + gap + cell * (i / 4) + 0.3, .z = cell * (i % 4 - 1.5)});
-        }
+        std::vector<PlanarPose> poses;
+        for (int i = 0; i < 4 * rows; ++i)
+            poses.push_back({.x = scenario.field.begin + gap + cell * (i / 4) + 0.3, .z = cell * (i % 4 - 1.5)});
+        arrangement = floes_at(scenario, poses);
     }
 };
 

@@ -11,7 +11,7 @@ double top(const IceSheet& sheet) {
 
 TEST(Channel, HasSheetsAlongBothWallsAndAcrossTheFarEnd) {
     const Scenario scenario;
-    const Channel channel = make_channel(scenario);
+    const Channel channel = make_channel(scenario, floes_of(scenario));
     ASSERT_EQ(channel.sheets.size(), 3u);
     EXPECT_NEAR(channel.sheets[0].centre.z() - channel.sheets[0].half_extents.z(), 2.4, 1e-12);
     EXPECT_NEAR(channel.sheets[1].centre.z() + channel.sheets[1].half_extents.z(), -2.4, 1e-12);
@@ -30,13 +30,13 @@ TEST(Channel, HasSheetsAlongBothWallsAndAcrossTheFarEnd) {
 TEST(Channel, LeavesRoomForFloesOfAnySize) {
     Scenario scenario;
     scenario.floe.breadth = 30;
-    EXPECT_DOUBLE_EQ(make_channel(scenario).room, 50);
+    EXPECT_DOUBLE_EQ(make_channel(scenario, floes_of(scenario)).room, 50);
 }
 
 TEST(Channel, WithAnOpenEndHasWallsAsFarAsTheTowCanPush) {
     Scenario scenario;
     scenario.field.far_end = FarEnd::open;
-    const Channel channel = make_channel(scenario);
+    const Channel channel = make_channel(scenario, floes_of(scenario));
     EXPECT_EQ(channel.sheets.size(), 2u);
     EXPECT_NEAR(channel.end, 24.9 + 1.0 + 0.07 * 270, 1e-12);
 }

@@ -35,7 +35,8 @@ Scenario with_paper_contacts(Scenario scenario, SolverKind solver) {
 
 /// Surge load of every step over s³, N.
 std::vector<double> loads(const Scenario& original, const Arrangement& arrangement, double s, int steps) {
-    Simulation simulation(scaled(original, s), {.poses = scaled(arrangement.poses, s)});
+    const Scenario larger = scaled(original, s);
+    Simulation simulation(larger, floes_at(larger, scaled(arrangement.poses(), s)));
     while (simulation.steps() < steps) simulation.step();
     std::vector<double> surge = simulation.loads().surge;
     for (double& load : surge) load /= s * s * s;

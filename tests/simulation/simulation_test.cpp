@@ -28,7 +28,7 @@ void run(Simulation& simulation) {
 }
 
 double draught_of(const BodyState& state, const Scenario& scenario) {
-    return 0.5 * scenario.ice.thickness - state.position.y();
+    return 0.5 * scenario.floe.thickness - state.position.y();
 }
 
 TEST(Floating, AFloeAtRestStaysAtRestForAMinute) {
@@ -55,7 +55,7 @@ TEST(Floating, SettlesToTheTrueDraughtFromFiveMillimetresOff) {
     heavier.water.density = 930 * 0.033 / (draught - 0.005);
     World world = scenario_world(heavier);
     const std::vector<PlanarPose> poses{{10, 0, 0.2}};
-    IceField ice(world, heavier, poses);
+    IceField ice(world, heavier, floes_at(heavier, poses));
     const WaterModel water(scenario.water, 9.81, {0.2, 0.033}, 930 * 0.04 * 0.033, 0.614, 0);
     EXPECT_NEAR(draught_of(world.state(ice.elements()[0].body), scenario), draught - 0.005, 1e-12);
     for (int step = 0; step < scenario.step_count(); ++step) {

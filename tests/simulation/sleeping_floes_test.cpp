@@ -23,7 +23,7 @@ Scenario three_floes() {
     scenario.analysis.window = 6;
     return scenario;
 }
-const Arrangement poses{{{5.7, 0.1, 0}, {6.35, 0.1, 0}, {5.4, -1.1, 0.3}}, 1};
+const std::vector<PlanarPose> poses{{5.7, 0.1, 0}, {6.35, 0.1, 0}, {5.4, -1.1, 0.3}};
 
 bool same_bits(const Simulation& a, const Simulation& b, int floe) {
     for (std::size_t i = 0; i < a.ice().elements().size(); ++i) {
@@ -41,9 +41,9 @@ bool same_bits(const Simulation& a, const Simulation& b, int floe) {
 TEST(SleepingFloes, ARadiusBeyondTheFieldGivesTheBitsOfNone) {
     Scenario scenario = three_floes();
     scenario.field.wake_radius = 0;
-    Simulation off(scenario, poses);
+    Simulation off(scenario, floes_at(scenario, poses));
     scenario.field.wake_radius = 100;
-    Simulation far(scenario, poses);
+    Simulation far(scenario, floes_at(scenario, poses));
     ASSERT_TRUE(off.run({}));
     ASSERT_TRUE(far.run({}));
     EXPECT_EQ(off.loads().surge, far.loads().surge);
@@ -53,23 +53,23 @@ TEST(SleepingFloes, ARadiusBeyondTheFieldGivesTheBitsOfNone) {
 
 TEST(SleepingFloes, StayExactlyWhereTheyAreUntilAMovingFloeTouchesThem) {
     const Scenario scenario = three_floes();
-    const Simulation start(scenario, poses);
-    Simulation tow(scenario, poses);
+    const Simulation start(scenario, floes_at(scenario, poses));
+    Simulation tow(scenario, floes_at(scenario, poses));
     while (same_bits(tow, start, 1) && tow.steps() < scenario.step_count()) tow.step();
     const double axis = scenario.structure.start + scenario.structure.speed * tow.time();
-    EXPECT_GT(poses.poses[1].x - axis, wake_radius) << "the second was woken by the first, not by the structure";
+    EXPECT_GT(poses[1].x - axis, wake_radius) << "the second was woken by the first, not by the structure";
     // It woke with a gap of some millimetres at most between the two.
     double front = 0;
     for (const BodyState& state : tow.element_states()) {
         if (&state - tow.element_states().data() < 9) front = std::max(front, state.position.x());
     }
-    EXPECT_NEAR(front + 0.1, poses.poses[1].x - 0.3, 0.01);
+    EXPECT_NEAR(front + 0.1, poses[1].x - 0.3, 0.01);
 }
 
 TEST(SleepingFloes, WakeWhenTheStructureComesWithinTheRadius) {
     const Scenario scenario = three_floes();
-    const Simulation start(scenario, poses);
-    Simulation tow(scenario, poses);
+    const Simulation start(scenario, floes_at(scenario, poses));
+    Simulation tow(scenario, floes_at(scenario, poses));
     double before = 0;
     while (same_bits(tow, start, 2)) {
         ASSERT_LT(tow.steps(), scenario.step_count());
@@ -77,22 +77,22 @@ TEST(SleepingFloes, WakeWhenTheStructureComesWithinTheRadius) {
         tow.step();
     }
     const double axis = scenario.structure.start + scenario.structure.speed * before;
-    const Vec3 way(poses.poses[2].x - axis, 0, poses.poses[2].z);
+    const Vec3 way(poses[2].x - axis, 0, poses[2].z);
     EXPECT_LE(way.norm(), wake_radius);
     EXPECT_GT(way.norm(), wake_radius - scenario.structure.speed * scenario.general.time_step);
 }
 
 TEST(SleepingFloes, SleepOnInATowThatIsTakenUpAgain) {
     const Scenario scenario = three_floes();
-    Simulation whole(scenario, poses);
+    Simulation whole(scenario, floes_at(scenario, poses));
     for (int i = 0; i < 10; ++i) whole.step();
-    Simulation resumed(scenario, poses, whole.state());
+    Simulation resumed(scenario, floes_at(scenario, poses), whole.state());
     for (int i = 0; i < 20; ++i) {
         whole.step();
         resumed.step();
     }
     for (const int floe : {0, 1, 2}) EXPECT_TRUE(same_bits(whole, resumed, floe)) << floe;
-    EXPECT_TRUE(same_bits(resumed, Simulation(scenario, poses), 2));
+    EXPECT_TRUE(same_bits(resumed, Simulation(scenario, floes_at(scenario, poses)), 2));
 }
 
 TEST(SleepingFloes, TheStatedBoundHoldsForWhatTheFlowWouldHaveDone) {

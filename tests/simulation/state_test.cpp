@@ -23,16 +23,16 @@ Scenario breaking_scenario(SolverKind solver) {
     return scenario;
 }
 
-const Arrangement two_floes{{{5.3, 0.1, 0.3}, {6.2, -0.2, 0.9}}, 1};
+const std::vector<PlanarPose> two{{5.3, 0.1, 0.3}, {6.2, -0.2, 0.9}};
 
 class ResumedTow : public ::testing::TestWithParam<SolverKind> {};
 
 // As long as the structure touches nothing, no contact is lost with a state: every step is the same, to the bit.
 TEST_P(ResumedTow, GoesOnWithTheSameBitsWhileNothingTouches) {
     const Scenario scenario = breaking_scenario(GetParam());
-    Simulation whole(scenario, two_floes);
+    Simulation whole(scenario, floes_at(scenario, two));
     for (int i = 0; i < 10; ++i) whole.step();
-    Simulation resumed(scenario, two_floes, whole.state());
+    Simulation resumed(scenario, floes_at(scenario, two), whole.state());
     EXPECT_EQ(resumed.steps(), 10);
     EXPECT_TRUE(std::isnan(resumed.loads().surge[9]));
     for (int i = 0; i < 10; ++i) {
@@ -50,11 +50,11 @@ TEST_P(ResumedTow, GoesOnWithTheSameBitsWhileNothingTouches) {
 
 TEST_P(ResumedTow, HasTheBreaksAndTheirPiecesAndStaysClose) {
     const Scenario scenario = breaking_scenario(GetParam());
-    Simulation whole(scenario, two_floes);
+    Simulation whole(scenario, floes_at(scenario, two));
     while (whole.ice().breaks().empty() && whole.steps() < scenario.step_count()) whole.step();
     for (int i = 0; i < 5; ++i) whole.step();
     ASSERT_FALSE(whole.ice().breaks().empty());
-    Simulation resumed(scenario, two_floes, whole.state());
+    Simulation resumed(scenario, floes_at(scenario, two), whole.state());
     EXPECT_EQ(resumed.ice().breaks(), whole.ice().breaks());
     EXPECT_EQ(resumed.ice().live_joints(), whole.ice().live_joints());
     for (std::size_t i = 0; i < whole.ice().elements().size(); ++i) {
@@ -71,12 +71,12 @@ TEST_P(ResumedTow, HasTheBreaksAndTheirPiecesAndStaysClose) {
 
 TEST_P(ResumedTow, RefusesAStateOfOtherFloes) {
     const Scenario scenario = breaking_scenario(GetParam());
-    SimulationState state = Simulation(scenario, two_floes).state();
+    SimulationState state = Simulation(scenario, floes_at(scenario, two)).state();
     SimulationState few = state;
     few.elements.pop_back();
-    EXPECT_THROW(Simulation(scenario, two_floes, few), InputError);
+    EXPECT_THROW(Simulation(scenario, floes_at(scenario, two), few), InputError);
     state.breaks.push_back({.time = 0.1, .floe = 2, .joint = 0, .mode = FailureMode::bending});
-    EXPECT_THROW(Simulation(scenario, two_floes, state), InputError);
+    EXPECT_THROW(Simulation(scenario, floes_at(scenario, two), state), InputError);
 }
 
 INSTANTIATE_TEST_SUITE_P(Solvers, ResumedTow, ::testing::Values(SolverKind::stock, SolverKind::lanes),

@@ -13,7 +13,7 @@ using testing::HasSubstr;
 class WellbeingTest : public testing::Test {
   protected:
     const Scenario scenario;
-    const Wellbeing wellbeing{scenario, make_channel(scenario)};
+    const Wellbeing wellbeing{scenario, make_channel(scenario, floes_of(scenario))};
 
     std::string trouble_at(const Vec3& position, const Vec3& velocity = Vec3::Zero()) const {
         return wellbeing.trouble({.position = position, .velocity = velocity}).value_or("well");
@@ -42,7 +42,7 @@ TEST_F(WellbeingTest, AnElementIsGoneBeyondEachSideOfItsRange) {
 TEST_F(WellbeingTest, LargeFloesMayGoFarther) {
     Scenario large = scenario;
     large.floe.length = large.floe.breadth = 60;
-    const Wellbeing limits(large, make_channel(large));
+    const Wellbeing limits(large, make_channel(large, floes_of(large)));
     EXPECT_FALSE(limits.trouble({.position = {10, -100, 0}}));
     EXPECT_FALSE(limits.trouble({.position = {-90, 99, 0}}));
     EXPECT_TRUE(limits.trouble({.position = {10, -101, 0}}));

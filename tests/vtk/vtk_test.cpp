@@ -55,6 +55,10 @@ Frame some_frame(double time) {
     return frame;
 }
 
+IceLayout two_floes(const Scenario& scenario) {
+    return IceLayout(floes_at(scenario, std::vector<PlanarPose>(2)));
+}
+
 Vec3 point(const std::vector<float>& values, std::size_t index) {
     return {values[3 * index], values[3 * index + 1], values[3 * index + 2]};
 }
@@ -62,14 +66,14 @@ Vec3 point(const std::vector<float>& values, std::size_t index) {
 TEST_F(Vtk, IceIsABoxForEachElementWhereTheFrameHasIt) {
     const Frame frame = some_frame(0.5);
     const Scenario scenario;
-    const VtkReader file = written(ice_part(frame, scenario, std::vector<std::uint8_t>{0, 1}));
+    const VtkReader file = written(ice_part(frame, two_floes(scenario), std::vector<std::uint8_t>{0, 1}));
     EXPECT_EQ(file.number("NumberOfPoints"), 18 * 8);
     EXPECT_EQ(file.number("NumberOfCells"), 18);
     const auto points = file.values<float>("Points");
     const auto connectivity = file.values<std::int32_t>("connectivity");
     const auto offsets = file.values<std::int32_t>("offsets");
     ASSERT_EQ(points.size(), 18U * 8 * 3);
-    const Vec3 half = Vec3(scenario.floe.element, scenario.ice.thickness, scenario.floe.element) / 2;
+    const Vec3 half = Vec3(scenario.floe.element, scenario.floe.thickness, scenario.floe.element) / 2;
     for (std::size_t cell = 0; cell < 18; ++cell) {
         ASSERT_EQ(offsets[cell], 8 * static_cast<int>(cell + 1));
         const BodyState& element = frame.elements[cell];
@@ -92,7 +96,7 @@ TEST_F(Vtk, IceIsABoxForEachElementWhereTheFrameHasIt) {
 
 TEST_F(Vtk, EveryElementCarriesItsNumbers) {
     const Frame frame = some_frame(0.5);
-    const VtkReader file = written(ice_part(frame, {}, std::vector<std::uint8_t>{0, 1}));
+    const VtkReader file = written(ice_part(frame, two_floes({}), std::vector<std::uint8_t>{0, 1}));
     EXPECT_EQ(file.values<std::int32_t>("piece"), frame.pieces);
     const auto floe = file.values<std::int32_t>("floe");
     const auto broken = file.values<std::uint8_t>("broken");
@@ -166,8 +170,9 @@ TEST_F(Vtk, FloesAreBrokenFromTheStepInWhichAJointFails) {
 TEST_F(Vtk, ASeriesOfARecordHasEveryPartAtEveryTime) {
     RecordingSubject subject;
     subject.scenario.field.floes = 2;
+    subject.floes = floes_of(subject.scenario);
     {
-        RecordingWriter recording(folder / "recording.h5", subject, 2);
+        RecordingWriter recording(folder / "recording.h5", subject);
         recording.add(some_frame(0.5));
         recording.add(some_frame(1));
         recording.finish({.history = {}, .breaks = {{.time = 0.8, .floe = 1}}});
@@ -187,7 +192,7 @@ TEST_F(Vtk, ASeriesOfARecordHasEveryPartAtEveryTime) {
 
     const VtkReader second(folder / "a & b" / "ice_00001.vtu");
     EXPECT_EQ(second.values<float>("Points"),
-              ice_part(recording.read(1), recording.subject().scenario, std::vector<std::uint8_t>{0, 1}).points);
+              ice_part(recording.read(1), recording.layout(), std::vector<std::uint8_t>{0, 1}).points);
     EXPECT_THAT(second.values<std::uint8_t>("broken"), testing::Contains(1).Times(9));
     EXPECT_THAT(VtkReader(folder / "a & b" / "ice_00000.vtu").values<std::uint8_t>("broken"), testing::Each(0));
     EXPECT_THAT(text_of(folder / "a & b" / "ice_00001.vtu"), HasSubstr(">1</DataArray></FieldData>"));
@@ -201,9 +206,9 @@ TEST_F(Vtk, ASeriesOfARecordHasEveryPartAtEveryTime) {
 
 TEST_F(Vtk, SaysWhyASeriesCannotBeWritten) {
     const RecordingSubject subject;
-    EXPECT_THROW(VtkSeries(folder / "a.vtk", subject, 2, {}), InputError);
+    EXPECT_THROW(VtkSeries(folder / "a.vtk", subject, {}), InputError);
     std::ofstream(folder / "file") << "no folder";
-    EXPECT_THROW(VtkSeries(folder / "file" / "a.pvd", subject, 2, {}), RunError);
+    EXPECT_THROW(VtkSeries(folder / "file" / "a.pvd", subject, {}), RunError);
     EXPECT_THROW(write_vtk(folder / "nowhere" / "a.vtp", {}, 0), RunError);
 }
 

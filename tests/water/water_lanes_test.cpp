@@ -17,10 +17,10 @@ namespace {
 constexpr ElementShape shape{0.2, 0.033};
 constexpr double structure_x = 1.5;
 
-WaterModel model(WaterFlow flow) {
+WaterModel model(WaterFlow flow, ElementShape size = shape) {
     Water water;
     water.flow = flow;
-    return {water, 9.81, shape, 1.2276, 0.614, 0.07};
+    return {water, 9.81, size, 930 * size.side * size.side * size.thickness, 0.614, 0.07};
 }
 
 Mat3 turned(double angle, const Vec3& axis) {
@@ -73,14 +73,20 @@ std::vector<ElementState> every_kind_of_element() {
 class WaterLanesOf : public ::testing::TestWithParam<WaterFlow> {};
 
 TEST_P(WaterLanesOf, EveryWidthHasTheBitsOfOneElementAlone) {
-    const WaterModel one(model(GetParam()));
+    const std::vector<WaterModel> models{model(GetParam()), model(GetParam(), {0.3, 0.05})};
     const std::vector<ElementState> elements = every_kind_of_element();
+    std::vector<std::size_t> model_of;
+    for (std::size_t i = 0; i < elements.size(); ++i) model_of.push_back(i / 2 % 2);
     for (const int width : lane_widths()) {
-        WaterLanes many(one, elements.size(), width);
-        for (std::size_t i = 0; i < elements.size(); ++i) many.set(i, elements[i]);
-        many.compute(elements.size(), structure_x);
+        // Two models by turns, and every third element left out: lanes are filled with what there is of a model.
+        WaterLanes many(models, model_of, width);
+        many.clear();
+        for (std::size_t i = 0; i < elements.size(); ++i)
+            if (i % 3 != 0) many.set(i, elements[i]);
+        many.compute(structure_x);
         for (std::size_t i = 0; i < elements.size(); ++i) {
-            const Wrench expected = one.wrench(elements[i], structure_x);
+            if (i % 3 == 0) continue;
+            const Wrench expected = models[model_of[i]].wrench(elements[i], structure_x);
             ASSERT_TRUE(same_bits(many.wrench(i).force, expected.force)) << "element " << i << ", width " << width;
             ASSERT_TRUE(same_bits(many.wrench(i).moment, expected.moment)) << "element " << i << ", width " << width;
         }
@@ -90,7 +96,7 @@ TEST_P(WaterLanesOf, EveryWidthHasTheBitsOfOneElementAlone) {
 INSTANTIATE_TEST_SUITE_P(Flows, WaterLanesOf, ::testing::Values(WaterFlow::potential, WaterFlow::still));
 
 TEST(WaterLanes, RefuseAWidthThatThereIsNot) {
-    EXPECT_THROW(WaterLanes(model(WaterFlow::still), 4, 3), RunError);
+    EXPECT_THROW(WaterLanes(std::vector{model(WaterFlow::still)}, std::vector<std::size_t>(4), 3), RunError);
 }
 
 }  // namespace

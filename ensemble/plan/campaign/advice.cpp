@@ -13,7 +13,7 @@ std::vector<std::string> advice(const Campaign& campaign) {
     int others = 0;
     for (const Case& one : campaign.cases) {
         const Scenario& scenario = one.scenario;
-        const FloatingPlate plate{.thickness = scenario.ice.thickness,
+        const FloatingPlate plate{.thickness = scenario.floe.thickness,
                                   .water_density = scenario.water.density,
                                   .gravity = scenario.general.gravity};
         const double length = plate.characteristic_length(scenario.ice.elastic_modulus);

@@ -39,7 +39,7 @@ void GivenPoses::refuse_faults(const Scenario& scenario, const std::optional<Pos
                                const std::string& label) {
     if (scenario.arrangement.method != ArrangementMethod::file) return;
     if (!looked_at_.insert(geometry_key(scenario)).second) return;  // of an earlier case
-    const std::optional<Fault> fault = find_fault(scenario, scenario.arrangement.poses);
+    const std::optional<Fault> fault = find_fault(scenario, floes_of(scenario));
     if (!fault) return;
     std::string where = file ? file->path : origins.at("arrangement.poses");
     if (file && !fault->floes.empty()) {

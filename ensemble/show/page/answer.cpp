@@ -56,7 +56,7 @@ const char* placing_words(ArrangementMethod method) {
 std::string field_words(const Scenario& scenario) {
     return fmt::format("{} of {:g} m x {:g} m x {:g} m at {:g} %, {}; structure towed at {:g} m/s.",
                        counted(scenario.field.floes, "floe"), scenario.floe.length, scenario.floe.breadth,
-                       scenario.ice.thickness, scenario.field.concentration / unit::percent,
+                       scenario.floe.thickness, scenario.field.concentration / unit::percent,
                        placing_words(scenario.arrangement.method), scenario.structure.speed);
 }
 

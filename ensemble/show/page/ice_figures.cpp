@@ -9,6 +9,7 @@
 #include "core/units.hpp"
 #include "findings/paper_table3.hpp"
 #include "page/plot.hpp"
+#include "scenario/floes.hpp"
 #include "page/report_figures.hpp"
 
 namespace floes {
@@ -45,7 +46,7 @@ Plot::Points ring(double x, double z, double radius) {
 }  // namespace
 
 std::string joint_figure(const Scenario& scenario) {
-    const Floe& floe = scenario.floe;
+    const FloeShape& floe = scenario.floe;
     const double margin = 0.15 * std::max(floe.length, floe.breadth);
     Plot plot("One floe seen from above: square elements and the joints at the middle of their edges",
               {"along the floe, m", -margin, floe.length + margin}, {"across, m", -margin, floe.breadth + margin},
@@ -79,8 +80,8 @@ std::string section_figure(const Scenario& scenario) {
     Plot plot("Section of the structure with the water's surface and the ice", {"m", -reach, reach},
               {"height above the water, m", low, high}, to_scale(2 * reach, high - low, 720));
     plot.area({{-reach, low}, {reach, low}, {reach, 0}, {-reach, 0}}, "water");
-    const double draught = scenario.ice.thickness * scenario.ice.density / scenario.water.density;
-    const double freeboard = scenario.ice.thickness - draught;
+    const double draught = scenario.floe.thickness * scenario.ice.density / scenario.water.density;
+    const double freeboard = scenario.floe.thickness - draught;
     for (const double sign : {-1.0, 1.0}) {
         const double near = sign * (shape.waterline_radius() + 0.02);
         plot.area({{near, -draught}, {sign * reach, -draught}, {sign * reach, freeboard}, {near, freeboard}}, "ice");
@@ -117,8 +118,9 @@ std::string arrangement_figure(const ReportData& data) {
     for (const BreakRow& row : data.breaks) {
         if (row.member == data.largest_member) broken.insert(row.floe);
     }
+    const FloeSet floes = floes_of(scenario);
     for (std::size_t i = 0; i < data.largest_poses.size(); ++i)
-        plot.area(square(data.largest_poses[i], scenario.floe.length, scenario.floe.breadth),
+        plot.area(square(data.largest_poses[i], floes.shape(i).length, floes.shape(i).breadth),
                   broken.contains(static_cast<int>(i)) ? "ice broken" : "ice");
     plot.area(ring(scenario.structure.start, 0, scenario.structure.shape.waterline_radius()), "structure");
     return plot.svg();

@@ -55,14 +55,10 @@ std::string mode_words(const Failures& failures) {
     return words;
 }
 
-FloeGrid grid_of(const Floe& floe) {
-    return {floe.elements_long(), floe.elements_broad(), floe.element};
-}
-
 std::string joint_panel(const ReportData& data, std::size_t of_case, const Failures& failures, double largest) {
     constexpr std::size_t most_numbers = 40;  // joints; more have no room for them
     constexpr double widest = 188;            // three panels stand side by side
-    const Floe& floe = scenario_of(data, of_case).floe;
+    const FloeShape& floe = scenario_of(data, of_case).floe;
     const FloeGrid grid = grid_of(floe);
     const double half_length = 0.55 * floe.length;
     const double half_breadth = 0.55 * floe.breadth;

@@ -43,7 +43,7 @@ std::string what_was_run(const ReportData& data) {
     body +=
         figure(joint_figure(scenario),
                fmt::format("A floe of {:g} m × {:g} m: elements of {:g} m, {:g} m thick; dots are breakable joints.",
-                           scenario.floe.length, scenario.floe.breadth, scenario.floe.element, scenario.ice.thickness));
+                           scenario.floe.length, scenario.floe.breadth, scenario.floe.element, scenario.floe.thickness));
     return body;
 }
 

@@ -6,7 +6,7 @@ namespace floes {
 
 void write_film(const std::filesystem::path& path, const Recording& recording, const PictureStyle& style, int rate,
                 const std::function<void(double)>& progress) {
-    const Stage stage(recording.subject(), recording.outcome(), recording.floes());
+    const Stage stage(recording.subject(), recording.outcome());
     const int height = picture_height(style, recording.subject());
     const std::unique_ptr<Encoder> film = make_encoder(path, {style.width, height, recording.frames(), rate});
     Canvas picture(style.width, height);

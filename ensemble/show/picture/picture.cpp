@@ -185,7 +185,7 @@ void draw_history(Canvas& canvas, const Stage& stage, const Frame& frame, const 
 
 int picture_height(const PictureStyle& style, const RecordingSubject& subject) {
     if (style.view != View::plan) return style.height + style.height % 2;
-    const Channel channel = channel_of(subject);
+    const Channel channel = subject.channel();
     const double share = 2 * channel.outer_edge / (channel.end - channel.begin);
     return 2 * static_cast<int>(std::lround((share * style.width + strip_height(style)) / 2));
 }

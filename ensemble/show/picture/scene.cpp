@@ -112,9 +112,9 @@ std::vector<SheetPart> in_parts(const std::vector<IceSheet>& sheets, double long
 }
 
 /// Of each element the sides without a joint at that time, bits of Edge.
-std::vector<std::uint8_t> exposed_sides(std::size_t elements, const std::vector<RecordJoint>& joints,
-                                        const std::vector<bool>& failed) {
-    std::vector<std::uint8_t> exposed(elements, every_edge);
+std::vector<std::uint8_t> exposed_sides(const IceLayout& layout, const std::vector<bool>& failed) {
+    const std::vector<IceLayout::LaidJoint>& joints = layout.joints;
+    std::vector<std::uint8_t> exposed(layout.elements.size(), every_edge);
     for (std::size_t k = 0; k < joints.size(); ++k) {
         if (failed[k]) continue;
         const bool along = joints[k].axis == JointAxis::x;
@@ -168,16 +168,15 @@ double largest_load_of(const LoadHistory& history) {
 
 }  // namespace
 
-Stage::Stage(RecordingSubject subject, RecordingOutcome outcome, int floes)
+Stage::Stage(RecordingSubject subject, RecordingOutcome outcome)
     : subject_(std::move(subject)),
       outcome_(std::move(outcome)),
-      floes_(floes),
       largest_load_(largest_load_of(outcome_.history)),
-      joints_(joints_of(subject_, floes)),
-      sheets_(in_parts(channel_of(subject_).sheets, subject_.scenario.floe.length)) {}
+      layout_(subject_.floes),
+      sheets_(in_parts(subject_.channel().sheets, subject_.scenario.floe.length)) {}
 
 int Stage::broken_floes(double time) const {
-    const std::vector<std::uint8_t> broken = floes::broken_floes(outcome_.breaks, floes_, time);
+    const std::vector<std::uint8_t> broken = floes::broken_floes(outcome_.breaks, layout_.floes(), time);
     return static_cast<int>(std::ranges::count(broken, 1));
 }
 
@@ -185,13 +184,11 @@ std::vector<Face> Stage::faces(const Frame& frame, const Projection& projection,
                                Colouring colouring) const {
     const Scenario& scenario = subject_.scenario;
     const double clear = scenario.structure.shape.draught();
-    const auto each = static_cast<std::size_t>(elements_of_a_floe(subject_));
-    const std::size_t joints_each = joints_.size() / static_cast<std::size_t>(std::max(floes_, 1));
-    const std::vector<std::uint8_t> broken = floes::broken_floes(outcome_.breaks, floes_, frame.time);
-    std::vector<bool> failed(joints_.size(), false);
+    const std::vector<std::uint8_t> broken = floes::broken_floes(outcome_.breaks, layout_.floes(), frame.time);
+    std::vector<bool> failed(layout_.joints.size(), false);
     for (const BreakEvent& event : outcome_.breaks) {
         if (event.time > frame.time) break;
-        failed[static_cast<std::size_t>(event.floe) * joints_each + static_cast<std::size_t>(event.joint)] = true;
+        failed[layout_.joint(event.floe, event.joint)] = true;
     }
     const auto colour = [&](std::size_t k) {
         switch (colouring) {
@@ -204,17 +201,16 @@ std::vector<Face> Stage::faces(const Frame& frame, const Projection& projection,
             case Colouring::ice:
                 break;
         }
-        return broken[k / each] != 0 ? broken_ice : white_ice;
+        return broken[static_cast<std::size_t>(layout_.elements[k].floe)] != 0 ? broken_ice : white_ice;
     };
-    const double side = scenario.floe.element;
-    const Vec3 half = Vec3(side, scenario.ice.thickness, side) / 2;
     Faces faces(projection, size);
     for (const auto& [box, exposed] : sheets_)
         faces.add(Box{box.centre, Mat3::Identity(), box.half_extents}, exposed, sheet_ice, clear);
-    const std::vector<std::uint8_t> exposed = exposed_sides(frame.elements.size(), joints_, failed);
+    const std::vector<std::uint8_t> exposed = exposed_sides(layout_, failed);
     for (std::size_t k = 0; k < frame.elements.size(); ++k)
-        faces.add(Box{frame.elements[k].position, frame.elements[k].rotation, half}, exposed[k], colour(k), clear);
-    add_structure(faces, scenario.structure.shape, frame.structure, side / 2, clear);
+        faces.add(Box{frame.elements[k].position, frame.elements[k].rotation, layout_.elements[k].half_extents}, exposed[k],
+                  colour(k), clear);
+    add_structure(faces, scenario.structure.shape, frame.structure, scenario.floe.element / 2, clear);
     return std::move(faces).found();
 }
 

@@ -27,7 +27,7 @@ struct SheetPart {
 /// A run on which frames are drawn: all that does not change from one to the next.
 class Stage {
   public:
-    Stage(RecordingSubject subject, RecordingOutcome outcome, int floes);
+    Stage(RecordingSubject subject, RecordingOutcome outcome);
 
     /// What of the frame is seen in a picture of `size` pixels.
     std::vector<Face> faces(const Frame& frame, const Projection& projection, const Vec2& size,
@@ -41,9 +41,8 @@ class Stage {
   private:
     RecordingSubject subject_;
     RecordingOutcome outcome_;
-    int floes_;
     double largest_load_;
-    std::vector<RecordJoint> joints_;
+    IceLayout layout_;
     std::vector<SheetPart> sheets_;
 };
 

@@ -22,17 +22,16 @@ json list(const Vec3& v) {
     return {v.x(), v.y(), v.z()};
 }
 
-FloeGrid grid_of(const Floe& floe) {
-    return {floe.elements_long(), floe.elements_broad(), floe.element};
-}
-
-json conditions(const Scenario& scenario) {
+json conditions(const RecordingSubject& subject) {
+    const Scenario& scenario = subject.scenario;
     const Ice& ice = scenario.ice;
     const Field& field = scenario.field;
     json rows = json::array();
     const auto row = [&](const char* name, const std::string& value) { rows.push_back({name, value}); };
-    row("Floes", fmt::format("{} of {:g} m × {:g} m × {:g} m", field.floes, scenario.floe.length, scenario.floe.breadth,
-                             ice.thickness));
+    const FloeShape& shape = scenario.floe;
+    row("Floes", subject.floes.alike() ? fmt::format("{} of {:g} m × {:g} m × {:g} m", field.floes, shape.length,
+                                                     shape.breadth, shape.thickness)
+                                       : fmt::format("{} that differ", field.floes));
     row("Concentration", fmt::format("{:g} %", field.concentration / unit::percent));
     row("Elastic modulus", fmt::format("{:g} MPa", ice.elastic_modulus / 1e6));
     row("Bending strength", fmt::format("{:g} kPa", ice.bending_strength / 1e3));
@@ -68,22 +67,34 @@ json sheets(const Channel& channel) {
     return all;
 }
 
-json outline(const FloeGrid& grid) {
-    json edges = json::array();
-    for (int index = 0; index < grid.elements(); ++index) edges.push_back(grid.outline_edges(index));
-    return edges;
+/// Floes by kind: how many one after another, the size of an element, and of each element of one the edges on the
+/// outline, as bits of Edge.
+json ice(const FloeSet& floes) {
+    json kinds = json::array();
+    for (std::size_t first = 0; first < floes.size();) {
+        std::size_t next = first + 1;
+        while (next < floes.size() && floes.floes[next].shape == floes.floes[first].shape) ++next;
+        const FloeShape& shape = floes.shape(first);
+        const FloeGrid grid = grid_of(shape);
+        json outline = json::array();
+        for (int index = 0; index < grid.elements(); ++index) outline.push_back(grid.outline_edges(index));
+        kinds.push_back({{"floes", next - first},
+                         {"element", {shape.element, shape.thickness, shape.element}},
+                         {"outline", std::move(outline)}});
+        first = next;
+    }
+    return kinds;
 }
 
 /// [time, mode, floe, element a, its edge, element b, its edge]; edges as bits of Edge.
 json failures(const Recording& recording) {
-    const std::vector<RecordJoint> joints = joints_of(recording.subject(), 1);
+    const IceLayout& layout = recording.layout();
     json all = json::array();
     for (const BreakEvent& event : recording.outcome().breaks) {
-        const RecordJoint& joint = joints.at(static_cast<std::size_t>(event.joint));
+        const IceLayout::LaidJoint& joint = layout.joints.at(layout.joint(event.floe, event.joint));
         const bool along_x = joint.axis == JointAxis::x;
-        const int first = event.floe * elements_of_a_floe(recording.subject());
-        all.push_back({event.time, event.mode, event.floe, first + joint.a, along_x ? edge_plus_x : edge_plus_z,
-                       first + joint.b, along_x ? edge_minus_x : edge_minus_z});
+        all.push_back({event.time, event.mode, event.floe, joint.a, along_x ? edge_plus_x : edge_plus_z,
+                       joint.b, along_x ? edge_minus_x : edge_minus_z});
     }
     return all;
 }
@@ -112,8 +123,7 @@ json history(const Recording& recording, double from, double to) {
 std::string page_header(const Recording& recording, const Quanta& quanta, const PackedFrames& frames) {
     const RecordingSubject& subject = recording.subject();
     const Scenario& scenario = subject.scenario;
-    const FloeGrid grid = grid_of(scenario.floe);
-    const Channel channel = channel_of(subject);
+    const Channel channel = subject.channel();
     const double begin = recording.time(0);
     const double end = recording.time(recording.frames() - 1);
     const double run = static_cast<double>(scenario.step_count()) * scenario.general.time_step;
@@ -123,13 +133,11 @@ std::string page_header(const Recording& recording, const Quanta& quanta, const 
         {"case", subject.case_name},
         {"member", subject.member},
         {"arrangement", subject.arrangement},
-        {"conditions", conditions(scenario)},
+        {"conditions", conditions(subject)},
         {"configuration", subject.configuration},
-        {"elements", recording.elements()},
-        {"floes", recording.floes()},
-        {"elements_of_a_floe", grid.elements()},
-        {"element", {scenario.floe.element, scenario.ice.thickness, scenario.floe.element}},
-        {"outline", outline(grid)},
+        {"elements", recording.layout().elements.size()},
+        {"floes", recording.layout().floes()},
+        {"ice", ice(subject.floes)},
         {"profile", scenario.structure.shape.rows()},
         {"tow", {{"start", scenario.structure.start}, {"speed", scenario.structure.speed}}},
         {"channel",

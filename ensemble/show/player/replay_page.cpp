@@ -26,7 +26,7 @@ struct Attempt {
 };
 
 Attempt pack(const Recording& recording, const Quanta& quanta, int stride, std::size_t most) {
-    FramePacker packer(quanta, recording.elements());
+    FramePacker packer(quanta, static_cast<int>(recording.layout().elements.size()));
     Frame frame;
     const int last = recording.frames() - 1;
     for (int i = 0; i <= last; i = i == last ? last + 1 : std::min(i + stride, last)) {

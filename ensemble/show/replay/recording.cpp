@@ -15,9 +15,15 @@
 namespace floes {
 namespace {
 
-FloeGrid grid_of(const RecordingSubject& subject) {
-    const Floe& floe = subject.scenario.floe;
-    return {floe.elements_long(), floe.elements_broad(), floe.element};
+/// The floes of the scenario, as many as the file has. `floe`: of each element.
+FloeSet read_floes(hid_t file, const Scenario& scenario, const std::vector<std::int32_t>& floe) {
+    FloeSet floes = floes_of(scenario);
+    const std::size_t count = floe.empty() || floe.back() < 0 ? 0 : static_cast<std::size_t>(floe.back()) + 1;
+    if (floes.alike() && count <= floe.size()) floes = floes_at(scenario, std::vector<PlanarPose>(count));
+    const IceLayout layout(floes);
+    if (!std::ranges::equal(floe, layout.elements, {}, {}, &IceLayout::LaidElement::floe))
+        hdf5::refuse_damaged(file, "ice/floe has other elements than the floes of its configuration");
+    return floes;
 }
 
 RecordingSubject read_subject(hid_t file) {
@@ -29,26 +35,26 @@ RecordingSubject read_subject(hid_t file) {
     subject.arrangement = hdf5::read_int_attribute(file, "arrangement").at(0);
     subject.configuration = hdf5::read_text(file, "configuration");
     subject.scenario = read_campaign({subject.configuration, "its configuration", {}}, nullptr).cases.at(0).scenario;
+    subject.floes = read_floes(file, subject.scenario, hdf5::read_values<std::int32_t>(file, "ice/floe"));
     return subject;
 }
 
-/// Of `floes` floes.
-RecordingOutcome read_outcome(hid_t file, const RecordingSubject& subject, int floes) {
+RecordingOutcome read_outcome(hid_t file, const IceLayout& layout) {
     RecordingOutcome outcome;
     outcome.history.surge = hdf5::read_values<double>(file, "history/surge_load");
     const std::size_t steps = outcome.history.surge.size();
     outcome.history.sway = hdf5::read_column<double>(file, "history/sway_load", steps);
     outcome.history.heave = hdf5::read_column<double>(file, "history/heave_load", steps);
-    const int each = static_cast<int>(joints_of(subject, 1).size());
-    const auto joints = static_cast<std::size_t>(each) * static_cast<std::size_t>(floes);
+    const std::size_t joints = layout.joints.size();
     const auto time = hdf5::read_column<double>(file, "joints/failure_time", joints);
     const auto last_mode = static_cast<std::int8_t>(std::size(failure_mode_names) - 1);
     const auto mode = hdf5::read_numbers<std::int8_t>(file, "joints/failure_mode", joints, -1, last_mode);
     for (std::size_t k = 0; k < joints; ++k) {
         if (std::isnan(time[k])) continue;
-        const auto joint = static_cast<int>(k);
         if (mode[k] < 0) hdf5::refuse_damaged(file, "joints/failure_mode has no mode for a joint that failed");
-        outcome.breaks.push_back({time[k], joint / each, joint % each, static_cast<FailureMode>(mode[k])});
+        const std::size_t floe = layout.floe_of_joint(k);
+        outcome.breaks.push_back({time[k], static_cast<int>(floe), static_cast<int>(k - layout.first_joint[floe]),
+                                  static_cast<FailureMode>(mode[k])});
     }
     std::ranges::stable_sort(outcome.breaks, {}, &BreakEvent::time);
     return outcome;
@@ -69,25 +75,6 @@ bool is_recording(const std::filesystem::path& path) {
     }
 }
 
-Channel channel_of(const RecordingSubject& subject) {
-    return make_channel(subject.scenario);
-}
-
-int elements_of_a_floe(const RecordingSubject& subject) {
-    return grid_of(subject).elements();
-}
-
-std::vector<RecordJoint> joints_of(const RecordingSubject& subject, int floes) {
-    const FloeGrid grid = grid_of(subject);
-    const std::vector<GridJoint> order = joint_order(grid);
-    std::vector<RecordJoint> joints;
-    for (int floe = 0; floe < floes; ++floe) {
-        const int first = floe * grid.elements();
-        for (const GridJoint& joint : order) joints.push_back({first + joint.a, first + joint.b, joint.axis});
-    }
-    return joints;
-}
-
 std::vector<std::uint8_t> broken_floes(const std::vector<BreakEvent>& breaks, int floes, double time) {
     std::vector<std::uint8_t> broken(static_cast<std::size_t>(floes), 0);
     for (const BreakEvent& event : breaks) {
@@ -100,13 +87,13 @@ std::vector<std::uint8_t> broken_floes(const std::vector<BreakEvent>& breaks, in
 class Recording::File {
   public:
     explicit File(const std::filesystem::path& path)
-        : file_(opened(path)), elements_(file_.id()), contacts_(file_.id()) {
-        subject = read_subject(file_.id());
-        elements = static_cast<int>(hdf5::read_values<std::int32_t>(file_.id(), "ice/floe").size());
-        if (elements % elements_of_a_floe(subject) != 0)
-            hdf5::refuse_damaged(file_.id(), "ice/floe has a floe that is not whole");
+        : file_(opened(path)),
+          subject(read_subject(file_.id())),
+          layout(subject.floes),
+          elements_(file_.id()),
+          contacts_(file_.id()) {
         times = hdf5::read_values<double>(file_.id(), "time");
-        outcome = read_outcome(file_.id(), subject, elements / elements_of_a_floe(subject));
+        outcome = read_outcome(file_.id(), layout);
         step_ = hdf5::read_values<std::int32_t>(file_.id(), "frames/step");
         structure_ = hdf5::read_values<double>(file_.id(), "frames/structure");
         surge_ = hdf5::read_values<double>(file_.id(), "frames/surge_load");
@@ -127,9 +114,14 @@ class Recording::File {
         read_contacts(number, frame);
     }
 
-    RecordingSubject subject;
+  private:
+    hdf5::QuietErrors quiet_;
+    hdf5::Handle file_;
+
+  public:
+    const RecordingSubject subject;
+    const IceLayout layout;
     RecordingOutcome outcome;
-    int elements = 0;
     std::vector<double> times;
 
   private:
@@ -168,7 +160,7 @@ class Recording::File {
     }
 
     void check_sizes() const {
-        const auto count = static_cast<std::size_t>(elements);
+        const std::size_t count = layout.elements.size();
         hdf5::check_count(file_.id(), "frames/position", elements_.position.width(), 3 * count);
         hdf5::check_count(file_.id(), "frames/orientation", elements_.orientation.width(), 4 * count);
         hdf5::check_count(file_.id(), "frames/velocity", elements_.velocity.width(), 3 * count);
@@ -185,7 +177,7 @@ class Recording::File {
         const std::span<const float> position = elements_.position.read(number);
         const std::span<const float> orientation = elements_.orientation.read(number);
         const std::span<const float> velocity = elements_.velocity.read(number);
-        frame.elements.resize(static_cast<std::size_t>(elements));
+        frame.elements.resize(layout.elements.size());
         for (std::size_t k = 0; k < frame.elements.size(); ++k) {
             const float* q = &orientation[4 * k];
             frame.elements[k] = {.position = vector_at(position, k),
@@ -213,8 +205,6 @@ class Recording::File {
         }
     }
 
-    hdf5::QuietErrors quiet_;
-    hdf5::Handle file_;
     Elements elements_;
     Contacts contacts_;
     std::vector<std::int32_t> step_;
@@ -237,12 +227,8 @@ const RecordingOutcome& Recording::outcome() const {
     return file_->outcome;
 }
 
-int Recording::elements() const {
-    return file_->elements;
-}
-
-int Recording::floes() const {
-    return file_->elements / elements_of_a_floe(file_->subject);
+const IceLayout& Recording::layout() const {
+    return file_->layout;
 }
 
 int Recording::frames() const {

@@ -10,20 +10,14 @@
 #include <vector>
 
 #include "ice/failure_mode.hpp"
-#include "ice/floe_grid.hpp"
+#include "ice/ice_layout.hpp"
+#include "scenario/floes.hpp"
 #include "scenario/scenario.hpp"
 #include "simulation/channel.hpp"
 #include "simulation/frame.hpp"
 #include "simulation/load_history.hpp"
 
 namespace floes {
-
-/// A joint by the elements that it connects, in the order of IceField::elements().
-struct RecordJoint {
-    int a = 0;
-    int b = 0;
-    JointAxis axis = JointAxis::x;  ///< of the floe, from a to b
-};
 
 /// Whether the file is there and is a recording, whatever its version.
 bool is_recording(const std::filesystem::path& path);
@@ -37,13 +31,10 @@ struct RecordingSubject {
     int member = 0;
     int arrangement = 0;
     Scenario scenario;  ///< of the member's case
-};
+    FloeSet floes;      ///< of the member; where they lie, frames tell
 
-/// What follows from a subject.
-Channel channel_of(const RecordingSubject& subject);
-int elements_of_a_floe(const RecordingSubject& subject);
-/// Floe by floe, within a floe in the order in which they are numbered in the break log.
-std::vector<RecordJoint> joints_of(const RecordingSubject& subject, int floes);
+    Channel channel() const { return make_channel(scenario, floes); }
+};
 
 /// What is known only at the end of a run.
 struct RecordingOutcome {
@@ -58,7 +49,7 @@ std::vector<std::uint8_t> broken_floes(const std::vector<BreakEvent>& breaks, in
 class RecordingWriter {
   public:
     /// Throws RunError naming the call that failed, as the others do.
-    RecordingWriter(const std::filesystem::path& path, const RecordingSubject& subject, int floes);
+    RecordingWriter(const std::filesystem::path& path, const RecordingSubject& subject);
     ~RecordingWriter();
 
     void add(const Frame& frame);
@@ -77,8 +68,7 @@ class Recording {
 
     const RecordingSubject& subject() const;
     const RecordingOutcome& outcome() const;
-    int floes() const;
-    int elements() const;
+    const IceLayout& layout() const;
 
     int frames() const;
     double time(int frame) const;  ///< s

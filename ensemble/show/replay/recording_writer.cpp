@@ -39,14 +39,19 @@ void write_root(hid_t file, const RecordingSubject& subject) {
     hdf5::write_attribute(file, "time_step", subject.scenario.general.time_step);
 }
 
-void write_ice(hid_t file, const RecordingSubject& subject, int floes, const Scale& element) {
+void write_ice(hid_t file, const RecordingSubject& subject, const IceLayout& layout, const RecordScales& scales) {
     std::vector<std::int32_t> floe;
-    const int each = elements_of_a_floe(subject);
-    for (int k = 0; k < floes * each; ++k) floe.push_back(k / each);
+    std::vector<double> sides;
+    for (const IceLayout::LaidElement& one : layout.elements) {
+        floe.push_back(one.floe);
+        for (const double half : one.half_extents) sides.push_back(2 * half);
+    }
     const Handle group = hdf5::create_group(file, "ice");
     hdf5::write_attribute(group.id(), "element_side", subject.scenario.floe.element);
-    hdf5::write_attribute(group.id(), "thickness", subject.scenario.ice.thickness);
-    hdf5::write_values(group.id(), {"floe", "1", "floe of each element"}, {element}, floe);
+    hdf5::write_attribute(group.id(), "thickness", subject.scenario.floe.thickness);
+    hdf5::write_values(group.id(), {"floe", "1", "floe of each element"}, {scales.element}, floe);
+    hdf5::write_values(group.id(), {"sides", "m", "length of an element's sides along its own axes"},
+                       {scales.element, scales.coordinate}, sides);
 }
 
 void write_structure(hid_t file, const Shape& shape) {
@@ -77,19 +82,18 @@ void write_sheets(hid_t file, const std::vector<IceSheet>& all, const Scale& coo
     hdf5::write_values(group.id(), {"sides", "m", "length of its sides"}, {sheet, coordinate}, sides);
 }
 
-void write_joints(hid_t file, const RecordingSubject& subject, int floes, const std::vector<BreakEvent>& breaks) {
-    const std::vector<RecordJoint> joints = joints_of(subject, floes);
-    const std::size_t each = joints.size() / static_cast<std::size_t>(std::max(floes, 1));
+void write_joints(hid_t file, const IceLayout& layout, const std::vector<BreakEvent>& breaks) {
+    const std::vector<IceLayout::LaidJoint>& joints = layout.joints;
     std::vector<std::int32_t> a;
     std::vector<std::int32_t> b;
-    for (const RecordJoint& joint : joints) {
+    for (const IceLayout::LaidJoint& joint : joints) {
         a.push_back(joint.a);
         b.push_back(joint.b);
     }
     std::vector<double> time(joints.size(), std::numeric_limits<double>::quiet_NaN());
     std::vector<std::int8_t> mode(joints.size(), -1);
     for (const BreakEvent& event : breaks) {
-        const std::size_t joint = static_cast<std::size_t>(event.floe) * each + static_cast<std::size_t>(event.joint);
+        const std::size_t joint = layout.joint(event.floe, event.joint);
         time[joint] = event.time;
         mode[joint] = static_cast<std::int8_t>(event.mode);
     }
@@ -116,10 +120,10 @@ void write_history(hid_t file, const LoadHistory& history, double time_step) {
 
 class RecordingWriter::File {
   public:
-    File(std::filesystem::path path, const RecordingSubject& subject, int floes)
-        : path_(std::move(path)), aside_(path_.string() + ".tmp"), subject_(subject), floes_(floes) {
+    File(std::filesystem::path path, const RecordingSubject& subject)
+        : path_(std::move(path)), aside_(path_.string() + ".tmp"), subject_(subject), layout_(subject.floes) {
         file_.emplace(hdf5::create_file(aside_));
-        open_.emplace(file_->id(), subject_, floes_);
+        open_.emplace(file_->id(), subject_, layout_);
     }
     File(const File&) = delete;
     File& operator=(const File&) = delete;
@@ -130,7 +134,7 @@ class RecordingWriter::File {
     void add(const Frame& frame) { open_->series.add(frame); }
 
     void finish(const RecordingOutcome& outcome) {
-        write_joints(file_->id(), subject_, floes_, outcome.breaks);
+        write_joints(file_->id(), layout_, outcome.breaks);
         write_history(file_->id(), outcome.history, subject_.scenario.general.time_step);
         open_->series.finish();
         hdf5::write_contents_digests(file_->id());
@@ -144,18 +148,17 @@ class RecordingWriter::File {
 
   private:
     struct Open {
-        Open(hid_t file, const RecordingSubject& subject, int floes)
+        Open(hid_t file, const RecordingSubject& subject, const IceLayout& layout)
             : scales{words_scale(file, "coordinate", "axis of a vector", {"x", "y", "z"}),
                      words_scale(file, "quaternion", "part of a quaternion", {"w", "x", "y", "z"}),
-                     hdf5::write_index_scale(file, "element", "element, floe by floe",
-                                             static_cast<std::size_t>(floes * elements_of_a_floe(subject)))},
+                     hdf5::write_index_scale(file, "element", "element, floe by floe", layout.elements.size())},
               series(file, scales) {
             write_root(file, subject);
             hdf5::write_text(file, {"configuration", "1", "the member's case as a campaign, TOML"},
                              subject.configuration);
-            write_ice(file, subject, floes, scales.element);
+            write_ice(file, subject, layout, scales);
             write_structure(file, subject.scenario.structure.shape);
-            write_sheets(file, channel_of(subject).sheets, scales.coordinate);
+            write_sheets(file, subject.channel().sheets, scales.coordinate);
         }
         RecordScales scales;
         FrameSeries series;
@@ -171,14 +174,14 @@ class RecordingWriter::File {
     std::filesystem::path path_;
     std::filesystem::path aside_;
     RecordingSubject subject_;
-    int floes_;
+    IceLayout layout_;
     hdf5::QuietErrors quiet_;
     std::optional<Handle> file_;
     std::optional<Open> open_;
 };
 
-RecordingWriter::RecordingWriter(const std::filesystem::path& path, const RecordingSubject& subject, int floes)
-    : file_(std::make_unique<File>(path, subject, floes)) {}
+RecordingWriter::RecordingWriter(const std::filesystem::path& path, const RecordingSubject& subject)
+    : file_(std::make_unique<File>(path, subject)) {}
 RecordingWriter::~RecordingWriter() = default;
 
 void RecordingWriter::add(const Frame& frame) {

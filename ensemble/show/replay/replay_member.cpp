@@ -111,7 +111,8 @@ ReplaySubject replay_subject(const CampaignFile& file, const CampaignTable& tabl
                      .case_name = campaign.cases[row].name,
                      .member = member,
                      .arrangement = key.arrangement,
-                     .scenario = one.cases.front().scenario};
+                     .scenario = one.cases.front().scenario,
+                     .floes = floes_of(one.cases.front().scenario)};
     return subject;
 }
 
@@ -146,7 +147,7 @@ std::vector<std::string> differences(const ReplaySubject& subject, const MemberR
 MemberResult replay(const ReplaySubject& subject, const FrameSteps& steps, const std::filesystem::path& path,
                     const std::stop_token& stop, const ReplayProgress& progress) {
     const RecordingSubject& about = subject.about;
-    RecordingWriter recording(path, about, about.scenario.field.floes);
+    RecordingWriter recording(path, about);
     Frame frame;
     LoadHistory history;
     const Watcher watch = [&](const Simulation& run) {

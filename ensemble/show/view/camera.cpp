@@ -20,7 +20,7 @@ Camera looking(const Vec3& target, const Vec3& from, const Vec3& up, double heig
 Camera camera(View view, const RecordingSubject& subject, double structure) {
     // So much ice round the structure that floes are seen to come, to turn and to leave.
     const double seen = 2 * subject.scenario.structure.shape.largest_radius() +
-                        3 * std::max(subject.scenario.floe.length, subject.scenario.floe.breadth);
+                        3 * largest_side(subject.floes);
     switch (view) {
         case View::above:
             return looking({structure, 0, 0}, Vec3::UnitY(), Vec3::UnitX(), 1.3 * seen);
@@ -28,7 +28,7 @@ Camera camera(View view, const RecordingSubject& subject, double structure) {
             return looking({structure, 0.5 * subject.scenario.structure.shape.bottom(), 0}, {1.0, -0.55, 1.1},
                            Vec3::UnitY(), 0.9 * seen);
         case View::plan: {
-            const Channel channel = channel_of(subject);
+            const Channel channel = subject.channel();
             const Vec3 middle(0.5 * (channel.begin + channel.end), 0, 0);
             const double height = 2 * channel.outer_edge;
             return {middle + Vec3(0, height, 0), middle, -Vec3::UnitZ(), 0, height};

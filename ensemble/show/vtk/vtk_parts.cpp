@@ -40,18 +40,16 @@ std::vector<float> vectors(const Items& items, Read read) {
 
 }  // namespace
 
-VtkMesh ice_part(const Frame& frame, const Scenario& scenario, std::span<const std::uint8_t> broken) {
-    const Vec3 half_extents = Vec3(scenario.floe.element, scenario.ice.thickness, scenario.floe.element) / 2;
+VtkMesh ice_part(const Frame& frame, const IceLayout& layout, std::span<const std::uint8_t> broken) {
     const std::size_t elements = frame.elements.size();
-    const std::size_t of_a_floe = elements / broken.size();
     VtkMesh mesh{.kind = VtkCells::hexahedra};
     mesh.points.reserve(24 * elements);
     std::vector<std::int32_t> floe(elements);
     std::vector<std::uint8_t> is_broken(elements);
     for (std::size_t i = 0; i < elements; ++i) {
-        append_box(mesh, frame.elements[i].position, frame.elements[i].rotation, half_extents);
-        floe[i] = static_cast<std::int32_t>(i / of_a_floe);
-        is_broken[i] = broken[i / of_a_floe];
+        append_box(mesh, frame.elements[i].position, frame.elements[i].rotation, layout.elements[i].half_extents);
+        floe[i] = layout.elements[i].floe;
+        is_broken[i] = broken[static_cast<std::size_t>(floe[i])];
     }
     mesh.cell_data = {
         vtk_array("floe", floe), vtk_array("piece", frame.pieces), vtk_array("broken", is_broken),

@@ -24,7 +24,7 @@ void write_text(const std::filesystem::path& path, const std::string& text) {
 }  // namespace
 
 void write_vtk_series(const std::filesystem::path& path, const Recording& recording) {
-    VtkSeries series(path, recording.subject(), recording.floes(), recording.outcome().breaks);
+    VtkSeries series(path, recording.subject(), recording.outcome().breaks);
     Frame frame;
     for (int number = 0; number < recording.frames(); ++number) {
         recording.read(number, frame);
@@ -33,12 +33,12 @@ void write_vtk_series(const std::filesystem::path& path, const Recording& record
     series.finish();
 }
 
-VtkSeries::VtkSeries(const std::filesystem::path& path, const RecordingSubject& subject, int floes,
+VtkSeries::VtkSeries(const std::filesystem::path& path, const RecordingSubject& subject,
                      const std::vector<BreakEvent>& breaks)
     : path_(path),
       folder_(std::filesystem::path(path).replace_extension()),
       subject_(subject),
-      floes_(floes),
+      layout_(subject.floes),
       breaks_(breaks),
       state_{.collection = path.filename().string()} {
     if (path.extension() != ".pvd")
@@ -48,13 +48,13 @@ VtkSeries::VtkSeries(const std::filesystem::path& path, const RecordingSubject& 
     std::filesystem::create_directories(folder_, error);
     if (error) throw RunError(fmt::format("Cannot make the folder {}: {}.", folder_.string(), error.message()));
 
-    const VtkMesh sheets = ice_sheets_part(make_channel(subject.scenario));
+    const VtkMesh sheets = ice_sheets_part(subject.channel());
     sheets_ = fmt::format("ice_sheets{}", sheets.extension());
     write_vtk(folder_ / sheets_, sheets, 0);
 }
 
 void VtkSeries::add(const Frame& frame) {
-    write("ice", 0, ice_part(frame, subject_.scenario, broken_floes(breaks_, floes_, frame.time)), frame.time);
+    write("ice", 0, ice_part(frame, layout_, broken_floes(breaks_, layout_.floes(), frame.time)), frame.time);
     write("structure", 1, structure_part(subject_.scenario.structure.shape, frame.structure), frame.time);
     write("load", 2, load_part(frame), frame.time);
     write("contacts", 3, contacts_part(frame), frame.time);

@@ -28,7 +28,7 @@ void write_vtk_series(const std::filesystem::path& path, const Recording& record
 class VtkSeries {
   public:
     /// As write_vtk_series(). `subject` and `breaks` (in order of time) are looked at until finish().
-    VtkSeries(const std::filesystem::path& path, const RecordingSubject& subject, int floes,
+    VtkSeries(const std::filesystem::path& path, const RecordingSubject& subject,
               const std::vector<BreakEvent>& breaks);
 
     void add(const Frame& frame);
@@ -41,7 +41,7 @@ class VtkSeries {
     std::filesystem::path path_;
     std::filesystem::path folder_;
     const RecordingSubject& subject_;
-    int floes_;
+    IceLayout layout_;
     const std::vector<BreakEvent>& breaks_;
     std::string sheets_;
     std::string datasets_;  // lines of NAME.pvd

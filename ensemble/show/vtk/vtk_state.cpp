@@ -154,7 +154,7 @@ std::string quoted(const std::string& text) {
 
 std::string vtk_state(const VtkStateOf& series, const RecordingSubject& subject) {
     const Camera seen = camera(View::perspective, subject, 0);
-    const Channel channel = make_channel(subject.scenario);
+    const Channel channel = subject.channel();
     const Shape& shape = subject.scenario.structure.shape;
     const double scale = 1.5 * shape.largest_radius() / (series.largest_force > 0 ? series.largest_force : 1);
     const std::string name = series.collection.substr(0, series.collection.rfind('.'));

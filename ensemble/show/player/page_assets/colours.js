@@ -55,9 +55,9 @@ class Colouring {
 
   byPiece(frame, brokenFloes) {
     const pieces = this.replay.piecesAt(frame);
-    const each = this.replay.header.elements_of_a_floe;
+    const {floeOf} = this.replay;
     for (let e = 0; e < this.replay.elements; ++e) {
-      const floe = Math.floor(e / each);
+      const floe = floeOf[e];
       const random = (k => k - Math.floor(k))((brokenFloes.has(floe) ? pieces[e] : floe) * 0.618034);
       const colour = brokenFloes.has(floe)
         ? hueColour(0.02 + 0.93 * random, 0.62, 0.7) : hueColour(0.57, 0.35, 0.86 + 0.09 * random);

@@ -43,7 +43,24 @@ function summedPercent(differences, frames, elements) {
   return differences;
 }
 
-// Everything of the replay: header, and by frame: times, loads, places, turns, utilisation, contacts, pieces.
+// Of each element: its floe, the edges on the outline of the floe as bits, and its size in m.
+function laidOut(header) {
+  const floeOf = new Int32Array(header.elements);
+  const outlines = new Uint8Array(header.elements);
+  const sizes = new Float32Array(3 * header.elements);
+  let element = 0;
+  let floe = 0;
+  for (const kind of header.ice)
+    for (let last = floe + kind.floes; floe < last; ++floe)
+      for (const outline of kind.outline) {
+        floeOf[element] = floe;
+        outlines[element] = outline;
+        sizes.set(kind.element, 3 * element++);
+      }
+  return {floeOf, outlines, sizes};
+}
+
+// Everything of the replay: header, layout, and by frame: times, loads, places, turns, utilisation, contacts, pieces.
 async function readReplay() {
   const header = JSON.parse(document.getElementById('header').textContent);
   const {frames, elements} = header;
@@ -60,7 +77,7 @@ async function readReplay() {
   }
   const {places, turns} = summedStates(new Uint8Array(low), new Uint8Array(high), frames, elements);
   return {
-    header, frames, elements, times, loads, firstContact, places, turns,
+    header, frames, elements, ...laidOut(header), times, loads, firstContact, places, turns,
     utilisation: summedPercent(new Uint8Array(utilisation), frames, elements),
     contacts: new Int16Array(contacts),
     changes: new Int32Array(pieces),

@@ -2,10 +2,10 @@
 // All elements in one draw call: boxes that stand between their places in two neighbouring frames.
 
 const iceVertexShader = `
-attribute vec3 placeA, placeB, tint;
+attribute vec3 placeA, placeB, tint, size;
 attribute vec4 turnA, turnB, edges;
 uniform float share, quantum;
-uniform vec3 middle, size;
+uniform vec3 middle;
 varying vec3 vTint, vNormal, vUp, vLocal, vSide, vWorld;
 varying vec4 vEdges;
 vec3 turned(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
@@ -80,6 +80,7 @@ class Ice {
       add('place' + frame, new Int16Array(3 * elements), 3, false);
       add('turn' + frame, new Int16Array(4 * elements), 4, false);
     }
+    add('size', replay.sizes, 3, false);
     add('tint', new Uint8Array(3 * elements), 3, true);
     add('edges', new Uint8Array(4 * elements), 4, true);
     const three = list => new THREE.Vector3(...list);
@@ -88,7 +89,7 @@ class Ice {
       vertexShader: iceVertexShader, fragmentShader: iceFragmentShader, extensions: {derivatives: true},
       uniforms: {
         share: {value: 0}, quantum: {value: header.quanta.length}, middle: {value: three(header.quanta.middle)},
-        size: {value: three(header.element)}, sun: {value: sunDirection},
+        sun: {value: sunDirection},
         parallel: {value: 0}, sight: {value: new THREE.Vector3()},
         water: colour(), jointLine: colour(), rimLine: colour(), brokenLine: colour(), failedLine: colour(),
       },
@@ -143,13 +144,12 @@ class Ice {
   markFailures(failures, brokenFloes) {
     if (this.failures === failures.length) return;
     this.failures = failures.length;
-    const {elements, header} = this.replay;
+    const {elements, floeOf, outlines} = this.replay;
     const edges = this.geometry.attributes.edges.array;
-    const each = header.elements_of_a_floe;
     for (let e = 0; e < elements; ++e)
       for (let k = 0; k < 4; ++k) {
-        const isRim = header.outline[e % each] >> k & 1;
-        edges[4 * e + k] = !isRim ? 0 : brokenFloes.has(Math.floor(e / each)) ? 191 : 128;
+        const isRim = outlines[e] >> k & 1;
+        edges[4 * e + k] = !isRim ? 0 : brokenFloes.has(floeOf[e]) ? 191 : 128;
       }
     for (const [, , , a, edgeOfA, b, edgeOfB] of failures) {
       edges[4 * a + Math.log2(edgeOfA)] = 255;

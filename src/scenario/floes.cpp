@@ -1,0 +1,105 @@
+#include "scenario/floes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <variant>
+
+#include "core/error.hpp"
+#include "scenario/tables.hpp"
+
+namespace floes {
+namespace {
+
+template <class Value>
+std::size_t index_in(std::vector<Value>& table, const Value& value) {
+    const auto found = std::ranges::find(table, value);
+    const auto index = static_cast<std::size_t>(found - table.begin());
+    if (found == table.end()) table.push_back(value);
+    return index;
+}
+
+/// The numbers that `columns` names, in its order.
+std::vector<const NumberField*> named_fields(const Keys& keys, const std::string& columns) {
+    std::vector<const NumberField*> fields;
+    std::istringstream names(columns);
+    for (std::string name; std::getline(names, name, ',');) {
+        const Key* key = find_key(keys, name);
+        const NumberField* field = key == nullptr ? nullptr : std::get_if<NumberField>(&key->field);
+        if (field == nullptr || std::ranges::find(fields, field) != fields.end()) {
+            throw InputError(fmt::format(
+                "arrangement.columns = \"{}\" has \"{}\", which is {}; allowed: numbers of [floe], [ice] and [joint], "
+                "each once, such as \"floe.length_m,floe.breadth_m,ice.thickness_m\"",
+                columns, name, field == nullptr ? "no such number" : "there twice"));
+        }
+        fields.push_back(field);
+    }
+    return fields;
+}
+
+}  // namespace
+
+void FloeSet::add(const PlanarPose& pose, const FloeShape& shape, const Material& material) {
+    floes.push_back({pose, index_in(shapes, shape), index_in(materials, material)});
+}
+
+std::vector<PlanarPose> FloeSet::poses() const {
+    std::vector<PlanarPose> found;
+    for (const Floe& floe : floes) found.push_back(floe.pose);
+    return found;
+}
+
+FloeSet floes_at(const Scenario& scenario, std::span<const PlanarPose> poses) {
+    FloeSet set{{scenario.floe}, {scenario.material()}, {}};
+    for (const PlanarPose& pose : poses) set.floes.push_back({pose});
+    return set;
+}
+
+FloeSet floes_of(const Scenario& scenario) {
+    const ArrangementRule& rule = scenario.arrangement;
+    if (rule.method != ArrangementMethod::file)
+        return floes_at(scenario, std::vector<PlanarPose>(static_cast<std::size_t>(scenario.field.floes)));
+    if (rule.columns.empty()) return floes_at(scenario, rule.poses);
+    FloeShape shape;
+    Material material;
+    Keys keys;
+    add_floe(keys, shape);
+    add_ice(keys, shape, material.ice);
+    add_joint(keys, material.joint);
+    const std::vector<const NumberField*> fields = named_fields(keys, rule.columns);
+    FloeSet set;
+    for (std::size_t floe = 0; floe < rule.poses.size(); ++floe) {
+        const std::vector<double>& values = rule.values.at(floe);
+        if (values.size() != fields.size())
+            throw InputError(fmt::format("floe {} has {} values behind its pose and arrangement.columns names {}", floe,
+                                         values.size(), fields.size()));
+        shape = scenario.floe;
+        material = scenario.material();
+        for (std::size_t i = 0; i < fields.size(); ++i) {
+            if (!fields[i]->range.contains(values[i]))
+                throw InputError(fmt::format("floe {} has {} in column {} of arrangement.columns; allowed: {}", floe,
+                                             values[i], i + 1, to_text(fields[i]->range)));
+            fields[i]->set(values[i] * fields[i]->unit);
+        }
+        set.add(rule.poses[floe], shape, material);
+    }
+    return set;
+}
+
+double covered_area(const FloeSet& floes) {
+    std::vector<double> count(floes.shapes.size());
+    for (const Floe& floe : floes.floes) ++count[floe.shape];
+    double area = 0;
+    for (std::size_t i = 0; i < count.size(); ++i) area += count[i] * floes.shapes[i].length * floes.shapes[i].breadth;
+    return area;
+}
+
+double largest_side(const FloeSet& floes) {
+    double side = 0;
+    for (const FloeShape& shape : floes.shapes) side = std::max({side, shape.length, shape.breadth});
+    return side;
+}
+
+}  // namespace floes

@@ -1,0 +1,50 @@
+#pragma once
+// Floes side by side, which may differ: shapes and materials stand in tables, and each floe says which are its own.
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/vector.hpp"
+#include "scenario/scenario.hpp"
+
+namespace floes {
+
+struct Floe {
+    PlanarPose pose;           ///< of its centre
+    std::size_t shape = 0;     ///< index in FloeSet::shapes
+    std::size_t material = 0;  ///< index in FloeSet::materials
+
+    friend bool operator==(const Floe&, const Floe&) = default;
+};
+
+struct FloeSet {
+    std::vector<FloeShape> shapes;
+    std::vector<Material> materials;
+    std::vector<Floe> floes;
+
+    std::size_t size() const { return floes.size(); }
+    const FloeShape& shape(std::size_t floe) const { return shapes[floes[floe].shape]; }
+    const Material& material(std::size_t floe) const { return materials[floes[floe].material]; }
+    bool alike() const { return shapes.size() == 1 && materials.size() == 1; }
+
+    std::vector<PlanarPose> poses() const;
+
+    /// Adds a floe; equal shapes and equal materials stand in the tables once.
+    void add(const PlanarPose& pose, const FloeShape& shape, const Material& material);
+};
+
+/// A floe of the scenario's own shape and material at each pose.
+FloeSet floes_at(const Scenario& scenario, std::span<const PlanarPose> poses);
+
+/// The floes of a scenario, which an arrangement will give their places; given poses are kept. Throws InputError with
+/// the column or the floe at fault if the values of single floes are not those of arrangement.columns.
+FloeSet floes_of(const Scenario& scenario);
+
+/// Of all floes, m².
+double covered_area(const FloeSet& floes);
+
+/// The largest side of any floe, m.
+double largest_side(const FloeSet& floes);
+
+}  // namespace floes
