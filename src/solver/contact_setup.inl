@@ -70,12 +70,6 @@ inline Pack make_row(double* row, const V3& axis, const V3& lever_a, const V3& l
     return s;
 }
 
-/// Factor that brings (x, y) into the circle about 0, along the line to its centre; 1 inside. Radius >= 0.
-inline Pack in_circle(Pack x, Pack y, Pack radius) {
-    const Pack square = x * x + y * y;
-    return square > radius * radius ? radius / square_root(square) : Pack{} + 1.0;
-}
-
 /// Bullet's btPlaneSpace1: some direction at right angles to the unit vector n.
 inline V3 any_tangent(const V3& n) {
     constexpr double edge = 0.7071067811865475244008443621048490;
@@ -116,6 +110,16 @@ inline Pack stiffest_direction(Pack mass, Pack one_one, Pack two_two, Pack one_t
     return mass + 0.5 * (one_one + two_two) + square_root(half * half + one_two * one_two);
 }
 
+/// The impulses that two friction rows start from, over their scale: `start`, in world axes, brought into the cone.
+inline void start_friction(double* first, double* second, int i, const TangentPlane& plane, const V3& start, Pack bound,
+                           Pack scale) {
+    const Pack along_first = dot(plane.first, start);
+    const Pack along_second = dot(plane.second, start);
+    const Pack held = in_circle(along_first, along_second, bound);
+    store(first, i, along_first * held / scale);
+    store(second, i, along_second * held / scale);
+}
+
 /// The two rows of the cone, which stop `velocity`, and their impulses to start from. The scale is that of the stiffest
 /// direction in the plane, which keeps the sweeps stable.
 inline void prepare_cone(const FrictionArrays& frictions, int i, const V3& n, const V3& velocity, const V3& lever_a,
@@ -139,12 +143,8 @@ inline void prepare_cone(const FrictionArrays& frictions, int i, const V3& n, co
     store(frictions.first.row + row, contact_field::friction_coefficient, friction * normal_scale / s);
     store(frictions.first.target, i, -dot(first.axis, velocity) * s);
     store(frictions.second.target, i, -dot(second.axis, velocity) * s);
-    const V3 start = load3(frictions.start, 3 * i);
-    const Pack along_first = dot(first.axis, start);
-    const Pack along_second = dot(second.axis, start);
-    const Pack held = in_circle(along_first, along_second, friction * normal_impulse);
-    store(frictions.first.impulse, i, along_first * held / s);
-    store(frictions.second.impulse, i, along_second * held / s);
+    start_friction(frictions.first.impulse, frictions.second.impulse, i, plane, load3(frictions.start, 3 * i),
+                   friction * normal_impulse, s);
 }
 
 /// Row i of all kinds.
