@@ -4,8 +4,8 @@
 /// Relative velocity change along the scaled rows.
 [[gnu::always_inline]] inline Pack along(const double* row, const Motion& a, const Motion& b) {
     const V3 axis = load3(row, contact_field::axis);
-    const V3 torque_a = load3(row, contact_field::torque_a);
-    const V3 torque_b = load3(row, contact_field::torque_b);
+    const V3 torque_a = load3(row, single_field::torque_a);
+    const V3 torque_b = load3(row, single_field::torque_b);
     const V3 sliding = a.velocity - b.velocity;
     const Pack x = axis.x * sliding.x + (torque_a.x * a.angular_velocity.x - torque_b.x * b.angular_velocity.x);
     const Pack y = axis.y * sliding.y + (torque_a.y * a.angular_velocity.y - torque_b.y * b.angular_velocity.y);
@@ -103,7 +103,7 @@ void solve_frictions(double* delta, const ContactPacks& packs, const ContactRowA
                      const double* normal_impulse) {
     const auto solve = [&](int i, const double* row, Motion& a, Motion& b) __attribute__((always_inline)) {
         const Pack normal = load(normal_impulse, i);
-        const Pack bound = load(row, contact_field::friction_coefficient) * normal;
+        const Pack bound = load(row, single_field::friction_coefficient) * normal;
         const Pack old = load(all.impulse, i);
         const Pack total = old + (load(all.target, i) - along(row, a, b));
         const Pack capped = total < bound ? total : bound;
@@ -132,8 +132,8 @@ struct BodyContact {
     V3 axis{}, first_axis{}, second_axis{};
 
     [[gnu::always_inline]] Pack approach() {
-        velocity = (a.velocity - b.velocity) + (cross(a.angular_velocity, load3(first, contact_field::lever_a)) -
-                                                cross(b.angular_velocity, load3(first, contact_field::lever_b)));
+        velocity = (a.velocity - b.velocity) + (cross(a.angular_velocity, load3(first, cone_first_field::lever_a)) -
+                                                cross(b.angular_velocity, load3(first, cone_first_field::lever_b)));
         axis = load3(row, contact_field::axis);
         return dot(axis, velocity);
     }
@@ -141,12 +141,12 @@ struct BodyContact {
     [[gnu::always_inline]] Sliding sliding(Pack pressed) {
         first_axis = load3(first, contact_field::axis);
         second_axis = load3(second, contact_field::axis);
-        return {dot(first_axis, velocity) + load(second, contact_field::coupling) * pressed,
-                dot(second_axis, velocity) + load(second, contact_field::coupling + 1) * pressed};
+        return {dot(first_axis, velocity) + load(second, cone_second_field::coupling) * pressed,
+                dot(second_axis, velocity) + load(second, cone_second_field::coupling + 1) * pressed};
     }
 
     [[gnu::always_inline]] Pack bound(Pack normal) const {
-        return load(first, contact_field::friction_coefficient) * normal;
+        return load(first, cone_first_field::friction_coefficient) * normal;
     }
 
     [[gnu::always_inline]] void press(Pack pressed) const { ::floes::push(row, a, b, pressed); }

@@ -48,9 +48,10 @@ LaneSystem::LaneSystem(std::span<const SolverBody> bodies, std::span<const Solve
         if (!kind.back().joints.empty()) most_floes = std::max(most_floes, kind.size());
     }
     kernels_ = &lane_kernels(useful_width(most_floes, width));
-    lay_out(bodies, joints, kinds);
+    const std::size_t joint_groups = place_blocks(kinds);
+    make_arrays(joint_groups);
+    fill(bodies, joints);
     if (solution == JointSolution::swept) return;
-    const std::size_t joint_groups = frame_.size() / static_cast<std::size_t>(frame_field::count * kernels_->width);
     direct_.emplace(bodies, joints, LaneSlots{slot_of_body_, slot_of_joint_, body_groups_, joint_groups}, *kernels_);
 }
 
@@ -85,8 +86,7 @@ std::vector<LaneSystem::Floe> LaneSystem::find_floes(std::span<const SolverBody>
     return floes;
 }
 
-void LaneSystem::lay_out(std::span<const SolverBody> bodies, std::span<const SolverJoint> joints,
-                         const std::vector<std::vector<Floe>>& kinds) {
+std::size_t LaneSystem::place_blocks(const std::vector<std::vector<Floe>>& kinds) {
     const auto lanes = static_cast<std::size_t>(width());
     std::size_t joint_groups = 0;
     std::vector<std::size_t> pairs_at;
@@ -113,9 +113,13 @@ void LaneSystem::lay_out(std::span<const SolverBody> bodies, std::span<const Sol
         }
     }
     for (std::size_t i = 0; i < blocks_.size(); ++i) blocks_[i].pairs = pairs_.data() + pairs_at[i];
+    return joint_groups;
+}
+
+void LaneSystem::make_arrays(std::size_t joint_groups) {
+    const auto lanes = static_cast<std::size_t>(width());
     block_touched_.resize(blocks_.size());
     group_touched_.resize(body_groups_);
-
     body_ = AlignedArray<double>(body_groups_ * lanes * body_field::count);
     sweep_ = AlignedArray<double>(body_groups_ * lanes * sweep_field::count);
     delta_ = AlignedArray<double>((body_groups_ * lanes + 1) * 8);
@@ -128,9 +132,10 @@ void LaneSystem::lay_out(std::span<const SolverBody> bodies, std::span<const Sol
             body_[place(static_cast<std::uint32_t>(slot), body_field::count, body_field::rotation + i, width())] = 1;
         }
     }
-    for (std::size_t slot = 0; slot < joint_groups * lanes; ++slot) {
-        fill(slot, SolverJoint{});
-    }
+    for (std::size_t slot = 0; slot < joint_groups * lanes; ++slot) fill(slot, SolverJoint{});
+}
+
+void LaneSystem::fill(std::span<const SolverBody> bodies, std::span<const SolverJoint> joints) {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         sweep_[place(slot_of_body_[i], sweep_field::count, sweep_field::inverse_mass, width())] =
             bodies[i].inverse_mass;
