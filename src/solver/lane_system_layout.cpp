@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
+#include "core/components.hpp"
 #include "solver/lane_slot.hpp"
 #include "solver/lane_system.hpp"
 #include "solver/lane_width.hpp"
@@ -18,12 +18,6 @@ struct LaneSystem::Floe {
 };
 
 namespace {
-
-/// Root of i, shortening the way for the next who asks.
-std::uint32_t root(std::vector<std::uint32_t>& parent, std::uint32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-}
 
 /// No more lanes than it takes to hold the largest set of equal floes.
 int useful_width(std::size_t most_floes, int width) {
@@ -57,18 +51,13 @@ LaneSystem::LaneSystem(std::span<const SolverBody> bodies, std::span<const Solve
 
 std::vector<LaneSystem::Floe> LaneSystem::find_floes(std::span<const SolverBody> bodies,
                                                      std::span<const SolverJoint> joints) const {
-    std::vector<std::uint32_t> parent(bodies.size());
-    std::iota(parent.begin(), parent.end(), 0U);
-    for (const SolverJoint& joint : joints) {
-        const std::uint32_t a = root(parent, joint.a);
-        const std::uint32_t b = root(parent, joint.b);
-        parent[std::max(a, b)] = std::min(a, b);
-    }
+    Components components(bodies.size());
+    for (const SolverJoint& joint : joints) components.connect(joint.a, joint.b);
     std::vector<Floe> floes;
     std::vector<std::size_t> floe_of(bodies.size());
     std::vector<std::int32_t> within(bodies.size());
     for (std::uint32_t body = 0; body < bodies.size(); ++body) {
-        const std::uint32_t first = root(parent, body);
+        const std::size_t first = components.first(body);
         if (first == body) {
             floe_of[body] = floes.size();
             floes.emplace_back();
