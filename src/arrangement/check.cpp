@@ -6,8 +6,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <utility>
+
+#include "arrangement/cells.hpp"
 
 namespace floes {
 
@@ -64,29 +65,20 @@ std::string edge_text(const Scenario& scenario, const PlanarPose& pose, Turn tur
                        worst.room < 0 ? "beyond" : "from", worst.axis, worst.at, scenario.arrangement.clearance);
 }
 
-/// The first floe that overlaps an earlier one, and the first such earlier one. Floes that overlap are of one cell of a
-/// diagonal's width, or of cells side by side.
-std::optional<std::pair<std::size_t, std::size_t>> overlapping_pair(const Rectangle& grown, std::span<const Turn> turns,
+/// The first floe that overlaps an earlier one, and the first such earlier one.
+std::optional<std::pair<std::size_t, std::size_t>> overlapping_pair(const Walls& walls, const Rectangle& grown,
+                                                                    std::span<const Turn> turns,
                                                                     std::span<const PlanarPose> poses) {
-    const double width = 2 * grown.half_diagonal();
-    std::map<std::pair<double, double>, std::vector<std::size_t>> cells;
+    Cells cells({walls.low_x, walls.low_z, walls.length, walls.breadth}, 2 * grown.half_diagonal(), poses.size());
     for (std::size_t j = 0; j < poses.size(); ++j) {
-        const double column = std::floor(poses[j].x / width);
-        const double row = std::floor(poses[j].z / width);
+        const auto [x, z, yaw] = poses[j];
         std::size_t first = j;
-        for (const double dc : {-1.0, 0.0, 1.0}) {
-            for (const double dr : {-1.0, 0.0, 1.0}) {
-                const auto cell = cells.find({column + dc, row + dr});
-                if (cell == cells.end()) continue;
-                for (const std::size_t i : cell->second) {
-                    if (i < first &&
-                        overlap(grown, turns[i], turns[j], poses[j].x - poses[i].x, poses[j].z - poses[i].z))
-                        first = i;
-                }
-            }
-        }
+        cells.for_each_near(x, z, [&, x = x, z = z](const Resident& other) {
+            const auto i = static_cast<std::size_t>(other.floe);
+            if (i < first && overlap(grown, other.turn, turns[j], x - other.x, z - other.z)) first = i;
+        });
         if (first < j) return std::pair(first, j);
-        cells[{column, row}].push_back(j);
+        cells.insert({x, z, turns[j], static_cast<int>(j)});
     }
     return std::nullopt;
 }
@@ -128,7 +120,7 @@ std::optional<Fault> find_fault(const Scenario& scenario, std::span<const Planar
                          {i}};
         }
     }
-    const std::optional<std::pair<std::size_t, std::size_t>> pair = overlapping_pair(grown, turns, poses);
+    const std::optional<std::pair<std::size_t, std::size_t>> pair = overlapping_pair(walls, grown, turns, poses);
     if (!pair) return std::nullopt;
     const auto [i, j] = *pair;
     const double dx = poses[j].x - poses[i].x;

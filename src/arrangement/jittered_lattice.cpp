@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "arrangement/cells.hpp"
 #include "arrangement/starts.hpp"
 #include "core/error.hpp"
 
@@ -29,16 +30,20 @@ std::vector<PlanarPose> jittered_lattice(const Walls& walls, const Rectangle& sh
     if (jitter.shift == 0 && jitter.turn == 0) return poses;
     const Walls room = walls.shrunk(clearance);
     const Rectangle grown = shape.grown(0.5 * clearance);
-    std::vector<Turn> turns(poses.size());
+    Cells cells({walls.low_x, walls.low_z, walls.length, walls.breadth}, 2 * grown.half_diagonal(), poses.size());
+    const auto resident = [&](std::size_t floe, const PlanarPose& pose) {
+        return Resident{pose.x, pose.z, turn_of(pose.yaw), static_cast<int>(floe)};
+    };
+    for (std::size_t floe = 0; floe < poses.size(); ++floe) cells.insert(resident(floe, poses[floe]));
     const auto place = [&](std::size_t floe, const PlanarPose& pose) {
-        const Turn turn = turn_of(pose.yaw);
-        if (!room.admits(shape, pose.x, pose.z, turn)) return false;
-        for (std::size_t other = 0; other < poses.size(); ++other) {
-            if (other == floe) continue;
-            if (overlap(grown, turn, turns[other], poses[other].x - pose.x, poses[other].z - pose.z)) return false;
-        }
+        const Resident moved = resident(floe, pose);
+        const auto hit = [&](const Resident& other) {
+            return other.floe != moved.floe &&
+                   overlap(grown, moved.turn, other.turn, other.x - moved.x, other.z - moved.z);
+        };
+        if (!room.admits(shape, pose.x, pose.z, moved.turn) || cells.any_near(pose.x, pose.z, hit)) return false;
         poses[floe] = pose;
-        turns[floe] = turn;
+        cells.move(moved);
         return true;
     };
     // A floe moves while later ones are still on their sites, so floes never overlap in between.

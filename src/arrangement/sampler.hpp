@@ -36,7 +36,7 @@ class HardRectangles {
           certainly_overlapping_(4 * square(std::min(shape_.half_length, shape_.half_breadth))),
           poses_(poses.begin(), poses.end()),
           cells_({boundary.low_x, boundary.low_z, boundary.length, boundary.breadth, Boundary::periodic},
-                 2 * shape_.half_diagonal(), cell_capacity(), static_cast<int>(poses.size())) {
+                 2 * shape_.half_diagonal(), poses.size()) {
         for (std::size_t i = 0; i < poses_.size(); ++i) {
             cells_.insert({poses_[i].x, poses_[i].z, turn_of(poses_[i].yaw), static_cast<int>(i)});
         }
@@ -57,13 +57,6 @@ class HardRectangles {
   private:
     static double square(double value) { return value * value; }
 
-    // A cell is less than two reaches wide, or less than one if it is the only one; the rectangles whose centres it
-    // holds lie inside it grown by half a reach, without overlap.
-    int cell_capacity() const {
-        const double width = 3 * 2 * shape_.half_diagonal();
-        return static_cast<int>(width * width / (4 * shape_.half_length * shape_.half_breadth)) + 1;
-    }
-
     bool try_move(std::size_t floe, const Step& step, RandomStream& random) {
         PlanarPose pose = poses_[floe];
         pose.x += step.shift * (2 * random.uniform() - 1);
@@ -83,17 +76,14 @@ class HardRectangles {
     }
 
     bool hits_another(const Resident& trial) const {
-        for (const int cell : cells_.neighbourhood(cells_.cell_at(trial.x, trial.z))) {
-            for (const Resident& other : cells_.residents(cell)) {
-                double dx = other.x - trial.x;
-                double dz = other.z - trial.z;
-                boundary_.nearest(dx, dz);
-                const double squared = dx * dx + dz * dz;
-                if (squared >= certainly_apart_ || other.floe == trial.floe) continue;
-                if (squared < certainly_overlapping_ || overlap(shape_, trial.turn, other.turn, dx, dz)) return true;
-            }
-        }
-        return false;
+        return cells_.any_near(trial.x, trial.z, [&](const Resident& other) {
+            double dx = other.x - trial.x;
+            double dz = other.z - trial.z;
+            boundary_.nearest(dx, dz);
+            const double squared = dx * dx + dz * dz;
+            if (squared >= certainly_apart_ || other.floe == trial.floe) return false;
+            return squared < certainly_overlapping_ || overlap(shape_, trial.turn, other.turn, dx, dz);
+        });
     }
 
     Boundary boundary_;
