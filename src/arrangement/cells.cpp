@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 #include "core/error.hpp"
 
@@ -10,8 +12,18 @@ namespace floes {
 
 namespace {
 
-int cells_along(double length, double reach, bool periodic) {
-    const int count = std::max(1, static_cast<int>(std::floor(length / reach)));
+constexpr double rounding = 1e-9;  // relative
+
+/// At least as wide as the floes lie apart on average: a wide area with few of them is not divided into millions.
+double width_of(const CellArea& area, double reach, std::size_t floes) {
+    const double wanted = reach * (1 + rounding);
+    if (area.periodic) return wanted;
+    return std::max(wanted,
+                    std::sqrt(area.length * area.breadth / static_cast<double>(std::max<std::size_t>(floes, 1))));
+}
+
+int cells_along(double length, double width, bool periodic) {
+    const int count = length > width ? static_cast<int>(std::floor(length / width)) : 1;
     if (periodic && count < 3) {
         throw InputError("a periodic box must be at least three floe diagonals wide; use more floes");
     }
@@ -20,17 +32,15 @@ int cells_along(double length, double reach, bool periodic) {
 
 }  // namespace
 
-Cells::Cells(const CellArea& area, double reach, int capacity, int floes)
+Cells::Cells(const CellArea& area, double reach, std::size_t floes)
     : area_(area),
-      columns_(cells_along(area.length, reach, area.periodic)),
-      rows_(cells_along(area.breadth, reach, area.periodic)),
-      columns_per_metre_(columns_ / area.length),
-      rows_per_metre_(rows_ / area.breadth),
-      capacity_(capacity),
-      residents_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) *
-                 static_cast<std::size_t>(capacity)),
+      columns_(cells_along(area.length, width_of(area, reach, floes), area.periodic)),
+      rows_(cells_along(area.breadth, width_of(area, reach, floes), area.periodic)),
+      columns_per_metre_(area.length > 0 ? columns_ / area.length : 0),
+      rows_per_metre_(area.breadth > 0 ? rows_ / area.breadth : 0),
       count_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0),
-      slot_(static_cast<std::size_t>(floes)),
+      residents_(count_.size() * static_cast<std::size_t>(capacity_)),
+      slot_(floes),
       neighbours_begin_{0} {
     constexpr std::array<std::array<int, 2>, 9> steps{
         {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
@@ -52,20 +62,28 @@ Cells::Cells(const CellArea& area, double reach, int capacity, int floes)
 }
 
 int Cells::cell_at(double x, double z) const {
-    // A point on the far edge belongs to the last cell.
-    const int column = std::min(static_cast<int>((x - area_.low_x) * columns_per_metre_), columns_ - 1);
-    const int row = std::min(static_cast<int>((z - area_.low_z) * rows_per_metre_), rows_ - 1);
-    return column * rows_ + row;
+    const auto number = [](double cells, int count) { return static_cast<int>(std::clamp(cells, 0.0, count - 1.0)); };
+    return number((x - area_.low_x) * columns_per_metre_, columns_) * rows_ +
+           number((z - area_.low_z) * rows_per_metre_, rows_);
 }
 
 void Cells::insert(const Resident& resident) {
     const int cell = cell_at(resident.x, resident.z);
     int& count = count_[static_cast<std::size_t>(cell)];
-    if (count == capacity_)
-        throw RunError("floes of the starting arrangement overlap: more centres in a cell than fit");
+    if (count == capacity_) make_room();
     residents_[first(cell) + static_cast<std::size_t>(count)] = resident;
     slot_[static_cast<std::size_t>(resident.floe)] = {cell, count};
     ++count;
+}
+
+void Cells::make_room() {
+    const int before = std::exchange(capacity_, 2 * capacity_);
+    std::vector<Resident> residents(count_.size() * static_cast<std::size_t>(capacity_));
+    for (std::size_t cell = 0; cell < count_.size(); ++cell) {
+        std::copy_n(residents_.begin() + static_cast<std::ptrdiff_t>(cell) * before, count_[cell],
+                    residents.begin() + static_cast<std::ptrdiff_t>(cell) * capacity_);
+    }
+    residents_ = std::move(residents);
 }
 
 void Cells::erase(Slot slot) {

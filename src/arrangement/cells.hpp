@@ -1,7 +1,7 @@
 #pragma once
-// Cell list: cells no smaller than the reach of a rectangle, so that anything that may overlap it has its centre in the
-// same cell or in one of the eight around it. The centres of a cell are contiguous in memory, because the sampler
-// spends its time iterating over them.
+// Cell list, the search for neighbours of this room: cells no smaller than the reach of a rectangle, so that anything
+// within reach has its centre in the same cell or in one of the eight around it. The centres of a cell are contiguous
+// in memory, because the sampler spends its time iterating over them.
 
 #include <cstdint>
 #include <span>
@@ -30,11 +30,41 @@ struct Resident {
 
 class Cells {
   public:
-    /// reach: least width of a cell, m; capacity: most residents of one cell; floes: their number. Throws InputError
-    /// for a periodic area less than three cells wide, where a neighbour would be visited twice.
-    Cells(const CellArea& area, double reach, int capacity, int floes);
+    /// reach: least width of a cell, m; floes: their number. Throws InputError for a periodic area less than three
+    /// cells wide, where a neighbour would be visited twice.
+    Cells(const CellArea& area, double reach, std::size_t floes);
 
-    /// Index of the cell at a point of the area.
+    void insert(const Resident& resident);
+    /// Moves a rectangle that is in the list to its new place.
+    void move(const Resident& resident);
+
+    /// Whether `holds(resident)` for any that may be within reach of a point; in no order, and none after the first.
+    template <class Holds>
+    bool any_near(double x, double z, const Holds& holds) const {
+        for (const int cell : neighbourhood(cell_at(x, z))) {
+            for (const Resident& resident : residents(cell)) {
+                if (holds(resident)) return true;
+            }
+        }
+        return false;
+    }
+
+    /// `see(resident)` for all that may be within reach of a point, in no order.
+    template <class See>
+    void for_each_near(double x, double z, const See& see) const {
+        any_near(x, z, [&](const Resident& resident) {
+            see(resident);
+            return false;
+        });
+    }
+
+  private:
+    struct Slot {
+        int cell = 0;
+        int index = 0;
+    };
+
+    /// Of the cell at a point; a point beyond an edge belongs to the cell at that edge.
     int cell_at(double x, double z) const;
 
     /// The cell itself and those around it, the nearest kinds first.
@@ -47,26 +77,18 @@ class Cells {
         return {residents_.data() + first(cell), static_cast<std::size_t>(count_[static_cast<std::size_t>(cell)])};
     }
 
-    void insert(const Resident& resident);
-    /// Moves a rectangle that is in the list to its new place.
-    void move(const Resident& resident);
-
-  private:
-    struct Slot {
-        int cell = 0;
-        int index = 0;
-    };
     std::size_t first(int cell) const { return static_cast<std::size_t>(cell) * static_cast<std::size_t>(capacity_); }
     void erase(Slot slot);
+    void make_room();
 
     CellArea area_;
     int columns_;  // along x
     int rows_;     // along z
     double columns_per_metre_;
     double rows_per_metre_;
-    int capacity_;
-    std::vector<Resident> residents_;  // capacity_ places for each cell
+    int capacity_ = 4;                 // places for each cell
     std::vector<int> count_;           // residents of a cell
+    std::vector<Resident> residents_;  // by cell
     std::vector<Slot> slot_;           // place of each floe
     std::vector<int> neighbours_;
     std::vector<std::size_t> neighbours_begin_;

@@ -6,8 +6,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <utility>
+
+#include "arrangement/cells.hpp"
 
 namespace floes {
 
@@ -67,30 +68,22 @@ std::string edge_text(const Scenario& scenario, const PlanarPose& pose, const Tu
                        worst.room < 0 ? "beyond" : "from", worst.axis, worst.at, scenario.arrangement.clearance);
 }
 
-/// The first floe that overlaps an earlier one, and the first such earlier one. Floes that overlap are of one cell of a
-/// diagonal's width, or of cells side by side.
-std::optional<std::pair<std::size_t, std::size_t>> overlapping_pair(std::span<const TurnedRectangle> grown,
+/// The first floe that overlaps an earlier one, and the first such earlier one.
+std::optional<std::pair<std::size_t, std::size_t>> overlapping_pair(const Walls& walls,
+                                                                    std::span<const TurnedRectangle> grown,
                                                                     std::span<const PlanarPose> poses) {
-    double width = 0;
-    for (const TurnedRectangle& floe : grown) width = std::max(width, 2 * floe.shape.half_diagonal());
-    std::map<std::pair<double, double>, std::vector<std::size_t>> cells;
+    double reach = 0;
+    for (const TurnedRectangle& floe : grown) reach = std::max(reach, 2 * floe.shape.half_diagonal());
+    Cells cells({walls.low_x, walls.low_z, walls.length, walls.breadth}, reach, poses.size());
     for (std::size_t j = 0; j < poses.size(); ++j) {
-        const double column = std::floor(poses[j].x / width);
-        const double row = std::floor(poses[j].z / width);
+        const auto [x, z, yaw] = poses[j];
         std::size_t first = j;
-        for (const double dc : {-1.0, 0.0, 1.0}) {
-            for (const double dr : {-1.0, 0.0, 1.0}) {
-                const auto cell = cells.find({column + dc, row + dr});
-                if (cell == cells.end()) continue;
-                for (const std::size_t i : cell->second) {
-                    if (i < first &&
-                        overlap(grown[i], grown[j], poses[j].x - poses[i].x, poses[j].z - poses[i].z))
-                        first = i;
-                }
-            }
-        }
+        cells.for_each_near(x, z, [&, x = x, z = z](const Resident& other) {
+            const auto i = static_cast<std::size_t>(other.floe);
+            if (i < first && overlap(grown[i], grown[j], x - other.x, z - other.z)) first = i;
+        });
         if (first < j) return std::pair(first, j);
-        cells[{column, row}].push_back(j);
+        cells.insert({x, z, grown[j].turn, static_cast<int>(j)});
     }
     return std::nullopt;
 }
@@ -137,7 +130,7 @@ std::optional<Fault> find_fault(const Scenario& scenario, const FloeSet& floes) 
                          {i}};
         }
     }
-    const std::optional<std::pair<std::size_t, std::size_t>> pair = overlapping_pair(grown, poses);
+    const std::optional<std::pair<std::size_t, std::size_t>> pair = overlapping_pair(walls, grown, poses);
     if (!pair) return std::nullopt;
     const auto [i, j] = *pair;
     const double dx = poses[j].x - poses[i].x;

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
+
+#include "arrangement/cells.hpp"
 
 namespace floes {
 
@@ -190,19 +191,18 @@ bool Crowd::neighbours_are_old() const {
 }
 
 void Crowd::find_neighbours() {
-    places_.clear();
-    for (const Body& body : bodies_) places_.push_back(body.place);
-    std::vector<std::size_t> order(bodies_.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::sort(order, {}, [&](std::size_t body) { return std::pair(places_[body].x(), body); });
     const double reach = diagonal_ + skin_;
+    Cells cells({walls_.low_x, walls_.low_z, walls_.length, walls_.breadth}, reach, bodies_.size());
+    places_.clear();
     pairs_.clear();
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const Vec2& place = places_[order[i]];
-        for (std::size_t j = i + 1; j < order.size() && places_[order[j]].x() - place.x() < reach; ++j) {
-            if ((places_[order[j]] - place).squaredNorm() < reach * reach)
-                pairs_.push_back(std::minmax(order[i], order[j]));
-        }
+    for (const Body& body : bodies_) {
+        const std::size_t number = places_.size();
+        cells.for_each_near(body.place.x(), body.place.y(), [&](const Resident& other) {
+            if ((body.place - Vec2(other.x, other.z)).squaredNorm() < reach * reach)
+                pairs_.emplace_back(static_cast<std::size_t>(other.floe), number);
+        });
+        cells.insert({body.place.x(), body.place.y(), body.turn, static_cast<int>(number)});
+        places_.push_back(body.place);
     }
     // By number, so that sweeps run to no side.
     std::ranges::sort(pairs_);

@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "arrangement/cells.hpp"
 #include "arrangement/starts.hpp"
 #include "core/error.hpp"
 
@@ -28,18 +29,23 @@ std::vector<PlanarPose> jittered_lattice(const Walls& walls, std::span<const Rec
     std::vector<PlanarPose> poses = lattice_start(walls, covering(shapes), clearance, static_cast<int>(shapes.size()));
     if (jitter.shift == 0 && jitter.turn == 0) return poses;
     const Walls room = walls.shrunk(clearance);
-    std::vector<TurnedRectangle> grown;
-    for (const Rectangle& shape : shapes) grown.push_back({shape.grown(0.5 * clearance), {}});
+    std::vector<Rectangle> grown;
+    for (const Rectangle& shape : shapes) grown.push_back(shape.grown(0.5 * clearance));
+    Cells cells({walls.low_x, walls.low_z, walls.length, walls.breadth}, 2 * widest_reach(grown), poses.size());
+    const auto resident = [&](std::size_t floe, const PlanarPose& pose) {
+        return Resident{pose.x, pose.z, turn_of(pose.yaw), static_cast<int>(floe)};
+    };
+    for (std::size_t floe = 0; floe < poses.size(); ++floe) cells.insert(resident(floe, poses[floe]));
     const auto place = [&](std::size_t floe, const PlanarPose& pose) {
-        const Turn turn = turn_of(pose.yaw);
-        if (!room.admits(shapes[floe], pose.x, pose.z, turn)) return false;
-        for (std::size_t other = 0; other < poses.size(); ++other) {
-            if (other == floe) continue;
-            if (overlap({grown[floe].shape, turn}, grown[other], poses[other].x - pose.x, poses[other].z - pose.z))
-                return false;
-        }
+        const Resident moved = resident(floe, pose);
+        const auto hit = [&](const Resident& other) {
+            const Rectangle& shape = grown[static_cast<std::size_t>(other.floe)];
+            return other.floe != moved.floe && overlap({grown[floe], moved.turn}, {shape, other.turn},
+                                                       other.x - moved.x, other.z - moved.z);
+        };
+        if (!room.admits(shapes[floe], pose.x, pose.z, moved.turn) || cells.any_near(pose.x, pose.z, hit)) return false;
         poses[floe] = pose;
-        grown[floe].turn = turn;
+        cells.move(moved);
         return true;
     };
     // A floe moves while later ones are still on their sites, so floes never overlap in between.

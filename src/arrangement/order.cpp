@@ -1,12 +1,13 @@
 #include "arrangement/order.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
+#include "arrangement/cells.hpp"
 #include "core/turn.hpp"
 
 namespace floes {
@@ -56,6 +57,24 @@ double area_of(const Polygon& polygon) {
     return 0.5 * std::abs(twice);
 }
 
+CellArea area_around(std::span<const PlanarPose> poses) {
+    const auto [left, right] = std::ranges::minmax(poses, {}, &PlanarPose::x);
+    const auto [low, high] = std::ranges::minmax(poses, {}, &PlanarPose::z);
+    return {left.x, low.z, right.x - left.x, high.z - low.z};
+}
+
+/// Of floes spread over an area, or along a line, m.
+double mean_spacing(const CellArea& area, std::size_t floes) {
+    const auto count = static_cast<double>(floes);
+    return std::max(std::sqrt(area.length * area.breadth / count), std::max(area.length, area.breadth) / count);
+}
+
+Cells cells_of(std::span<const PlanarPose> poses, const CellArea& area, double reach) {
+    Cells cells(area, reach, poses.size());
+    for (std::size_t i = 0; i < poses.size(); ++i) cells.insert({poses[i].x, poses[i].z, {}, static_cast<int>(i)});
+    return cells;
+}
+
 }  // namespace
 
 double fourfold_order(std::span<const PlanarPose> poses) {
@@ -65,26 +84,35 @@ double fourfold_order(std::span<const PlanarPose> poses) {
 }
 
 double local_order(std::span<const PlanarPose> poses) {
-    constexpr std::size_t nearest = 4;
-    if (poses.size() == 1) return 1;
+    const std::size_t nearest = std::min<std::size_t>(4, poses.size() - 1);
+    if (nearest == 0) return 1;
     std::vector<Vec2> angles;
     for (const PlanarPose& pose : poses) angles.push_back(fourfold(pose.yaw));
-    double sum = 0;
+    std::vector<double> of_floe(poses.size());
+    std::vector<std::size_t> left(poses.size());
+    std::iota(left.begin(), left.end(), std::size_t{0});
     std::vector<std::pair<double, std::size_t>> others;  // squared distance, number
-    for (std::size_t i = 0; i < poses.size(); ++i) {
-        others.clear();
-        for (std::size_t j = 0; j < poses.size(); ++j) {
-            const double dx = poses[j].x - poses[i].x;
-            const double dz = poses[j].z - poses[i].z;
-            if (j != i) others.emplace_back(dx * dx + dz * dz, j);
-        }
-        const auto count = std::min(nearest, others.size());
-        std::ranges::partial_sort(others, others.begin() + static_cast<std::ptrdiff_t>(count));
-        double of_floe = 0;
-        for (std::size_t k = 0; k < count; ++k) of_floe += angles[i].dot(angles[others[k].second]);
-        sum += of_floe / static_cast<double>(count);
+    const CellArea area = area_around(poses);
+    // Twice the mean distance between neighbours holds four of most floes. The others are looked for farther off.
+    for (double reach = 2 * mean_spacing(area, poses.size()); !left.empty(); reach *= 2) {
+        const Cells cells = cells_of(poses, area, reach);
+        std::erase_if(left, [&](std::size_t i) {
+            others.clear();
+            cells.for_each_near(poses[i].x, poses[i].z, [&](const Resident& other) {
+                const double dx = other.x - poses[i].x;
+                const double dz = other.z - poses[i].z;
+                const double squared = dx * dx + dz * dz;
+                const auto j = static_cast<std::size_t>(other.floe);
+                if (j != i && squared <= reach * reach) others.emplace_back(squared, j);
+            });
+            if (others.size() < nearest) return false;
+            std::ranges::partial_sort(others, others.begin() + static_cast<std::ptrdiff_t>(nearest));
+            for (std::size_t k = 0; k < nearest; ++k) of_floe[i] += angles[i].dot(angles[others[k].second]);
+            of_floe[i] /= static_cast<double>(nearest);
+            return true;
+        });
     }
-    return sum / static_cast<double>(poses.size());
+    return std::accumulate(of_floe.begin(), of_floe.end(), 0.0) / static_cast<double>(poses.size());
 }
 
 double coverage(const Walls& area, std::span<const Rectangle> shapes, std::span<const PlanarPose> poses) {

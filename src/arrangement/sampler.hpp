@@ -38,7 +38,7 @@ class HardRectangles {
           certainly_overlapping_(4 * square(least_half_side(shapes_))),
           poses_(poses.begin(), poses.end()),
           cells_({boundary.low_x, boundary.low_z, boundary.length, boundary.breadth, Boundary::periodic},
-                 2 * half_diagonal_, cell_capacity(), static_cast<int>(poses.size())) {
+                 2 * half_diagonal_, poses.size()) {
         for (std::size_t i = 0; i < poses_.size(); ++i) {
             cells_.insert({poses_[i].x, poses_[i].z, turn_of(poses_[i].yaw), static_cast<int>(i)});
         }
@@ -66,15 +66,6 @@ class HardRectangles {
         return result;
     }
 
-    // A cell is less than two reaches wide, or less than one if it is the only one; the rectangles whose centres it
-    // holds lie inside it grown by half a reach, without overlap.
-    int cell_capacity() const {
-        const double width = 3 * 2 * half_diagonal_;
-        double least_area = std::numeric_limits<double>::infinity();
-        for (const Rectangle& shape : shapes_) least_area = std::min(least_area, 4 * shape.half_length * shape.half_breadth);
-        return static_cast<int>(width * width / least_area) + 1;
-    }
-
     bool try_move(std::size_t floe, const Step& step, RandomStream& random) {
         PlanarPose pose = poses_[floe];
         pose.x += step.shift * (2 * random.uniform() - 1);
@@ -95,18 +86,15 @@ class HardRectangles {
 
     bool hits_another(const Resident& trial) const {
         const TurnedRectangle own{shapes_[static_cast<std::size_t>(trial.floe)], trial.turn};
-        for (const int cell : cells_.neighbourhood(cells_.cell_at(trial.x, trial.z))) {
-            for (const Resident& other : cells_.residents(cell)) {
-                double dx = other.x - trial.x;
-                double dz = other.z - trial.z;
-                boundary_.nearest(dx, dz);
-                const double squared = dx * dx + dz * dz;
-                if (squared >= certainly_apart_ || other.floe == trial.floe) continue;
-                if (squared < certainly_overlapping_) return true;
-                if (overlap(own, {shapes_[static_cast<std::size_t>(other.floe)], other.turn}, dx, dz)) return true;
-            }
-        }
-        return false;
+        return cells_.any_near(trial.x, trial.z, [&](const Resident& other) {
+            double dx = other.x - trial.x;
+            double dz = other.z - trial.z;
+            boundary_.nearest(dx, dz);
+            const double squared = dx * dx + dz * dz;
+            if (squared >= certainly_apart_ || other.floe == trial.floe) return false;
+            if (squared < certainly_overlapping_) return true;
+            return overlap(own, {shapes_[static_cast<std::size_t>(other.floe)], other.turn}, dx, dz);
+        });
     }
 
     Boundary boundary_;

@@ -62,21 +62,4 @@ Quat joint_frame(JointAxis axis) {
     return Quat(std::numbers::sqrt2 / 2, 0, -std::numbers::sqrt2 / 2, 0);
 }
 
-std::vector<int> connected_pieces(int elements, const std::vector<GridJoint>& joints) {
-    std::vector<int> smallest(static_cast<std::size_t>(elements));
-    for (int element = 0; element < elements; ++element) smallest[static_cast<std::size_t>(element)] = element;
-    // A floe has few elements: lower the labels at both ends of each joint until nothing changes.
-    for (bool changed = true; changed;) {
-        changed = false;
-        for (const GridJoint& joint : joints) {
-            int& a = smallest[static_cast<std::size_t>(joint.a)];
-            int& b = smallest[static_cast<std::size_t>(joint.b)];
-            if (a == b) continue;
-            a = b = a < b ? a : b;
-            changed = true;
-        }
-    }
-    return smallest;
-}
-
 }  // namespace floes

@@ -54,7 +54,4 @@ std::vector<GridJoint> joint_order(const FloeGrid& grid);
 /// joint -> floe rotation: x from a to b, y up.
 Quat joint_frame(JointAxis axis);
 
-/// For each of `elements` elements the smallest index in its connected piece, given the remaining joints.
-std::vector<int> connected_pieces(int elements, const std::vector<GridJoint>& joints);
-
 }  // namespace floes

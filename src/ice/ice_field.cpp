@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/components.hpp"
 #include "core/error.hpp"
 #include "core/turn.hpp"
 #include "ice/beam_joint.hpp"
@@ -127,15 +128,17 @@ void IceField::expose_edges(const Joint& joint) {
 }
 
 void IceField::split_pieces(World& world, int floe) {
-    std::vector<GridJoint> left;
+    const Sheet& sheet = floes_[static_cast<std::size_t>(floe)];
+    const auto first = static_cast<std::size_t>(sheet.first);
+    const auto count = static_cast<std::size_t>(sheet.grid.elements());
+    Components pieces(count);
     for (const Joint& joint : joints_) {
-        if (joint.floe == floe) left.push_back(joint.grid);
+        if (joint.floe != floe) continue;
+        pieces.connect(static_cast<std::size_t>(joint.grid.a), static_cast<std::size_t>(joint.grid.b));
     }
-    const auto& [first, grid, thresholds] = floes_[static_cast<std::size_t>(floe)];
-    const std::vector<int> pieces = connected_pieces(grid.elements(), left);
-    for (int index = 0; index < grid.elements(); ++index) {
-        IceElement& element = elements_[static_cast<std::size_t>(first + index)];
-        const int piece = first + pieces[static_cast<std::size_t>(index)];
+    for (std::size_t index = 0; index < count; ++index) {
+        IceElement& element = elements_[first + index];
+        const auto piece = static_cast<int>(first + pieces.first(index));
         if (piece == element.piece) continue;
         element.piece = piece;
         world.set_piece(element.body, piece);

@@ -4,8 +4,8 @@
 /// Relative velocity change along the scaled rows.
 [[gnu::always_inline]] inline Pack along(const double* row, const Motion& a, const Motion& b) {
     const V3 axis = load3(row, contact_field::axis);
-    const V3 torque_a = load3(row, contact_field::torque_a);
-    const V3 torque_b = load3(row, contact_field::torque_b);
+    const V3 torque_a = load3(row, single_field::torque_a);
+    const V3 torque_b = load3(row, single_field::torque_b);
     const V3 sliding = a.velocity - b.velocity;
     const Pack x = axis.x * sliding.x + (torque_a.x * a.angular_velocity.x - torque_b.x * b.angular_velocity.x);
     const Pack y = axis.y * sliding.y + (torque_a.y * a.angular_velocity.y - torque_b.y * b.angular_velocity.y);
@@ -81,27 +81,12 @@ void start_contacts(double* delta, const ContactPacks& packs, const ContactRowAr
 
 // The impulse applied is the difference of the accumulated ones, clamped or not: no branch, and it rounds to the same.
 
-/// What the normal row i takes that has `old`: enough to stop the approach, but no more than its limit.
-template <bool limited>
-[[gnu::always_inline]] inline Pack normal_impulse(const ContactRowArrays& all, const LimitArrays& limits, int i,
-                                                  Pack old, Pack velocity) {
-    const Pack none{};
-    const Pack stops = old + (load(all.target, i) - velocity);
-    if constexpr (!limited) {
-        return stops > 0.0 ? stops : none;
-    } else {
-        const Pack yields = load(limits.yield, i) + load(limits.give, i) * (old - velocity);
-        const Pack total = stops < yields ? stops : yields;
-        return total > 0.0 ? total : none;
-    }
-}
-
 template <bool limited>
 void solve_all_normals(double* delta, const ContactPacks& packs, const ContactRowArrays& all,
                        const LimitArrays& limits) {
     const auto solve = [&](int i, const double* row, Motion& a, Motion& b) __attribute__((always_inline)) {
         const Pack old = load(all.impulse, i);
-        const Pack next = normal_impulse<limited>(all, limits, i, old, along(row, a, b));
+        const Pack next = normal_impulse<limited>(all.target, limits, i, old, along(row, a, b));
         store(all.impulse, i, next);
         push(row, a, b, next - old);
     };
@@ -118,7 +103,7 @@ void solve_frictions(double* delta, const ContactPacks& packs, const ContactRowA
                      const double* normal_impulse) {
     const auto solve = [&](int i, const double* row, Motion& a, Motion& b) __attribute__((always_inline)) {
         const Pack normal = load(normal_impulse, i);
-        const Pack bound = load(row, contact_field::friction_coefficient) * normal;
+        const Pack bound = load(row, single_field::friction_coefficient) * normal;
         const Pack old = load(all.impulse, i);
         const Pack total = old + (load(all.target, i) - along(row, a, b));
         const Pack capped = total < bound ? total : bound;
@@ -136,54 +121,59 @@ void solve_frictions(double* delta, const ContactPacks& packs, const ContactRowA
     for_each_row(delta, packs, all.row, solve, idle);
 }
 
-/// Coulomb's cone: of each contact the normal row, then an explicit step of both friction rows together and back to the
-/// circle of the normal impulse. With one effective mass for both this is a projected gradient step: where it comes to
-/// rest, friction points against the sliding velocity or nothing slides, whatever the basis. A 2 x 2 solve scaled back
-/// would turn friction off that line. The three rows see what they do to each other through the coupling.
-template <bool limited>
-void solve_all_cones(double* delta, const ContactPacks& packs, const ContactRowArrays& normals,
-                     const FrictionArrays& all, const LimitArrays& limits) {
-    const auto solve = [&](int i, const double* row, Motion& a, Motion& b) __attribute__((always_inline)) {
-        const double* first = all.first.row + static_cast<std::size_t>(i) * (contact_field::count * lanes);
-        const double* second = all.second.row + static_cast<std::size_t>(i) * (contact_field::count * lanes);
-        const V3 sliding =
-            (a.velocity - b.velocity) + (cross(a.angular_velocity, load3(first, contact_field::lever_a)) -
-                                         cross(b.angular_velocity, load3(first, contact_field::lever_b)));
-        const V3 axis = load3(row, contact_field::axis);
-        const Pack old = load(normals.impulse, i);
-        const Pack normal = normal_impulse<limited>(normals, limits, i, old, dot(axis, sliding));
-        const Pack pressed = normal - old;
-        store(normals.impulse, i, normal);
-        const Pack old_first = load(all.first.impulse, i);
-        const Pack old_second = load(all.second.impulse, i);
-        const Pack held = absolute(old_first) + absolute(old_second);
-        if (!any_positive(normal + held)) {  // nothing to hold with, nothing to let go of
-            push(row, a, b, pressed);
-            return;
-        }
-        const V3 first_axis = load3(first, contact_field::axis);
-        const V3 second_axis = load3(second, contact_field::axis);
-        const Pack first_slides = dot(first_axis, sliding) + load(second, contact_field::coupling) * pressed;
-        const Pack second_slides = dot(second_axis, sliding) + load(second, contact_field::coupling + 1) * pressed;
-        const Pack first_total = old_first + (load(all.first.target, i) - first_slides);
-        const Pack second_total = old_second + (load(all.second.target, i) - second_slides);
-        const Pack cut =
-            in_circle(first_total, second_total, load(first, contact_field::friction_coefficient) * normal);
-        const Pack next_first = first_total * cut;
-        const Pack next_second = second_total * cut;
-        store(all.first.impulse, i, next_first);
-        store(all.second.impulse, i, next_second);
-        const Pack one = next_first - old_first;
-        const Pack two = next_second - old_second;
+/// One contact on its way through its three rows.
+struct BodyContact {
+    const double* row;
+    const double* first;
+    const double* second;
+    Motion& a;
+    Motion& b;
+    V3 velocity{};  ///< of a relative to b where they touch
+    V3 axis{}, first_axis{}, second_axis{};
+
+    [[gnu::always_inline]] Pack approach() {
+        velocity = (a.velocity - b.velocity) + (cross(a.angular_velocity, load3(first, cone_first_field::lever_a)) -
+                                                cross(b.angular_velocity, load3(first, cone_first_field::lever_b)));
+        axis = load3(row, contact_field::axis);
+        return dot(axis, velocity);
+    }
+
+    [[gnu::always_inline]] Sliding sliding(Pack pressed) {
+        first_axis = load3(first, contact_field::axis);
+        second_axis = load3(second, contact_field::axis);
+        return {dot(first_axis, velocity) + load(second, cone_second_field::coupling) * pressed,
+                dot(second_axis, velocity) + load(second, cone_second_field::coupling + 1) * pressed};
+    }
+
+    [[gnu::always_inline]] Pack bound(Pack normal) const {
+        return load(first, cone_first_field::friction_coefficient) * normal;
+    }
+
+    [[gnu::always_inline]] void press(Pack pressed) const { ::floes::push(row, a, b, pressed); }
+
+    [[gnu::always_inline]] void push(Pack pressed, Pack one, Pack two) const {
         const V3 impulse = axis * pressed + first_axis * one + second_axis * two;
         a.velocity = a.velocity + impulse * a.inverse_mass;
         b.velocity = b.velocity - impulse * b.inverse_mass;
-        const auto turned = [&](int angular_velocity) __attribute__((always_inline)) {
-            return load3(row, angular_velocity) * pressed + load3(first, angular_velocity) * one +
-                   load3(second, angular_velocity) * two;
-        };
-        a.angular_velocity = a.angular_velocity + turned(contact_field::angular_change_a);
-        b.angular_velocity = b.angular_velocity - turned(contact_field::angular_change_b);
+        a.angular_velocity = a.angular_velocity + turned(contact_field::angular_change_a, pressed, one, two);
+        b.angular_velocity = b.angular_velocity - turned(contact_field::angular_change_b, pressed, one, two);
+    }
+
+    [[gnu::always_inline]] V3 turned(int angular_change, Pack pressed, Pack one, Pack two) const {
+        return load3(row, angular_change) * pressed + load3(first, angular_change) * one +
+               load3(second, angular_change) * two;
+    }
+};
+
+template <bool limited>
+void solve_all_cones(double* delta, const ContactPacks& packs, const ContactRowArrays& normals,
+                     const FrictionArrays& frictions, const LimitArrays& limits) {
+    const ConeArrays all{{normals.target, frictions.first.target, frictions.second.target},
+                         {normals.impulse, frictions.first.impulse, frictions.second.impulse}};
+    const auto solve = [&](int i, const double* row, Motion& a, Motion& b) __attribute__((always_inline)) {
+        const std::size_t at = static_cast<std::size_t>(i) * (contact_field::count * lanes);
+        solve_cone<limited>(all, limits, i,
+                            BodyContact{row, frictions.first.row + at, frictions.second.row + at, a, b});
     };
     for_each_row(delta, packs, normals.row, solve, never_idle);
 }

@@ -55,25 +55,19 @@ inline Pack coupling(const Arm& one, const Arm& other) {
 
 inline void store_row(double* row, const Arm& arm, Pack s) {
     store3(row, contact_field::axis, arm.axis * s);
-    store3(row, contact_field::torque_a, arm.torque_a * s);
-    store3(row, contact_field::torque_b, arm.torque_b * s);
     store3(row, contact_field::angular_change_a, arm.angular_change_a * s);
     store3(row, contact_field::angular_change_b, arm.angular_change_b * s);
 }
 
-/// A row along `axis` at the given levers. Returns its scale s = A^-1/2.
+/// A row by itself, along `axis` at the given levers. Returns its scale s = A^-1/2.
 inline Pack make_row(double* row, const V3& axis, const V3& lever_a, const V3& lever_b, const Touching& a,
                      const Touching& b) {
     const Arm arm = make_arm(axis, lever_a, lever_b, a, b);
     const Pack s = 1.0 / square_root(a.inverse_mass + b.inverse_mass + coupling(arm, arm));
     store_row(row, arm, s);
+    store3(row, single_field::torque_a, arm.torque_a * s);
+    store3(row, single_field::torque_b, arm.torque_b * s);
     return s;
-}
-
-/// Factor that brings (x, y) into the circle about 0, along the line to its centre; 1 inside. Radius >= 0.
-inline Pack in_circle(Pack x, Pack y, Pack radius) {
-    const Pack square = x * x + y * y;
-    return square > radius * radius ? radius / square_root(square) : Pack{} + 1.0;
 }
 
 /// Bullet's btPlaneSpace1: some direction at right angles to the unit vector n.
@@ -116,6 +110,16 @@ inline Pack stiffest_direction(Pack mass, Pack one_one, Pack two_two, Pack one_t
     return mass + 0.5 * (one_one + two_two) + square_root(half * half + one_two * one_two);
 }
 
+/// The impulses that two friction rows start from, over their scale: `start`, in world axes, brought into the cone.
+inline void start_friction(double* first, double* second, int i, const TangentPlane& plane, const V3& start, Pack bound,
+                           Pack scale) {
+    const Pack along_first = dot(plane.first, start);
+    const Pack along_second = dot(plane.second, start);
+    const Pack held = in_circle(along_first, along_second, bound);
+    store(first, i, along_first * held / scale);
+    store(second, i, along_second * held / scale);
+}
+
 /// The two rows of the cone, which stop `velocity`, and their impulses to start from. The scale is that of the stiffest
 /// direction in the plane, which keeps the sweeps stable.
 inline void prepare_cone(const FrictionArrays& frictions, int i, const V3& n, const V3& velocity, const V3& lever_a,
@@ -132,19 +136,15 @@ inline void prepare_cone(const FrictionArrays& frictions, int i, const V3& n, co
     store_row(frictions.first.row + row, first, s);
     store_row(frictions.second.row + row, second, s);
     const Arm normal = make_arm(n, lever_a, lever_b, a, b);
-    store(frictions.second.row + row, contact_field::coupling, coupling(normal, first) * (normal_scale * s));
-    store(frictions.second.row + row, contact_field::coupling + 1, coupling(normal, second) * (normal_scale * s));
-    store3(frictions.first.row + row, contact_field::lever_a, lever_a);
-    store3(frictions.first.row + row, contact_field::lever_b, lever_b);
-    store(frictions.first.row + row, contact_field::friction_coefficient, friction * normal_scale / s);
+    store(frictions.second.row + row, cone_second_field::coupling, coupling(normal, first) * (normal_scale * s));
+    store(frictions.second.row + row, cone_second_field::coupling + 1, coupling(normal, second) * (normal_scale * s));
+    store3(frictions.first.row + row, cone_first_field::lever_a, lever_a);
+    store3(frictions.first.row + row, cone_first_field::lever_b, lever_b);
+    store(frictions.first.row + row, cone_first_field::friction_coefficient, friction * normal_scale / s);
     store(frictions.first.target, i, -dot(first.axis, velocity) * s);
     store(frictions.second.target, i, -dot(second.axis, velocity) * s);
-    const V3 start = load3(frictions.start, 3 * i);
-    const Pack along_first = dot(first.axis, start);
-    const Pack along_second = dot(second.axis, start);
-    const Pack held = in_circle(along_first, along_second, friction * normal_impulse);
-    store(frictions.first.impulse, i, along_first * held / s);
-    store(frictions.second.impulse, i, along_second * held / s);
+    start_friction(frictions.first.impulse, frictions.second.impulse, i, plane, load3(frictions.start, 3 * i),
+                   friction * normal_impulse, s);
 }
 
 /// Row i of all kinds.
@@ -185,7 +185,7 @@ inline void prepare_contact(const double* point, int i, const Touching& a, const
     const Pack t = make_row(frictions.first.row + row, slide, lever_a, lever_b, a, b);
     const V3 sliding = (a.start_velocity + cross(a.angular_velocity, lever_a)) -
                        (b.start_velocity + cross(b.angular_velocity, lever_b));
-    store(frictions.first.row + row, contact_field::friction_coefficient, friction * s / t);
+    store(frictions.first.row + row, single_field::friction_coefficient, friction * s / t);
     store(frictions.first.target, i, -dot(slide, sliding) * t);
     store(frictions.first.impulse, i, none);
     store(frictions.first.scale, i, t);

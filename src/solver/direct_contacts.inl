@@ -121,12 +121,8 @@ inline void prepare_direct_contact(const double* point, const double* friction_s
     store(row, direct_field::friction_coefficient, friction * s / t);
     store(to.target[1], i, -dot(plane.first, velocity) * t);
     store(to.target[2], i, -dot(plane.second, velocity) * t);
-    const V3 start = load3(friction_start, 3 * i);
-    const Pack along_first = dot(plane.first, start);
-    const Pack along_second = dot(plane.second, start);
-    const Pack held = in_circle(along_first, along_second, friction * load(point, point_field::impulse));
-    store(to.impulse[1], i, along_first * held / t);
-    store(to.impulse[2], i, along_second * held / t);
+    start_friction(to.impulse[1], to.impulse[2], i, plane, load3(friction_start, 3 * i),
+                   friction * load(point, point_field::impulse), t);
     store(to.scale[1], i, t);
     store3(row, direct_field::first, plane.first);
     store3(row, direct_field::second, plane.second);
@@ -209,31 +205,40 @@ void start_direct_contacts(double* delta, double* impulse, const ComplianceColum
     for_each_direct_row(delta, impulse, columns, packs, all.row, start);
 }
 
-/// Coulomb's cone as in solve_all_cones().
+/// One contact on its way through its three rows.
+struct PieceContact {
+    const double* row;
+    DirectPair& pair;
+
+    [[gnu::always_inline]] Pack approach() const { return along(row, 0, pair); }
+
+    [[gnu::always_inline]] Sliding sliding(Pack pressed) const {
+        return {along(row, 1, pair) + load(row, direct_field::coupling) * pressed,
+                along(row, 2, pair) + load(row, direct_field::coupling + 1) * pressed};
+    }
+
+    [[gnu::always_inline]] Pack bound(Pack normal) const {
+        return load(row, direct_field::friction_coefficient) * normal;
+    }
+
+    [[gnu::always_inline]] void press(Pack pressed) const {
+        if (any_positive(absolute(pressed))) ::floes::push(row, 0, pair, pressed);
+    }
+
+    [[gnu::always_inline]] void push(Pack pressed, Pack one, Pack two) const {
+        ::floes::push(row, 0, pair, pressed);
+        ::floes::push(row, 1, pair, one);
+        ::floes::push(row, 2, pair, two);
+    }
+};
+
 template <bool limited>
 void solve_all_direct(double* delta, double* impulse, const ComplianceColumn* columns, const ContactPacks& packs,
                       const DirectRowArrays& all, const LimitArrays& limits) {
-    const ContactRowArrays normals{nullptr, all.target[0], all.impulse[0], all.scale[0]};
+    const ConeArrays cones{{all.target[0], all.target[1], all.target[2]},
+                           {all.impulse[0], all.impulse[1], all.impulse[2]}};
     const auto solve = [&](int i, const double* row, DirectPair& pair) __attribute__((always_inline)) {
-        const Pack old = load(all.impulse[0], i);
-        const Pack normal = normal_impulse<limited>(normals, limits, i, old, along(row, 0, pair));
-        const Pack old_first = load(all.impulse[1], i);
-        const Pack old_second = load(all.impulse[2], i);
-        if (!any_positive((normal + old) + (absolute(old_first) + absolute(old_second)))) return;
-        const Pack pressed = normal - old;
-        store(all.impulse[0], i, normal);
-        const Pack first_slides = along(row, 1, pair) + load(row, direct_field::coupling) * pressed;
-        const Pack second_slides = along(row, 2, pair) + load(row, direct_field::coupling + 1) * pressed;
-        const Pack first_total = old_first + (load(all.target[1], i) - first_slides);
-        const Pack second_total = old_second + (load(all.target[2], i) - second_slides);
-        const Pack cut = in_circle(first_total, second_total, load(row, direct_field::friction_coefficient) * normal);
-        const Pack next_first = first_total * cut;
-        const Pack next_second = second_total * cut;
-        store(all.impulse[1], i, next_first);
-        store(all.impulse[2], i, next_second);
-        push(row, 0, pair, pressed);
-        push(row, 1, pair, next_first - old_first);
-        push(row, 2, pair, next_second - old_second);
+        solve_cone<limited>(cones, limits, i, PieceContact{row, pair});
     };
     for_each_direct_row(delta, impulse, columns, packs, all.row, solve);
 }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "core/components.hpp"
 #include "solver/direct_floes.hpp"
 #include "solver/lane_slot.hpp"
 
@@ -24,25 +24,18 @@ Vec3 origin_of(const SolverFrame& frame) {
 
 void DirectFloes::split(std::size_t piece) {
     const Piece whole = std::move(pieces_[piece]);
-    std::vector<std::uint32_t> first(whole.bodies.size());  // of the part that each body belongs to, within the whole
-    std::iota(first.begin(), first.end(), 0U);
-    const auto root = [&](std::uint32_t i) {
-        while (first[i] != i) i = first[i] = first[first[i]];
-        return i;
-    };
+    Components parts(whole.bodies.size());  // of bodies by their numbers in the whole
     for (const std::uint32_t joint : whole.joints) {
-        const std::uint32_t a = root(within_piece_[joints_[joint].a]);
-        const std::uint32_t b = root(within_piece_[joints_[joint].b]);
-        first[std::max(a, b)] = std::min(a, b);
+        parts.connect(within_piece_[joints_[joint].a], within_piece_[joints_[joint].b]);
     }
     pieces_[piece] = Piece{};
     for (std::uint32_t i = 0; i < whole.bodies.size(); ++i) {
         const std::uint32_t body = whole.bodies[i];
-        if (i > 0 && root(i) == i) {
+        if (i > 0 && parts.first(i) == i) {
             piece_of_body_[body] = static_cast<std::uint32_t>(pieces_.size());
             pieces_.emplace_back();
         }
-        piece_of_body_[body] = piece_of_body_[whole.bodies[root(i)]];
+        piece_of_body_[body] = piece_of_body_[whole.bodies[parts.first(i)]];
         Piece& part = pieces_[piece_of_body_[body]];
         within_piece_[body] = static_cast<std::uint32_t>(part.bodies.size());
         part.within.push_back(within_piece_[body]);

@@ -17,6 +17,7 @@ namespace {
 #include "solver/joint_kernels.inl"
 #include "solver/body_kernels.inl"
 #include "solver/motion.inl"
+#include "solver/contact_impulses.inl"
 #include "solver/contact_setup.inl"
 #include "solver/contact_limits.inl"
 #include "solver/contact_kernels.inl"

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "solver/contact_law.hpp"
+#include "solver/contact_layout.hpp"
 #include "solver/direct_layout.hpp"
 
 namespace floes {
@@ -88,77 +89,6 @@ struct LaneArrays {
     double* reaction;
     double* delta;  ///< velocity and angular velocity change per body slot, {v, inverse mass, w, 0}: the contacts' view
                     ///< of `sweep`, and a spare slot
-};
-
-/// Fields of a point at which two bodies touch.
-namespace point_field {
-inline constexpr int on_a = 0;
-inline constexpr int on_b = 3;
-inline constexpr int normal = 6;    ///< unit, from b to a
-inline constexpr int distance = 9;  ///< infinite for a point that there is not
-inline constexpr int friction = 10;
-inline constexpr int impulse = 11;
-inline constexpr int count = 12;
-}  // namespace point_field
-
-/// Fields of a contact's normal or friction row, scaled like a joint row. Sweeps only read them: targets and
-/// accumulated impulses, over s, are in arrays of their own.
-namespace contact_field {
-inline constexpr int axis = 0;      ///< s * direction
-inline constexpr int torque_a = 3;  ///< lever a x axis
-inline constexpr int torque_b = 6;
-// In a cone one sliding velocity serves all three rows.
-inline constexpr int lever_a = torque_a;    ///< first friction row
-inline constexpr int lever_b = torque_b;    ///< likewise
-inline constexpr int coupling = torque_a;   ///< second friction row: J M^-1 J^T of the normal row with first and second
-inline constexpr int angular_change_a = 9;  ///< I_a^-1 torque_a
-inline constexpr int angular_change_b = 12;
-inline constexpr int friction_coefficient = 15;  ///< friction: bound / normal impulse, both scaled
-inline constexpr int count = 16;
-}  // namespace contact_field
-
-/// Pairs of bodies that touch, `width` side by side, no moving body twice; each pair's contacts one after the other. Of
-/// two turns twice as many, whose rows follow each other in turns.
-struct ContactPack {
-    std::uint32_t turns;
-    std::uint32_t first_row;  ///< in groups of `width`
-    std::uint32_t end_row;
-};
-
-/// A pair with fewer contacts than others, or none, has rows that exert nothing.
-struct ContactPacks {
-    const std::uint32_t* slots;  ///< by pack and turn: those of the bodies a, then those of b
-    const ContactPack* packs;
-    std::size_t count;
-    std::uint32_t spare;  ///< the slot of both bodies in an empty lane
-};
-
-/// Normal or friction rows, by groups of `width`.
-struct ContactRowArrays {
-    double* row;
-    double* target;
-    double* impulse;
-    double* scale;  ///< s
-};
-
-/// Friction rows. The cone has two at right angles in the contact plane; both with one scale, so that the bound on
-/// their scaled impulses is a circle.
-struct FrictionArrays {
-    ContactRowArrays first;
-    ContactRowArrays second;  ///< cone only, as `start`
-    const double* start;      ///< impulse to start from, world axes, by groups of 3 fields
-};
-
-/// Upper bounds on the impulses of normal rows, by groups of `width`; null where there are none.
-struct LimitArrays {
-    double* yield;
-    double* give;
-};
-
-struct ContactStep {
-    double inverse_step;  ///< 1/s
-    double split_depth;   ///< penetrations this deep are corrected outside the impulse, m; infinite for none
-    const ContactLaw& law;
 };
 
 /// The kernels of one lane width. Every width gives the same bits.

@@ -71,8 +71,10 @@ class LaneSystem {
   private:
     struct Floe;
     std::vector<Floe> find_floes(std::span<const SolverBody>, std::span<const SolverJoint>) const;
-    void lay_out(std::span<const SolverBody>, std::span<const SolverJoint>,
-                 const std::vector<std::vector<Floe>>& kinds);
+    /// Floes into the lanes of blocks. Returns the number of groups of joints.
+    std::size_t place_blocks(const std::vector<std::vector<Floe>>& kinds);
+    void make_arrays(std::size_t joint_groups);
+    void fill(std::span<const SolverBody>, std::span<const SolverJoint>);
     void fill(std::size_t slot, const SolverJoint& joint);
     void cover(std::size_t joint, double covered);
     LaneArrays arrays();

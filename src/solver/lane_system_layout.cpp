@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
+#include "core/components.hpp"
 #include "solver/lane_slot.hpp"
 #include "solver/lane_system.hpp"
 #include "solver/lane_width.hpp"
@@ -18,12 +18,6 @@ struct LaneSystem::Floe {
 };
 
 namespace {
-
-/// Root of i, shortening the way for the next who asks.
-std::uint32_t root(std::vector<std::uint32_t>& parent, std::uint32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-}
 
 /// No more lanes than it takes to hold the largest set of equal floes.
 int useful_width(std::size_t most_floes, int width) {
@@ -48,26 +42,22 @@ LaneSystem::LaneSystem(std::span<const SolverBody> bodies, std::span<const Solve
         if (!kind.back().joints.empty()) most_floes = std::max(most_floes, kind.size());
     }
     kernels_ = &lane_kernels(useful_width(most_floes, width));
-    lay_out(bodies, joints, kinds);
+    const std::size_t joint_groups = place_blocks(kinds);
+    make_arrays(joint_groups);
+    fill(bodies, joints);
     if (solution == JointSolution::swept) return;
-    const std::size_t joint_groups = frame_.size() / static_cast<std::size_t>(frame_field::count * kernels_->width);
     direct_.emplace(bodies, joints, LaneSlots{slot_of_body_, slot_of_joint_, body_groups_, joint_groups}, *kernels_);
 }
 
 std::vector<LaneSystem::Floe> LaneSystem::find_floes(std::span<const SolverBody> bodies,
                                                      std::span<const SolverJoint> joints) const {
-    std::vector<std::uint32_t> parent(bodies.size());
-    std::iota(parent.begin(), parent.end(), 0U);
-    for (const SolverJoint& joint : joints) {
-        const std::uint32_t a = root(parent, joint.a);
-        const std::uint32_t b = root(parent, joint.b);
-        parent[std::max(a, b)] = std::min(a, b);
-    }
+    Components components(bodies.size());
+    for (const SolverJoint& joint : joints) components.connect(joint.a, joint.b);
     std::vector<Floe> floes;
     std::vector<std::size_t> floe_of(bodies.size());
     std::vector<std::int32_t> within(bodies.size());
     for (std::uint32_t body = 0; body < bodies.size(); ++body) {
-        const std::uint32_t first = root(parent, body);
+        const std::size_t first = components.first(body);
         if (first == body) {
             floe_of[body] = floes.size();
             floes.emplace_back();
@@ -85,8 +75,7 @@ std::vector<LaneSystem::Floe> LaneSystem::find_floes(std::span<const SolverBody>
     return floes;
 }
 
-void LaneSystem::lay_out(std::span<const SolverBody> bodies, std::span<const SolverJoint> joints,
-                         const std::vector<std::vector<Floe>>& kinds) {
+std::size_t LaneSystem::place_blocks(const std::vector<std::vector<Floe>>& kinds) {
     const auto lanes = static_cast<std::size_t>(width());
     std::size_t joint_groups = 0;
     std::vector<std::size_t> pairs_at;
@@ -113,9 +102,13 @@ void LaneSystem::lay_out(std::span<const SolverBody> bodies, std::span<const Sol
         }
     }
     for (std::size_t i = 0; i < blocks_.size(); ++i) blocks_[i].pairs = pairs_.data() + pairs_at[i];
+    return joint_groups;
+}
+
+void LaneSystem::make_arrays(std::size_t joint_groups) {
+    const auto lanes = static_cast<std::size_t>(width());
     block_touched_.resize(blocks_.size());
     group_touched_.resize(body_groups_);
-
     body_ = AlignedArray<double>(body_groups_ * lanes * body_field::count);
     sweep_ = AlignedArray<double>(body_groups_ * lanes * sweep_field::count);
     delta_ = AlignedArray<double>((body_groups_ * lanes + 1) * 8);
@@ -128,9 +121,10 @@ void LaneSystem::lay_out(std::span<const SolverBody> bodies, std::span<const Sol
             body_[place(static_cast<std::uint32_t>(slot), body_field::count, body_field::rotation + i, width())] = 1;
         }
     }
-    for (std::size_t slot = 0; slot < joint_groups * lanes; ++slot) {
-        fill(slot, SolverJoint{});
-    }
+    for (std::size_t slot = 0; slot < joint_groups * lanes; ++slot) fill(slot, SolverJoint{});
+}
+
+void LaneSystem::fill(std::span<const SolverBody> bodies, std::span<const SolverJoint> joints) {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         sweep_[place(slot_of_body_[i], sweep_field::count, sweep_field::inverse_mass, width())] =
             bodies[i].inverse_mass;

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "arrangement/arrangement.hpp"
@@ -49,6 +51,32 @@ TEST(LocalOrder, TakesEquallyNearFloesInTheirOrder) {
     poses.pop_back();
     poses.insert(poses.begin() + 1, turned);
     EXPECT_NEAR(local_order(poses), (0.5 + 4 * 0.5 - 1) / 6, 1e-14);
+}
+
+/// local_order() by looking at every pair.
+double order_of_all_pairs(const std::vector<PlanarPose>& poses) {
+    double sum = 0;
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        std::vector<std::pair<double, std::size_t>> others;
+        for (std::size_t j = 0; j < poses.size(); ++j) {
+            if (j != i) others.emplace_back(std::hypot(poses[j].x - poses[i].x, poses[j].z - poses[i].z), j);
+        }
+        std::ranges::sort(others);
+        for (std::size_t k = 0; k < 4; ++k) sum += std::cos(4 * (poses[others[k].second].yaw - poses[i].yaw)) / 4;
+    }
+    return sum / static_cast<double>(poses.size());
+}
+
+// Two dense fields far apart, a row, and floes on their own: some have their four nearest far off.
+TEST(LocalOrder, FindsTheFourNearestHoweverFarTheyAre) {
+    RandomStream random(3, 0, StreamId::scattering, 0);
+    std::vector<PlanarPose> poses;
+    for (int i = 0; i < 300; ++i) {
+        const double from = i % 2 == 0 ? 0 : 400;
+        poses.push_back({from + random.uniform(0, 3), random.uniform(0, 3), random.uniform(-0.4, 0.4)});
+    }
+    for (int i = 0; i < 9; ++i) poses.push_back({50.0 * i, -20, random.uniform(-0.4, 0.4)});
+    EXPECT_NEAR(local_order(poses), order_of_all_pairs(poses), 1e-12);
 }
 
 TEST(LocalOrder, OfFewFloesTakesAllOthers) {

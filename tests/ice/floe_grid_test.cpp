@@ -1,4 +1,4 @@
-// The grid of a floe: places, joints, pieces.
+// The grid of a floe: places and joints.
 
 #include "ice/floe_grid.hpp"
 
@@ -9,8 +9,6 @@
 
 namespace floes {
 namespace {
-
-using testing::ElementsAre;
 
 const FloeGrid grid{3, 2, 0.2};
 
@@ -43,15 +41,6 @@ TEST(JointFrameTest, LooksFromAToB) {
     EXPECT_TRUE((joint_frame(JointAxis::x) * Vec3::UnitX()).isApprox(Vec3::UnitX()));
     EXPECT_TRUE((joint_frame(JointAxis::z) * Vec3::UnitX()).isApprox(Vec3::UnitZ()));
     EXPECT_TRUE((joint_frame(JointAxis::z) * Vec3::UnitY()).isApprox(Vec3::UnitY()));
-}
-
-TEST(ConnectedPiecesTest, AreNamedByTheirFirstElement) {
-    EXPECT_THAT(connected_pieces(3, {}), ElementsAre(0, 1, 2));
-    EXPECT_THAT(connected_pieces(3, {{0, 1, JointAxis::x}, {1, 2, JointAxis::x}}), ElementsAre(0, 0, 0));
-    EXPECT_THAT(connected_pieces(6, {{1, 2, JointAxis::x}, {4, 5, JointAxis::x}, {2, 5, JointAxis::z}}),
-                ElementsAre(0, 1, 1, 3, 1, 1));
-    EXPECT_THAT(connected_pieces(4, {{2, 3, JointAxis::x}, {1, 3, JointAxis::z}, {0, 1, JointAxis::x}}),
-                ElementsAre(0, 0, 0, 0));
 }
 
 }  // namespace
