@@ -18,7 +18,7 @@ PICTURES = {
     "loads": ["Loads"],
     "run": ["What was run"],
     "differences": ["Do the cases differ?"],
-    "design": ["Design load: averaged over 1 s, in 3 h"],
+    "design": ["Design load"],
     "where": ["Where the load acts", "Where floes fail"],
     "extremes": ["Load over time", "Extremes"],
     "convergence": ["Uncertainty of the mean", "Broken floes", "The arrangement with the largest load"],

@@ -7,8 +7,8 @@
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "core/units.hpp"
-#include "findings/catalogue.hpp"
 #include "findings/design_load_section.hpp"
+#include "findings/evidence.hpp"
 
 namespace floes {
 namespace {
@@ -25,8 +25,8 @@ std::string answer(const DesignOptions& options) {
     DesignLoadRequest request = options.request;
     request.exposure = options.exposure_h * unit::hour;
     const Evidence evidence = read_evidence(CampaignFile(options.file), options.window == "auto");
-    const CampaignTable table = with_peaks(options.file, evidence.table);
-    return written(design_load_sections(evidence.summary, find_design_loads(table, request), request), options.format);
+    const std::vector<CaseDesignLoad> designs = find_design_loads(evidence.table, request);
+    return written(design_load_sections(evidence.summary, designs, request), options.format);
 }
 
 }  // namespace

@@ -95,11 +95,10 @@ Section quantities_over(const OverLeft& left, const MatchOptions& options, const
     return predicted_section(predicted);
 }
 
-Section design_over(const OverLeft& left, const MatchOptions& options, std::vector<MatchWave> waves,
+Section design_over(const OverLeft& left, const MatchOptions& options, const std::vector<MatchWave>& waves,
                     const MatchData& data, const std::vector<EmulatedTarget>& targets) {
     DesignLoadRequest request = options.design;
     request.exposure = options.exposure_h * unit::hour;
-    for (MatchWave& wave : waves) wave.table = with_peaks(wave.file, std::move(wave.table));
     return design_section(predict_design_load(waves, data, targets, left, request), request);
 }
 

@@ -26,13 +26,13 @@ struct ReportOptions {
 void report(const ReportOptions& options) {
     const std::filesystem::path file = options.file;
     const std::filesystem::path output = options.output.empty() ? file.stem().string() + ".html" : options.output;
-    ReportData data = read_report_data(file);
-    const Scenario& first = data.campaign.cases.front().scenario;
+    ReportData data{read_evidence(file), {}, ""};
+    const Scenario& first = data.evidence.campaign.cases.front().scenario;
     const bool follows_cfm = first.joint.model == JointModel::cfm;  // else there is no curve: E is what it says
-    if (!options.skip_plate_tests && follows_cfm) data.curve = measure_curve(curve_plans(first));
+    if (!options.skip_plate_tests && follows_cfm) data.evidence.plate_tests = measure_curve(curve_plans(first));
     if (options.pictures != "none") add_moments(file, options.pictures == "all", data);
-    data.command = fmt::format("./floes run {0}.toml -o {0}.h5", data.summary.title);
-    write_page(output, report_page(data));
+    data.command = fmt::format("./floes run {0}.toml -o {0}.h5", data.evidence.summary.title);
+    write_page(output, report_page(std::move(data)));
     std::printf("%s\n", output.string().c_str());
 }
 

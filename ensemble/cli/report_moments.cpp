@@ -8,7 +8,6 @@
 
 #include "cli/waiting_note.hpp"
 #include "core/wording.hpp"
-#include "page/moments_section.hpp"
 #include "picture/picture.hpp"
 #include "replay/replay_member.hpp"
 
@@ -16,6 +15,21 @@ namespace floes {
 namespace {
 
 constexpr double round_worst = 10;  // s of load history beside the largest
+
+/// Of each case the member with the largest load or, unless `all`, only that of the campaign.
+std::vector<int> pictured_members(const Evidence& evidence, bool all) {
+    if (!all) {
+        const std::optional<int> worst = most_loaded_member(evidence);
+        return worst ? std::vector{*worst} : std::vector<int>{};
+    }
+    std::vector<int> members;
+    for (int k = 0; k < std::ssize(evidence.table.cases); ++k) {
+        const auto worst =
+            member_with_largest_load(evidence.table, [k](const MemberRow& row) { return row.case_index == k; });
+        if (worst) members.push_back(*worst);
+    }
+    return members;
+}
 
 std::string drawn(const Stage& stage, const Frame& frame, const PictureStyle& style) {
     Canvas canvas(style.width, picture_height(style, stage.subject()));
@@ -43,7 +57,8 @@ std::vector<MomentPicture> pictures_of(const ReplaySubject& subject, const KeyFr
 
 void add_moments(const std::filesystem::path& file, bool all, ReportData& data) {
     std::vector<ReplaySubject> subjects;
-    for (const int member : pictured_members(data, all)) subjects.push_back(replay_subject(file, data.table, member));
+    for (const int member : pictured_members(data.evidence, all))
+        subjects.push_back(replay_subject(file, data.evidence.table, member));
     const WaitingNote patience(std::cerr,
                                fmt::format("computing {} again for pictures of the largest loads; --pictures none "
                                            "leaves them out",

@@ -13,8 +13,6 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "findings/catalogue.hpp"
-#include "findings/pairs_section.hpp"
-#include "findings/sensitivity.hpp"
 
 namespace floes {
 
@@ -43,9 +41,12 @@ std::vector<Section> find(const SummarizeOptions& options, Evidence& evidence) {
             throw InputError(
                 fmt::format("--parts {0} has a line for each member and needs --format csv.", finding.name));
         const bool always = options.format == "json" && finding.name == findings().front().name;
-        if (wanted || always) sections.push_back(finding.section(evidence));
-        if (wanted && !sections.back().missing.empty() && options.format != "table")
-            std::fputs(fmt::format("floes: {}", sections.back().missing).c_str(), stderr);
+        if (!wanted && !always) continue;
+        for (Section& section : finding.sections(evidence)) {
+            if (wanted && options.format != "table" && !section.missing.empty())
+                std::fputs(fmt::format("floes: {}", section.missing).c_str(), stderr);
+            sections.push_back(std::move(section));
+        }
     }
     return sections;
 }
@@ -53,16 +54,13 @@ std::vector<Section> find(const SummarizeOptions& options, Evidence& evidence) {
 std::string answer(const SummarizeOptions& options) {
     Evidence evidence = read_evidence(CampaignFile(options.file), options.window == "auto", options.reference);
     evidence.resolve = options.resolve_percent * unit::percent;
-    const std::vector<Section> sections = find(options, evidence);
-    std::string told = written(sections, options.format);
-    if (options.format == "table" && options.parts.empty() && !in_detail(evidence.campaign))
-        told += "\n" + unasked_text(evidence.summary) + "\n";
-    return told;
+    return written(find(options, evidence), options.format);
 }
 
 std::vector<std::string> part_names() {
     std::vector<std::string> names;
-    for (const Finding& finding : findings()) names.emplace_back(finding.name);
+    for (const Finding& finding : findings())
+        if (!finding.name.empty()) names.emplace_back(finding.name);
     return names;
 }
 

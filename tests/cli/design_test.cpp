@@ -19,13 +19,9 @@ using testing::HasSubstr;
 
 class Design : public testing::Test {
   protected:
-    explicit Design(bool with_peaks = true) {
+    Design() {
         const Campaign campaign = synthetic::campaign();
-        std::vector<MemberRecord> records = synthetic::records(campaign);
-        if (!with_peaks)
-            for (MemberRecord& record : records)
-                for (AveragedLoad& one : record.result.averaged) one.peaks.clear();
-        publish(file_, campaign, records, std::vector<Session>{synthetic::session()});
+        publish(file_, campaign, synthetic::records(campaign), std::vector<Session>{synthetic::session()});
     }
 
     std::string design(const std::string& arguments) {
@@ -34,11 +30,6 @@ class Design : public testing::Test {
 
     TemporaryFolder folder_;
     std::filesystem::path file_ = folder_ / "synthetic.h5";
-};
-
-class DesignOfAnOlderFile : public Design {
-  protected:
-    DesignOfAnOlderFile() : Design(false) {}
 };
 
 // Members of the synthetic campaign have one to three peaks.
@@ -53,11 +44,6 @@ TEST_F(Design, RefusesWhatItCannotAnswer) {
     EXPECT_THROW(design("--exposure-h -1"), CommandLineEnd);
     EXPECT_THROW(design("--quantile 1"), CommandLineEnd);
     EXPECT_THROW(design("--scale 0.5"), CommandLineEnd);
-}
-
-// The histories of the synthetic campaign are shorter than its windows say, so peaks are taken from what there is.
-TEST_F(DesignOfAnOlderFile, TakesPeaksFromTheHistories) {
-    EXPECT_THAT(design("--averaging-s 0.4"), HasSubstr("soft: too few peaks ("));
 }
 
 }  // namespace

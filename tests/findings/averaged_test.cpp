@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "example.hpp"
-#include "findings/averaged_table.hpp"
+#include "findings/loads_section.hpp"
 #include "findings/members.hpp"
 #include "findings/pairs.hpp"
 #include "findings/summary_section.hpp"

@@ -44,7 +44,8 @@ Evidence evidence() {
 std::vector<Section> sections(Evidence of, const std::vector<std::string_view>& names) {
     std::vector<Section> made;
     for (const Finding& finding : findings())
-        if (std::ranges::find(names, finding.name) != names.end()) made.push_back(finding.section(of));
+        if (std::ranges::find(names, finding.name) != names.end())
+            for (Section& section : finding.sections(of)) made.push_back(std::move(section));
     return made;
 }
 

@@ -28,49 +28,38 @@ TEST(PlotAxis, HasRoundTicks) {
                 ElementsAre(testing::DoubleNear(1e-4, 1e-12), testing::DoubleNear(1e-2, 1e-12), testing::DoubleEq(1)));
 }
 
-TEST(PlotAxis, LiesAroundItsValues) {
-    const Axis free = axis_around("N", std::vector<double>{10, 20, nan}, false);
-    EXPECT_DOUBLE_EQ(free.low, 9.5);
-    EXPECT_DOUBLE_EQ(free.high, 20.5);
-    const Axis from_zero = axis_around("N", std::vector<double>{10, 20}, true);
-    EXPECT_DOUBLE_EQ(from_zero.low, 0);
-    EXPECT_DOUBLE_EQ(from_zero.high, 21);
-    const Axis empty = axis_around("N", std::vector<double>{nan}, true);
-    EXPECT_LT(empty.low, empty.high);
-}
-
 // 64 from the left, 16 from the right, 28 from above and 46 from below: the middle of a 280 x 174 figure is (164, 78).
 TEST(Plot, PutsAValueWhereTheAxesSay) {
-    Plot plot("test", {"m", 0, 10}, {"N", 1, 100, true}, {280, 174});
-    plot.dot(5, 10, "c0", 3);
-    EXPECT_THAT(plot.svg(), HasSubstr("<circle class=\"dot c0\" cx=\"164.0\" cy=\"78.0\" r=\"3.0\"/>"));
+    Figure figure{.description = "test", .x = {"m", 0, 10}, .y = {"N", 1, 100, true}, .size = {280, 174}};
+    figure.dot(5, 10, "c0", 3);
+    EXPECT_THAT(svg(figure), HasSubstr("<circle class=\"dot c0\" cx=\"164.0\" cy=\"78.0\" r=\"3.0\"/>"));
 }
 
 TEST(Plot, FillsCellsByTheirShare) {
-    Plot plot("test", {"m", 0, 10}, {"N", 0, 10}, {280, 174});
-    plot.cell(5, 2, 1, 4, 0.25, "heat");
-    plot.cell(0, 0, 1, 1, 0, "cold");
-    plot.cell(0, 0, 1, 1, nan, "cold");
-    EXPECT_THAT(plot.svg(), HasSubstr("<rect class=\"area heat\" x=\"164.0\" y=\"68.0\" width=\"20.0\" height=\"40.0\" "
-                                      "fill-opacity=\"0.25\"/>"));
-    EXPECT_THAT(plot.svg(), Not(HasSubstr("cold")));
+    Figure figure{.description = "test", .x = {"m", 0, 10}, .y = {"N", 0, 10}, .size = {280, 174}};
+    figure.cell(5, 2, 1, 4, 0.25, "heat");
+    figure.cell(0, 0, 1, 1, 0, "cold");
+    figure.cell(0, 0, 1, 1, nan, "cold");
+    EXPECT_THAT(svg(figure), HasSubstr("<rect class=\"area heat\" x=\"164.0\" y=\"68.0\" width=\"20.0\" "
+                                       "height=\"40.0\" fill-opacity=\"0.25\"/>"));
+    EXPECT_THAT(svg(figure), Not(HasSubstr("cold")));
 }
 
 TEST(Plot, LeavesOutWhatIsNotFinite) {
-    Plot plot("test", {"m", 0, 10}, {"N", 0, 10});
-    plot.dot(nan, 1, "c0");
-    plot.line({{0, 0}, {1, nan}, {2, 2}, {3, 3}}, "c1");
-    plot.text(1, std::numeric_limits<double>::infinity(), "far away", "start");
-    EXPECT_THAT(plot.svg(), Not(HasSubstr("nan")));
-    EXPECT_THAT(plot.svg(), Not(HasSubstr("inf")));
-    EXPECT_THAT(plot.svg(), Not(HasSubstr("far away")));
-    EXPECT_THAT(plot.svg(), HasSubstr("M192"));  // the line begins anew behind the gap
+    Figure figure{.description = "test", .x = {"m", 0, 10}, .y = {"N", 0, 10}};
+    figure.dot(nan, 1, "c0");
+    figure.line({{0, 0}, {1, nan}, {2, 2}, {3, 3}}, "c1");
+    figure.text(1, std::numeric_limits<double>::infinity(), "far away", "start");
+    EXPECT_THAT(svg(figure), Not(HasSubstr("nan")));
+    EXPECT_THAT(svg(figure), Not(HasSubstr("inf")));
+    EXPECT_THAT(svg(figure), Not(HasSubstr("far away")));
+    EXPECT_THAT(svg(figure), HasSubstr("M192"));  // the line begins anew behind the gap
 }
 
 TEST(Plot, EscapesWords) {
-    Plot plot("a < b & \"c\"", {"<m>", 0, 1}, {"N", 0, 1});
-    EXPECT_THAT(plot.svg(), HasSubstr("aria-label=\"a &lt; b &amp; &quot;c&quot;\""));
-    EXPECT_THAT(plot.svg(), HasSubstr("&lt;m&gt;"));
+    const Figure figure{.description = "a < b & \"c\"", .x = {"<m>", 0, 1}, .y = {"N", 0, 1}};
+    EXPECT_THAT(svg(figure), HasSubstr("aria-label=\"a &lt; b &amp; &quot;c&quot;\""));
+    EXPECT_THAT(svg(figure), HasSubstr("&lt;m&gt;"));
 }
 
 }  // namespace

@@ -2,20 +2,24 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
-#include <utility>
 
-#include "campaign_file/read_campaign_file.hpp"
-#include "campaign_file/read_details.hpp"
+#include "findings/closed_formulas.hpp"
 #include "findings/control_section.hpp"
+#include "findings/convergence.hpp"
 #include "findings/design_load_section.hpp"
-#include "findings/extremes.hpp"
+#include "findings/failures.hpp"
+#include "findings/histories.hpp"
+#include "findings/joint_failures.hpp"
+#include "findings/largest_load.hpp"
 #include "findings/levels.hpp"
+#include "findings/load_map_section.hpp"
+#include "findings/loads_section.hpp"
 #include "findings/members.hpp"
 #include "findings/pairs_section.hpp"
 #include "findings/points.hpp"
 #include "findings/sensitivity_section.hpp"
 #include "findings/summary_section.hpp"
+#include "findings/what_was_run.hpp"
 
 namespace floes {
 namespace {
@@ -32,6 +36,25 @@ bool of_a_design(const Campaign& campaign) {
     return campaign.design.active();
 }
 
+bool of_few_cases(const Campaign& campaign) {
+    return campaign.cases.size() > 1 && in_detail(campaign);
+}
+
+bool with_levels(const Campaign& campaign) {
+    return std::ranges::any_of(campaign.cases,
+                               [](const Case& one) { return !one.scenario.analysis.exceedance_levels.empty(); });
+}
+
+bool of_many_cases(const Campaign& campaign) {
+    return !in_detail(campaign);
+}
+
+/// A finding of one section.
+template <Section (*section)(Evidence&)>
+std::vector<Section> one(Evidence& evidence) {
+    return {section(evidence)};
+}
+
 Section cases(Evidence& evidence) {
     return summary_section(evidence.summary, evidence.reference);
 }
@@ -41,7 +64,7 @@ Section points(Evidence& evidence) {
 }
 
 Section sensitivity(Evidence& evidence) {
-    return sensitivity_section(find_sensitivity(evidence.campaign, evidence.table));
+    return sensitivity_section(sensitivity_of(evidence));
 }
 
 Section pairs(Evidence& evidence) {
@@ -49,22 +72,21 @@ Section pairs(Evidence& evidence) {
     return pairs_section(evidence.summary, compare_pairs(evidence.table, options), options);
 }
 
-/// Found once, whichever part asks first.
-const std::vector<CaseExtremes>& extremes_of(Evidence& evidence) {
-    if (!evidence.extremes) evidence.extremes = find_extremes(evidence.table);
-    return *evidence.extremes;
+Section pairs_left_out(Evidence& evidence) {
+    return {.before = unasked_text(evidence.summary) + "\n"};
 }
 
 Section extremes(Evidence& evidence) {
     return extremes_section(evidence.summary, extremes_of(evidence));
 }
 
+Section levels(Evidence& evidence) {
+    return levels_section(evidence.summary, find_levels(evidence.table));
+}
+
 /// The exceedance curve of the maxima and the time above the levels that members counted.
-Section exceedance(Evidence& evidence) {
-    Section curve = exceedance_section(evidence.summary, extremes_of(evidence));
-    Section levels = levels_section(evidence.summary, find_levels(evidence.table));
-    levels.records.insert(levels.records.begin(), curve.records.begin(), curve.records.end());
-    return levels;
+std::vector<Section> exceedance(Evidence& evidence) {
+    return {exceedance_section(evidence.summary, extremes_of(evidence)), levels(evidence)};
 }
 
 Section steady(Evidence& evidence) {
@@ -72,15 +94,12 @@ Section steady(Evidence& evidence) {
     return steady_section(evidence.summary, evidence.table, *evidence.steady);
 }
 
-/// As `floes design` has it by default, without what it rests on.
-Section design(Evidence& evidence) {
-    const DesignLoadRequest request;
-    std::vector<Section> sections = design_load_sections(
-        evidence.summary, find_design_loads(with_peaks(evidence.file, evidence.table), request), request);
-    Section loads = std::move(sections.front());
-    for (Section& other : std::span(sections).subspan(1))
-        std::ranges::move(other.records, std::back_inserter(loads.records));
-    return loads;
+/// As `floes design` has it by default.
+std::vector<Section> design(Evidence& evidence) {
+    const DesignLoads& found = designs_of(evidence);
+    if (!found.of_cases.empty()) return design_load_sections(evidence.summary, found.of_cases, found.asked);
+    return {
+        {.missing = "Design load: unknown, because the members did not average their load (analysis.averaging_s).\n"}};
 }
 
 Section control(Evidence& evidence) {
@@ -92,37 +111,34 @@ Section members(Evidence& evidence) {
 }
 
 constexpr std::array all{
-    Finding{"cases", cases, always},
-    Finding{"points", points, never},
-    Finding{"sensitivity", sensitivity, of_a_design},
-    Finding{"pairs", pairs, in_detail},
-    Finding{"extremes", extremes, in_detail},
+    Finding{"cases", one<cases>, always},
+    Finding{"", one<averaged_section>, never, "Loads", always},
+    Finding{"", one<table3_section>, never, "Loads", always},
+    Finding{"", one<what_was_run>, never, "What was run", always},
+    Finding{"sensitivity", one<sensitivity>, of_a_design, "What decides the load?", of_a_design},
+    Finding{"points", one<points>, never, "What decides the load?", of_a_design},
+    Finding{"pairs", one<pairs>, in_detail, "Do the cases differ?", of_few_cases},
+    Finding{"", one<pairs_left_out>, of_many_cases, "Do the cases differ?", of_many_cases},
+    Finding{"", one<histories_section>, never, "Load over time", always},
+    Finding{"", one<load_map_section>, never, "Where the load acts", always},
+    Finding{"design", design, never, "Design load", in_detail},
+    Finding{"extremes", one<extremes>, in_detail, "Extremes", in_detail},
+    Finding{"", one<levels>, never, "Extremes", with_levels},
     Finding{"exceedance", exceedance, never},
-    Finding{"steady", steady, never},
-    Finding{"control", control, never},
-    Finding{"design", design, never},
-    Finding{.name = "members", .section = members, .unasked = never, .for_csv_alone = true},
+    Finding{"steady", one<steady>, never},
+    Finding{"control", one<control>, never},
+    Finding{"", one<convergence_section>, never, "Uncertainty of the mean", always},
+    Finding{"", one<failures_section>, never, "Broken floes", always},
+    Finding{"", one<joint_failures_section>, never, "Where floes fail", always},
+    Finding{"", one<largest_load_section>, never, "The arrangement with the largest load", always},
+    Finding{"", one<closed_formulas_section>, never, "Elastic modulus and closed formulas", always},
+    Finding{.name = "members", .sections = one<members>, .unasked = never, .for_csv_alone = true},
 };
 
 }  // namespace
 
 std::span<const Finding> findings() {
     return all;
-}
-
-Evidence read_evidence(const CampaignFile& file, bool automatic_window, std::string_view reference) {
-    Evidence evidence;
-    evidence.file = file.path();
-    evidence.origin = read_origin(file);
-    evidence.campaign = file.campaign();
-    evidence.table = read_campaign_file(file);
-    if (automatic_window) {
-        evidence.steady = find_steady(file, evidence.table);
-        evidence.table = with_automatic_window(file, std::move(evidence.table), *evidence.steady);
-    }
-    evidence.summary = summarise(evidence.table);
-    if (!reference.empty()) evidence.reference = case_index(evidence.summary, reference);
-    return evidence;
 }
 
 }  // namespace floes

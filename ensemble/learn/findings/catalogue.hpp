@@ -1,42 +1,22 @@
 #pragma once
-// The findings of a campaign file by name, as `floes summarize --parts` takes them. A new finding is a file of its own
-// and a line in parts.cpp.
+// The findings of a campaign file by name, as `floes summarize --parts` takes them and as the report shows them. A new
+// finding is a header and a source of its own, and a line in catalogue.cpp.
 
-#include <filesystem>
-#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include "campaign_file/read_details.hpp"
-#include "findings/extremes.hpp"
-#include "findings/steady.hpp"
-#include "findings/summary.hpp"
+#include "findings/evidence.hpp"
+#include "tables/section.hpp"
 
 namespace floes {
 
-/// What parts are computed from.
-struct Evidence {
-    std::filesystem::path file;
-    CampaignOrigin origin;
-    Campaign campaign;  ///< from the configuration in the file
-    CampaignTable table;
-    Summary summary;                                         ///< of the table
-    std::optional<SteadyReport> steady = {};                 ///< set if already computed; for the window as given
-    std::optional<std::vector<CaseExtremes>> extremes = {};  ///< set if already computed: the fits take long
-    Reference reference;                                     ///< case that the others are compared with
-    double resolve = 0.1;  ///< difference that pairs are to resolve, as a fraction of the first case's mean
-};
-
-/// Reads the file. `automatic_window`: loads are recomputed over the steady finding. Throws InputError as
-/// read_campaign_file() and with_automatic_window() do, and if there is no case `reference` (empty: no reference).
-Evidence read_evidence(const CampaignFile& file, bool automatic_window = false, std::string_view reference = {});
-
 struct Finding {
-    std::string_view name;
-    Section (*section)(Evidence&);     ///< may keep in the evidence what other parts need too
-    bool (*unasked)(const Campaign&);  ///< whether it is shown for this campaign when no parts are named
-    std::string_view page_title = {};  ///< of its section on the page; empty: the page places it elsewhere
+    std::string_view name;                        ///< of the part; empty: only the report has it
+    std::vector<Section> (*sections)(Evidence&);  ///< may keep in the evidence what other findings need too
+    bool (*unasked)(const Campaign&);             ///< whether it is shown for this campaign when no parts are named
+    std::string_view page_title = {};             ///< of its section of the report, which may go on in the next finding
+    bool (*on_page)(const Campaign&) = nullptr;   ///< whether the report of this campaign has it; with a page_title
     bool for_csv_alone = false;
 };
 

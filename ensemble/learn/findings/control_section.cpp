@@ -67,7 +67,6 @@ Section control_section(const Summary& summary, const std::vector<ControlRow>& r
         return [=](const ControlRow& row) { return row.quantity.factor() * row.found.*mean.*value; };
     };
     return {
-        .before = "",
         .table = std::move(table),
         .after = fmt::format(
             "\nMeans corrected for the local order and the coverage ahead of the arrangements that were run, against\n"

@@ -6,21 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "campaign_file/measure_anew.hpp"
 #include "core/error.hpp"
 
 namespace floes {
-namespace {
-
-/// A load that does not vary has none.
-bool has_peaks(const CampaignTable& table) {
-    return std::ranges::all_of(table.members, [](const MemberRow& row) {
-        return !row.done() || row.load.sd == 0 ||
-               std::ranges::any_of(row.averaged, [](const AveragedLoad& one) { return !one.peaks.empty(); });
-    });
-}
-
-}  // namespace
 
 double DesignLoadRequest::model_exposure() const {
     return exposure / std::sqrt(scale);
@@ -32,20 +20,6 @@ double DesignLoadRequest::model_averaging() const {
 
 double DesignLoadRequest::force_factor() const {
     return scale * scale * scale;
-}
-
-CampaignTable with_peaks(const std::filesystem::path& path, CampaignTable table) {
-    if (has_peaks(table)) return table;
-    std::vector<Analysis> windows;
-    for (const CaseRow& one : table.cases) windows.push_back(one.analysis);
-    const bool thinned = std::ranges::any_of(windows, [](const Analysis& one) { return one.history_stride > 1; });
-    if (!thinned) table = measured_anew(path, std::move(table), windows);
-    if (!has_peaks(table))
-        throw InputError(
-            fmt::format("The members of {} have no peaks of the averaged load, because an older version ran "
-                        "them, and no histories of every step to take them from. Run the campaign again.",
-                        path.string()));
-    return table;
 }
 
 double averaging_time(const CampaignTable& table, const DesignLoadRequest& request) {

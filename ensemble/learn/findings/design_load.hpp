@@ -1,7 +1,6 @@
 #pragma once
 // The design load of each case: the largest averaged load in an exposure, by every method, and what it rests on.
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -36,10 +35,6 @@ struct CaseDesignLoad {
 
 /// Shares of the peaks for which the first quantile is shown, to defend the threshold.
 inline constexpr double threshold_shares[]{0.5, 0.35, 0.25, 0.15, 0.1};
-
-/// The table with the peaks of every done member; where members lack them, as in files before layout 1.6, they are
-/// taken from the histories. Throws InputError if there are none.
-CampaignTable with_peaks(const std::filesystem::path& path, CampaignTable table);
 
 /// The campaign's own averaging time that the request means, s at the campaign's scale. Throws InputError if there is
 /// none.

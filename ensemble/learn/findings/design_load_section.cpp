@@ -1,6 +1,7 @@
 #include "findings/design_load_section.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -63,10 +64,9 @@ Section loads_section(const Summary& summary, const std::vector<CaseDesignLoad>&
             for (const DesignLoadFigure& figure : made.quantiles) line.push_back(load_cell(figure, unit.factor));
         }
     }
-    std::string before = fmt::format("Design load: the largest load averaged over {:g} s in {:g} h\n\n",
-                                     request.averaging, request.exposure / unit::hour);
     return {
-        .before = std::move(before),
+        .title = fmt::format("Design load: the largest load averaged over {:g} s in {:g} h", request.averaging,
+                             request.exposure / unit::hour),
         .table = std::move(table),
         .after =
             "\nBrackets: 95 % by bootstrap over arrangements. Both tails: Pareto and Weibull tail, weighted by how\n"
@@ -90,6 +90,7 @@ double disagreement(const DesignLoad& load) {
 
 Section basis_section(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
                       const DesignLoadRequest& request, const LoadUnit& unit) {
+    if (std::ranges::none_of(designs, [](const CaseDesignLoad& one) { return one.load.valid(); })) return {};
     Table table{{"what it rests on"}};
     const auto row = [&](std::string label, auto cell) {
         std::vector<Cell>& line = table.emplace_back();
@@ -122,8 +123,7 @@ Section basis_section(const Summary& summary, const std::vector<CaseDesignLoad>&
         [](const CaseDesignLoad& one) { return fmt::format("{:.0f} %", 100 * disagreement(one.load)); });
     row("more arrangements for half the interval",
         [](const CaseDesignLoad& one) { return fmt::format("{}", 3 * one.load.arrangements); });
-    return {.before = "",
-            .table = std::move(table),
+    return {.table = std::move(table),
             .after = fmt::format(
                 "\nThe tails are fitted to the highest {} of the peaks. ξ below 0: the load is bounded; above "
                 "0: its tail is\nheavy. c: 1 exponential, 2 Gaussian. The load with other shares of the "
@@ -173,7 +173,6 @@ Section pairs_section(const Summary& summary, const std::vector<CaseDesignLoad>&
         {"low", [&](const Paired& one) { return request.force_factor() * one.difference.interval.low; }},
         {"high", [&](const Paired& one) { return request.force_factor() * one.difference.interval.high; }}};
     return {
-        .before = "",
         .table = std::move(table),
         .after = fmt::format("\nDifferences of the load exceeded with {}, by both tails, over the same arrangements.\n",
                              percent(1 - request.quantiles.front())),
@@ -265,16 +264,14 @@ DataRows rate_records(const Summary& summary, const std::vector<CaseDesignLoad>&
 std::vector<Section> design_load_sections(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
                                           const DesignLoadRequest& request) {
     const LoadUnit unit = unit_for(designs, request);
-    std::vector<Section> sections{loads_section(summary, designs, request, unit),
-                                  basis_section(summary, designs, request, unit)};
-    sections.front().records = {load_records(summary, designs, request), basis_records(summary, designs, request),
-                                rate_records(summary, designs)};
-    if (Section pairs = pairs_section(summary, designs, request, unit); !pairs.table.empty())
-        sections.push_back(std::move(pairs));
-    std::string conditions;
-    for (const std::string& line : condition_lines(summary)) conditions += line + "\n";
-    sections.front().before = fmt::format("Campaign {}.\n{}\n", summary.title, conditions) + sections.front().before;
-    return sections;
+    const std::string conditions = fmt::format("{}", fmt::join(condition_lines(summary), "\n"));
+    Section loads = loads_section(summary, designs, request, unit);
+    loads.records = {load_records(summary, designs, request), basis_records(summary, designs, request),
+                     rate_records(summary, designs)};
+    return {{.before = fmt::format("Campaign {}.\n{}\n", summary.title, conditions)},
+            std::move(loads),
+            basis_section(summary, designs, request, unit),
+            pairs_section(summary, designs, request, unit)};
 }
 
 }  // namespace floes

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/units.hpp"
+#include "findings/exceedance_figure.hpp"
 #include "tables/number_text.hpp"
 
 namespace floes {
@@ -146,14 +147,15 @@ Section extremes_section(const Summary& summary, const std::vector<CaseExtremes>
                 fmt::format(" (a segment: {:g} s; 1 in 1000: once in {})", one.segment, hours(1000 * one.segment));
         }
     }
-    return {.before = "Extremes\n\n",
+    return {.title = "Extremes",
             .table = std::move(table),
             .after = fmt::format(
                 "\nMaximum likelihood; 1 in N: the load that one segment in N exceeds{}, interval by bootstrap over\n"
                 "arrangements. ξ: shape, below 0 with an upper bound. p A²: Anderson-Darling; small: poor fit of the "
                 "distribution.\nFor exposures longer than the one simulated, a return level is an extrapolation.\n",
                 lengths),
-            .records = {case_records(summary, extremes), fit_records(summary, extremes)}};
+            .records = {case_records(summary, extremes), fit_records(summary, extremes)},
+            .figures = {exceedance_figure(summary, extremes)}};
 }
 
 Section exceedance_section(const Summary& summary, const std::vector<CaseExtremes>& extremes) {
@@ -180,22 +182,6 @@ Section exceedance_section(const Summary& summary, const std::vector<CaseExtreme
                           {"gumbel", [&](const Point& point) { return beyond(point.of->gumbel.fit, point.at.load); }},
                           {"gev", [&](const Point& point) { return beyond(point.of->gev.fit, point.at.load); }}})));
     return section;
-}
-
-Table extremes_page_table(const Summary& summary, const std::vector<CaseExtremes>& extremes) {
-    Table table{{"case", "fit", "p (A²)"}};
-    for (const double period : return_periods) table.front().emplace_back(fmt::format("1 in {:g} segments, N", period));
-    for (const CaseExtremes& one : extremes) {
-        for (const FittedExtreme* fitted : fits_of(one)) {
-            if (!fitted->fit.valid()) continue;
-            std::vector<Cell>& line = table.emplace_back(std::vector<Cell>{
-                summary.name_of(one.case_index), name_of(fitted->kind), p_text(fitted->goodness.anderson_darling_p)});
-            for (const ReturnLevel& level : fitted->levels)
-                line.emplace_back(fmt::format("{:.0f}", level.level),
-                                  bracket(level.interval.low, level.interval.high, 0));
-        }
-    }
-    return table;
 }
 
 }  // namespace floes

@@ -31,9 +31,6 @@ Section extremes_section(const Summary& summary, const std::vector<CaseExtremes>
 /// has no table, which would be too long to read.
 Section exceedance_section(const Summary& summary, const std::vector<CaseExtremes>& extremes);
 
-/// For the page: a row for each case and fit; only the heading if nothing could be fitted.
-Table extremes_page_table(const Summary& summary, const std::vector<CaseExtremes>& extremes);
-
 /// "Gumbel" or "GEV".
 const char* name_of(ExtremeKind kind);
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -13,6 +14,42 @@ namespace floes {
 namespace {
 
 constexpr double minute = 60;  // s
+
+/// None where no load came above any level.
+std::vector<Figure> levels_figures(const Summary& summary, const std::vector<LevelRow>& rows) {
+    std::vector<double> loads;
+    double least = 1;
+    for (const LevelRow& row : rows) {
+        loads.push_back(row.level);
+        if (row.time_above.estimate > 0) least = std::min(least, row.time_above.estimate);
+    }
+    if (least == 1) return {};
+    const double floor = least / 3;
+    Figure figure{.description = "Share of the time with a surge load above a level",
+                  .x = axis_around("surge load, N", loads, true),
+                  .y = {"share of the time", floor, 1, true},
+                  .size = {720, 340},
+                  .legend = case_legend(summary),
+                  .caption =
+                      "Share of the time in the window with a surge load above the levels that the members "
+                      "counted at every step: mean over arrangements with its 95 % interval."};
+    const std::size_t cases = summary.cases.size();
+    for (std::size_t i = 0; i < cases; ++i) {
+        // A small offset puts the intervals of one level side by side.
+        const double aside =
+            0.006 * (figure.x.high - figure.x.low) * (static_cast<double>(i) - 0.5 * static_cast<double>(cases - 1));
+        Figure::Points curve;
+        for (const LevelRow& row : rows) {
+            if (row.case_index != i || !(row.time_above.estimate > 0)) continue;
+            const double at = row.level + aside;
+            curve.emplace_back(at, row.time_above.estimate);
+            figure.line({{at, std::max(floor, row.time_above.low)}, {at, row.time_above.high}}, colour(i) + " thin");
+            figure.dot(at, row.time_above.estimate, colour(i), 3);
+        }
+        figure.line(std::move(curve), colour(i));
+    }
+    return {std::move(figure)};
+}
 
 }  // namespace
 
@@ -64,13 +101,14 @@ Section levels_section(const Summary& summary, const std::vector<LevelRow>& rows
                          fixed(row.time_above.estimate / unit::percent, 3), range(row.time_above, 1 / unit::percent, 3),
                          fixed(row.upcrossings.estimate * minute, 2), range(row.upcrossings, minute, 2)});
     }
-    return {.before = "Load levels\n\n",
+    return {.title = "Load levels",
             .table = std::move(table),
             .after =
                 "\nTime above: share of the window with a surge load above the level; rises: how often the load "
                 "rises through it.\nCounted in each member at every time step; mean over arrangements with its "
                 "95 % interval (t).\n",
-            .records = {records}};
+            .records = {records},
+            .figures = levels_figures(summary, rows)};
 }
 
 }  // namespace floes

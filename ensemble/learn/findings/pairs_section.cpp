@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include "core/units.hpp"
 #include "tables/number_text.hpp"
@@ -47,20 +48,46 @@ std::size_t pairs_in(const std::vector<PairRow>& rows) {
         std::ranges::count_if(rows, [&](const PairRow& row) { return row.quantity.key == rows.front().quantity.key; }));
 }
 
-/// The three most informative quantities; a table of all would be too long.
-Table headlines(const Summary& summary, const std::vector<PairRow>& rows, const PairOptions& options) {
-    Table table{{"pair", "n", "difference", "95 %", "of first", "p t", "p Wilcoxon", "reduction", "n needed",
-                 fmt::format("n for {:g} %", options.resolve / unit::percent)}};
+constexpr std::size_t columns_of_table = 10;
+
+/// The rows of the three most informative quantities or, unless `headlines`, those of the others.
+Table rows_of(const Summary& summary, const std::vector<PairRow>& rows, bool headlines) {
+    Table table;
     ShortText last;
     for (const PairRow& row : rows) {
-        if (row.quantity.shown < Shown::in_headlines) continue;
+        if ((row.quantity.shown >= Shown::in_headlines) != headlines) continue;
         if (!(row.quantity.key == last)) {
-            table.emplace_back(table.front().size(), "").front() = std::string{row.quantity.label.view()};
+            table.emplace_back(columns_of_table, "").front() = std::string{row.quantity.label.view()};
             last = row.quantity.key;
         }
         table.push_back(line(summary, row));
     }
     return table;
+}
+
+Figure differences(const Summary& summary, const std::vector<PairRow>& rows, const Quantity& quantity,
+                   std::string caption) {
+    const double factor = quantity.factor();
+    std::vector<std::string> labels;  // from the bottom, so that the first pair is at the top
+    std::vector<double> values{0};
+    Figure figure{.description = fmt::format("Paired differences of {}", quantity.label),
+                  .caption = std::move(caption)};
+    for (const PairRow& row : rows | std::views::reverse) {
+        if (!(row.quantity.key == quantity.key)) continue;
+        const Limits& limits = row.found.t_interval;
+        const double at = static_cast<double>(labels.size()) + 0.5;
+        figure.line({{factor * limits.low, at}, {factor * limits.high, at}}, "thick");
+        figure.dot(factor * row.found.difference, at, "ink", 4.5);
+        values.insert(values.end(), {factor * limits.low, factor * limits.high, factor * row.found.difference});
+        labels.push_back(summary.name_of(row.second) + " − " + summary.name_of(row.first));
+    }
+    const double count = static_cast<double>(labels.size());
+    figure.size = {720, 70 + 34 * count};
+    figure.x = axis_around(fmt::format("difference of {} within an arrangement, 95 % interval", quantity.label), values,
+                           false);
+    figure.y = {"", 0, count, false, std::move(labels)};
+    figure.upright(0, "dashed");
+    return figure;
 }
 
 std::string notes(const std::vector<PairRow>& rows, const PairOptions& options) {
@@ -133,26 +160,18 @@ Section pairs_section(const Summary& summary, const std::vector<PairRow>& rows, 
         section.before = summary.cases.size() < 2 ? "Pairs: there is only one case.\n" : left_out + "\n";
         return section;
     }
-    section.before = "Pairs over the same arrangements\n\n";
-    section.table = headlines(summary, rows, options);
-    section.after = notes(rows, options) + (left_out.empty() ? "" : left_out + "\n");
+    section.title = "Pairs over the same arrangements";
+    section.table = rows_of(summary, rows, true);
+    section.table.insert(section.table.begin(),
+                         {"pair", "n", "difference", "95 %", "of first", "p t", "p Wilcoxon", "reduction", "n needed",
+                          fmt::format("n for {:g} %", options.resolve / unit::percent)});
+    section.on_page = rows_of(summary, rows, false);
+    section.after = notes(rows, options);
+    if (!left_out.empty()) section.notes.push_back(left_out);
+    section.figures = {
+        differences(summary, rows, quantity("mean_load"), "Mean load: differences within an arrangement."),
+        differences(summary, rows, quantity("mean_maximum"), "Mean maximum load: differences within an arrangement.")};
     return section;
-}
-
-Table pairs_page_table(const Summary& summary, const std::vector<PairRow>& rows) {
-    Table table{{"quantity", "pair", "n", "difference", "95 % interval", "p (t, Holm)", "p (Wilcoxon, Holm)",
-                 "variance reduction, %", "n needed"}};
-    for (const PairRow& row : rows) {
-        const double factor = row.quantity.factor();
-        table.push_back({std::string{row.quantity.label.view()},
-                         fmt::format("{} − {}", summary.name_of(row.second), summary.name_of(row.first)),
-                         fmt::format("{}", row.found.arrangements), fixed(factor * row.found.difference, 2),
-                         bracket(factor * row.found.t_interval.low, factor * row.found.t_interval.high, 2),
-                         p_text(row.t_p_holm), p_text(row.wilcoxon_p_holm),
-                         fixed(row.found.variance_saved / unit::percent, 0),
-                         row.to_resolve_observed > 0 ? fmt::format("{}", row.to_resolve_observed) : "–"});
-    }
-    return table;
 }
 
 }  // namespace floes

@@ -15,10 +15,7 @@ std::string left_out_text(const Summary& summary, const std::vector<PairRow>& ro
 /// them.
 std::string unasked_text(const Summary& summary);
 
-/// The table has the headline quantities, the records have all.
+/// The table has the headline quantities; a page and the records have all.
 Section pairs_section(const Summary& summary, const std::vector<PairRow>& rows, const PairOptions& options);
-
-/// For the page, which has room for all: a row for each quantity and pair.
-Table pairs_page_table(const Summary& summary, const std::vector<PairRow>& rows);
 
 }  // namespace floes

@@ -66,7 +66,7 @@ Section points_section(const DesignPoints& points, const Summary& summary) {
     if (points.keys.empty()) {
         section.before = "The campaign has no design: its cases lie on no axes.\n";
     } else {
-        section.before = "Points of the design\n\n";
+        section.title = "Points of the design";
         section.table = points_table(points);
     }
     return section;

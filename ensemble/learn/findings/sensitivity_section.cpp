@@ -130,8 +130,7 @@ DataRows axis_records(const Sensitivity& found) {
     return csv_only(make_rows<Line>("", lines, columns));
 }
 
-}  // namespace
-
+/// Slopes and indices by [[case]], quantity and axis; the heading first.
 Table sensitivity_table(const Sensitivity& found) {
     Table table{{"along", {"slope", "95 %"}}};
     if (has_indices(found)) {
@@ -145,6 +144,7 @@ Table sensitivity_table(const Sensitivity& found) {
     return table;
 }
 
+/// The meaning of the columns, then the notes, as sentences.
 std::vector<std::string> sensitivity_notes(const Sensitivity& found) {
     std::vector<std::string> notes;
     if (!found.rows.empty()) {
@@ -168,8 +168,11 @@ std::vector<std::string> sensitivity_notes(const Sensitivity& found) {
     return notes;
 }
 
+}  // namespace
+
 Section sensitivity_section(const Sensitivity& found) {
-    Section section{.before = "What decides the load\n\n",
+    Section section{.title = "What decides the load",
+                    .notes = sensitivity_notes(found),
                     .records = {json_only(make_rows<SensitivityAxis>(
                                     "sensitivity/axes", found.axes,
                                     {{"key", &SensitivityAxis::key},
@@ -181,7 +184,6 @@ Section sensitivity_section(const Sensitivity& found) {
         section.table = sensitivity_table(found);
         section.after = "\n";
     }
-    for (const std::string& note : sensitivity_notes(found)) section.after += note + "\n";
     return section;
 }
 

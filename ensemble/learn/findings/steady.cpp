@@ -137,7 +137,7 @@ Section steady_section(const Summary& summary, const CampaignTable& table, const
         return section;
     }
     const auto seconds = [](const std::optional<double>& time) { return time ? fixed(*time, 1) : "none"; };
-    section.before = "Steady state\n\n";
+    section.title = "Steady state";
     section.table = {{"case", "window from, s", "steady from, s", "single runs, s", "without", "decorrelation, s",
                       "effective samples"}};
     for (const CaseSteady& one : steady.cases) {

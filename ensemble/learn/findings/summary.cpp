@@ -35,12 +35,9 @@ void count(const MemberRow& member, CaseSummary& row) {
 CaseSummary summarise_case(const CampaignTable& table, const std::vector<Quantity>& quantities, int number) {
     CaseSummary row;
     row.about = table.cases[static_cast<std::size_t>(number)];
-    std::vector<const MemberRow*> done;
-    for (const MemberRow& member : table.members) {
-        if (member.case_index != number) continue;
-        count(member, row);
-        if (member.done()) done.push_back(&member);
-    }
+    for (const MemberRow& member : table.members)
+        if (member.case_index == number) count(member, row);
+    const std::vector<const MemberRow*> done = done_members(table, static_cast<std::size_t>(number));
     for (const Quantity& quantity : shown_in(quantities, Shown::in_summary)) {
         std::vector<double> values;
         for (const MemberRow* member : done) values.push_back(quantity.of(*member));
@@ -73,6 +70,19 @@ Summary summarise(const CampaignTable& table) {
         if (member.status == RowStatus::failed) summary.failed.push_back({number, member.reason});
     }
     return summary;
+}
+
+std::vector<const MemberRow*> done_members(const CampaignTable& table, std::size_t of_case) {
+    std::vector<const MemberRow*> members;
+    for (const MemberRow& member : table.members)
+        if (member.done() && member.case_index == static_cast<int>(of_case)) members.push_back(&member);
+    return members;
+}
+
+std::vector<std::pair<std::string, std::string>> case_legend(const Summary& summary) {
+    std::vector<std::pair<std::string, std::string>> legend;
+    for (const CaseSummary& row : summary.cases) legend.emplace_back(colour(legend.size()), row.about.name);
+    return legend;
 }
 
 std::size_t case_index(const Summary& summary, std::string_view name) {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "campaign_file/campaign_table.hpp"
@@ -58,6 +59,12 @@ struct Summary {
 
 /// Statistics of every case, in the order of the file.
 Summary summarise(const CampaignTable& table);
+
+/// Done members of a case in order of arrangement.
+std::vector<const MemberRow*> done_members(const CampaignTable& table, std::size_t of_case);
+
+/// Colour and name of every case.
+std::vector<std::pair<std::string, std::string>> case_legend(const Summary& summary);
 
 /// Index of the case named `name`. Throws InputError that lists the names of all cases.
 std::size_t case_index(const Summary& summary, std::string_view name);

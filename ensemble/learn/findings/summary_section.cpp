@@ -81,6 +81,13 @@ void add_estimate(const Summary& summary, const Quantity& quantity, Table& table
         table);
 }
 
+/// Whether it counts what happened in no member, such as joints that fail in a mode without a criterion. The first of
+/// several counts, whose label is not indented, is always shown.
+bool never_happened(const Summary& summary, const Quantity& quantity) {
+    return quantity.count && quantity.label.view().starts_with(' ') &&
+           std::ranges::none_of(summary.cases, [&](const CaseSummary& row) { return row.of(quantity).estimate > 0; });
+}
+
 void add_difference(const Summary& summary, const Quantity& quantity, std::size_t reference, Table& table) {
     std::vector<Cell>& line =
         table.emplace_back(std::vector<Cell>{fmt::format("  against {}", summary.name_of(reference))});
@@ -226,6 +233,7 @@ Section summary_section(const Summary& summary, Reference reference) {
     Table table;
     add_counts(summary, table);
     for (const Quantity& quantity : shown_in(summary.quantities, Shown::in_summary)) {
+        if (never_happened(summary, quantity)) continue;
         add_estimate(summary, quantity, table);
         if (reference && quantity.shown >= Shown::in_pairs) add_difference(summary, quantity, *reference, table);
     }

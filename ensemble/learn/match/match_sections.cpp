@@ -9,6 +9,7 @@
 
 #include "core/units.hpp"
 #include "core/wording.hpp"
+#include "match/match_figures.hpp"
 #include "tables/number_text.hpp"
 
 namespace floes {
@@ -85,7 +86,7 @@ std::string verdict_text(const std::vector<EmulatedTarget>& targets, const Match
 Section target_section(const std::vector<EmulatedTarget>& targets, const Matching& found) {
     std::vector<TargetRow> rows;
     for (std::size_t k = 0; k < targets.size(); ++k) rows.push_back({&targets[k], &found.verdicts[k]});
-    Section section{.before = "Targets\n\n" + verdict_text(targets, found) + "\n"};
+    Section section{.title = "Targets", .before = verdict_text(targets, found) + "\n"};
     section.table = {
         {"target", "measured", "emulator", "left-out error", "least implausibility", "rules out, %", "alone, %"}};
     for (const auto& [target, verdict] : rows) {
@@ -101,7 +102,9 @@ Section target_section(const std::vector<EmulatedTarget>& targets, const Matchin
         "how far the target is from its prediction at the best point for it, in standard deviations. Rules out: share\n"
         "of the inputs' ranges where that is above 3; alone: that no other target rules out.\n";
     for (const auto& [reason, names] : unused_by_reason(targets))
-        section.after += fmt::format("Not used: {}: {}\n", fmt::join(names, ", "), reason);
+        section.notes.push_back(fmt::format("Not used: {}: {}", fmt::join(names, ", "), reason));
+    if (std::ranges::any_of(found.verdicts, [](const TargetVerdict& one) { return one.rules_out > 0; }))
+        section.figures = {ruled_out_figure(targets, found)};
     using Row = const TargetRow&;
     using Whole = const Matching&;
     section.records = {
@@ -130,7 +133,7 @@ Section axis_section(const MatchData& data, const Matching& found) {
     std::vector<AxisRow> rows;
     for (std::size_t k = 0; k < data.axes.size(); ++k)
         rows.push_back({&data.axes[k], found.axes.empty() ? nullptr : &found.axes[k]});
-    Section section{.before = "Inputs\n\n"};
+    Section section{.title = "Inputs", .figures = {inputs_figure(data, found)}};
     section.table = {{"input", "range", "not ruled out", "median", "best point"}};
     for (std::size_t k = 0; k < rows.size(); ++k) {
         const auto& [axis, left] = rows[k];
@@ -156,9 +159,9 @@ Section axis_section(const MatchData& data, const Matching& found) {
 }
 
 Section correlation_section(const MatchData& data, const Matching& found) {
-    Section section{.before = "Correlations of the inputs in what is not ruled out\n\n"};
+    Section section{.title = "Correlations of the inputs in what is not ruled out"};
     if (found.left < 3) {
-        section.before += "Too few points are left.\n";
+        section.before = "Too few points are left.\n";
         return section;
     }
     section.table = {{""}};
@@ -179,6 +182,25 @@ std::vector<Section> match_sections(const MatchData& data, const std::vector<Emu
     return {target_section(targets, found), axis_section(data, found), correlation_section(data, found)};
 }
 
+Section check_section(const std::vector<EmulatedTarget>& targets) {
+    Section section{.title = "Checks of the emulators"};
+    for (const EmulatedTarget& target : targets) {
+        if (!target.emulated()) continue;
+        section.figures.push_back(left_out_figure(target));
+        if (const std::string fault = target.mean().fault(); !fault.empty())
+            section.notes.push_back(target.target().name() + ": " + fault);
+    }
+    if (section.figures.empty()) {
+        section.before = "No target has an emulator.\n";
+    } else {
+        section.figures.back().caption =
+            "Each point of the design as simulated, against its prediction from the other points with two standard "
+            "deviations of a new value there; on the line both agree. Of a right emulator one in twenty bars misses "
+            "the line (orange). Green: the measured value.";
+    }
+    return section;
+}
+
 Section point_section(const MatchData& data, const std::vector<EmulatedTarget>& targets, const Eigen::VectorXd& at) {
     struct Row {
         const EmulatedTarget* target;
@@ -197,9 +219,9 @@ Section point_section(const MatchData& data, const std::vector<EmulatedTarget>& 
     for (std::size_t k = 0; k < data.axes.size(); ++k)
         place += fmt::format("{}{} = {:.4g}", k > 0 ? ", " : "", data.axes[k].key,
                              data.axes[k].value(at[static_cast<Eigen::Index>(k)]));
-    Section section{.before = fmt::format("At {}\n\n{}\n\n", place,
-                                          against.empty() ? "Not ruled out."
-                                                          : fmt::format("Ruled out by {}.", fmt::join(against, ", ")))};
+    Section section{.title = "At " + place,
+                    .before = against.empty() ? "Not ruled out.\n\n"
+                                              : fmt::format("Ruled out by {}.\n\n", fmt::join(against, ", "))};
     section.table = {{"target", "measured", "predicted", "expected to differ by", "implausibility"}};
     for (const Row& row : rows) {
         const double factor = row.target->target().quantity.factor();

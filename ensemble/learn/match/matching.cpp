@@ -66,6 +66,76 @@ double quantile(std::vector<double> values, double share) {
     return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
+/// A row each point, a column each target; NaN where a target is not emulated.
+Eigen::MatrixXd implausibilities(const std::vector<EmulatedTarget>& targets, const Eigen::MatrixXd& points) {
+    Eigen::MatrixXd implausible(points.rows(), static_cast<Eigen::Index>(targets.size()));
+    for (Eigen::Index t = 0; t < implausible.cols(); ++t) {
+        const EmulatedTarget& target = targets[static_cast<std::size_t>(t)];
+        for (Eigen::Index k = 0; k < points.rows(); ++k)
+            implausible(k, t) = target.emulated() ? target.implausibility(points.row(k).transpose()) : nan;
+    }
+    return implausible;
+}
+
+/// Finds the largest implausibility of each point, the best point, and what each used target rules out. Gives the rows
+/// of the points that no target rules out.
+std::vector<Eigen::Index> judge(const std::vector<EmulatedTarget>& targets, const Eigen::MatrixXd& implausible,
+                                Matching& found) {
+    const double share = 1.0 / static_cast<double>(implausible.rows());  // of one point
+    found.best_implausibility = std::numeric_limits<double>::infinity();
+    found.verdicts.resize(targets.size());
+    found.implausibility.resize(implausible.rows());
+    std::vector<Eigen::Index> left;
+    for (Eigen::Index k = 0; k < implausible.rows(); ++k) {
+        double largest = 0;
+        std::vector<std::size_t> against;
+        for (std::size_t t = 0; t < targets.size(); ++t) {
+            if (!targets[t].unused().empty()) continue;
+            const double found_here = implausible(k, static_cast<Eigen::Index>(t));
+            largest = std::max(largest, found_here);
+            if (found_here > ruled_out_above) against.push_back(t);
+        }
+        for (const std::size_t t : against) found.verdicts[t].rules_out += share;
+        if (against.size() == 1) found.verdicts[against.front()].alone += share;
+        if (against.empty()) left.push_back(k);
+        found.implausibility[k] = largest;
+        if (largest >= found.best_implausibility) continue;
+        found.best_implausibility = largest;
+        found.best = found.points.row(k).transpose();
+    }
+    return left;
+}
+
+/// Pairs of used targets that no point meets both of.
+std::vector<std::pair<int, int>> conflicts(const std::vector<EmulatedTarget>& targets,
+                                           const Eigen::MatrixXd& implausible) {
+    std::vector<std::pair<int, int>> pairs;
+    for (int a = 0; a < std::ssize(targets); ++a) {
+        for (int b = a + 1; b < std::ssize(targets); ++b) {
+            if (!targets[static_cast<std::size_t>(a)].unused().empty() ||
+                !targets[static_cast<std::size_t>(b)].unused().empty())
+                continue;
+            const double together = implausible.col(a).cwiseMax(implausible.col(b)).minCoeff();
+            if (together > ruled_out_above) pairs.emplace_back(a, b);
+        }
+    }
+    return pairs;
+}
+
+/// The range of each input and their correlations in points_left, which has rows.
+void describe_left(const MatchData& data, Matching& found) {
+    for (std::size_t i = 0; i < data.axes.size(); ++i) {
+        const Eigen::VectorXd column = found.points_left.col(static_cast<Eigen::Index>(i));
+        const MatchAxis& axis = data.axes[i];
+        found.axes.push_back({axis.value(column.minCoeff()), axis.value(column.maxCoeff()),
+                              axis.value(quantile({column.begin(), column.end()}, 0.5))});
+    }
+    const Eigen::MatrixXd centred = found.points_left.rowwise() - found.points_left.colwise().mean();
+    const Eigen::MatrixXd covariance = centred.transpose() * centred;
+    const Eigen::VectorXd lengths = covariance.diagonal().cwiseSqrt().cwiseMax(1e-300);
+    found.correlations = lengths.cwiseInverse().asDiagonal() * covariance * lengths.cwiseInverse().asDiagonal();
+}
+
 }  // namespace
 
 Eigen::VectorXd coordinates_of(const MatchPoint& point) {
@@ -116,73 +186,25 @@ std::vector<EmulatedTarget> emulate(const MatchData& data) {
 }
 
 Matching match(const MatchData& data, const std::vector<EmulatedTarget>& targets, int samples, std::uint64_t seed) {
-    const Eigen::MatrixXd sample = sample_of(data.axes.size(), samples, seed);
-    const Eigen::Index rows = sample.rows();
-    const auto count = static_cast<Eigen::Index>(targets.size());
-    Eigen::MatrixXd implausible(rows, count);
-    std::vector<bool> used;
-    for (Eigen::Index t = 0; t < count; ++t) {
-        const EmulatedTarget& target = targets[static_cast<std::size_t>(t)];
-        used.push_back(target.unused().empty());
-        for (Eigen::Index k = 0; k < rows; ++k)
-            implausible(k, t) = target.emulated() ? target.implausibility(sample.row(k).transpose()) : nan;
-    }
     Matching found;
-    found.sampled = static_cast<int>(rows);
-    found.best_implausibility = std::numeric_limits<double>::infinity();
-    found.verdicts.resize(targets.size());
-    for (TargetVerdict& verdict : found.verdicts) verdict.least_of_left = nan;
-    found.points = sample;
-    found.implausibility.resize(rows);
-    std::vector<Eigen::Index> left;
-    for (Eigen::Index k = 0; k < rows; ++k) {
-        double largest = 0;
-        int against = 0;
-        Eigen::Index last = 0;
-        for (Eigen::Index t = 0; t < count; ++t) {
-            if (!used[static_cast<std::size_t>(t)]) continue;
-            largest = std::max(largest, implausible(k, t));
-            if (implausible(k, t) <= ruled_out_above) continue;
-            ++against;
-            last = t;
-            found.verdicts[static_cast<std::size_t>(t)].rules_out += 1.0 / static_cast<double>(rows);
-        }
-        if (against == 1) found.verdicts[static_cast<std::size_t>(last)].alone += 1.0 / static_cast<double>(rows);
-        if (against == 0) left.push_back(k);
-        found.implausibility[k] = largest;
-        if (largest >= found.best_implausibility) continue;
-        found.best_implausibility = largest;
-        found.best = sample.row(k).transpose();
-    }
+    found.points = sample_of(data.axes.size(), samples, seed);
+    found.sampled = static_cast<int>(found.points.rows());
+    const Eigen::MatrixXd implausible = implausibilities(targets, found.points);
+    const std::vector<Eigen::Index> left = judge(targets, implausible, found);
     found.left = static_cast<int>(left.size());
-    found.points_left = sample(left, Eigen::all);
-    for (Eigen::Index t = 0; t < count; ++t) {
-        TargetVerdict& verdict = found.verdicts[static_cast<std::size_t>(t)];
-        verdict.least = targets[static_cast<std::size_t>(t)].emulated() ? implausible.col(t).minCoeff() : nan;
-        if (!left.empty() && targets[static_cast<std::size_t>(t)].emulated())
-            verdict.least_of_left = implausible(left, t).minCoeff();
+    found.points_left = found.points(left, Eigen::all);
+    for (std::size_t t = 0; t < targets.size(); ++t) {
+        TargetVerdict& verdict = found.verdicts[t];
+        const auto column = static_cast<Eigen::Index>(t);
+        const bool emulated = targets[t].emulated();
+        verdict.least = emulated ? implausible.col(column).minCoeff() : nan;
+        verdict.least_of_left = emulated && !left.empty() ? implausible(left, column).minCoeff() : nan;
     }
     if (left.empty()) {
-        for (Eigen::Index a = 0; a < count; ++a) {
-            for (Eigen::Index b = a + 1; b < count; ++b) {
-                if (!used[static_cast<std::size_t>(a)] || !used[static_cast<std::size_t>(b)]) continue;
-                const double together = implausible.col(a).cwiseMax(implausible.col(b)).minCoeff();
-                if (together > ruled_out_above) found.conflicts.emplace_back(static_cast<int>(a), static_cast<int>(b));
-            }
-        }
-        return found;
+        found.conflicts = conflicts(targets, implausible);
+    } else {
+        describe_left(data, found);
     }
-    for (std::size_t i = 0; i < data.axes.size(); ++i) {
-        const Eigen::VectorXd column = found.points_left.col(static_cast<Eigen::Index>(i));
-        const std::vector<double> values(column.begin(), column.end());
-        const MatchAxis& axis = data.axes[i];
-        found.axes.push_back(
-            {axis.value(column.minCoeff()), axis.value(column.maxCoeff()), axis.value(quantile(values, 0.5))});
-    }
-    const Eigen::MatrixXd centred = found.points_left.rowwise() - found.points_left.colwise().mean();
-    const Eigen::MatrixXd covariance = centred.transpose() * centred;
-    const Eigen::VectorXd lengths = covariance.diagonal().cwiseSqrt().cwiseMax(1e-300);
-    found.correlations = lengths.cwiseInverse().asDiagonal() * covariance * lengths.cwiseInverse().asDiagonal();
     return found;
 }
 

@@ -41,7 +41,7 @@ Cell range_cell(const PredictedRange& range, double factor) {
 }
 
 Section predicted_section(const std::vector<Predicted>& predicted) {
-    Section section{.before = "Predicted over what is not ruled out\n\n"};
+    Section section{.title = "Predicted over what is not ruled out"};
     section.table = {{"quantity", "mean of runs", "weighed", "a single run"}};
     for (const Predicted& one : predicted) {
         const double factor = one.quantity.factor();

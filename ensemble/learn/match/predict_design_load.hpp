@@ -37,7 +37,7 @@ struct PredictedDesignLoad {
 /// Fewest runs at points that are left from which the growth is taken; with fewer, from all points.
 inline constexpr std::size_t fewest_growth_runs = 20;
 
-/// One for each case with runs, of the first quantile asked for. The waves have their peaks (with_peaks()). Throws
+/// One for each case with runs, of the first quantile asked for. Throws
 /// InputError as OverLeft::emulated() and averaging_time() do, and where a case has too few peaks to fit.
 std::vector<PredictedDesignLoad> predict_design_load(std::span<const MatchWave> waves, const MatchData& data,
                                                      const std::vector<EmulatedTarget>& targets, const OverLeft& left,

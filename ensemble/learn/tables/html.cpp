@@ -10,7 +10,7 @@ std::string html_table(const Table& table) {
         const char* kind = rows.empty() ? "th" : "td";
         rows += "<tr>";
         for (const Cell& cell : row) {
-            std::string content = html_escaped(cell.value);
+            std::string content = (cell.value.starts_with("  ") ? "&emsp;" : "") + html_escaped(cell.value);
             for (const auto& below : {cell.range, cell.further})
                 if (below) content += fmt::format("<br><small>{}</small>", html_escaped(*below));
             rows += fmt::format("<{0}>{1}</{0}>", kind, content);

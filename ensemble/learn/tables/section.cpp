@@ -21,7 +21,10 @@ std::string table_text(const Section& section, int width) {
 std::string text(std::span<const Section> sections, int width) {
     std::vector<std::string> parts;
     for (const Section& one : sections) {
-        std::string part = one.before + table_text(one, width) + one.after + one.missing;
+        std::string part = one.title.empty() ? "" : one.title + "\n\n";
+        part += one.before + table_text(one, width) + one.after;
+        for (const std::string& note : one.notes) part += note + "\n";
+        part += one.missing;
         if (!part.empty()) parts.push_back(std::move(part));
     }
     return joined(parts);

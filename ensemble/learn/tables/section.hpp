@@ -1,11 +1,13 @@
 #pragma once
-// A finding as output: a table and notes for people, records for programs, and the writers of both.
+// A finding as output: a table, notes and figures for people, records for programs, and the writers of text, CSV and
+// JSON. Pages are written by who shows them.
 
 #include <span>
 #include <string>
 #include <vector>
 
 #include "tables/data_rows.hpp"
+#include "tables/figure.hpp"
 #include "tables/table.hpp"
 
 namespace floes {
@@ -13,12 +15,16 @@ namespace floes {
 struct Section {
     enum class Layout { columns, panels };
 
-    std::string before = {};  ///< above the table: the title, an empty line
-    Table table = {};         ///< empty if there is nothing to show; `before` then says why
-    std::string after = {};   ///< below the table: the meaning of its columns
+    std::string title = {};   ///< a line of its own; empty: the section belongs to the one before
+    std::string before = {};  ///< between title and table; where there is no table, it says why
+    Table table = {};
+    Table on_page = {};                   ///< further rows of the table, closed at first; only a page has room for them
+    std::string after = {};               ///< below the table: the meaning of its columns
+    std::vector<std::string> notes = {};  ///< below that, sentences, each on a line of its own
     std::vector<DataRows> records = {};
     Layout layout = Layout::columns;
     std::string missing = {};  ///< a sentence if the file lacks the data; for CSV and JSON it goes to standard error
+    std::vector<Figure> figures = {};  ///< below all this, on a page only
 };
 
 /// For people: the sections in order, separated by an empty line. No line is wider than `width` if possible.

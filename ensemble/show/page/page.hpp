@@ -7,7 +7,8 @@
 
 namespace floes {
 
-/// The page: no scripts, no external resources, for light and dark screens and for print.
-std::string report_page(const ReportData& data);
+/// The page: no scripts, no external resources, for light and dark screens and for print. Reads the campaign file.
+/// Throws InputError as read_campaign_file() does.
+std::string report_page(ReportData data);
 
 }  // namespace floes

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "tables/table.hpp"
 
@@ -24,25 +23,134 @@ std::string tick_text(double value) {
     return fmt::format("{:.6g}", std::abs(value) < 1e-12 ? 0.0 : value);
 }
 
-}  // namespace
-
-Axis axis_around(std::string label, std::span<const double> values, bool with_zero) {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    for (const double value : values) {
-        if (!std::isfinite(value)) continue;
-        low = std::min(low, value);
-        high = std::max(high, value);
-    }
-    if (low > high) low = high = 0;
-    if (with_zero) {
-        low = std::min(low, 0.0);
-        high = std::max(high, 0.0);
-    }
-    if (low == high) high = low + 1;
-    const double air = 0.05 * (high - low);
-    return {std::move(label), with_zero && low == 0 ? 0 : low - air, with_zero && high == 0 ? 0 : high + air};
+/// Share of the axis that lies below the value.
+double share_of(const Axis& axis, double value) {
+    return axis.logarithmic ? std::log(value / axis.low) / std::log(axis.high / axis.low)
+                            : (value - axis.low) / (axis.high - axis.low);
 }
+
+/// Draws one mark after the other.
+class Drawing {
+  public:
+    explicit Drawing(const Figure& figure) : figure_(figure) {
+        for (const std::string& name : figure.y.names) left_ = std::max(left_, 24 + width_of(name));
+        draw_axes();
+        for (const Figure::Mark& mark : figure.marks) std::visit(*this, mark);
+        figure.heat_scale.empty() ? draw_legend() : draw_heat_scale();
+    }
+
+    const std::string& body() const { return body_; }
+
+    void operator()(const Figure::Line& mark) {
+        body_ += fmt::format("<path class=\"line {}\" d=\"{}\"/>", mark.style, path(mark.points, false));
+    }
+    void operator()(const Figure::Area& mark) {
+        body_ += fmt::format("<path class=\"area {}\" d=\"{}\"/>", mark.style, path(mark.outline, true));
+    }
+    void operator()(const Figure::Dot& mark) {
+        const double x = at_x(mark.x);
+        const double y = at_y(mark.y);
+        if (!std::isfinite(x) || !std::isfinite(y)) return;
+        body_ += mark.cross ? fmt::format(
+                                  "<path class=\"line {0}\" d=\"M{1:.1f} {2:.1f}l{3:.1f} {3:.1f}m0 -{3:.1f}l-{3:.1f} "
+                                  "{3:.1f}\"/>",
+                                  mark.style, x - mark.radius, y - mark.radius, 2 * mark.radius)
+                            : fmt::format("<circle class=\"dot {}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"/>",
+                                          mark.style, x, y, mark.radius);
+    }
+    void operator()(const Figure::Cell& mark) {
+        if (!(mark.share > 0)) return;
+        const double low = at_y(mark.y);
+        const double high = at_y(mark.y + mark.height);
+        body_ += fmt::format(
+            "<rect class=\"area {}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
+            "fill-opacity=\"{:.2f}\"/>",
+            mark.style, at_x(mark.x), high, at_x(mark.x + mark.width) - at_x(mark.x), low - high, mark.share);
+    }
+    void operator()(const Figure::Words& mark) {
+        if (std::isfinite(at_x(mark.x)) && std::isfinite(at_y(mark.y)))
+            write(at_x(mark.x), at_y(mark.y), mark.words, mark.anchor, mark.style);
+    }
+
+  private:
+    double at_x(double value) const {
+        return left_ + share_of(figure_.x, value) * (figure_.size.width - left_ - right);
+    }
+    double at_y(double value) const {
+        return floor_ - share_of(figure_.y, value) * (figure_.size.height - top - bottom);
+    }
+    void write(double x, double y, std::string_view words, std::string_view anchor, std::string_view style = {}) {
+        body_ += fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>", style, x, y,
+                             anchor, html_escaped(words));
+    }
+    void draw_axes();
+    void draw_legend();
+    void draw_heat_scale();
+    std::string path(const Figure::Points& points, bool closed) const;
+
+    const Figure& figure_;
+    double floor_ = figure_.size.height - bottom;
+    double end_ = figure_.size.width - right;
+    double left_ = 64;  // wider if names need it
+    std::string body_;
+};
+
+void Drawing::draw_axes() {
+    const Axis& x = figure_.x;
+    const Axis& y = figure_.y;
+    const auto row = [&](double value, const std::string& words) { write(left_ - 6, at_y(value) + 4, words, "end"); };
+    for (std::size_t i = 0; i < y.names.size(); ++i) row(static_cast<double>(i) + 0.5, y.names[i]);
+    for (const double value : ticks(x, std::max(2, static_cast<int>(figure_.size.width / 90)))) {
+        body_ += fmt::format("<path class=\"grid\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>", at_x(value), floor_, top);
+        write(at_x(value), floor_ + 16, tick_text(value), "middle");
+    }
+    if (y.names.empty()) {
+        for (const double value : ticks(y, std::max(2, static_cast<int>(figure_.size.height / 50)))) {
+            body_ += fmt::format("<path class=\"grid\" d=\"M{:.1f} {:.1f}H{:.1f}\"/>", left_, at_y(value), end_);
+            row(value, tick_text(value));
+        }
+    }
+    body_ += fmt::format("<path class=\"frame\" d=\"M{:.1f} {:.1f}V{:.1f}H{:.1f}\"/>", left_, top, floor_, end_);
+    write((left_ + end_) / 2, figure_.size.height - 8, x.label, "middle", "label");
+    body_ += fmt::format(
+        "<text class=\"label\" transform=\"translate(14 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
+        (top + floor_) / 2, html_escaped(y.label));
+}
+
+std::string Drawing::path(const Figure::Points& points, bool closed) const {
+    std::string d;
+    bool pen_down = false;
+    for (const auto& [x, y] : points) {
+        const double px = at_x(x);
+        const double py = at_y(y);
+        if (!std::isfinite(px) || !std::isfinite(py)) {
+            pen_down = closed && pen_down;
+            continue;
+        }
+        d += fmt::format("{}{:.1f} {:.1f}", pen_down ? "L" : "M", px, py);
+        pen_down = true;
+    }
+    return closed && pen_down ? d + "Z" : d;
+}
+
+void Drawing::draw_legend() {
+    double x = left_ + 4;
+    for (const auto& [style, name] : figure_.legend) {
+        write(x, top - 12, name, "start", "key " + style);
+        x += width_of(name) + 3 * letter;
+    }
+}
+
+void Drawing::draw_heat_scale() {
+    constexpr int steps = 10;
+    for (int k = 1; k <= steps; ++k)
+        body_ += fmt::format(
+            "<rect class=\"area heat\" x=\"{:.1f}\" y=\"6\" width=\"9\" height=\"11\" fill-opacity=\"{:.2f}\"/>",
+            left_ + 9 * (k - 1), 1.0 * k / steps);
+    write(left_ + 9 * steps + 6, 16, figure_.heat_scale, "start");
+}
+
+}  // namespace
 
 std::vector<double> ticks(const Axis& axis, int most) {
     std::vector<double> found;
@@ -68,130 +176,10 @@ std::vector<double> ticks(const Axis& axis, int most) {
     return found;
 }
 
-Plot::Plot(std::string description, Axis x, Axis y, Size size)
-    : description_(std::move(description)), x_(std::move(x)), y_(std::move(y)), size_(size) {
-    for (const std::string& name : y_.names) left_ = std::max(left_, 24 + width_of(name));
-    draw_axes();
-}
-
-double Plot::at_x(double value) const {
-    const double share =
-        x_.logarithmic ? std::log(value / x_.low) / std::log(x_.high / x_.low) : (value - x_.low) / (x_.high - x_.low);
-    return left_ + share * (size_.width - left_ - right);
-}
-
-double Plot::at_y(double value) const {
-    const double share =
-        y_.logarithmic ? std::log(value / y_.low) / std::log(y_.high / y_.low) : (value - y_.low) / (y_.high - y_.low);
-    return size_.height - bottom - share * (size_.height - top - bottom);
-}
-
-void Plot::draw_axes() {
-    const double floor = size_.height - bottom;
-    const double end = size_.width - right;
-    const auto column = [&](double x, const std::string& words) {
-        body_ += fmt::format("<path class=\"grid\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>", at_x(x), floor, top);
-        body_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>", at_x(x), floor + 16,
-                             html_escaped(words));
-    };
-    const auto row = [&](double y, const std::string& words, bool grid) {
-        if (grid) body_ += fmt::format("<path class=\"grid\" d=\"M{:.1f} {:.1f}H{:.1f}\"/>", left_, at_y(y), end);
-        body_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", left_ - 6, at_y(y) + 4,
-                             html_escaped(words));
-    };
-    for (std::size_t i = 0; i < y_.names.size(); ++i) row(static_cast<double>(i) + 0.5, y_.names[i], false);
-    for (const double x : ticks(x_, std::max(2, static_cast<int>(size_.width / 90)))) column(x, tick_text(x));
-    if (y_.names.empty())
-        for (const double y : ticks(y_, std::max(2, static_cast<int>(size_.height / 50)))) row(y, tick_text(y), true);
-    body_ += fmt::format("<path class=\"frame\" d=\"M{:.1f} {:.1f}V{:.1f}H{:.1f}\"/>", left_, top, floor, end);
-    body_ += fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>",
-                         (left_ + end) / 2, size_.height - 8, html_escaped(x_.label));
-    body_ += fmt::format(
-        "<text class=\"label\" transform=\"translate(14 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
-        (top + floor) / 2, html_escaped(y_.label));
-}
-
-std::string Plot::path(const Points& points, bool closed) const {
-    std::string d;
-    bool pen_down = false;
-    for (const auto& [x, y] : points) {
-        const double px = at_x(x);
-        const double py = at_y(y);
-        if (!std::isfinite(px) || !std::isfinite(py)) {
-            pen_down = closed && pen_down;
-            continue;
-        }
-        d += fmt::format("{}{:.1f} {:.1f}", pen_down ? "L" : "M", px, py);
-        pen_down = true;
-    }
-    return closed && pen_down ? d + "Z" : d;
-}
-
-void Plot::line(const Points& points, std::string_view style) {
-    body_ += fmt::format("<path class=\"line {}\" d=\"{}\"/>", style, path(points, false));
-}
-
-void Plot::area(const Points& outline, std::string_view style) {
-    body_ += fmt::format("<path class=\"area {}\" d=\"{}\"/>", style, path(outline, true));
-}
-
-void Plot::dot(double x, double y, std::string_view style, double radius) {
-    if (!std::isfinite(at_x(x)) || !std::isfinite(at_y(y))) return;
-    body_ += fmt::format("<circle class=\"dot {}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"/>", style, at_x(x), at_y(y),
-                         radius);
-}
-
-void Plot::cross(double x, double y, std::string_view style, double radius) {
-    if (!std::isfinite(at_x(x)) || !std::isfinite(at_y(y))) return;
-    body_ +=
-        fmt::format("<path class=\"line {0}\" d=\"M{1:.1f} {2:.1f}l{3:.1f} {3:.1f}m0 -{3:.1f}l-{3:.1f} {3:.1f}\"/>",
-                    style, at_x(x) - radius, at_y(y) - radius, 2 * radius);
-}
-
-void Plot::text(double x, double y, std::string_view words, std::string_view anchor, std::string_view style) {
-    if (!std::isfinite(at_x(x)) || !std::isfinite(at_y(y))) return;
-    body_ += fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>", style, at_x(x),
-                         at_y(y), anchor, html_escaped(words));
-}
-
-void Plot::cell(double x, double y, double width, double height, double share, std::string_view style) {
-    if (!(share > 0)) return;
-    body_ += fmt::format(
-        "<rect class=\"area {}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
-        "fill-opacity=\"{:.2f}\"/>",
-        style, at_x(x), at_y(y + height), at_x(x + width) - at_x(x), at_y(y) - at_y(y + height), share);
-}
-
-void Plot::colour_bar(std::string_view style, std::string_view words) {
-    constexpr int steps = 10;
-    for (int k = 1; k <= steps; ++k)
-        body_ += fmt::format(
-            "<rect class=\"area {}\" x=\"{:.1f}\" y=\"6\" width=\"9\" height=\"11\" fill-opacity=\"{:.2f}\"/>", style,
-            left_ + 9 * (k - 1), 1.0 * k / steps);
-    body_ += fmt::format("<text x=\"{:.1f}\" y=\"16\">{}</text>", left_ + 9 * steps + 6, html_escaped(words));
-}
-
-void Plot::upright(double x, std::string_view style) {
-    line({{x, y_.low}, {x, y_.high}}, style);
-}
-
-void Plot::level(double y, std::string_view style) {
-    line({{x_.low, y}, {x_.high, y}}, style);
-}
-
-void Plot::legend(const std::vector<std::pair<std::string, std::string>>& style_and_name) {
-    double x = left_ + 4;
-    for (const auto& [style, name] : style_and_name) {
-        body_ += fmt::format("<text class=\"key {}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", style, x, top - 12,
-                             html_escaped(name));
-        x += width_of(name) + 3 * letter;
-    }
-}
-
-std::string Plot::svg() const {
+std::string svg(const Figure& figure) {
     return fmt::format(
         "<svg viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" role=\"img\" aria-label=\"{2}\">{3}</svg>\n",
-        size_.width, size_.height, html_escaped(description_), body_);
+        figure.size.width, figure.size.height, html_escaped(figure.description), Drawing(figure).body());
 }
 
 }  // namespace floes

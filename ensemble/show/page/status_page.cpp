@@ -7,8 +7,8 @@
 #include "core/units.hpp"
 #include "core/wording.hpp"
 #include "driver/status_words.hpp"
-#include "page/answer.hpp"
 #include "page/html_parts.hpp"
+#include "page/section_html.hpp"
 #include "tables/number_text.hpp"
 
 namespace floes {
@@ -121,7 +121,7 @@ std::string next_step(const CampaignStatus& status, const std::string& file) {
 std::string status_page(const CampaignSnapshot& snapshot, const std::filesystem::path& campaign_file,
                         const std::string& now) {
     const CampaignStatus& status = snapshot.status;
-    const ReportData data = answer_data(snapshot.campaign, snapshot.table);
+    Evidence evidence = evidence_of(snapshot.campaign, snapshot.table);
     const bool whole = total_of(status).missing == 0;
     const std::string when =
         status.at_work ? fmt::format("As of {}; this page loads itself again every {} s while the run is active.", now,
@@ -133,8 +133,8 @@ std::string status_page(const CampaignSnapshot& snapshot, const std::filesystem:
                      fmt::format("<h1>{}</h1>\n<p class=\"answer\">{}</p>\n", html_escaped(counts_sentence(status)),
                                  html_escaped(work_sentence(status))) +
                          next_step(status, campaign_file.string()) + counts(status) + note(when) +
-                         answer_section(whole ? "The answer" : "The answer so far", data) +
-                         section(whole ? "Precision" : "Precision so far", precision(data.summary, status.stop)) +
+                         answer_html(whole ? "The answer" : "The answer so far", find_answer(evidence)) +
+                         section(whole ? "Precision" : "Precision so far", precision(evidence.summary, status.stop)) +
                          failed(status) +
                          section("The run", run(status) + timed("Running members, longest first", status.under_way) +
                                                 timed("Slowest members", status.slowest)));

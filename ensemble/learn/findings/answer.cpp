@@ -1,4 +1,4 @@
-#include "page/answer.hpp"
+#include "findings/answer.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,7 +9,6 @@
 #include "core/units.hpp"
 #include "core/wording.hpp"
 #include "findings/conditions.hpp"
-#include "page/html_parts.hpp"
 
 namespace floes {
 namespace {
@@ -27,9 +26,10 @@ std::string load(const DesignLoadFigure& figure) {
     return load(figure.value, figure.interval.low, figure.interval.high);
 }
 
-const CaseDesignLoad* design_of(const ReportData& data, std::size_t index) {
-    const auto found = std::ranges::find(data.designs, index, &CaseDesignLoad::case_index);
-    return found == data.designs.end() || !found->load.valid() ? nullptr : &*found;
+/// nullptr where there is none.
+const CaseDesignLoad* design_of(const DesignLoads& designs, std::size_t index) {
+    const auto found = std::ranges::find(designs.of_cases, index, &CaseDesignLoad::case_index);
+    return found == designs.of_cases.end() || !found->load.valid() ? nullptr : &*found;
 }
 
 std::string design_words(const DesignLoadRequest& asked, const DesignLoad& found) {
@@ -60,39 +60,36 @@ std::string field_words(const Scenario& scenario) {
                        placing_words(scenario.arrangement.method), scenario.structure.speed);
 }
 
-}  // namespace
-
-std::vector<std::string> answer_sentences(const ReportData& data) {
+std::vector<std::string> load_sentences(const Summary& summary, const DesignLoads& designs) {
     std::vector<std::string> sentences;
-    for (std::size_t k = 0; k < data.summary.cases.size(); ++k) {
-        const CaseSummary& row = data.summary.cases[k];
+    for (std::size_t k = 0; k < summary.cases.size(); ++k) {
+        const CaseSummary& row = summary.cases[k];
         if (row.done == 0) continue;
         const Estimate& mean = row.of(quantity("mean_load"));
         const Estimate& broken = row.of(quantity("failure_ratio"));
         std::string told = fmt::format("{}: mean load {}.", row.about.name, load(mean.estimate, mean.low, mean.high));
-        if (const CaseDesignLoad* design = design_of(data, k)) told += design_words(data.asked, design->load);
+        if (const CaseDesignLoad* design = design_of(designs, k)) told += design_words(designs.asked, design->load);
         told += fmt::format(" Broken floes {:.1f} %.", broken.estimate / unit::percent);
         sentences.push_back(std::move(told));
     }
     return sentences;
 }
 
-std::vector<std::string> basis_sentences(const ReportData& data) {
-    const Scenario& first = data.campaign.cases.front().scenario;
+std::vector<std::string> basis_sentences(const Evidence& evidence, const DesignLoads& designs) {
+    const Scenario& first = evidence.campaign.cases.front().scenario;
     std::vector<std::string> sentences{"Brackets are 95 % confidence intervals over arrangements.", field_words(first)};
-    for (std::string& line : condition_lines(data.summary)) sentences.push_back(std::move(line));
+    for (std::string& line : condition_lines(evidence.summary)) sentences.push_back(std::move(line));
     int done = 0;
     int unsteady = 0;
-    for (const CaseSummary& row : data.summary.cases) {
+    for (const CaseSummary& row : evidence.summary.cases) {
         done += row.done;
         unsteady += row.not_steady;
     }
     sentences.push_back(fmt::format("{}, one for each case and arrangement; in {} of them the load still had a trend.",
                                     counted(done, "simulation"), unsteady));
-    if (data.designs.empty()) return sentences;
     double times = 0;
-    for (const CaseDesignLoad& one : data.designs)
-        if (one.load.valid()) times = std::max(times, data.asked.model_exposure() / one.load.time_run);
+    for (const CaseDesignLoad& one : designs.of_cases)
+        if (one.load.valid()) times = std::max(times, designs.asked.model_exposure() / one.load.time_run);
     if (times > 0)
         sentences.push_back(fmt::format(
             "The largest load is extrapolated to {:.2g} times the time that was run, by two tails of declustered peaks "
@@ -101,25 +98,22 @@ std::vector<std::string> basis_sentences(const ReportData& data) {
     return sentences;
 }
 
-std::vector<std::string> change_sentences(const ReportData& data) {
+std::vector<std::string> change_sentences(const Sensitivity& found) {
     struct Change {
         std::string told;
         double size;
     };
     std::vector<Change> changes;
-    if (data.sensitivity) {
-        const Sensitivity& found = *data.sensitivity;
-        for (const SensitivityRow& row : found.rows) {
-            if (row.quantity.key.view() != "mean_load" || !row.fit) continue;
-            for (std::size_t axis = 0; axis < found.axes.size(); ++axis) {
-                const Slope& slope = row.fit->slopes[axis];
-                const SensitivityAxis& about = found.axes[axis];
-                changes.push_back({fmt::format("{}{} from {:g} to {:g} changes the mean load by {:+.1f} N ({:+.1f} to "
-                                               "{:+.1f}).",
-                                               row.base.empty() ? "" : row.base + ": ", about.key, about.from, about.to,
-                                               2 * slope.estimate, 2 * slope.low, 2 * slope.high),
-                                   std::abs(slope.estimate)});
-            }
+    for (const SensitivityRow& row : found.rows) {
+        if (row.quantity.key.view() != "mean_load" || !row.fit) continue;
+        for (std::size_t axis = 0; axis < found.axes.size(); ++axis) {
+            const Slope& slope = row.fit->slopes[axis];
+            const SensitivityAxis& about = found.axes[axis];
+            changes.push_back({fmt::format("{}{} from {:g} to {:g} changes the mean load by {:+.1f} N ({:+.1f} to "
+                                           "{:+.1f}).",
+                                           row.base.empty() ? "" : row.base + ": ", about.key, about.from, about.to,
+                                           2 * slope.estimate, 2 * slope.low, 2 * slope.high),
+                               std::abs(slope.estimate)});
         }
     }
     std::ranges::stable_sort(changes, std::ranges::greater{}, &Change::size);
@@ -130,13 +124,12 @@ std::vector<std::string> change_sentences(const ReportData& data) {
     return sentences;
 }
 
-std::string answer_section(const std::string& title, const ReportData& data) {
-    std::string body;
-    for (const std::string& one : answer_sentences(data))
-        body += fmt::format("<p class=\"answer\">{}</p>\n", html_escaped(one));
-    if (body.empty()) body = paragraph("No member is done yet.");
-    return section(title, body + "<h3>What it rests on</h3>\n" + listed(basis_sentences(data)) +
-                              "<h3>What would change it</h3>\n" + listed(change_sentences(data)));
+}  // namespace
+
+Answer find_answer(Evidence& evidence) {
+    const DesignLoads designs = in_detail(evidence.campaign) ? designs_of(evidence) : DesignLoads{};
+    return {load_sentences(evidence.summary, designs), basis_sentences(evidence, designs),
+            change_sentences(sensitivity_of(evidence))};
 }
 
 }  // namespace floes

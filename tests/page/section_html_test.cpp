@@ -1,0 +1,58 @@
+// Sections as HTML.
+
+#include "page/section_html.hpp"
+
+#include <gmock/gmock.h>
+
+namespace floes {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+Figure figure_of(std::string caption) {
+    return {.description = "test", .caption = std::move(caption)};
+}
+
+std::size_t count_of(const std::string& text, const std::string& words) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) ++count;
+    return count;
+}
+
+TEST(SectionHtml, TellsWhatTheTextTellsAndShowsRowsAndFiguresOfThePageAlone) {
+    const Section told{.title = "Loads",
+                       .before = "One.\nTwo.\n\nThree.\n",
+                       .table = {{"a"}, {"x"}},
+                       .on_page = {{"y"}},
+                       .after = "\nMeaning.\n",
+                       .notes = {"First.", "Second."},
+                       .figures = {figure_of("A caption")}};
+    const std::string html = section_html(told, "Everything");
+    EXPECT_THAT(html,
+                AllOf(HasSubstr("<h3>Loads</h3>"), HasSubstr("<p>One. Two.</p>\n<p>Three.</p>"),
+                      HasSubstr("<tr><td>x</td></tr>\n</table>"), HasSubstr("<details><summary>Further rows</summary>"),
+                      HasSubstr("<tr><td>y</td></tr>"), HasSubstr("<p class=\"note\">\nMeaning."),
+                      HasSubstr("<li>First.</li>\n<li>Second.</li>"), HasSubstr("<figcaption>A caption</figcaption>")));
+    EXPECT_THAT(section_html(told, "Loads of everything"), Not(HasSubstr("<h3>")));
+    EXPECT_EQ(section_html({}, "Loads"), "");
+}
+
+TEST(SectionHtml, ClosesLongTablesAtFirst) {
+    Section told{.title = "Points", .table = Table(40, {"x"})};
+    EXPECT_THAT(section_html(told, ""), Not(HasSubstr("<details>")));
+    told.table.push_back({"x"});
+    EXPECT_THAT(section_html(told, ""), HasSubstr("<h3>Points</h3>\n<details><summary>40 rows</summary>"));
+}
+
+TEST(SectionHtml, PutsFiguresWithoutACaptionBesideTheNext) {
+    const std::string html =
+        section_html({.figures = {figure_of("first"), figure_of(""), figure_of("second and third")}}, "");
+    EXPECT_EQ(count_of(html, "<figure>"), 2u);
+    EXPECT_EQ(count_of(html, "<div class=\"panels\">"), 1u);
+    EXPECT_EQ(count_of(html, "<svg"), 3u);
+}
+
+}  // namespace
+}  // namespace floes
