@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Fig. 2 redrawn, and the ceiling that the number of iterations sets, from `floes calibrate`.
+"""Fig. 2 redrawn, and the ceiling that the number of iterations sets, from `floes laboratory plate`.
 
 Usage: calibration.py OUTPUT_FOLDER [FLOES]      FLOES: the program, default ./floes
 Writes calibration.json (what was measured), calibration.svg and ceiling.svg into the folder, and prints the ceiling
@@ -23,7 +23,7 @@ SMALL = "1e-10"
 
 
 def calibrate(program, *arguments):
-    command = [program, "calibrate", "--format", "json", *arguments]
+    command = [program, "laboratory", "plate", "--format", "json", *arguments]
     return json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE).stdout)["curve"]
 
 

@@ -23,7 +23,7 @@ DOCS = pathlib.Path(__file__).resolve().parent.parent
 DATA = DOCS / "contact"
 KEYS = {"friction": "contact.friction", "law": "contact.law", "iterations": "general.iterations",
         "time_step_s": "general.time_step_s",
-        "internal_edges": "contact.internal_edges", "erp": "contact.erp", "pressure_kPa": "contact.crushing_pressure_kPa",
+        "internal_edges": "paper.internal_edges", "erp": "contact.erp", "pressure_kPa": "contact.crushing_pressure_kPa",
         "strength_kPa": "ice.compressive_strength_kPa", "cfm": "joint.cfm", "modulus_MPa": "ice.elastic_modulus_MPa"}
 LAWS = [(friction, law) for law in ["rigid", "crushing"] for friction in ["one_direction", "cone"]]
 MAXIMA = {"maximum_N": "every step", "maximum_0.1s_N": "0.1 s", "maximum_0.5s_N": "0.5 s", "maximum_1s_N": "1 s",

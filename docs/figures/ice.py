@@ -42,10 +42,10 @@ def csv_of(program, *arguments):
 
 def measure(program):
     DATA.mkdir(exist_ok=True)
-    csv_of(program, "cantilever", "--stiffness", "--elements", "3,6,12", "--modulus-MPa", "60,1000,5000").to_csv(
-        DATA / "strip.csv", index=False)
-    sheets = [csv_of(program, "calibrate", "--thickness-m", "0.03", "--sheet-m", str(sheet), "--element-m", str(element),
-                     "--beam-MPa", "60,200") for element, sheet in SHEETS.items()]
+    csv_of(program, "laboratory", "cantilever", "--stiffness", "--elements", "3,6,12", "--modulus-MPa",
+           "60,1000,5000").to_csv(DATA / "strip.csv", index=False)
+    sheets = [csv_of(program, "laboratory", "plate", "--thickness-m", "0.03", "--sheet-m", str(sheet), "--element-m",
+                     str(element), "--beam-MPa", "60,200") for element, sheet in SHEETS.items()]
     pd.concat(sheets).to_csv(DATA / "sheet.csv", index=False)
     csv_of(program, "hybrid", str(ROOT / "configs" / "full_scale.toml"), "--modulus-MPa", "1000,5000").to_csv(
         DATA / "lindqvist.csv", index=False)

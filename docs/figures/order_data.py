@@ -73,7 +73,7 @@ def collect(campaign, program):
     histories.to_csv(SUMMARIES / "histories.csv", float_format="%.4g")
     correlations.to_csv(SUMMARIES / "autocorrelation.csv", float_format="%.4g")
     kept = {name: configuration[name] for name in
-            ["campaign", "general", "floe", "joint", "field", "structure", "contact", "water", "analysis"]}
+            ["campaign", "general", "floe", "joint", "field", "structure", "contact", "water", "analysis", "paper"]}
     kept |= {"elastic_modulus_MPa": configuration["ice"]["elastic_modulus_MPa"], "members": planned,
              "done": len(table), "processor_minutes": round(cpu / 60, 1)}
     (SUMMARIES / "settings.json").write_text(json.dumps(kept, indent=1) + "\n")

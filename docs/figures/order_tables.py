@@ -59,6 +59,7 @@ def campaign():
         ["tow", f"{structure['speed_m_s']} m/s: one floe length in {floe_time(kept):.2f} s"],
         ["far end", field["far_end"].replace("_", " ")],
         ["`[contact]`", keys(kept["contact"])],
+        ["`[paper]`", keys(kept["paper"])],
         ["`[water]`", keys(kept["water"])],
         ["solver", f"Δt {general['time_step_s']} s, {general['iterations']} iterations"],
         ["window", f"{analysis['steady_start_s']:g} to {analysis['steady_start_s'] + analysis['window_s']:g} s in "

@@ -264,8 +264,8 @@ def readings():
     for modulus in ["E60", "E200"]:
         for point in range(len(axes["contact.erp"])):
             own = table_[table_.case == f"{modulus}+p{point:03d}"]
-            rows.append([f"{MODULI[modulus]}", words[axes["joint.moment_about"][point]],
-                         words[axes["water.form_drag_on"][point]], f"{axes['contact.erp'][point]:g}", f"{len(own)}"]
+            rows.append([f"{MODULI[modulus]}", words[axes["paper.moment_about"][point]],
+                         words[axes["paper.form_drag_on"][point]], f"{axes['contact.erp'][point]:g}", f"{len(own)}"]
                         + [with_interval(own[quantity]) for quantity in SHOWN])
         rows.append([f"{MODULI[modulus]}", "*paper*", "", "", "1"] + [number(paper(modulus, q)) for q in SHOWN])
     return table(["E, MPa", "moment about", "form drag on", "contact Γ", "n"] + [LABELS[q] for q in SHOWN], rows)

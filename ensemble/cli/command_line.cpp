@@ -1,6 +1,7 @@
 #include "cli/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <optional>
 #include <sstream>
@@ -114,6 +115,11 @@ void Verb::runs(std::function<int()> action) {
     app_->callback([action = std::move(action), status = exit_status_] { *status = action(); });
 }
 
+Verb Verb::inner(const std::string& name, const std::string& description) {
+    app_->require_subcommand(1);
+    return {app_->add_subcommand(name, description), exit_status_};
+}
+
 CommandLine::CommandLine(const std::string& description)
     : app_(std::make_unique<CLI::App>(description)), exit_status_(std::make_shared<int>(0)) {
     app_->require_subcommand(1);
@@ -123,6 +129,15 @@ CommandLine::~CommandLine() = default;
 
 Verb CommandLine::verb(const std::string& name, const std::string& description) {
     return {app_->add_subcommand(name, description), exit_status_};
+}
+
+void CommandLine::moved(const std::string& former, const std::string& now) {
+    CLI::App* verb = app_->add_subcommand(former)->group("")->prefix_command();  // "": not in --help
+    verb->set_help_flag();
+    verb->callback([=] {
+        throw CommandLineEnd(
+            2, {}, fmt::format("floes: {} is called floes {} now; its options are the same.\n", former, now));
+    });
 }
 
 void CommandLine::version(const std::function<std::string()>& text, const std::string& help) {

@@ -90,6 +90,9 @@ class Verb : public OptionList {
     /// What the verb does once its words are read; it returns the exit status.
     void runs(std::function<int()> action);
 
+    /// A verb of this one, as in "floes laboratory plate"; one of them must follow.
+    Verb inner(const std::string& name, const std::string& description);
+
   private:
     std::shared_ptr<int> exit_status_;
 };
@@ -100,6 +103,8 @@ class CommandLine {
     ~CommandLine();
 
     Verb verb(const std::string& name, const std::string& description);
+    /// Refuses the verb of an earlier version with a sentence that names what it is called now.
+    void moved(const std::string& former, const std::string& now);
     /// The flag --version, which prints what `text` returns.
     void version(const std::function<std::string()>& text, const std::string& help);
     void footer(const std::string& text);

@@ -24,13 +24,16 @@ void add_plan(CommandLine& line);
 void add_summarize(CommandLine& line);
 void add_design(CommandLine& line);
 void add_config(CommandLine& line);
-void add_calibrate(CommandLine& line);
-void add_cantilever(CommandLine& line);
+void add_laboratory(CommandLine& line);
 void add_hybrid(CommandLine& line);
 void add_report(CommandLine& line);
 void add_replay(CommandLine& line);
 void add_match(CommandLine& line);
 void add_verify(CommandLine& line);
+
+/// The tests of `floes laboratory`.
+void add_plate(Verb& laboratory);
+void add_cantilever(Verb& laboratory);
 
 /// What --version prints: a line each for name and version, git revision, compiler, libraries, lanes.
 std::string version_text();

@@ -13,8 +13,7 @@ void add_verbs(CommandLine& line, std::span<char* const> command) {
     add_summarize(line);
     add_design(line);
     add_config(line);
-    add_calibrate(line);
-    add_cantilever(line);
+    add_laboratory(line);
     add_hybrid(line);
     add_report(line);
     add_replay(line);

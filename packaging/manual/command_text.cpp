@@ -47,7 +47,7 @@ void add_options(const CLI::App& app, const Parts& parts, std::vector<OptionText
 
 VerbText text_of(const CLI::App& app, const std::string& name, const std::string& command) {
     const Parts parts;
-    VerbText text{name, app.get_description(), parts.usage(app, command), app.get_footer(), {}};
+    VerbText text{name, app.get_description(), parts.usage(app, command), app.get_footer(), {}, {}};
     while (!text.usage.empty() && text.usage.back() == '\n') text.usage.pop_back();
     add_options(app, parts, text.options);
     return text;
@@ -57,8 +57,18 @@ VerbText text_of(const CLI::App& app, const std::string& name, const std::string
 
 std::vector<VerbText> verbs_of(const CLI::App& program) {
     std::vector<VerbText> verbs{text_of(program, "floes", "floes")};
-    for (const CLI::App* verb : program.get_subcommands({}))
-        verbs.push_back(text_of(*verb, verb->get_name(), fmt::format("floes {}", verb->get_name())));
+    for (const CLI::App* verb : program.get_subcommands({})) {
+        if (verb->get_group().empty()) continue;
+        const std::string name = verb->get_name();
+        const std::size_t place = verbs.size();
+        verbs.push_back(text_of(*verb, name, fmt::format("floes {}", name)));
+        for (const CLI::App* inner : verb->get_subcommands({})) {
+            if (inner->get_name().empty()) continue;  // an option group
+            const std::string both = fmt::format("{} {}", name, inner->get_name());
+            verbs.push_back(text_of(*inner, both, fmt::format("floes {}", both)));
+            verbs[place].inner.push_back(inner->get_name());
+        }
+    }
     return verbs;
 }
 

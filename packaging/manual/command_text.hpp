@@ -18,14 +18,17 @@ struct OptionText {
 };
 
 struct VerbText {
-    std::string name;  ///< "run"; "floes" for the program itself
+    std::string name;  ///< "run", "laboratory plate"; "floes" for the program itself
     std::string description;
     std::string usage;  ///< "floes run [OPTIONS] config"
     std::string footer;
     std::vector<OptionText> options;
+    std::vector<std::string> inner;  ///< of "laboratory": "plate", "cantilever"
+
+    bool is_inner() const { return name.find(' ') != std::string::npos; }
 };
 
-/// The program first, then each verb.
+/// The program first, then each verb, followed by its inner verbs. Verbs of earlier versions are left out.
 std::vector<VerbText> verbs_of(const CLI::App& program);
 
 /// Files by their names, relative to the folder they are installed in.

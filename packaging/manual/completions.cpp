@@ -25,30 +25,46 @@ std::vector<std::string> flags_of(const VerbText& verb) {
 
 std::vector<std::string> names_of_verbs(const std::vector<VerbText>& verbs) {
     std::vector<std::string> names;
-    for (std::size_t i = 1; i < verbs.size(); ++i) names.push_back(verbs[i].name);
+    for (std::size_t i = 1; i < verbs.size(); ++i)
+        if (!verbs[i].is_inner()) names.push_back(verbs[i].name);
     return names;
+}
+
+/// A pattern of `case` in bash and zsh: 'laboratory plate' | 'laboratory cantilever'.
+std::string inner_pattern(const std::vector<VerbText>& verbs) {
+    std::vector<std::string> names;
+    for (const VerbText& verb : verbs)
+        if (verb.is_inner()) names.push_back(fmt::format("'{}'", verb.name));
+    return fmt::format("{}", fmt::join(names, " | "));
 }
 
 std::string bash(const std::vector<VerbText>& verbs) {
     std::string values;
     std::string flags;
+    std::string inner;
     for (const VerbText& verb : verbs) {
         for (const OptionText& option : verb.options) {
             if (option.positional || !option.takes_value) continue;
             std::vector<std::string> cases;
-            for (const std::string& name : option.names) cases.push_back(fmt::format("{}:{}", verb.name, name));
+            for (const std::string& name : option.names) cases.push_back(fmt::format("'{}:{}'", verb.name, name));
             values += fmt::format("        {}) COMPREPLY=({}); return ;;\n", fmt::join(cases, " | "),
                                   option.choices.empty()
                                       ? "$(compgen -f -- \"$word\")"
                                       : fmt::format("$(compgen -W '{}' -- \"$word\")", fmt::join(option.choices, " ")));
         }
-        flags += fmt::format("        {}) COMPREPLY=($(compgen -W '{}' -- \"$word\")) ;;\n", verb.name,
+        flags += fmt::format("        '{}') COMPREPLY=($(compgen -W '{}' -- \"$word\")) ;;\n", verb.name,
                              fmt::join(flags_of(verb), " "));
+        if (!verb.inner.empty())
+            inner += fmt::format("        '{}') COMPREPLY=($(compgen -W '{}' -- \"$word\")); return ;;\n", verb.name,
+                                 fmt::join(verb.inner, " "));
     }
     return fmt::format(R"(# Completions of floes for bash; made from its command line.
 _floes() {{
     local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD - 1]}} verb=floes
     ((COMP_CWORD > 1)) && [[ ${{COMP_WORDS[1]}} != -* ]] && verb=${{COMP_WORDS[1]}}
+    ((COMP_CWORD > 2)) && case "$verb ${{COMP_WORDS[2]}}" in
+        {}) verb+=" ${{COMP_WORDS[2]}}" ;;
+    esac
     case $verb:$before in
 {}    esac
     if [[ $word == -* ]]; then
@@ -57,12 +73,14 @@ _floes() {{
     elif ((COMP_CWORD == 1)); then
         COMPREPLY=($(compgen -W '{}' -- "$word"))
     else
+        case $verb in
+{}        esac
         COMPREPLY=($(compgen -f -- "$word"))
     fi
 }}
 complete -o filenames -F _floes floes
 )",
-                       values, flags, fmt::join(names_of_verbs(verbs), " "));
+                       inner_pattern(verbs), values, flags, fmt::join(names_of_verbs(verbs), " "), inner);
 }
 
 /// A description inside a specification of zsh's _arguments.
@@ -92,9 +110,11 @@ std::string zsh(const std::vector<VerbText>& verbs) {
         for (const OptionText& option : verb.options)
             if (!option.positional) options += zsh_option(option);
         if (verb.name == "floes") continue;
-        descriptions += fmt::format("        {}\n", quoted(verb.name + ":" + bracketed(verb.description), "'\\''"));
-        cases +=
-            fmt::format("        {})\n        _arguments{} \\\n            '*:file:_files' ;;\n", verb.name, options);
+        if (!verb.is_inner())
+            descriptions += fmt::format("        {}\n", quoted(verb.name + ":" + bracketed(verb.description), "'\\''"));
+        const std::string words =
+            verb.inner.empty() ? "*:file:_files" : fmt::format("1:verb:({})", fmt::join(verb.inner, " "));
+        cases += fmt::format("        '{}')\n        _arguments{} \\\n            '{}' ;;\n", verb.name, options, words);
     }
     return fmt::format(R"(#compdef floes
 # Completions of floes for zsh; made from its command line.
@@ -110,12 +130,16 @@ _floes() {{
     local verb=$words[2]
     shift words
     ((CURRENT--))
+    case "$verb $words[2]" in
+        {})
+        ((CURRENT > 2)) && verb="$verb $words[2]" && shift words && ((CURRENT--)) ;;
+    esac
     case $verb in
 {}    esac
 }}
 _floes "$@"
 )",
-                       descriptions, cases);
+                       descriptions, inner_pattern(verbs), cases);
 }
 
 std::string fish_option(const OptionText& option) {
@@ -126,15 +150,30 @@ std::string fish_option(const OptionText& option) {
     return out + (option.takes_value ? " -r" : "");
 }
 
+/// The condition that the words of a verb stand in the command line.
+std::string fish_seen(const std::string& verb) {
+    std::vector<std::string> seen;
+    for (const std::string& word : CLI::detail::split(verb, ' '))
+        seen.push_back(fmt::format("__fish_seen_subcommand_from {}", word));
+    return fmt::format("{}", fmt::join(seen, "; and "));
+}
+
+/// Where the options of a verb are offered.
+std::string fish_place(const VerbText& verb) {
+    return verb.name == "floes" ? "-n __fish_use_subcommand" : fmt::format("-n '{}'", fish_seen(verb.name));
+}
+
 std::string fish(const std::vector<VerbText>& verbs) {
     std::string out = "# Completions of floes for fish; made from its command line.\n";
     for (const VerbText& verb : verbs) {
-        const bool program = verb.name == "floes";
-        const std::string where =
-            program ? "-n __fish_use_subcommand" : fmt::format("-n '__fish_seen_subcommand_from {}'", verb.name);
-        if (!program)
-            out += fmt::format("complete -c floes -n __fish_use_subcommand -f -a {} -d {}\n", verb.name,
+        const std::string where = fish_place(verb);
+        if (verb.name != "floes") {
+            const std::size_t last = verb.name.rfind(' ') + 1;  // 0 without an outer verb
+            const std::string before =
+                last == 0 ? "__fish_use_subcommand" : fmt::format("'{}'", fish_seen(verb.name.substr(0, last - 1)));
+            out += fmt::format("complete -c floes -n {} -f -a {} -d {}\n", before, verb.name.substr(last),
                                quoted(verb.description, "\\'"));
+        }
         for (const OptionText& option : verb.options)
             if (!option.positional)
                 out += fmt::format("complete -c floes {}{} -d {}\n", where, fish_option(option),

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "command_text.hpp"
@@ -68,24 +69,28 @@ std::string one_line(const VerbText& verb) {
     return verb.description.starts_with(begin) ? verb.description.substr(begin.size()) : verb.description;
 }
 
+/// "floes-laboratory-plate".
+std::string page_name(const VerbText& verb) {
+    std::string name = verb.name == "floes" ? verb.name : "floes-" + verb.name;
+    std::ranges::replace(name, ' ', '-');
+    return name;
+}
+
 }  // namespace
 
 std::vector<Page> man_pages(const std::vector<VerbText>& verbs, const std::string& version, const std::string& date) {
     std::vector<Page> pages;
     for (const VerbText& verb : verbs) {
         const bool program = verb.name == "floes";
-        const std::string name = program ? verb.name : "floes-" + verb.name;
+        const std::string name = page_name(verb);
         std::string text = fmt::format(".TH {} 1 {} \"floes {}\" \"floes\"\n", plain(name), date, version);
         text += fmt::format(".SH NAME\n{} \\- {}\n.SH SYNOPSIS\n\\fB{}\\fR\n", plain(name), plain(one_line(verb)),
                             plain(verb.usage));
         text += options_section(verb.options, true, "ARGUMENTS") + options_section(verb.options, false, "OPTIONS");
-        if (program) {
-            text += ".SH VERBS\n";
-            for (const VerbText& other : verbs)
-                if (&other != &verb)
-                    text +=
-                        fmt::format(".TP\n\\fBfloes\\-{}\\fR(1)\n{}\n", plain(other.name), plain(other.description));
-        }
+        if (program || !verb.inner.empty()) text += ".SH VERBS\n";
+        for (const VerbText& other : verbs)
+            if (&other != &verb && (program || other.name.starts_with(verb.name + " ")))
+                text += fmt::format(".TP\n\\fB{}\\fR(1)\n{}\n", plain(page_name(other)), plain(other.description));
         if (!verb.footer.empty()) text += ".SH DESCRIPTION\n" + paragraphs(verb.footer);
         if (!program) text += ".SH SEE ALSO\n\\fBfloes\\fR(1)\n";
         pages.push_back({name + ".1", text});

@@ -77,7 +77,7 @@ def histories(stored: Stored, numbers: list[int], time_step: float, stride: int)
     loads = {name: stored.array(f"history/{name}", numbers) for name in LOADS}
     kept = numpy.flatnonzero(numpy.isfinite(loads["surge_load"].values).any(axis=0))
     if numbers and not len(kept):
-        raise CampaignError(f"{stored.path} has no history of these members: analysis.keep_history was false.")
+        raise CampaignError(f"{stored.path} has no history of these members: analysis.history_steps was 0.")
     length = kept[-1] + 1 if len(kept) else 0
     time = stored.array("time")[:length]
     if time.attrs["units"] != "s":  # cases differ in their steps, so the file numbers the values

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "keys/edit_distance.hpp"
 #include "keys/literal.hpp"
@@ -86,6 +87,12 @@ Range Range::below(double bound) const {
     return range;
 }
 
+Range Range::or_infinity() const {
+    Range range = *this;
+    range.infinity_included = true;
+    return range;
+}
+
 Range Range::because(std::string_view why) const {
     Range range = *this;
     range.reason = why;
@@ -95,7 +102,8 @@ Range Range::because(std::string_view why) const {
 bool Range::contains(double value) const {
     const bool high_enough = low_included ? value >= low : value > low;
     const bool low_enough = high_included ? value <= high : value < high;
-    return high_enough && low_enough && std::abs(value) <= std::numeric_limits<double>::max();
+    if (std::isinf(value)) return infinity_included && value > 0;
+    return high_enough && low_enough;
 }
 
 Range above(double bound) {
@@ -117,7 +125,8 @@ std::string to_text(const Range& range) {
         parts.push_back(fmt::format("{} {}", range.low_included ? "at least" : "above", range.low));
     if (range.high < infinity)
         parts.push_back(fmt::format("{} {}", range.high_included ? "at most" : "below", range.high));
-    return parts.empty() ? "any number" : fmt::format("{}", fmt::join(parts, " and "));
+    const std::string bounds = parts.empty() ? "any number" : fmt::format("{}", fmt::join(parts, " and "));
+    return range.infinity_included ? bounds + ", or inf" : bounds;
 }
 
 Key number_key(std::string_view path, double& field, double unit, Range range, std::string_view source,
@@ -164,19 +173,33 @@ Key part_key(Key key) {
     return key;
 }
 
-std::vector<Entry> in_order_of_reading(std::span<const Key> keys, std::vector<Entry> entries) {
-    const auto is = [&](const Entry& entry, bool Key::*kind) {
-        return std::ranges::any_of(keys, [&](const Key& key) { return key.*kind && key.path == entry.path; });
-    };
-    const auto others =
-        std::ranges::stable_partition(entries, [&](const Entry& entry) { return is(entry, &Key::preset); });
-    std::ranges::stable_partition(others, [&](const Entry& entry) { return !is(entry, &Key::part); });
-    return entries;
-}
-
 Key late_key(Key key) {
     key.late = true;
     return key;
+}
+
+void copy_value(const Key& from, const Key& to) {
+    std::visit(
+        [&]<class Field>(const Field& source) {
+            const Field& target = std::get<Field>(to.field);
+            if constexpr (requires { source.value; })
+                *target.value = *source.value;
+            else if constexpr (requires { source.values; })
+                *target.values = *source.values;
+            else
+                target.set(source.get());
+        },
+        from.field);
+}
+
+std::vector<Entry> in_order_of_reading(std::span<const Key> keys, std::vector<Entry> entries) {
+    const auto place = [&](const Entry& entry) {
+        const Key* key = find_key(keys, entry.path);
+        if (key == nullptr) return 1;  // reported in its turn
+        return key->preset ? 0 : key->part || key->replaced ? 2 : 1;
+    };
+    std::ranges::stable_sort(entries, {}, place);
+    return entries;
 }
 
 std::string allowed(const Key& key) {
@@ -193,7 +216,12 @@ std::string exact_text(const Key& key) {
 
 const Key* find_key(std::span<const Key> keys, std::string_view path) {
     const auto found = std::ranges::find(keys, path, &Key::path);
-    return found == keys.end() ? nullptr : &*found;
+    if (found != keys.end()) return &*found;
+    for (const Key& key : keys) {
+        if (!key.former.empty() && key.former == path) return &key;
+        if (const Key* replaced = find_key(key.before, path)) return replaced;
+    }
+    return nullptr;
 }
 
 std::string nearest_path(std::span<const Key> keys, std::string_view path) {

@@ -1,8 +1,10 @@
 #pragma once
 // A key of the configuration: a dotted path bound to one field, with its unit, range, meaning and source. One list of
 // keys drives everything that concerns configuration text: reading, overriding, writing, comparing, the reference. A
-// list of keys points into the value that it describes and must not outlive it; nor may it outlive its words, which are
-// mostly literals. They are not copied, since keys are described again for every case that is written or compared.
+// list of keys refers to the value that it describes and to the words of its descriptions (mostly literals), and must
+// not outlive either. The words are not copied, because keys are described anew for each scenario that is compared.
+//
+// Keys of 1.0.0 that are others now: keys/former.hpp.
 
 #include <cstdint>
 #include <functional>
@@ -18,16 +20,18 @@
 
 namespace floes {
 
-/// Allowed range of a number, in the unit of the key. NaN and infinities are never allowed.
+/// Allowed range of a number, in the unit of the key. NaN is never allowed.
 struct Range {
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
     bool low_included = true;
     bool high_included = true;
+    bool infinity_included = false;
     std::string_view reason;  ///< why, if it is not obvious; part of the message
 
     Range at_most(double bound) const;
     Range below(double bound) const;
+    Range or_infinity() const;
     Range because(std::string_view why) const;
     bool contains(double value) const;
 };
@@ -82,9 +86,12 @@ struct Key {
     std::variant<NumberField, NumbersField, IntegerField, SwitchField, WordField, TextField, RowsField> field;
     std::string_view source;  ///< where the default comes from
     std::string_view doc;     ///< meaning, and what changing it does
-    bool late = false;        ///< came after the first campaigns, and can say what was so before
-    bool preset = false;      ///< says what several others say
-    bool part = false;        ///< says a part of what another one says
+    bool late = false;        ///< came after the first campaigns; not in a digest where it has the value of before
+    bool preset = false;      ///< sets several keys at once
+    bool part = false;        ///< sets a part of the value of another key
+    std::string_view former = {};   ///< path in 1.0.0, if it was another
+    std::vector<Key> before = {};   ///< keys of 1.0.0 that this one replaced, bound to the same fields
+    bool replaced = false;          ///< one of those
 
     /// It has no field of its own, so digests and differences leave it out.
     bool derived() const { return preset || part; }
@@ -104,15 +111,15 @@ Key integer_key(std::string_view path, int& field, int low, int high, std::strin
 Key switch_key(std::string_view path, bool& field, std::string_view source, std::string_view doc);
 Key text_key(std::string_view path, std::string& field, std::string_view source, std::string_view doc);
 
-/// The key, come after the first campaigns: scenarios in which it says what was so before keep their digest.
+/// A key that came after the first campaigns: scenarios in which it has the value of before keep their digest.
 Key late_key(Key key);
 
-/// The key, one that sets several fields at once, which have keys of their own: it is read before those, wherever it
-/// stands, and says nothing that they do not.
+/// A key that sets several fields at once, each of which has a key of its own. It is read before those, wherever it
+/// stands in the text, so that they can change what it sets.
 Key preset_key(Key key);
 
-/// The key, one that sets a part of a field that has a key of its own, so that a design can have it as an axis: it is
-/// read after that, and is not written, since it would overrule who changes the other in the text.
+/// A key that sets a part of the value of another key, so that a design can have it as an axis. It is read after that
+/// key. It is never written, because it would override a change of the other key in the text.
 Key part_key(Key key);
 
 /// The enumeration must count from 0 in the order of `words`.
@@ -137,14 +144,18 @@ std::string literal(const Key& key);
 /// The field's value in SI, each number in the shortest form that reads back to it: equal exactly when the fields are.
 std::string exact_text(const Key& key);
 
-/// The entries with those of preset keys first and those of part keys last, otherwise in their order.
+/// Gives `to` the value of `from`; both are the same key, bound to two values.
+void copy_value(const Key& from, const Key& to);
+
+/// The entries in the order in which they have to be read: preset keys first, part keys and replaced ones last,
+/// otherwise as given.
 std::vector<Entry> in_order_of_reading(std::span<const Key> keys, std::vector<Entry> entries);
 
-/// The key of that path, or none.
+/// The key of that path, present or of 1.0.0, or none. A replaced key is found with its own path and form.
 const Key* find_key(std::span<const Key> keys, std::string_view path);
 
-/// The path nearest to a mistyped one: fewest edits, where a correct name in a wrong table counts as one edit. `keys`
-/// is not empty.
+/// The key with the path nearest to a mistyped one: fewest edits, where a correct name in a wrong table counts as one
+/// edit. `keys` is not empty.
 std::string nearest_path(std::span<const Key> keys, std::string_view path);
 
 }  // namespace floes

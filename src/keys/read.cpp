@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "keys/edit_distance.hpp"
+#include "keys/former.hpp"
 #include "keys/literal.hpp"
 
 namespace floes {
@@ -34,7 +35,7 @@ struct Assigner {
         if (!number) throw wrong("is not a number", field.range.reason);
         const double in_si = *number * field.unit;
         // The range applies to the number as written; the product may still underflow to a forbidden 0, or overflow.
-        const bool lost = (in_si == 0 && *number != 0) || std::isinf(in_si);
+        const bool lost = (in_si == 0 && *number != 0) || std::isinf(in_si) != std::isinf(*number);
         if (!field.range.contains(*number) || lost) throw wrong("is out of range", field.range.reason);
         field.set(in_si);
     }
@@ -125,7 +126,8 @@ void assign(const Key& key, const Entry& entry) {
     std::visit(Assigner{key, entry}, key.field);
 }
 
-std::string assign_known(std::span<const Key> keys, const Entry& entry) {
+std::string assign_known(std::span<const Key> keys, const Entry& entry, Spelling spelling) {
+    if (spelling == Spelling::present) refuse_former(keys, entry);
     if (const Key* key = find_key(keys, entry.path)) {
         assign(*key, entry);
         return std::string(key->path);

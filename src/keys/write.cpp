@@ -100,8 +100,12 @@ std::string canonical_text(std::span<const Key> keys) {
 std::vector<std::string> key_differences(std::span<const Key> there, std::span<const Key> here) {
     std::vector<std::string> lines;
     for (std::size_t i = 0; i < there.size(); ++i) {
-        if (there[i].derived() || exact_text(there[i]) == exact_text(here[i])) continue;  // others differ, too
-        lines.push_back(fmt::format("{}: {} there, {} here", there[i].path, literal(there[i]), literal(here[i])));
+        if (there[i].derived()) continue;  // the keys that it sets differ, too
+        if (exact_text(there[i]) == exact_text(here[i])) {
+            for (std::string& line : key_differences(there[i].before, here[i].before)) lines.push_back(std::move(line));
+        } else {
+            lines.push_back(fmt::format("{}: {} there, {} here", there[i].path, literal(there[i]), literal(here[i])));
+        }
     }
     return lines;
 }

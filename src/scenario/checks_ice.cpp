@@ -91,10 +91,11 @@ void check_solver(const Scenario& scenario, Contradictions& found) {
                                      given(scenario, "contact.friction"), given(scenario, "general.solver"))});
     }
     if (direct && scenario.contact.normal == NormalLaw::rigid && scenario.contact.split_impulse) {
-        found.push_back({{"contact.split_impulse", "general.solver"},
+        found.push_back({{"paper.split_impulse_depth_m", "general.solver"},
                          fmt::format("{} is not possible with {} and rigid contacts: it corrects every penetration "
-                                     "within the impulse; take contact.split_impulse = false",
-                                     given(scenario, "contact.split_impulse"), given(scenario, "general.solver"))});
+                                     "within the impulse; take paper.split_impulse_depth_m = inf",
+                                     given(scenario, "paper.split_impulse_depth_m"),
+                                     given(scenario, "general.solver"))});
     }
 }
 
@@ -113,8 +114,7 @@ void check_contact(const Scenario& scenario, Contradictions& found) {
         refuse("contact.law", "has no contacts that crush", "contact.law = \"rigid\"");
     }
     if (!scenario.contact.internal_edges) {
-        refuse("contact.internal_edges", "does not know which faces lie inside a floe",
-               "contact.internal_edges = true");
+        refuse("paper.internal_edges", "does not know which faces lie inside a floe", "paper.internal_edges = true");
     }
 }
 
@@ -145,10 +145,10 @@ void check_time(const Scenario& scenario, Contradictions& found) {
     if (analysis.keep_history &&
         (window_steps % analysis.history_stride != 0 || scenario.first_window_step() % analysis.history_stride != 0)) {
         found.push_back(
-            {{"analysis.history_stride", "analysis.steady_start_s", "analysis.window_s", "general.time_step_s"},
+            {{"analysis.history_steps", "analysis.steady_start_s", "analysis.window_s", "general.time_step_s"},
              fmt::format("{} does not divide both the {} steps before the window and the {} in it, so that a value "
                          "of the history would lie across its edge; take a divisor of both",
-                         given(scenario, "analysis.history_stride"), scenario.first_window_step(), window_steps)});
+                         given(scenario, "analysis.history_steps"), scenario.first_window_step(), window_steps)});
     }
 }
 

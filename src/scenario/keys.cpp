@@ -4,16 +4,17 @@
 
 #include <map>
 
+#include "keys/former.hpp"
 #include "scenario/tables.hpp"
 
 namespace floes {
 namespace {
 
-/// What each late key says of a scenario from before it, by its path.
+/// The values that late keys have in a scenario from before them, by the paths of 1.0.0.
 std::map<std::string_view, std::string> late_texts() {
     Scenario scenario = before_late_keys();
     std::map<std::string_view, std::string> texts;
-    for (const Key& key : describe(scenario))
+    for (const Key& key : keys_of_digest(describe(scenario)))
         if (key.late) texts.emplace(key.path, exact_text(key));
     return texts;
 }
@@ -33,6 +34,7 @@ Keys describe(Scenario& scenario) {
     add_contact(keys, scenario.contact);
     add_water(keys, scenario.water);
     add_analysis(keys, scenario.analysis);
+    add_paper(keys, scenario);
     return keys;
 }
 
@@ -56,6 +58,9 @@ TableTitles scenario_titles() {
          "not a key."},
         {"water", "Buoyancy and drag, which act on each element."},
         {"analysis", "The window in which the load is measured; the run ends with it."},
+        {"paper",
+         "What only a comparison with the paper needs: other readings of its equations, and what Bullet does by "
+         "default."},
     };
 }
 
@@ -65,14 +70,12 @@ Scenario before_late_keys() {
     return scenario;
 }
 
-// A late key is left out where it says what was so before it came: so the members that journals have from before keep
-// their digest.
+// A late key is left out where it has the value of before, so that members stored before it came keep their digest.
 std::string canonical_text(const Scenario& scenario) {
     static const std::map<std::string_view, std::string> before = late_texts();
     Scenario copy = scenario;
-    Keys keys = describe(copy);
-    std::erase_if(keys,
-                  [](const Key& key) { return key.derived() || (key.late && exact_text(key) == before.at(key.path)); });
+    Keys keys = keys_of_digest(describe(copy));
+    std::erase_if(keys, [](const Key& key) { return key.late && exact_text(key) == before.at(key.path); });
     return canonical_text(keys);
 }
 

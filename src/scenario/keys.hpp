@@ -14,16 +14,17 @@ namespace floes {
 inline constexpr int most_floes = 1'000'000;
 
 /// The keys, bound to the fields of `scenario`, table by table in the order of a configuration file.
-/// They point into `scenario` and must not outlive it.
+/// They refer to `scenario` and must not outlive it.
 Keys describe(Scenario& scenario);
 
 /// A sentence about each table.
 TableTitles scenario_titles();
 
-/// The scenario of a text from before the late keys: their fields say what was so then.
+/// The scenario of a text without any keys that was stored before there were late ones: their fields have the values
+/// that were in force then.
 Scenario before_late_keys();
 
-/// "path = value" in SI for all keys: equal exactly when the scenarios are.
+/// "path = value" in SI for all keys, with the paths and forms of 1.0.0: equal exactly when the scenarios are.
 std::string canonical_text(const Scenario& scenario);
 
 /// "general.iterations: 50 there, 20 here" for each key that differs.

@@ -16,5 +16,6 @@ void add_structure(Keys& keys, Structure& structure);
 void add_contact(Keys& keys, ContactLaw& contact);
 void add_water(Keys& keys, Water& water);
 void add_analysis(Keys& keys, Analysis& analysis);
+void add_paper(Keys& keys, Scenario& scenario);
 
 }  // namespace floes

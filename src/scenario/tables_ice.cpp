@@ -84,16 +84,6 @@ void add_joint(Keys& keys, Joint& joint) {
     keys.push_back(late_key(
         number_key("joint.damping_ratio", joint.damping_ratio, unit::one, at_least(0).at_most(10), "judgement",
                    "Damping of beam joints: share of critical for two elements that swing against each other.")));
-    keys.push_back(word_key(
-        "joint.threshold_form", joint.threshold_form, {"force", "as_printed"}, "design decision",
-        "Failure thresholds of compression and shear. force: L_e T_e σ, a force. as_printed: L_e T_e² σ, Eqs. (1)-(2) "
-        "as printed in the paper, which has the unit of a moment and is the value of force times T_e."));
-    keys.push_back(late_key(word_key(
-        "joint.moment_about", joint.moment_about, {"pivot", "element_centre"}, "Eq. (3)",
-        "Point about which the bending moment of Eq. (3) is taken. pivot: the section that breaks. element_centre: the "
-        "centre of the joint's first element, about which Bullet reports a joint's torque: shear times half an "
-        "element's "
-        "side is added to the moment, and more floes break.")));
 }
 
 namespace {
@@ -105,10 +95,10 @@ Key contact_preset(ContactLaw& contact) {
         [&contact](std::size_t word) { contact = with_preset(contact, static_cast<ContactPreset>(word)); }};
     return preset_key(
         {"contact.preset", words, "docs/convergence.md",
-         "Sets contact.friction, law and internal_edges together; those of them that are given, too, come "
-         "after it. paper: one_direction, rigid, true, which is what Bullet does by default and so probably "
-         "the paper. physical: cone, crushing, false, with which the largest loads do not depend on the time "
-         "step (docs/convergence.md). own: as the three say."});
+         "Sets contact.friction, contact.law and paper.internal_edges together; those of them that are given "
+         "as well are applied after it. physical: cone, crushing, false, with which the largest loads do not depend "
+         "on the time step (docs/convergence.md). paper: one_direction, rigid, true, which is what Bullet does by "
+         "default and so probably the paper. own: leaves them as they are."});
 }
 
 }  // namespace
@@ -123,13 +113,6 @@ void add_contact(Keys& keys, ContactLaw& contact) {
                               "Coefficient of friction between floes, and between floes and the fixed ice sheets."));
     keys.push_back(number_key("contact.ice_structure_friction", contact.ice_structure_friction, unit::one, friction,
                               "Table 1", "Coefficient of friction between ice and the structure."));
-    keys.push_back(
-        switch_key("contact.split_impulse", contact.split_impulse, "Bullet's default",
-                   "Correct penetrations deeper than split_impulse_depth_m without adding to the velocity."));
-    keys.push_back(number_key(
-        "contact.split_impulse_depth_m", contact.split_impulse_depth, unit::one, at_least(0).at_most(10),
-        "Bullet's default",
-        "Penetration depth from which split_impulse acts; with the default hardly any contact is that deep."));
     keys.push_back(late_key(word_key(
         "contact.friction", contact.friction, {friction_words.begin(), friction_words.end()}, "docs/convergence.md",
         "Law of friction. one_direction: one row per contact along the sliding velocity, as in Bullet; a contact that "
@@ -146,11 +129,6 @@ void add_contact(Keys& keys, ContactLaw& contact) {
         "the paper has none",
         "Pressure at which edges crush, with contact.law = \"crushing\"; 0: ice.compressive_strength_kPa. With a "
         "higher value contacts are stiffer and need shorter steps.")));
-    keys.push_back(
-        late_key(switch_key("contact.internal_edges", contact.internal_edges, "docs/convergence.md",
-                            "Whether faces between the elements of a floe, and the rims at which pieces of the "
-                            "structure meet, can be touched, "
-                            "although they lie inside the body. false: nothing acts there, with solver lanes only.")));
 }
 
 }  // namespace floes

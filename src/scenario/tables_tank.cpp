@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "keys/former.hpp"
 #include "scenario/keys.hpp"
 #include "scenario/tables.hpp"
 
@@ -63,6 +66,23 @@ Key keel_radius(Shape& shape) {
                      "default. With it a design can have the wall below the waterline as an axis."});
 }
 
+Key history_steps(Analysis& analysis) {
+    constexpr int most = 1'000'000;
+    IntegerField steps{[&analysis] { return std::int64_t{analysis.keep_history ? analysis.history_stride : 0}; },
+                       [&analysis](std::int64_t value) {
+                           analysis.keep_history = value > 0;
+                           analysis.history_stride = std::max(1, static_cast<int>(value));
+                       },
+                       0, most};
+    return instead_of({switch_key("analysis.keep_history", analysis.keep_history, "", ""),
+                       late_key(integer_key("analysis.history_stride", analysis.history_stride, 1, most, "", ""))},
+                      {"analysis.history_steps", std::move(steps), "every step",
+                       "Number of successive time steps averaged into one value of the load history that a member "
+                       "keeps; it must divide the steps before the window and those in it. 0: no history; a member "
+                       "then takes some kB in the campaign file instead of some hundred. Statistics, maxima, counts "
+                       "and breaks are kept in any case and use every step."});
+}
+
 }  // namespace
 
 void add_field(Keys& keys, Field& field) {
@@ -92,15 +112,14 @@ void add_field(Keys& keys, Field& field) {
 }
 
 void add_arrangement(Keys& keys, ArrangementRule& arrangement) {
-    keys.push_back(word_key("arrangement.method", arrangement.method, {"monte_carlo", "lattice", "file", "scattered"},
-                            "floes in a tank are laid at random; docs/order.md",
-                            "scattered: a disordered field, floes thrown at random and pushed apart until none "
-                            "overlap; monte_carlo: equilibrium of hard squares, rows and columns where they are dense, "
-                            "independent of the start; lattice: rows, with jitter; file: given poses, the same for "
-                            "each arrangement."));
-    keys.push_back(word_key(
-        "arrangement.start", arrangement.start, {"lattice", "stripes"}, "design decision",
-        "Start of the Monte Carlo chain. The result does not depend on it; the key exists to demonstrate that."));
+    const Key method =
+        word_key("arrangement.method", arrangement.method, {"monte_carlo", "lattice", "file", "scattered"},
+                 "floes in a tank are laid at random; docs/order.md",
+                 "scattered: a disordered field, floes thrown at random and pushed apart until none overlap; "
+                 "monte_carlo: equilibrium of hard squares, rows and columns where they are dense, independent of the "
+                 "start; lattice: rows, with jitter; file: given poses, the same for each arrangement.");
+    keys.push_back(instead_of(
+        {method, word_key("arrangement.start", arrangement.start, {"lattice", "stripes"}, "", "")}, method));
     keys.push_back(number_key("arrangement.clearance_m", arrangement.clearance, unit::one, at_least(0).at_most(10),
                               "judgement", "Minimum initial gap between floes, and between floes and walls."));
     keys.push_back(integer_key("arrangement.sweeps", arrangement.sweeps, 0, 10000000, "judgement; see arrangement.md",
@@ -152,11 +171,6 @@ void add_water(Keys& keys, Water& water) {
     keys.push_back(number_key(
         "water.form_drag", water.form_drag, unit::one, coefficient, "Su, Aarsæther and Kristiansen 2019; others 0.5",
         "Form drag coefficient on the wetted edge faces of a floe. It carries floes round the structure."));
-    keys.push_back(late_key(word_key("water.form_drag_on", water.form_drag_on, {"outline", "every_element"},
-                                     "what meets the water",
-                                     "Edge faces that form drag acts on. outline: those of the floe, and of cracks. "
-                                     "every_element: of each element, as "
-                                     "if it were alone; a floe of 3 x 3 elements then has three times the drag.")));
     keys.push_back(number_key("water.skin_drag", water.skin_drag, unit::one, coefficient,
                               "laminar plate, 1.328 / sqrt(Re) at Re 2.3e4; others 0.002 to 0.01",
                               "Skin drag coefficient on the bottom face."));
@@ -180,13 +194,7 @@ void add_analysis(Keys& keys, Analysis& analysis) {
                               "the paper, Results", "Length of the window. A longer window needs a longer field."));
     keys.push_back(integer_key("analysis.segments", analysis.segments, 1, 10000, "the paper, Results",
                                "Number of equal parts of the window; mean_maximum is the mean of their maxima."));
-    keys.push_back(switch_key("analysis.keep_history", analysis.keep_history, "none",
-                              "Keep the load histories in the campaign file. Without them a member takes some kB "
-                              "instead of some hundred, and keeps its statistics and breaks."));
-    keys.push_back(late_key(
-        integer_key("analysis.history_stride", analysis.history_stride, 1, 1000000, "none: every step",
-                    "Number of successive time steps averaged into one value of the kept history; it must divide the "
-                    "steps before the window and those in it. Statistics, maxima and counts always use every step.")));
+    keys.push_back(history_steps(analysis));
     keys.push_back(late_key(numbers_key(
         "analysis.exceedance_levels_N", analysis.exceedance_levels, unit::one, at_least(0).at_most(1e6), "none",
         "Load levels, ascending: each member counts the steps of the window with a surge load "

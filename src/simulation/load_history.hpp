@@ -6,7 +6,7 @@
 namespace floes {
 
 /// Contact force on the structure in each step, N. Entry k belongs to the step that ends at (k + 1) Δt; where a member
-/// keeps means over `analysis.history_stride` = N steps, to the N that end at (k + 1) N Δt. The water's force on the
+/// keeps means over `analysis.history_steps` = N steps, to the N that end at (k + 1) N Δt. The water's force on the
 /// structure is not in it, so there is no open-water resistance to subtract.
 struct LoadHistory {
     std::vector<double> surge;  ///< positive against the tow (-x)

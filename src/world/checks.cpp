@@ -36,7 +36,7 @@ void check_contact(const ContactLaw& law, ConstraintSolver solver) {
     if (solver == ConstraintSolver::direct && law.normal == NormalLaw::rigid && law.split_impulse) {
         throw InputError(
             "The world cannot be built: the direct solver corrects every penetration within the impulse; take "
-            "contact.split_impulse = false.");
+            "paper.split_impulse_depth_m = inf.");
     }
     require(law.normal == NormalLaw::rigid || law.crushing_pressure > 0, "the crushing pressure", law.crushing_pressure,
             "above 0 Pa");

@@ -113,15 +113,15 @@ TEST(Design, SixteenSobolPointsMeetEachSixteenthAndEachQuarterSquareOnce) {
 }
 
 TEST(Design, ASobolDesignGrowsAtItsEnd) {
-    const Campaign few = read(design("method = \"sobol\"\npoints = 8\nindices = true") + sobol_axes);
-    const Campaign more = read(design("method = \"sobol\"\npoints = 16\nindices = true") + sobol_axes);
+    const Campaign few = read(design("method = \"sobol_indices\"\npoints = 8") + sobol_axes);
+    const Campaign more = read(design("method = \"sobol_indices\"\npoints = 16") + sobol_axes);
     ASSERT_EQ(few.cases.size(), 8u * 4);
     ASSERT_EQ(more.cases.size(), 16u * 4);
     for (int k = 0; k < 32; ++k) EXPECT_EQ(case_fingerprint(few, k), case_fingerprint(more, k));
 }
 
 TEST(Design, SaltellisPointsMixAAndB) {
-    const Campaign campaign = read(design("method = \"sobol\"\npoints = 8\nindices = true") + sobol_axes);
+    const Campaign campaign = read(design("method = \"sobol_indices\"\npoints = 8") + sobol_axes);
     for (std::size_t base = 0; base < campaign.cases.size(); base += 4) {
         const auto at = [&](std::size_t r) {
             const Scenario& scenario = campaign.cases[base + r].scenario;
@@ -171,7 +171,7 @@ TEST(Design, FollowsTheSeed) {
 
 TEST(Design, ReadsBackWhatItWrites) {
     for (const std::string& text :
-         {design("method = \"sobol\"\npoints = 4\nindices = true") + sobol_axes + two_cases,
+         {design("method = \"sobol_indices\"\npoints = 4") + sobol_axes + two_cases,
           design("method = \"latin_hypercube\"\npoints = 5") + axis("general.iterations", "from = 20\nto = 60"),
           design("method = \"grid\"") + axis("field.far_end", "values = [\"open\", \"ice_sheet\"]") +
               axis("ice.bending_strength_kPa", "values = [30, 40.0]\nscale = \"log\"") + two_cases}) {
@@ -233,7 +233,7 @@ TEST(Design, EveryMistakeIsASentence) {
         {sobol + sobol_axes + axis("cfm", "from = 0.1\nto = 0.2"), "joint.cfm has an axis already, at a.toml:"},
         {design("method = \"list\"") + thickness + axis("joint.cfm", "values = [0.1]"),
          "so all want equally many, and ice.thickness_m has 2, joint.cfm has 1"},
-        {design("method = \"sobol\"\npoints = 30000\nindices = true") + sobol_axes, "makes more than 100000 points"},
+        {design("method = \"sobol_indices\"\npoints = 30000") + sobol_axes, "makes more than 100000 points"},
         {sobol + sobol_axes + "[[case]]\nname = \"A\"\nice.thickness_m = 0.03\n",
          "a.toml:15: ice.thickness_m = 0.03 is hidden by the axis of the design at a.toml:4"},
         {"[design.axis]\nkey = \"ice.thickness_m\"\n", "begin each axis with [[design.axis]], in double brackets"},

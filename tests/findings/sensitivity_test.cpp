@@ -22,9 +22,8 @@ using testing::IsEmpty;
 const char* const saltelli = R"([campaign]
 arrangements = 2
 [design]
-method = "sobol"
+method = "sobol_indices"
 points = 8
-indices = true
 [[design.axis]]
 key = "ice.thickness_m"
 from = 0.02

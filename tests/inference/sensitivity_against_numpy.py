@@ -21,9 +21,8 @@ from scipy import stats
 COLUMNS = {"mean_N": "mean_load", "sd_N": "sd_load", "mean_maximum_N": "mean_maximum", "failure_ratio": "failure_ratio"}
 DESIGN = """
 [design]
-method = "sobol"
+method = "sobol_indices"
 points = 4
-indices = true
 [[design.axis]]
 key = "ice.bending_strength_kPa"
 from = 20

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "campaign/identity.hpp"
+#include "campaign/read.hpp"
 #include "campaign/write.hpp"
 #include "core/error.hpp"
 #include "journal/journal_format.hpp"
@@ -141,6 +142,22 @@ TEST(Journal, NeverBeginsAnewUnlessToldTo) {
     expect_small_records(small.path, 3);
     EXPECT_EQ(open_journal(small.path, "other", Existing::replace).members().notes().size(), 0u);
     EXPECT_EQ(read_journal(small.path).campaign_text, "other");
+}
+
+TEST(Journal, Of1_0IsResumedWithTheKeysOfNow) {
+    const TemporaryFolder folder;
+    const auto path = folder / "a.journal";
+    const auto campaign = [](const std::string& form, bool from_user) {
+        return read_campaign({form + "[[case]]\nname = \"E60\"\n", "a.toml", {}, from_user}, nullptr);
+    };
+    const std::string former =
+        "contact.preset = \"physical\"\njoint.threshold_form = \"as_printed\"\nanalysis.keep_history = false\n";
+    const std::string now = "paper.threshold_form = \"as_printed\"\nanalysis.history_steps = 0\n";
+    open_journal(path, former + "[[case]]\nname = \"E60\"\n", Existing::refuse).append(
+        synthetic::record(campaign(former, false), 0));
+    const Journal journal = open_journal(path, campaign(now, true), Existing::resume);
+    EXPECT_TRUE(journal.extension().empty());
+    EXPECT_TRUE(match_records(campaign(now, true), journal.members().notes()).at(0));
 }
 
 TEST(Journal, GrowsWithItsCampaignAndNeverShrinks) {

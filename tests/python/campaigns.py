@@ -25,7 +25,7 @@ field.far_end = "open"
 [[case]]
 name = "closed"
 """
-CHANGES = ["campaign.arrangements=2", "analysis.steady_start_s=1", "analysis.window_s=3", "analysis.history_stride=2"]
+CHANGES = ["campaign.arrangements=2", "analysis.steady_start_s=1", "analysis.window_s=3", "analysis.history_steps=2"]
 
 
 def run(*command):

@@ -86,7 +86,7 @@ class Refusals(unittest.TestCase):
                 file["history"][name][:] = numpy.nan
 
         self.changed(change)
-        self.refused("analysis.keep_history was false", lambda campaign: campaign.history(0))
+        self.refused("analysis.history_steps was 0", lambda campaign: campaign.history(0))
 
     def test_damage(self):
         def shorten(file):

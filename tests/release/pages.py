@@ -28,12 +28,24 @@ def help_of(*verb):
 
 
 def verbs():
-    listed = re.search(r"^Subcommands:\n(.*?)\n\n", help_of(), re.M | re.S)[1]
-    return re.findall(r"^  ([a-z]+)\s", listed, re.M)
+    return listed_by()
+
+
+def listed_by(*verb):
+    listed = re.search(r"^Subcommands:\n(.*?)(\n\n|\Z)", help_of(*verb), re.M | re.S)
+    return re.findall(r"^  ([a-z]+)\s", listed[1], re.M) if listed else []
+
+
+def all_verbs():
+    """Each verb as its words, those of other verbs included: ("laboratory", "plate")."""
+    for verb in verbs():
+        yield (verb,)
+        for inner in listed_by(verb):
+            yield verb, inner
 
 
 def options_of(verb):
-    return set(re.findall(r"^\s+(?:-\w,)?(--[a-z][\w-]*)", help_of(verb), re.M))
+    return set(re.findall(r"^\s+(?:-\w,)?(--[a-z][\w-]*)", help_of(*verb), re.M))
 
 
 def words(text):
@@ -50,8 +62,8 @@ def complete_in_bash(*line):
 
 
 def check_manual():
-    for verb in [None, *verbs()]:
-        name = f"floes-{verb}.1.gz" if verb else "floes.1.gz"
+    for verb in [(), *all_verbs()]:
+        name = "-".join(["floes", *verb]) + ".1.gz"
         page = FOLDER / name
         check(page.exists(), f"there is no {name}")
         if not page.exists():
@@ -60,8 +72,7 @@ def check_manual():
                                env={"MANWIDTH": "500", "PATH": "/usr/bin:/bin", "LC_ALL": "C.UTF-8"})
         check(not shown.stderr, f"man warns of {name}: {shown.stderr}")
         on_page = words(shown.stdout)
-        helped = help_of(verb) if verb else help_of()
-        for paragraph in re.split(r"\n\s*|\s{2,}", helped.split("Options:")[1]):
+        for paragraph in re.split(r"\n\s*|\s{2,}", help_of(*verb).split("Options:")[1]):
             text = words(paragraph).strip()
             if len(text) > 20 and not paragraph.startswith("[Exactly"):  # CLI11's own words for a group
                 check(text in on_page, f"{name} lacks what --help says: {paragraph}")
@@ -74,8 +85,9 @@ def check_manual():
 def check_bash():
     check(set(complete_in_bash("floes", "")) == set(verbs()), "bash does not offer the verbs")
     check(complete_in_bash("floes", "summ") == ["summarize"], "bash does not complete summ")
-    for verb in verbs():
-        missing = options_of(verb) - set(complete_in_bash("floes", verb, "--"))
+    check(complete_in_bash("floes", "laboratory", "c") == ["cantilever"], "bash does not complete laboratory c")
+    for verb in all_verbs():
+        missing = options_of(verb) - set(complete_in_bash("floes", *verb, "--"))
         check(not missing, f"bash does not offer {missing} of {verb}")
     check(complete_in_bash("floes", "run", "--isolation", "") == ["none", "process"],
           "bash does not know the isolations")
@@ -102,8 +114,8 @@ def check_fish():
         return {each.split("\t")[0] for each in found.splitlines()}
 
     check(set(verbs()) <= offered("floes "), "fish does not offer the verbs")
-    for verb in verbs():
-        missing = options_of(verb) - offered(f"floes {verb} --") - {"--help"}
+    for verb in all_verbs():
+        missing = options_of(verb) - offered(f"floes {' '.join(verb)} --") - {"--help"}
         check(not missing, f"fish does not offer {missing} of {verb}")
     check({"none", "process"} <= offered("floes run --isolation "), "fish does not know the isolations")
 

@@ -72,8 +72,8 @@ TEST(Validate, EveryContradictionIsOneSentence) {
              s.contact = {.internal_edges = false};
              s.general.solver = SolverKind::stock;
          },
-         "contact.internal_edges = false is not possible with general.solver = \"stock\", because Bullet's own solver "
-         "does not know which faces lie inside a floe; take general.solver = \"lanes\", or contact.internal_edges = "
+         "paper.internal_edges = false is not possible with general.solver = \"stock\", because Bullet's own solver "
+         "does not know which faces lie inside a floe; take general.solver = \"lanes\", or paper.internal_edges = "
          "true"},
         {[](Scenario& s) { s.general.time_step = 1e-6; },
          "general.time_step_s = 1e-06 with analysis.steady_start_s = 120.0 and analysis.window_s = 150.0 makes 2.7e+08 "
@@ -200,14 +200,14 @@ TEST(Validate, EveryContradictionIsOneSentence) {
              s.contact.normal = NormalLaw::rigid;
              s.general.solver = SolverKind::direct;
          },
-         "contact.split_impulse = true is not possible with general.solver = \"direct\" and rigid contacts: it "
+         "paper.split_impulse_depth_m = 0.04 is not possible with general.solver = \"direct\" and rigid contacts: it "
          "corrects "
-         "every penetration within the impulse; take contact.split_impulse = false"},
+         "every penetration within the impulse; take paper.split_impulse_depth_m = inf"},
         {[](Scenario& s) { s.field.wake_radius = 1.1; },
          "field.wake_radius_m = 1.1 lets the structure strike a floe at rest, whose middle may be 1.16 m from its axis "
          "then; take more than that, or 0 for none at rest"},
         {[](Scenario& s) { s.analysis.history_stride = 7; },
-         "analysis.history_stride = 7 does not divide both the 6000 steps before the window and the 7500 in it, so "
+         "analysis.history_steps = 7 does not divide both the 6000 steps before the window and the 7500 in it, so "
          "that "
          "a value of the history would lie across its edge; take a divisor of both"},
         {[](Scenario& s) {

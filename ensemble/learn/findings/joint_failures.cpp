@@ -26,7 +26,7 @@ struct CaseFailures {
 CaseFailures failures_of(Evidence& evidence, std::size_t of_case) {
     const Scenario& scenario = evidence.campaign.cases[of_case].scenario;
     const CaseSummary& row = evidence.summary.cases[of_case];
-    const Floe& floe = scenario.floe;
+    const FloeShape& floe = scenario.floe;
     CaseFailures found{
         row.about.name, &scenario, {floe.elements_long(), floe.elements_broad(), floe.element}, {}, {}, {}};
     found.joints = joint_order(found.grid);
@@ -59,7 +59,7 @@ std::string sentence(const CaseFailures& found) {
 Figure panel(const CaseFailures& found, double largest) {
     constexpr std::size_t most_numbers = 40;  // joints; more have no room for them
     constexpr double widest = 188;            // three panels stand side by side
-    const Floe& floe = found.scenario->floe;
+    const FloeShape& floe = found.scenario->floe;
     const double half_length = 0.55 * floe.length;
     const double half_breadth = 0.55 * floe.breadth;
     const double scale = widest / 2 / std::max(half_length, half_breadth);

@@ -11,7 +11,7 @@
 namespace floes {
 namespace {
 
-Figure::Points corners(const PlanarPose& pose, const Floe& floe) {
+Figure::Points corners(const PlanarPose& pose, const FloeShape& floe) {
     Figure::Points points;
     const double c = std::cos(pose.yaw);
     const double s = std::sin(pose.yaw);
@@ -48,8 +48,9 @@ Figure plan_view(const Scenario& scenario, const std::vector<PlanarPose>& poses,
     if (field.far_end == FarEnd::ice_sheet)
         figure.area({{scenario.field_end(), -inner}, {high, -inner}, {high, inner}, {scenario.field_end(), inner}},
                     "sheet");
+    const FloeSet floes = floes_of(scenario);
     for (std::size_t i = 0; i < poses.size(); ++i)
-        figure.area(corners(poses[i], scenario.floe), broken.contains(static_cast<int>(i)) ? "ice broken" : "ice");
+        figure.area(corners(poses[i], floes.shape(i)), broken.contains(static_cast<int>(i)) ? "ice broken" : "ice");
     figure.area(ring(scenario.structure.start, radius), "structure");
     return figure;
 }

@@ -20,8 +20,8 @@ Figure side_view(const Scenario& scenario) {
                   .size = to_scale(2 * reach, high - low, 720),
                   .caption = "Section of the structure (first case) and the ice on the water, to scale."};
     figure.area({{-reach, low}, {reach, low}, {reach, 0}, {-reach, 0}}, "water");
-    const double draught = scenario.ice.thickness * scenario.ice.density / scenario.water.density;
-    const double freeboard = scenario.ice.thickness - draught;
+    const double draught = scenario.floe.thickness * scenario.ice.density / scenario.water.density;
+    const double freeboard = scenario.floe.thickness - draught;
     for (const double sign : {-1.0, 1.0}) {
         const double near = sign * (shape.waterline_radius() + 0.02);
         figure.area({{near, -draught}, {sign * reach, -draught}, {sign * reach, freeboard}, {near, freeboard}}, "ice");
@@ -34,7 +34,7 @@ Figure side_view(const Scenario& scenario) {
 }
 
 Figure floe_and_joints(const Scenario& scenario) {
-    const Floe& floe = scenario.floe;
+    const FloeShape& floe = scenario.floe;
     const double margin = 0.15 * std::max(floe.length, floe.breadth);
     Figure figure{
         .description = "One floe seen from above: square elements and the joints at the middle of their edges",
@@ -43,7 +43,7 @@ Figure floe_and_joints(const Scenario& scenario) {
         .size = to_scale(floe.length + 2 * margin, floe.breadth + 2 * margin, 420),
         .caption =
             fmt::format("A floe of {:g} m × {:g} m: elements of {:g} m, {:g} m thick; dots are breakable joints.",
-                        floe.length, floe.breadth, floe.element, scenario.ice.thickness)};
+                        floe.length, floe.breadth, floe.element, scenario.floe.thickness)};
     const double side = floe.element;
     for (int i = 0; i < floe.elements_long(); ++i)
         for (int k = 0; k < floe.elements_broad(); ++k)

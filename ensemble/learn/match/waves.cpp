@@ -19,8 +19,8 @@ namespace floes {
 namespace {
 
 /// They decide what else is stored about a member, not what it measures.
-constexpr std::array storage_keys{"analysis.keep_history", "analysis.history_stride", "analysis.exceedance_levels_N",
-                                  "analysis.averaging_s", "analysis.peak_separation_s"};
+constexpr std::array storage_keys{"analysis.history_steps", "analysis.exceedance_levels_N", "analysis.averaging_s",
+                                  "analysis.peak_separation_s"};
 
 double on_scale(double value, AxisScale scale) {
     return scale == AxisScale::log ? std::log(value) : value;

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "keys/former.hpp"
 #include "quantities/quantity.hpp"
 #include "scenario/keys.hpp"
 
@@ -112,20 +113,28 @@ Keys describe(StopRule& stop) {
     return keys;
 }
 
-Key method_key(DesignMethod& method) {
-    return word_key("design.method", method, {"none", "grid", "list", "latin_hypercube", "sobol"}, "off",
-                    "How the points are chosen at which every case is run: grid is all combinations of the axes' "
-                    "values, list takes their values side by side, latin_hypercube and sobol place design.points "
-                    "points between the ends of the axes.");
+Key method_key(Design& design) {
+    constexpr std::size_t sobol_indices = 5;
+    WordField method{
+        {"none", "grid", "list", "latin_hypercube", "sobol", "sobol_indices"},
+        [&design] { return design.indices ? sobol_indices : static_cast<std::size_t>(design.method); },
+        [&design](std::size_t word) {
+            design.indices = word == sobol_indices;
+            design.method = design.indices ? DesignMethod::sobol : static_cast<DesignMethod>(word);
+        }};
+    return instead_of(
+        {switch_key("design.indices", design.indices, "", "")},
+        {"design.method", std::move(method), "off",
+         "How the points are chosen at which every case is run: grid is all combinations of the axes' values, list "
+         "takes their values side by side, latin_hypercube and sobol place design.points points between the ends of "
+         "the axes. sobol_indices: (axes + 2) points for each of design.points, from which first-order and total Sobol "
+         "indices are computed (Saltelli et al. 2010)."});
 }
 
 Keys describe(Design& design) {
-    Keys keys{method_key(design.method)};
+    Keys keys{method_key(design)};
     keys.push_back(integer_key("design.points", design.points, 0, static_cast<int>(most_cases), "none",
                                "Points of latin_hypercube and sobol; a power of 2 suits sobol best."));
-    keys.push_back(switch_key("design.indices", design.indices, "off",
-                              "With sobol: use the points for first-order and total Sobol indices, (axes + 2) for each "
-                              "of design.points (Saltelli et al. 2010)."));
     return keys;
 }
 

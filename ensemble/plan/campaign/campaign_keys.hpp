@@ -31,7 +31,7 @@ Keys describe(StopRule& stop);
 Keys describe(Design& design);
 
 /// design.method, the first of them.
-Key method_key(DesignMethod& method);
+Key method_key(Design& design);
 
 /// The keys of [run], bound to `rules`.
 Keys describe(RunRules& rules);

@@ -33,14 +33,17 @@ bool is_case_path(const std::string& path) {
 class Reader {
   public:
     Reader(const CampaignSource& source, LoadFile load_file)
-        : source_(source), document_(parse_document(source.text, source.file)), poses_(source.file, load_file) {
+        : source_(source),
+          spelling_(source.from_user ? Spelling::present : Spelling::stored),
+          document_(parse_document(source.text, source.file)),
+          poses_(source.file, load_file) {
         if (!source.from_user) base_ = before_late_keys();  // a stored text lacks keys that came after it
         for (const std::string& text : source.overrides) overrides_.push_back(parse_override(text, "--set"));
     }
 
     Campaign read() {
         read_tables();
-        axes_ = read_axes(document_.blocks, origins_, source_.file, design_);
+        axes_ = read_axes(document_.blocks, origins_, source_.file, spelling_, design_);
         refuse_hidden();
         std::vector<CaseBlock> given = given_cases(
             document_, fmt::format("E{:.6g}", base_.ice.elastic_modulus / unit::megapascal), source_.file, design_);
@@ -104,8 +107,8 @@ class Reader {
         }
     }
 
-    static void set(const Keys& keys, const Entry& entry, Origins& origins) {
-        const std::string path = assign_known(keys, entry);
+    void set(const Keys& keys, const Entry& entry, Origins& origins) const {
+        const std::string path = assign_known(keys, entry, spelling_);
         if (!path.empty()) origins[full_path(path)] = entry.where;
     }
 
@@ -236,6 +239,7 @@ class Reader {
     }
 
     const CampaignSource& source_;
+    Spelling spelling_;
     Document document_;
     std::vector<Entry> overrides_;
     std::vector<std::pair<Entry, std::string>> overridden_;  ///< keys of a scenario, with the text that each then has

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "campaign/campaign_keys.hpp"
 #include "core/error.hpp"
 #include "keys/edit_distance.hpp"
+#include "keys/former.hpp"
 #include "keys/literal.hpp"
 #include "keys/read.hpp"
 #include "scenario/keys.hpp"
@@ -44,8 +46,8 @@ struct AxisText {
 
 class AxisReader {
   public:
-    AxisReader(const Block& block, const Design& design)
-        : text_(block), where_(block.where), design_(design), keys_(describe(scratch_)) {}
+    AxisReader(const Block& block, const Design& design, Spelling spelling)
+        : text_(block), where_(block.where), design_(design), spelling_(spelling), keys_(describe(scratch_)) {}
 
     DesignAxis read() {
         const Key& key = find();
@@ -75,6 +77,7 @@ class AxisReader {
                 fmt::format("{}: this [[design.axis]] has no key; begin it with key = \"ice.thickness_m\"", where_));
         std::string path;
         assign(text_key("key", path, "", ""), *text_.key);
+        if (spelling_ == Spelling::present) refuse_former(keys_, path, text_.key->where);
         if (const Key* key = find_key(keys_, full_path(path))) return *key;
         throw InputError(fmt::format("{}: key = {} is not a key that a case takes; did you mean {}?", text_.key->where,
                                      text_literal(path), text_literal(nearest_path(keys_, path))));
@@ -123,7 +126,9 @@ class AxisReader {
     double number(const Key& key, const Entry& entry) const {
         assign(key, {axis_.key, entry.value, entry.where});
         if (const auto* whole = std::get_if<std::int64_t>(&entry.value.data)) return static_cast<double>(*whole);
-        return std::get<double>(entry.value.data);
+        const double value = std::get<double>(entry.value.data);
+        if (std::isinf(value)) throw wrong(entry.where, "has the value inf; the values of an axis are finite");
+        return value;
     }
 
     void refuse_log_of(double value, const std::string& where) const {
@@ -135,6 +140,7 @@ class AxisReader {
     AxisText text_;
     std::string where_;
     const Design& design_;
+    Spelling spelling_;
     Scenario scratch_;
     Keys keys_;
     DesignAxis axis_;
@@ -157,8 +163,7 @@ class DesignCheck {
                                                      design_.points, method()));
         }
         if (design_.indices && design_.method != DesignMethod::sobol)
-            throw wrong("design.indices",
-                        fmt::format("design.indices = true wants design.method = \"sobol\", and this is {}", method()));
+            throw wrong("design.indices", "design.indices = true wants design.method = \"sobol\"");
         const std::int64_t count = point_count(design_);
         if (count == 0) throw wrong("design.method", uneven_list());
         if (count > most_cases)
@@ -172,8 +177,8 @@ class DesignCheck {
     }
 
     std::string method() const {
-        DesignMethod value = design_.method;
-        const Key key = method_key(value);
+        Design copy = design_;
+        const Key key = method_key(copy);
         return fmt::format("{} = {}", key.path, literal(key));
     }
 
@@ -194,7 +199,8 @@ class DesignCheck {
 
 }  // namespace
 
-Origins read_axes(const std::vector<Block>& blocks, const Origins& origins, const std::string& file, Design& design) {
+Origins read_axes(const std::vector<Block>& blocks, const Origins& origins, const std::string& file, Spelling spelling,
+                  Design& design) {
     Origins places;
     for (const Block& block : blocks) {
         if (block.path != axis_block) continue;
@@ -203,7 +209,7 @@ Origins read_axes(const std::vector<Block>& blocks, const Origins& origins, cons
                 fmt::format("{}: this [[design.axis]] has no design; write [design] with method = \"grid\", "
                             "\"list\", \"latin_hypercube\" or \"sobol\"",
                             block.where));
-        design.axes.push_back(AxisReader(block, design).read());
+        design.axes.push_back(AxisReader(block, design, spelling).read());
         const std::string& key = design.axes.back().key;
         const auto [earlier, is_new] = places.emplace(key, block.where);
         if (!is_new)
@@ -212,12 +218,11 @@ Origins read_axes(const std::vector<Block>& blocks, const Origins& origins, cons
     }
     if (design.active()) {
         DesignCheck(design, origins, file).check();
-    } else if (design.points != 0 || design.indices) {
-        const std::string key = design.points != 0 ? "design.points" : "design.indices";
+    } else if (design.points != 0) {
         throw InputError(
-            fmt::format("{}: {} is given and no design.method; write method = \"sobol\" or another in "
+            fmt::format("{}: design.points is given and no design.method; write method = \"sobol\" or another in "
                         "[design]",
-                        origins.at(key), key));
+                        origins.at("design.points")));
     }
     return places;
 }

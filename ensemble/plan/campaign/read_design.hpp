@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "campaign/design.hpp"
+#include "keys/read.hpp"
 
 namespace floes {
 
@@ -17,6 +18,7 @@ inline constexpr const char* axis_block = "design.axis";
 /// Puts the axes of the blocks named axis_block into `design`, whose table has been read, and checks it as a whole:
 /// keys of a scenario, each once; values, or from below to, that each key takes; points that the method wants; no more
 /// than most_cases points. Gives the axes' places by key. Throws InputError, one sentence.
-Origins read_axes(const std::vector<Block>& blocks, const Origins& origins, const std::string& file, Design& design);
+Origins read_axes(const std::vector<Block>& blocks, const Origins& origins, const std::string& file, Spelling spelling,
+                  Design& design);
 
 }  // namespace floes

@@ -38,6 +38,37 @@ std::set<std::string_view> varying_paths(const std::vector<Case>& cases, const K
     return paths;
 }
 
+/// The keys to be written: the present ones, but where one of them cannot hold what a case has from 1.0.0 (such as the
+/// depth of a split impulse that is off), those that it replaced. `keys` are bound to `scenario`, which is given those
+/// of the cases in turn.
+Keys keys_of_text(const std::vector<Case>& cases, const Keys& keys, Scenario& scenario) {
+    Scenario again;
+    const Keys read = describe(again);
+    std::set<std::string_view> lost;
+    for (const Case& one : cases) {
+        scenario = one.scenario;
+        again = before_late_keys();
+        for (std::size_t k = 0; k < keys.size(); ++k) {
+            if (keys[k].before.empty()) continue;
+            copy_value(keys[k], read[k]);
+            if (!std::ranges::equal(keys[k].before, read[k].before, {}, exact_text, exact_text))
+                lost.insert(keys[k].path);
+        }
+    }
+    if (lost.empty()) return keys;
+    Keys written;
+    for (const Key& key : keys) {
+        if (lost.contains(key.path))
+            written.insert(written.end(), key.before.begin(), key.before.end());
+        else
+            written.push_back(key);
+    }
+    // A replaced key may be of another table, and a table is written once.
+    const auto table = [&](const Key& key) { return std::ranges::find(keys, key.table(), &Key::table); };
+    std::ranges::stable_sort(written, {}, table);
+    return written;
+}
+
 /// The axes as [[design.axis]] blocks. Uses the fields that `keys` are bound to.
 std::string axes_text(const Design& design, const Keys& keys) {
     std::string text;
@@ -69,7 +100,8 @@ std::string write_campaign(const Campaign& campaign, const std::string& where) {
     CampaignHead head{campaign.name, campaign.seed, campaign.arrangements, campaign.common_arrangements};
     const std::vector<Case>& cases = campaign.cases;
     Scenario scenario = cases.front().scenario;
-    const Keys keys = describe(scenario);  // once: it takes longer than all else of a case
+    const Keys present = describe(scenario);  // once: it takes longer than all else of a case
+    const Keys keys = keys_of_text(cases, present, scenario);
     const std::set<std::string_view> varying = varying_paths(cases, keys, scenario);
     StopRule stop = campaign.stop;
     RunRules rules = campaign.run;
@@ -85,7 +117,7 @@ std::string write_campaign(const Campaign& campaign, const std::string& where) {
     }
     scenario = cases.front().scenario;
     std::string text = write_tables(tables, titles(), Comments::none);
-    text += axes_text(design, keys);
+    text += axes_text(design, present);
     for (const Case& one : cases) {
         if (text.size() > longest_text) break;  // a list that each case has may make it many times as long
         scenario = one.scenario;

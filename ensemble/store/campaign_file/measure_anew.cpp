@@ -45,7 +45,7 @@ CampaignTable measured_anew(const CampaignFile& file, CampaignTable table, const
         if (about.analysis.history_stride > 1)
             throw InputError(
                 fmt::format("--window auto measures maxima and deviations anew, which needs the load of every step, "
-                            "and the histories of case {} are means over {} steps (analysis.history_stride).",
+                            "and the histories of case {} are means over {} steps (analysis.history_steps).",
                             about.name, about.analysis.history_stride));
         measure(row, in_window(history, about.analysis), history.step, about.analysis, table.levels);
     });

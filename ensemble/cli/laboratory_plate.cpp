@@ -1,4 +1,4 @@
-// floes calibrate: the plate-deflection test. Σ to E as in Fig. 2, and back.
+// floes laboratory plate: the plate-deflection test. Σ to E as in Fig. 2, and back.
 
 #include <fmt/format.h>
 
@@ -21,7 +21,7 @@ namespace floes {
 namespace {
 
 /// An empty list means the configuration's value; given values are combined with each other.
-struct CalibrateOptions {
+struct PlateOptions {
     std::string config;
     std::vector<std::string> overrides;
     std::vector<double> sheets{5.4, 2.8, 2.6};
@@ -38,7 +38,7 @@ struct CalibrateOptions {
 };
 
 /// Without a configuration: the paper's ice as a plate of 0.030 m, as tested in its Fig. 2.
-Scenario base_scenario(const CalibrateOptions& options) {
+Scenario base_scenario(const PlateOptions& options) {
     if (!options.config.empty()) return load_campaign(options.config, options.overrides).cases.front().scenario;
     Scenario scenario;
     scenario.floe.thickness = 0.030;
@@ -60,7 +60,7 @@ void vary(std::vector<PointPlan>& plans, const std::vector<Value>& values, Set s
 }
 
 /// Sheets of both kinds of joints: those that follow Σ, and beams of a modulus.
-std::vector<PointPlan> make_plans(const CalibrateOptions& options) {
+std::vector<PointPlan> make_plans(const PlateOptions& options) {
     std::vector<PointPlan> plans{{base_scenario(options), {.load = options.load}}};
     vary(plans, options.elements, [](PointPlan& plan, double value) { plan.scenario.floe.element = value; });
     vary(plans, options.thicknesses, [](PointPlan& plan, double value) { plan.scenario.floe.thickness = value; });
@@ -116,7 +116,7 @@ Section curve_section(const std::vector<CurvePoint>& curve) {
 }
 
 /// The one ice whose Σ is to be found.
-PointPlan plan_of_inverse(CalibrateOptions options) {
+PointPlan plan_of_inverse(PlateOptions options) {
     options.sheets.resize(1);
     options.cfm.clear();
     options.moduli.clear();
@@ -128,7 +128,7 @@ PointPlan plan_of_inverse(CalibrateOptions options) {
                     plans.size()));
 }
 
-std::string inverse_text(const CalibrateOptions& options) {
+std::string inverse_text(const PlateOptions& options) {
     const PointPlan plan = plan_of_inverse(options);
     const Calibration found = calibrate_cfm(plan.scenario, plan.test, options.modulus * unit::megapascal);
     Section section = curve_section(found.curve);
@@ -144,16 +144,16 @@ std::string inverse_text(const CalibrateOptions& options) {
     return written({section}, options.format);
 }
 
-std::string curve_text(const CalibrateOptions& options) {
+std::string curve_text(const PlateOptions& options) {
     return written({curve_section(measure_curve(make_plans(options)))}, options.format);
 }
 
 }  // namespace
 
-void add_calibrate(CommandLine& line) {
-    auto options = std::make_shared<CalibrateOptions>();
-    Verb verb = line.verb(
-        "calibrate",
+void add_plate(Verb& laboratory) {
+    auto options = std::make_shared<PlateOptions>();
+    Verb verb = laboratory.inner(
+        "plate",
         "Elastic modulus of the numerical ice over Σ, Γ, Δt, iterations and element size (plate deflection, Fig. 2), "
         "and of ice with beam joints");
     const auto list = [&](const char* name, auto& values, const char* help) {
@@ -185,9 +185,9 @@ void add_calibrate(CommandLine& line) {
         "loaded elements, which is right for joints that follow Σ; E (point) a point load, which is right for beams "
         "from\n"
         "centre to centre (docs/ice.md).\n\n"
-        "  floes calibrate --sheet-m 2.6 --cfm 1e-10 --iterations 10,50,100     the ceiling set by the iterations\n"
-        "  floes calibrate --sheet-m 5.1 --element-m 0.3,0.1 --beam-MPa 60       beam joints, whatever the element\n"
-        "  floes calibrate table3.toml --modulus-MPa 60                         Σ for an ice of 60 MPa");
+        "  floes laboratory plate --sheet-m 2.6 --cfm 1e-10 --iterations 10,50,100   the ceiling set by the iterations\n"
+        "  floes laboratory plate --sheet-m 5.1 --element-m 0.3,0.1 --beam-MPa 60    beam joints, whatever the element\n"
+        "  floes laboratory plate table3.toml --modulus-MPa 60                       Σ for an ice of 60 MPa");
     verb.runs([options, cfm, beams, modulus] {
         // One of the two given alone: only sheets of these joints.
         if (cfm.given() && !beams.given()) options->moduli.clear();

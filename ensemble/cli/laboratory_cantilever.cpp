@@ -1,4 +1,4 @@
-// floes cantilever: the measured strength of a numerical beam compared with its input strength.
+// floes laboratory cantilever: the measured strength of a numerical beam compared with its input strength.
 
 #include <fmt/format.h>
 
@@ -139,9 +139,10 @@ Section stiffness_section(const std::vector<StiffnessRow>& rows) {
 
 }  // namespace
 
-void add_cantilever(CommandLine& line) {
+void add_cantilever(Verb& laboratory) {
     auto options = std::make_shared<CantileverOptions>();
-    Verb verb = line.verb("cantilever", "Measured strength of a numerical beam, compared with its input strength");
+    Verb verb =
+        laboratory.inner("cantilever", "Measured strength of a numerical beam, compared with its input strength");
     Option config = verb.option("config", options->config,
                                 "Test the ice of this configuration's first case; default: the paper's ice");
     add_overrides(verb, options->overrides).needs(config);
@@ -168,7 +169,7 @@ void add_cantilever(CommandLine& line) {
         "The beam is one element wide and clamped at one end. Bending: strength = 6 P L/(b h²), L from the load to "
         "the\n"
         "failing joint. With --stiffness: dry, the load at the middle of the last element. Shear and compression: P/(b "
-        "h), or P/(b h²) with joint.threshold_form = \"as_printed\".");
+        "h), or P/(b h²) with paper.threshold_form = \"as_printed\".");
     verb.runs([options] {
         const Section section = options->stiffness ? stiffness_section(measure_stiffness(*options))
                                                    : section_of(measure(*options), options->floating);

@@ -1,0 +1,180 @@
+// Keys of floes 1.0.0 that are others now: users are told, stored texts are read, and members keep their digests.
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "campaign/campaign_keys.hpp"
+#include "campaign/identity.hpp"
+#include "campaign/read.hpp"
+#include "campaign/write.hpp"
+#include "keys/former.hpp"
+#include "scenario/keys.hpp"
+#include "support/refusal.hpp"
+
+namespace floes {
+namespace {
+
+using testing::HasSubstr;
+
+std::string text_of(const std::string& path) {
+    std::ifstream file(std::string(FLOES_SOURCE_DIR) + "/" + path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+Campaign stored(const std::string& text) {
+    return read_campaign({text, "a.h5", {}}, nullptr);
+}
+
+Campaign of_1_0() {
+    return stored(text_of("tests/campaign/keys_of_1_0.toml"));
+}
+
+struct Former {
+    const char* given;
+    const char* now;
+};
+
+constexpr Former all_former[]{
+    {"joint.threshold_form = \"as_printed\"", "paper.threshold_form = \"as_printed\""},
+    {"joint.moment_about = \"element_centre\"", "paper.moment_about = \"element_centre\""},
+    {"water.form_drag_on = \"every_element\"", "paper.form_drag_on = \"every_element\""},
+    {"contact.internal_edges = true", "paper.internal_edges = true"},
+    {"contact.split_impulse = false", "paper.split_impulse_depth_m = inf"},
+    {"contact.split_impulse = true", "paper.split_impulse_depth_m = 0.04"},
+    {"contact.split_impulse_depth_m = 0.01", "paper.split_impulse_depth_m = 0.01"},
+    {"analysis.keep_history = false", "analysis.history_steps = 0"},
+    {"analysis.keep_history = true", "analysis.history_steps = 1"},
+    {"analysis.history_stride = 10", "analysis.history_steps = 10"},
+    {"arrangement.start = \"stripes\"", "arrangement.method = \"scattered\""},
+    {"design.indices = true", "design.method = \"sobol_indices\""},
+};
+
+TEST(FormerKeys, AreRefusedFromUsersWithWhatToWrite) {
+    for (const auto& [given, now] : all_former) {
+        const auto read = [](const std::string& text, const std::vector<std::string>& overrides) {
+            return refusal([&] { read_campaign({text, "a.toml", overrides, true}, nullptr); });
+        };
+        EXPECT_EQ(read(fmt::format("\n{}\n", given), {}),
+                  fmt::format("a.toml:2: {} is a key of floes 1.0.0; write {}", given, now));
+        EXPECT_THAT(read("", {given}), HasSubstr(fmt::format("is a key of floes 1.0.0; write {}", now)));
+        if (std::string_view(given).starts_with("design.")) continue;
+        EXPECT_EQ(read(fmt::format("[[case]]\nname = \"a\"\n{}\n", given), {}),
+                  fmt::format("a.toml:3: {} is a key of floes 1.0.0; write {}", given, now));
+    }
+}
+
+TEST(FormerKeys, AreRefusedAsAxesOfUsers) {
+    const std::string text =
+        "[design]\nmethod = \"grid\"\n[[design.axis]]\nkey = \"contact.internal_edges\"\nvalues = [true, false]\n";
+    EXPECT_EQ(refusal([&] { read_campaign({text, "a.toml", {}, true}, nullptr); }),
+              "a.toml:4: contact.internal_edges is a key of floes 1.0.0; write paper.internal_edges");
+    EXPECT_EQ(stored(text).design.axes.at(0).key, "paper.internal_edges");
+    EXPECT_FALSE(stored(text).cases.at(1).scenario.contact.internal_edges);
+}
+
+TEST(FormerKeys, WhatIsToBeWrittenIsTheSame) {
+    for (const auto& [given, now] : all_former) {
+        if (std::string_view(given).starts_with("design.")) continue;  // it decides which cases there are
+        if (std::string_view(given).starts_with("arrangement.start")) continue;
+        EXPECT_EQ(fingerprint(stored(fmt::format("{}\n", given))), fingerprint(stored(fmt::format("{}\n", now))))
+            << given;
+    }
+    const std::string axes = "[[design.axis]]\nkey = \"joint.cfm\"\nfrom = 0.01\nto = 0.02\n";
+    EXPECT_EQ(fingerprint(stored("[design]\nindices = true\nmethod = \"sobol\"\npoints = 4\n" + axes)),
+              fingerprint(stored("[design]\nmethod = \"sobol_indices\"\npoints = 4\n" + axes)));
+}
+
+/// Paths of a list of keys, those of replaced ones included.
+void add_former(const Keys& keys, std::vector<std::string>& former) {
+    for (const Key& key : keys) {
+        if (!key.former.empty()) former.emplace_back(key.former);
+        for (const Key& old : key.before)
+            if (old.path != key.path) former.emplace_back(old.path);
+    }
+}
+
+TEST(FormerKeys, AllAreTestedHereAndOnThePage) {
+    Scenario scenario;
+    Design design;
+    std::vector<std::string> former;
+    add_former(describe(scenario), former);
+    add_former(describe(design), former);
+    EXPECT_EQ(former.size(), 10u);
+    const std::string page = text_of("docs/configuration.md");
+    for (const std::string& path : former) {
+        EXPECT_TRUE(std::ranges::any_of(all_former, [&](const Former& one) {
+            return std::string_view(one.given).starts_with(path + " = ");
+        })) << path;
+        EXPECT_THAT(page, HasSubstr(fmt::format("| `{}", path)));
+    }
+}
+
+// The digests are those that floes 1.0.0 makes of the same texts.
+TEST(FormerKeys, EveryKeyOf1_0IsReadAndCountsAsItDid) {
+    const Campaign campaign = of_1_0();
+    EXPECT_EQ(fingerprint(campaign), "beae471e094b5d099d6889f8ad1d101f");
+    const std::pair<const char*, const char*> cases[]{{"stripes", "b0b3c8cd5e7e8817cb2967aeaa212d2e"},
+                                                      {"strong", "9568a2d1fe1c93a51ee9f62e55baec40"},
+                                                      {"lattice", "44b5014b357c35ec4143cb01b51eb9c2"},
+                                                      {"without_effect", "3484469f453d7f1188391c4d2908609b"},
+                                                      {"poses", "8d16659420d188aca17ef73eabbc680f"}};
+    ASSERT_EQ(campaign.cases.size(), std::size(cases));
+    for (std::size_t k = 0; k < std::size(cases); ++k) {
+        EXPECT_EQ(campaign.cases[k].name, cases[k].first);
+        EXPECT_EQ(case_fingerprint(campaign, static_cast<int>(k)), cases[k].second) << cases[k].first;
+    }
+}
+
+TEST(FormerKeys, TheTextOf1_0HasAnotherValueOfEveryKey) {
+    Scenario defaults = before_late_keys();
+    const Keys usual = keys_of_digest(describe(defaults));
+    Scenario scenario;
+    const Keys keys = keys_of_digest(describe(scenario));
+    const Campaign campaign = of_1_0();
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        if (keys[i].path == "arrangement.file") continue;  // it becomes the poses
+        EXPECT_TRUE(std::ranges::any_of(campaign.cases, [&](const Case& one) {
+            scenario = one.scenario;
+            return exact_text(keys[i]) != exact_text(usual[i]);
+        })) << keys[i].path;
+    }
+}
+
+TEST(FormerKeys, WhatIsWrittenHasThePresentOnesAndTheSameDigests) {
+    Campaign campaign = of_1_0();
+    const std::string whole = write_campaign(campaign);
+    EXPECT_EQ(fingerprint(stored(whole)), fingerprint(campaign));
+    EXPECT_TRUE(differences(stored(whole), campaign).empty());
+    std::erase_if(campaign.cases, [](const Case& one) { return one.name == "without_effect" || one.name == "stripes"; });
+    const std::string text = write_campaign(campaign);
+    EXPECT_EQ(fingerprint(read_campaign({text, "a.toml", {}, true}, nullptr)), fingerprint(campaign))
+        << "a user may give it";
+}
+
+// Fingerprints that floes 1.0.0 gives these files, which then had the keys of 1.0.0.
+TEST(FormerKeys, ConfigurationsOfFloesKeepTheirMembers) {
+    const std::pair<const char*, const char*> digests[]{
+        {"table3", "ebf7a12797d15664f2ff500d651ed3bf"},
+        {"table3_physical", "f1df1374d5ae662095f90629d951b891"},
+        {"smoke", "d243f3206b21442ac6ef300d6142a0c4"},
+        {"full_scale", "495f0b944f4702f22ea3de32ca0ad5a9"},
+        {"design_sobol", "c816a3dc98262e247ff0080afb545e34"},
+        {"matching/physical_2", "1db2df1d244a4f3abdfafffc02b2956e"},
+        {"validation/readings", "aed3425f0dc8b9e7b9d9596c64a59d5b"},
+        {"validation/contact_choices", "5518cf383ad25c0705fef1b62927fab5"},
+        {"validation/froude_30", "0511a25531e3adf026000cc0a33dc921"}};
+    for (const auto& [name, digest] : digests) {
+        const std::string path = fmt::format("configs/{}.toml", name);
+        EXPECT_EQ(fingerprint(read_campaign({text_of(path), path, {}, true}, text_of)), digest) << path;
+    }
+}
+
+}  // namespace
+}  // namespace floes

@@ -1,0 +1,69 @@
+// floes laboratory: the plate measures what the arguments request, in both directions.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cli/verb_output.hpp"
+#include "support/refusal.hpp"
+
+namespace floes {
+namespace {
+
+using nlohmann::json;
+
+std::string plate(const std::string& arguments) {
+    return verb_output(add_laboratory, "laboratory plate " + arguments);
+}
+
+TEST(LaboratoryPlate, MeasuresEveryCombination) {
+    const json curve =
+        json::parse(plate("--sheet-m 1.2 --element-m 0.3,0.4 --iterations 10,20 --cfm 0.016 --format json"))
+            .at("curve");
+    ASSERT_EQ(curve.size(), 4u);
+    EXPECT_EQ(curve[1].at("element_m"), 0.3);
+    EXPECT_EQ(curve[1].at("iterations"), 20);
+    EXPECT_EQ(curve[2].at("element_m"), 0.4);
+    EXPECT_GT(curve[1].at("elastic_modulus_MPa"), curve[0].at("elastic_modulus_MPa")) << "iterations make it stiffer";
+}
+
+TEST(LaboratoryPlate, LooksForTheCfmOfTheIceThatWasAskedFor) {
+    const std::string ice = "--sheet-m 1.2 --element-m 0.3 --thickness-m 0.04 --iterations 30 --format json";
+    const json found = json::parse(plate(ice + " --modulus-MPa 20"));
+    for (const json& point : found.at("curve")) {
+        EXPECT_EQ(point.at("element_m"), 0.3);
+        EXPECT_EQ(point.at("thickness_m"), 0.04);
+        EXPECT_EQ(point.at("iterations"), 30);
+    }
+    const json there = json::parse(plate(ice + " --cfm " + found.at("cfm").dump())).at("curve").at(0);
+    EXPECT_NEAR(there.at("elastic_modulus_MPa").get<double>(), 20, 0.2);
+}
+
+TEST(LaboratoryPlate, RefusesToLookForTheCfmOfSeveralIces) {
+    EXPECT_THAT(refusal([] { plate("--element-m 0.2,0.15 --iterations 50,100 --modulus-MPa 60"); }),
+                testing::HasSubstr("the Σ of one ice, but the given lists make 4"));
+    EXPECT_THROW(plate("--modulus-MPa 60 --cfm 0.016"), CommandLineEnd);
+}
+
+TEST(Laboratory, VerbsOf1_0AreRefusedWithTheirNewNames) {
+    for (const auto& [words, now] : {std::pair{"calibrate table3.toml --modulus-MPa 60", "floes laboratory plate"},
+                                     {"calibrate --help", "floes laboratory plate"},
+                                     {"cantilever --floating", "floes laboratory cantilever"}}) {
+        try {
+            verb_output(add_laboratory, words);
+            ADD_FAILURE() << words;
+        } catch (const CommandLineEnd& end) {
+            EXPECT_EQ(end.status(), 2);
+            EXPECT_THAT(end.what(), testing::HasSubstr(now));
+        }
+    }
+}
+
+TEST(Laboratory, WantsATest) {
+    EXPECT_THROW(verb_output(add_laboratory, "laboratory"), CommandLineEnd);
+}
+
+}  // namespace
+}  // namespace floes
