@@ -1,7 +1,9 @@
 #include "member/array_axis.hpp"
 
+#include <array>
 #include <cstddef>
 
+#include "member/floe_properties.hpp"
 #include "statistics/load_map.hpp"
 
 namespace floes {
@@ -30,6 +32,12 @@ std::vector<double> history_times(const Scenario& scenario) {
 }
 
 constexpr const char* pose_words[]{"x", "z", "yaw"};
+
+constexpr auto property_words = [] {
+    std::array<const char*, floe_properties.size()> words{};
+    for (std::size_t k = 0; k < words.size(); ++k) words[k] = floe_properties[k].name;
+    return words;
+}();
 
 }  // namespace
 
@@ -64,6 +72,16 @@ const ArrayAxis coordinate_axis{"coordinate",
                                 [](const Scenario&) { return counted_to(std::size(pose_words)); },
                                 true,
                                 pose_words};
+
+const ArrayAxis property_axis{"property",
+                              "1",
+                              "property of a floe",
+                              AxisKind::counted,
+                              [](const Scenario& scenario) {
+                                  return counted_to(scenario.arrangement.columns.empty() ? 0 : property_words.size());
+                              },
+                              true,
+                              property_words};
 
 const ArrayAxis time_axis{"time",
                           "s",

@@ -32,7 +32,8 @@ struct ArrayAxis {
     std::string_view unlike = {};  ///< of counted: its meaning where cases differ in their places, and it counts from 1
 };
 
-extern const ArrayAxis segment_axis, level_axis, averaging_axis, peak_axis, floe_axis, coordinate_axis, time_axis,
+extern const ArrayAxis segment_axis, level_axis, averaging_axis, peak_axis, floe_axis, coordinate_axis, property_axis,
+    time_axis,
     height_axis, angle_axis, tow_axis, break_axis;
 
 /// Those of which a member alone knows how far they go.

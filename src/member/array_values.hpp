@@ -123,6 +123,17 @@ constexpr ArrayAccess at_poses() {
             }};
 }
 
+/// Rows of as many numbers as the second axis has places, one after another.
+template <std::size_t columns, auto... Path>
+constexpr ArrayAccess at_row_list() {
+    ArrayAccess access = at_vector<Path...>();
+    access.get = [](const MemberResult& result) {
+        const std::vector<double>& field = (result.*....*Path);
+        return ArrayValues{{field.size() / columns, columns}, field};
+    };
+    return access;
+}
+
 /// A single number, which has no axis.
 template <auto Number>
 constexpr ArrayAccess at_number() {

@@ -28,6 +28,7 @@ struct MemberResult : MemberOutputs {
     LoadHistory history;             ///< from t = 0 to the end of the run, as analysis keeps it
     std::vector<BreakEvent> breaks;  ///< in order of time, then floe, then joint
     std::vector<PlanarPose> arrangement;  ///< floe poses at t = 0
+    std::vector<double> floe_properties;  ///< properties_of() the floes
     double psi4 = 0;                      ///< of the arrangement
     double wall_time = 0;                 ///< s; provenance only
     double cpu_time = not_measured;       ///< s, of the thread that computed it; provenance only

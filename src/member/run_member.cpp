@@ -10,6 +10,7 @@
 
 #include "arrangement/arrangement.hpp"
 #include "core/error.hpp"
+#include "member/floe_properties.hpp"
 #include "quantities/quantity.hpp"
 #include "simulation/simulation.hpp"
 #include "statistics/means.hpp"
@@ -83,6 +84,7 @@ MemberResult run_member(const Scenario& scenario, std::uint64_t seed, std::uint3
     const Arrangement floes = make_arrangement(scenario, seed, arrangement);
     MemberResult result;
     result.arrangement = floes.poses();
+    result.floe_properties = properties_of(floes);
     result.psi4 = floes.psi4;
     Simulation simulation(scenario, floes);
     try {

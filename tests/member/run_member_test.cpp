@@ -43,7 +43,7 @@ TEST(RunMember, FillsARowFromItsHistories) {
     ASSERT_EQ(result.history.surge.size(), 300u);
     EXPECT_EQ(result.arrangement.size(), 12u);
     EXPECT_EQ(result.local_order, local_order(result.arrangement));
-    EXPECT_EQ(result.coverage_ahead, coverage_ahead(scenario, result.arrangement));
+    EXPECT_EQ(result.coverage_ahead, coverage_ahead(scenario, floes_at(scenario, result.arrangement)));
     EXPECT_EQ(result.load.segment_maximum.size(), 5u);
     double sum = 0;
     for (int k = 50; k < 300; ++k) sum += result.history.surge[static_cast<std::size_t>(k)];

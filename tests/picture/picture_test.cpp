@@ -100,7 +100,7 @@ TEST(Plan, ShowsTheChannelToScaleWithTheTowToTheRight) {
 
 TEST(Picture, HasIceStructureAndSeaInTheirColours) {
     PictureStyle style{.view = View::above, .width = 800, .height = 600};
-    const Stage stage(subject(), outcome(), 1);
+    const Stage stage(subject(), outcome());
     Canvas canvas(style.width, picture_height(style, subject()));
     const double drawn = canvas.height() - std::round(0.17 * style.height);
     const Projection projection(camera(style.view, subject(), 2), style.width, drawn);
@@ -129,7 +129,9 @@ TEST(Picture, HidesWhatLiesBehind) {
         both.pieces.push_back(9);
         both.utilisation.push_back(1);
     }
-    const Stage stage(subject(), outcome(), 2);
+    RecordingSubject two = subject();
+    two.floes = floes_at(two.scenario, std::vector<PlanarPose>(2));
+    const Stage stage(two, outcome());
     Canvas canvas(style.width, picture_height(style, subject()));
     draw_picture(canvas, stage, both, style);
     const Projection projection(camera(style.view, subject(), 2), style.width,
@@ -163,7 +165,7 @@ TEST(DepthBuffer, SmoothsEdges) {
 
 TEST(Picture, IsTheSameBytesAgain) {
     const PictureStyle style{.width = 400, .height = 300};
-    const Stage stage(subject(), outcome(), 1);
+    const Stage stage(subject(), outcome());
     const auto drawn = [&] {
         Canvas canvas(style.width, picture_height(style, subject()));
         draw_picture(canvas, stage, frame(1), style);

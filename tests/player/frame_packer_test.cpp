@@ -62,7 +62,7 @@ class PackedReplay : public testing::Test {
     static constexpr int frames = 40;
 
     PackedReplay() : record_(written()), quanta_(quanta_of(record_)) {
-        FramePacker packer(quanta_, record_.elements());
+        FramePacker packer(quanta_, static_cast<int>(record_.layout().elements.size()));
         for (int i = 0; i < frames; ++i) packer.add(record_.read(i));
         packed_ = packer.finish();
     }
@@ -79,7 +79,7 @@ class PackedReplay : public testing::Test {
 };
 
 TEST_F(PackedReplay, KeepsPosesToHalfAQuantum) {
-    const auto elements = static_cast<std::size_t>(record_.elements());
+    const auto elements = record_.layout().elements.size();
     const Unpacked page(packed_, elements);
     std::vector<Quat> before(elements, Quat(0, 0, 0, 0));
     for (int i = 0; i < frames; ++i) {
@@ -100,7 +100,7 @@ TEST_F(PackedReplay, KeepsPosesToHalfAQuantum) {
 }
 
 TEST_F(PackedReplay, KeepsLoadsUtilisationAndPieces) {
-    const auto elements = static_cast<std::size_t>(record_.elements());
+    const auto elements = record_.layout().elements.size();
     const Unpacked page(packed_, elements);
     std::vector<int> pieces(elements, -1);
     std::size_t change = 0;
@@ -119,7 +119,7 @@ TEST_F(PackedReplay, KeepsLoadsUtilisationAndPieces) {
 }
 
 TEST_F(PackedReplay, KeepsContactsOfTheStructureAlone) {
-    const Unpacked page(packed_, static_cast<std::size_t>(record_.elements()));
+    const Unpacked page(packed_, record_.layout().elements.size());
     std::size_t at = 0;
     for (int i = 0; i < frames; ++i) {
         int kept = 0;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "arrangement/arrangement.hpp"
 #include "simulation/simulation.hpp"
 
 namespace floes {

@@ -33,7 +33,7 @@ double draught_of(const BodyState& state, const Scenario& scenario) {
 
 TEST(Floating, AFloeAtRestStaysAtRestForAMinute) {
     const Scenario scenario = quiet_scenario(1, 60);
-    Simulation simulation(scenario, {{{6.75, 0.3, 0.4}}, 1});
+    Simulation simulation(scenario, floes_at(scenario, std::vector<PlanarPose>{{6.75, 0.3, 0.4}}));
     const std::vector<BodyState> before = simulation.element_states();
     run(simulation);
     const std::vector<BodyState>& after = simulation.element_states();
@@ -87,7 +87,7 @@ Scenario head_on(double duration) {
 // which gives 4/27 F L = 0.73 N m in its worst section: no joint can carry more, against 1.32 N m at which one fails.
 TEST(Tow, ALoneFloeIsPushedAwayUnbroken) {
     const Scenario scenario = head_on(60);
-    Simulation simulation(scenario, {{{3.2, 0.0, 0.1}}, 1});
+    Simulation simulation(scenario, floes_at(scenario, std::vector<PlanarPose>{{3.2, 0.0, 0.1}}));
     run(simulation);
     EXPECT_TRUE(simulation.ice().breaks().empty());
     const double net_buoyancy = (1000 - 930) * 9.81 * 0.033 * 0.36;
@@ -100,7 +100,7 @@ TEST(Tow, ALoneFloeIsPushedAwayUnbroken) {
 
 TEST(Tow, TheLoadIsPositiveAgainstTheTowAndOneEntryAStep) {
     const Scenario scenario = head_on(40);
-    Simulation simulation(scenario, {{{3.2, 0.0, 0.0}}, 1});
+    Simulation simulation(scenario, floes_at(scenario, std::vector<PlanarPose>{{3.2, 0.0, 0.0}}));
     run(simulation);
     const LoadHistory& loads = simulation.loads();
     ASSERT_EQ(loads.surge.size(), 2000u);
@@ -118,7 +118,7 @@ TEST(Tow, TheLoadIsPositiveAgainstTheTowAndOneEntryAStep) {
 TEST(Tow, ARunawayEndsTheRunWithElementFloeAndTime) {
     Scenario scenario = head_on(40);
     scenario.general.runaway_speed = 0.01;
-    Simulation simulation(scenario, {{{3.2, 0.0, 0.0}}, 1});
+    Simulation simulation(scenario, floes_at(scenario, std::vector<PlanarPose>{{3.2, 0.0, 0.0}}));
     try {
         simulation.run({});
         FAIL() << "no failure";
@@ -130,7 +130,7 @@ TEST(Tow, ARunawayEndsTheRunWithElementFloeAndTime) {
 }
 
 TEST(Tow, StopsOnRequest) {
-    Simulation simulation(head_on(40), {{{6.5, 0.0, 0.0}}, 1});
+    Simulation simulation(head_on(40), floes_at(head_on(40), std::vector<PlanarPose>{{6.5, 0.0, 0.0}}));
     std::stop_source stop;
     stop.request_stop();
     EXPECT_FALSE(simulation.run(stop.get_token()));

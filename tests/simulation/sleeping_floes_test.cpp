@@ -98,7 +98,7 @@ TEST(SleepingFloes, SleepOnInATowThatIsTakenUpAgain) {
 TEST(SleepingFloes, TheStatedBoundHoldsForWhatTheFlowWouldHaveDone) {
     Scenario scenario = three_floes();
     scenario.field.wake_radius = 0;
-    Simulation awake(scenario, {{{8.0, 0.3, 0.2}}, 1});
+    Simulation awake(scenario, floes_at(scenario, std::vector<PlanarPose>{{8.0, 0.3, 0.2}}));
     const BodyState before = awake.element_states()[4];  // the middle of the floe
     const auto axis = [&] { return scenario.structure.start + scenario.structure.speed * awake.time(); };
     while ((before.position - Vec3(axis(), 0, 0)).norm() > wake_radius) awake.step();

@@ -8,6 +8,7 @@
 #include "core/units.hpp"
 #include "findings/failures.hpp"
 #include "ice/floe_grid.hpp"
+#include "scenario/floes.hpp"
 
 namespace floes {
 namespace {
@@ -28,7 +29,7 @@ CaseFailures failures_of(Evidence& evidence, std::size_t of_case) {
     const CaseSummary& row = evidence.summary.cases[of_case];
     const FloeShape& floe = scenario.floe;
     CaseFailures found{
-        row.about.name, &scenario, {floe.elements_long(), floe.elements_broad(), floe.element}, {}, {}, {}};
+        row.about.name, &scenario, grid_of(floe), {}, {}, {}};
     found.joints = joint_order(found.grid);
     found.of_joint.resize(found.joints.size(), 0.0);
     const double share = 1.0 / row.done / scenario.field.floes;
@@ -93,6 +94,7 @@ Section joint_failures_section(Evidence& evidence) {
     std::vector<CaseFailures> cases;
     double largest = 0;
     for (const std::size_t k : drawn_cases(evidence.summary)) {
+        if (!floes_of(evidence.campaign.cases[k].scenario).alike()) continue;  // they share no joints
         cases.push_back(failures_of(evidence, k));
         for (const double share : cases.back().of_joint) largest = std::max(largest, share);
     }

@@ -30,6 +30,9 @@ std::optional<PoseFile> GivenPoses::resolve(Scenario& scenario, const Origins& o
     const std::string path = (std::filesystem::path(configuration_).parent_path() / file).string();
     const Keys keys = describe(scenario);
     PoseFile read = read_poses(load_file_(path), path);
+    if (!scenario.arrangement.columns.empty() && scenario.arrangement.columns != read.columns)
+        throw refuse("has its columns in its header; leave arrangement.columns out");
+    scenario.arrangement.columns = read.columns;
     assign(*find_key(keys, "arrangement.poses"), {"arrangement.poses", read.poses, path});
     file.clear();
     return read;

@@ -12,6 +12,7 @@ constexpr std::size_t most_numbers = 30'000'000;  // 240 MB
 }  // namespace
 
 void HeldNumbers::add(const Scenario& scenario) {
+    for (const std::vector<double>& values : scenario.arrangement.values) numbers_ += values.size();
     numbers_ += 3 * scenario.arrangement.poses.size() + 2 * scenario.structure.shape.rows().size() +
                 scenario.analysis.exceedance_levels.size() + scenario.analysis.averaging.size();
     if (numbers_ > most_numbers)

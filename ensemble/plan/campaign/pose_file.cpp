@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <optional>
 #include <sstream>
 
 #include "core/error.hpp"
@@ -12,8 +14,7 @@
 namespace floes {
 namespace {
 
-constexpr const char* header = "x_m,z_m,yaw_deg";
-constexpr std::size_t columns = 3;
+constexpr std::string_view header = "x_m,z_m,yaw_deg";
 
 /// The line without blanks, tabs and the carriage return of other systems.
 std::string squeezed(const std::string& line) {
@@ -43,24 +44,27 @@ PoseFile read_poses(const std::string& text, const std::string& file) {
     std::vector<Value> poses;
     std::istringstream lines(text);
     std::vector<int> places;
-    bool header_seen = false;
+    std::optional<std::string> header_seen;
     int number = 0;
     for (std::string raw; std::getline(lines, raw);) {
         ++number;
         const std::string line = squeezed(raw);
         if (line.empty()) continue;
         if (!header_seen) {
-            if (line != header) {
-                throw InputError(fmt::format("{}:{}: {} is not the header of a pose file; write {}", file, number,
-                                             text_literal(line), header));
+            const bool longer = line.size() > header.size() && line[header.size()] == ',';
+            if (!line.starts_with(header) || !(line == header || longer)) {
+                throw InputError(fmt::format("{}:{}: {} is not the header of a pose file; write {}, and behind it keys "
+                                             "of which each floe has a value of its own, such as ice.thickness_m",
+                                             file, number, text_literal(line), header));
             }
-            header_seen = true;
+            header_seen = line;
             continue;
         }
         std::vector<Value> numbers = numbers_of(line);
+        const auto columns = static_cast<std::size_t>(1 + std::ranges::count(*header_seen, ','));
         if (numbers.size() != columns) {
-            throw InputError(fmt::format("{}:{}: {} is not a pose; write three numbers, {}", file, number,
-                                         text_literal(line), header));
+            throw InputError(fmt::format("{}:{}: {} is not a pose; write {} numbers, {}", file, number,
+                                         text_literal(line), columns, *header_seen));
         }
         if (poses.size() == std::size_t{most_floes})
             throw InputError(fmt::format("{}:{}: there are more than {} poses, the most floes of a field", file, number,
@@ -70,7 +74,8 @@ PoseFile read_poses(const std::string& text, const std::string& file) {
     }
     if (poses.empty())
         throw InputError(fmt::format("{}: there are no poses; write {} and a line for each floe", file, header));
-    return {file, {std::move(poses)}, std::move(places)};
+    std::string columns = header_seen->substr(std::min(header_seen->size(), header.size() + 1));
+    return {file, std::move(columns), {std::move(poses)}, std::move(places)};
 }
 
 }  // namespace floes

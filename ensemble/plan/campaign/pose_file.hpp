@@ -13,11 +13,13 @@ using LoadFile = std::string (*)(const std::string& path);
 
 struct PoseFile {
     std::string path;
+    std::string columns;     ///< for arrangement.columns: what the header has behind x_m,z_m,yaw_deg
     Value poses;             ///< for arrangement.poses
     std::vector<int> lines;  ///< of the file, from 1: where each pose stands
 };
 
-/// Reads "x_m,z_m,yaw_deg" and a line for each floe; blank lines are skipped. `file` names the text in messages. Throws
+/// Reads "x_m,z_m,yaw_deg", keys of which each floe has a value of its own, and a line for each floe; blank lines are
+/// skipped. `file` names the text in messages. Throws
 /// InputError with file, line and what is allowed.
 PoseFile read_poses(const std::string& text, const std::string& file);
 
