@@ -73,8 +73,8 @@ constexpr std::size_t not_in_system = static_cast<std::size_t>(-1);
 
 }  // namespace
 
-LaneSolver::LaneSolver(const ContactLaw& law, int lanes, JointSolution joints)
-    : law_(law), width_(lane_kernels(lanes > 0 ? lanes : lane_widths().back()).width), solution_(joints) {}
+LaneSolver::LaneSolver(const ContactLaw& law, int lanes, SolverKind solver)
+    : law_(law), width_(lane_kernels(lanes > 0 ? lanes : lane_widths().back()).width), solver_(solver) {}
 
 void LaneSolver::add_joint(const JointDefinition& definition, const btRigidBody& a, const btRigidBody& b) {
     joints_.push_back({static_cast<std::uint32_t>(definition.a.index()),
@@ -123,7 +123,7 @@ void LaneSolver::lay_out(std::span<btCollisionObject* const> bodies) {
         joint_in_system_[i] = awake.size();
         awake.push_back(joints_[i]);
     }
-    system_.emplace(solver_bodies, awake, width_, solution_);
+    system_.emplace(solver_bodies, awake, width_, solver_);
     for (std::size_t i = 0; i < bodies.size(); ++i) system_->set_state(i, state_of(rigid(bodies[i])));
     for (std::size_t i = 0; i < joints_.size(); ++i) {
         if (removed_[i] && in_system(i)) system_->remove_joint(joint_in_system_[i]);

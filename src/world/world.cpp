@@ -51,10 +51,8 @@ class World::Bullet {
         set_up(world.getSolverInfo(), definition);
         world.setGravity({0, -definition.gravity, 0});
         world.setForceUpdateAllAabbs(false);  // fixed boxes do not move
-        if (definition.solver != ConstraintSolver::stock) {
-            const bool direct = definition.solver == ConstraintSolver::direct;
-            world.setConstraintSolver(&lanes.emplace(definition.contact, definition.lanes,
-                                                     direct ? JointSolution::direct : JointSolution::swept));
+        if (definition.solver != SolverKind::stock) {
+            world.setConstraintSolver(&lanes.emplace(definition.contact, definition.lanes, definition.solver));
             dispatcher.pass_over_distant_pairs();
             world.getDispatchInfo().m_useContinuous = false;  // nothing swept: AABBs have a margin of 0.02
         }
@@ -187,8 +185,7 @@ void World::set_piece(BodyId body, int piece) {
 }
 
 void World::set_asleep(BodyId body, bool asleep) {
-    if (!bullet_->lanes)
-        throw InputError("Bullet's own solver lets no bodies sleep; take another, or keep them awake.");
+    check_sleep(bullet_->definition.solver);
     btRigidBody& changed = bullet_->body(body);
     bullet_->world.updateSingleAabb(&changed);  // from now on Bullet leaves its box alone; a new one has no margin yet
     changed.forceActivationState(asleep ? ISLAND_SLEEPING : DISABLE_DEACTIVATION);
