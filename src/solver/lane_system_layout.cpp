@@ -115,7 +115,7 @@ void LaneSystem::make_arrays(std::size_t joint_groups) {
     frame_ = AlignedArray<double>(joint_groups * lanes * frame_field::count);
     row_ = AlignedArray<double>(joint_groups * lanes * row_field::count);
     reaction_ = AlignedArray<double>(joint_groups * lanes * reaction_field::count);
-    // Empty lanes are computed like the others: they need rotations, so that nothing in them is infinite or slow.
+    // Empty lanes are computed like the others and need rotations: infinities would make them slow.
     for (std::size_t slot = 0; slot < body_groups_ * lanes; ++slot) {
         for (int i = 0; i < 9; i += 4) {
             body_[place(static_cast<std::uint32_t>(slot), body_field::count, body_field::rotation + i, width())] = 1;

@@ -58,7 +58,7 @@ bool solvable(const btPersistentManifold& manifold) {
     return moves(rigid(manifold.getBody0())) || moves(rigid(manifold.getBody1()));
 }
 
-/// Edges crush by overlap: a point that has none yet exerts nothing. Rigid contacts act before they touch.
+/// Crushing needs overlap: a point without any exerts nothing. Rigid contacts act before they touch.
 bool acts(const btManifoldPoint& point, const ContactLaw& law) {
     return law.normal == NormalLaw::rigid || point.getDistance() < 0;
 }
@@ -144,7 +144,7 @@ void LaneSolver::read_forces(std::span<btCollisionObject* const> bodies) {
 void LaneSolver::read_contacts(std::span<btPersistentManifold* const> manifolds, const btContactSolverInfo& info) {
     const bool cone = law_.friction == Friction::cone;
     if (cone) last_.swap(contacts_);
-    // With the cone all of it: what is left to build up anew in each step lets a contact near its limit creep.
+    // Cones start from the whole impulse, or contacts near sliding creep.
     const double kept = cone ? 1.0 : info.m_warmstartingFactor;
     contacts_.clear();
     for (btPersistentManifold* manifold : manifolds) {

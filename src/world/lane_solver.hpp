@@ -28,7 +28,7 @@ class LaneSolver final : public btSequentialImpulseConstraintSolver {
     /// place, and their joints are left out.
     void lay_out_anew() { stale_ = true; }
 
-    /// The body's pose and velocity, changed by other hands.
+    /// Tells the solver a pose and velocity of the body that it did not compute itself.
     void place(std::size_t body, const btRigidBody& state);
 
     /// Of the last solve; zero before it and after removal.

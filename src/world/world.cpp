@@ -42,8 +42,8 @@ void set_up(btContactSolverInfo& info, const WorldDefinition& definition) {
 
 }  // namespace
 
-// All of it, the solvers too, computes in `units`. Members are destroyed last first: the world before what it refers
-// to.
+// Everything here, solvers included, is in `units`. Members are destroyed in reverse order: the world before what it
+// refers to.
 class World::Bullet {
   public:
     explicit Bullet(const WorldDefinition& given)
@@ -58,8 +58,8 @@ class World::Bullet {
         }
     }
 
-    /// Takes the pairs away one by one. Bullet would look through all of them for each body: a time that grows as the
-    /// square of the number of bodies.
+    /// Removes the overlapping pairs one by one. Bullet would search all of them for each body, in a time that grows as
+    /// the square of the number of bodies.
     ~Bullet() {
         btOverlappingPairCache& pairs = *broadphase.getOverlappingPairCache();
         for (int left = pairs.getNumOverlappingPairs(); left > 0; left = pairs.getNumOverlappingPairs()) {
@@ -78,8 +78,8 @@ class World::Bullet {
         return &boxes.emplace_back(half_extents).shape;
     }
 
-    /// All bodies enter here. Bullet's counter of bodies, a debugging aid that nothing reads, is the only datum that
-    /// Worlds in different threads share.
+    /// Adds any body. Worlds in different threads share one datum: Bullet's counter of bodies, a debugging aid that is
+    /// never read.
     BodyId add_body(btCollisionShape* shape, double mass, const Pose& pose, double material, int piece, int flags) {
         const BodyId id(bodies.size());
         btVector3 inertia(0, 0, 0);
