@@ -33,8 +33,7 @@ std::vector<PlanarPose> monte_carlo(const Scenario& scenario, Shapes shapes, Ran
     const auto begin_at = [&](const std::vector<PlanarPose>& poses) {
         return HardRectangles(walls.shrunk(rule.clearance), shapes, rule.clearance, poses);
     };
-    // The step is tuned for the field, not for the start: tuned where floes are packed, it would be too short for the
-    // chain ever to leave the start.
+    // The step is tuned on the lattice, for any start: tuned on packed stripes it would be too short to leave them.
     HardRectangles floes = begin_at(lattice_for(scenario, shapes));
     const Step step = tune(floes, random);
     if (rule.start == ArrangementStart::stripes) {
@@ -53,7 +52,7 @@ std::vector<PlanarPose> scattered_and_ordered(const Scenario& scenario, Shapes s
                                               std::uint32_t number) {
     const ArrangementRule& rule = scenario.arrangement;
     const Walls walls = field_walls(scenario);
-    // Not of ordering_sweeps: the same number with more of them is the same chain, later.
+    // Random streams do not depend on ordering_sweeps: more sweeps continue the same chain.
     Scenario unordered = scenario;
     unordered.arrangement.ordering_sweeps = 0;
     const std::uint64_t geometry = geometry_key(unordered);
@@ -95,7 +94,7 @@ std::uint64_t geometry_key(const Scenario& scenario) {
                                    scenario.floe.breadth, field.floes, field.concentration, field.begin,
                                    field.half_width, static_cast<int>(rule.method), static_cast<int>(rule.start),
                                    rule.clearance, rule.sweeps, rule.jitter, rule.jitter_angle);
-    // Later than the others, and only for its own method: arrangements of before keep their key.
+    // Added later, and only for its own method, so that older arrangements keep their key.
     if (rule.method == ArrangementMethod::scattered) text += fmt::format("ordering {}\n", rule.ordering_sweeps);
     if (!rule.columns.empty()) text += fmt::format("columns {}\n", rule.columns);
     for (const std::vector<double>& values : rule.values)

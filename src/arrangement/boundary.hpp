@@ -1,5 +1,5 @@
 #pragma once
-// The edge of the area that the sampler fills. Both kinds have the same interface:
+// The edge of the area that the sampler fills. Another one has the same interface (tests/arrangement/periodic_box.hpp):
 //   low_x, low_z, length, breadth   the area, m
 //   periodic                        do opposite edges meet?
 //   admits(shape, x, z, turn)       may a rectangle lie there, as far as the edge is concerned?
@@ -29,31 +29,6 @@ struct Walls {
     /// The walls moved inward by margin (m).
     Walls shrunk(double margin) const {
         return {low_x + margin, low_z + margin, length - 2 * margin, breadth - 2 * margin};
-    }
-};
-
-/// A periodic box: ice far from any wall.
-struct PeriodicBox {
-    double low_x = 0;
-    double low_z = 0;
-    double length = 0;
-    double breadth = 0;
-    static constexpr bool periodic = true;
-
-    bool admits(const Rectangle&, double, double, Turn) const { return true; }
-    void into(double& x, double& z) const {
-        fold(x, low_x, length);
-        fold(z, low_z, breadth);
-    }
-    void nearest(double& dx, double& dz) const {
-        fold(dx, -0.5 * length, length);
-        fold(dz, -0.5 * breadth, breadth);
-    }
-
-  private:
-    static void fold(double& value, double low, double period) {
-        if (value < low) value += period;
-        if (value >= low + period) value -= period;
     }
 };
 

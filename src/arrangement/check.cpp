@@ -120,7 +120,7 @@ std::optional<Fault> find_fault(const Scenario& scenario, const FloeSet& floes) 
     std::vector<TurnedRectangle> grown;
     for (std::size_t i = 0; i < poses.size(); ++i) {
         const PlanarPose& pose = poses[i];
-        // Checked before the turn is computed, which NaN does not have.
+        // Checked first, because turn_of() is not defined for NaN.
         if (!(std::abs(pose.yaw) < 1e6)) return Fault{fmt::format("floe {} has the yaw {} rad", i, pose.yaw), {i}};
         const TurnedRectangle turned{shapes[i], turn_of(pose.yaw)};
         grown.push_back({shapes[i].grown(margin), turned.turn});

@@ -12,11 +12,11 @@ namespace floes {
 
 namespace {
 
-// A push removes this many times the overlap. Above 1, chains of floes come apart several times sooner.
+// A push removes this many times the overlap. Above 1, chains of floes separate in several times fewer sweeps.
 constexpr double over_relaxation = 1.5;
 
-// Against the turn at which a floe's corner moves as far as by a shift. With 1, floes are turned until their sides are
-// parallel where a shift would do, and the field is more ordered.
+// Weight of turning; with 1 a corner moves as far by the turn as by the shift. Then floes turn until their sides are
+// parallel where a shift would do, and the field becomes more ordered.
 constexpr double turning = 0.3;
 
 const std::array<Vec2, 4> wall_normals{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};  // into the field
@@ -204,7 +204,7 @@ void Crowd::find_neighbours() {
         cells.insert({body.place.x(), body.place.y(), body.turn, static_cast<int>(number)});
         places_.push_back(body.place);
     }
-    // By number, so that sweeps run to no side.
+    // In order of numbers, so that sweeps have no preferred direction.
     std::ranges::sort(pairs_);
 }
 

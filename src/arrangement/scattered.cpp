@@ -16,7 +16,7 @@ namespace floes {
 namespace {
 
 constexpr int attempts = 10;
-constexpr int rounds = 20;  // more would order the field by the floes they throw again
+constexpr int rounds = 20;  // more would order the field, because they redraw the floes that do not fit
 constexpr int sweeps_per_round = 1000;
 constexpr std::size_t floes_per_redraw = 250;
 
@@ -59,7 +59,7 @@ std::optional<std::vector<PlanarPose>> attempt(const Walls& room, std::span<cons
 
 std::vector<PlanarPose> scattered(const Walls& walls, std::span<const Rectangle> shapes, double clearance,
                                   RandomStream& random) {
-    // At rest overlaps are below the margin by which the floes are larger here, so without it there are none.
+    // Floes are enlarged by this margin and come to rest with overlaps below it, so the true floes do not overlap.
     const double margin = 1e-4 * least_half_side(shapes);
     const Walls room = walls.shrunk(0.5 * clearance);
     std::vector<Rectangle> grown;

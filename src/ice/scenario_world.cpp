@@ -1,23 +1,6 @@
 #include "ice/scenario_world.hpp"
 
-#include "core/error.hpp"
-
 namespace floes {
-namespace {
-
-ConstraintSolver world_solver(SolverKind kind) {
-    switch (kind) {
-        case SolverKind::stock:
-            return ConstraintSolver::stock;
-        case SolverKind::lanes:
-            return ConstraintSolver::lanes;
-        case SolverKind::direct:
-            return ConstraintSolver::direct;
-    }
-    throw InputError("The scenario asks for a solver that the world does not have.");
-}
-
-}  // namespace
 
 double size_of_ice(const Scenario& scenario) {
     constexpr double tank = 0.033;  // m
@@ -30,7 +13,7 @@ World scenario_world(const Scenario& scenario) {
                   .iterations = general.iterations,
                   .gravity = general.gravity / (1 + scenario.water.added_mass),  // the added mass has no weight
                   .contact = scenario.contact_law(),
-                  .solver = world_solver(general.solver),
+                  .solver = general.solver,
                   .length_unit = size_of_ice(scenario)});
 }
 

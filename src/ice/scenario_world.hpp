@@ -6,7 +6,7 @@
 
 namespace floes {
 
-/// Thickness of the scenario's ice over that of the paper's tank, 0.033 m: what lengths that no key gives grow with.
+/// Thickness of the scenario's ice over that of the paper's tank, 0.033 m: the scale of lengths that have no key.
 double size_of_ice(const Scenario& scenario);
 
 /// Time step, iterations, solver, gravity and contacts are those of the scenario; the unit of length is the size of its

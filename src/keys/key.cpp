@@ -155,14 +155,6 @@ Key text_key(std::string_view path, std::string& field, std::string_view source,
     return {path, TextField{&field}, source, doc};
 }
 
-Key choice_key(std::string_view path, std::string& field, std::vector<std::string_view> words, std::string_view source,
-               std::string_view doc) {
-    WordField binding{
-        words, [&field, words] { return static_cast<std::size_t>(std::ranges::find(words, field) - words.begin()); },
-        [&field, words](std::size_t word) { field = words.at(word); }};
-    return {path, std::move(binding), source, doc};
-}
-
 Key preset_key(Key key) {
     key.preset = true;
     return key;

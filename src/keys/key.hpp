@@ -131,10 +131,6 @@ Key word_key(std::string_view path, Enum& field, std::vector<std::string_view> w
     return {path, std::move(binding), source, doc};
 }
 
-/// A field that holds one of `words`.
-Key choice_key(std::string_view path, std::string& field, std::vector<std::string_view> words, std::string_view source,
-               std::string_view doc);
-
 /// The values that the key accepts, as in messages and in the reference: "above 0 and at most 10".
 std::string allowed(const Key& key);
 

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "scenario/keys.hpp"
 #include "scenario/validate.hpp"
@@ -77,44 +80,17 @@ void check_floating(const Scenario& scenario, Contradictions& found) {
 }
 
 void check_solver(const Scenario& scenario, Contradictions& found) {
-    const bool direct = scenario.general.solver == SolverKind::direct;
-    if (!direct && scenario.joint.model == JointModel::beam) {
-        found.push_back({{"joint.model", "general.solver"},
-                         fmt::format("{} is not possible with {}: joints as stiff as ice do not converge in sweeps; "
-                                     "take general.solver = \"direct\"",
-                                     given(scenario, "joint.model"), given(scenario, "general.solver"))});
-    }
-    if (direct && scenario.contact.friction != Friction::cone) {
-        found.push_back({{"contact.friction", "general.solver"},
-                         fmt::format("{} is not possible with {}, which has friction in the whole contact plane only; "
-                                     "take contact.friction = \"cone\", or contact.preset = \"physical\"",
-                                     given(scenario, "contact.friction"), given(scenario, "general.solver"))});
-    }
-    if (direct && scenario.contact.normal == NormalLaw::rigid && scenario.contact.split_impulse) {
-        found.push_back({{"paper.split_impulse_depth_m", "general.solver"},
-                         fmt::format("{} is not possible with {} and rigid contacts: it corrects every penetration "
-                                     "within the impulse; take paper.split_impulse_depth_m = inf",
-                                     given(scenario, "paper.split_impulse_depth_m"),
-                                     given(scenario, "general.solver"))});
-    }
-}
-
-void check_contact(const Scenario& scenario, Contradictions& found) {
-    if (scenario.general.solver != SolverKind::stock) return;
-    const auto refuse = [&](const char* key, const char* reason, const char* instead) {
-        found.push_back({{key, "general.solver"},
-                         fmt::format("{} is not possible with {}, because Bullet's own solver {}; take general.solver "
-                                     "= \"lanes\", or {}",
-                                     given(scenario, key), given(scenario, "general.solver"), reason, instead)});
+    const SolverKind solver = scenario.general.solver;
+    std::vector<Refusal> refused = refused_contacts(solver, scenario.contact);
+    const auto add = [&](const std::optional<Refusal>& refusal) {
+        if (refusal) refused.push_back(*refusal);
     };
-    if (scenario.contact.friction == Friction::cone) {
-        refuse("contact.friction", "bounds friction by a square", "contact.preset = \"paper\"");
-    }
-    if (scenario.contact.normal == NormalLaw::crushing) {
-        refuse("contact.law", "has no contacts that crush", "contact.law = \"rigid\"");
-    }
-    if (!scenario.contact.internal_edges) {
-        refuse("paper.internal_edges", "does not know which faces lie inside a floe", "paper.internal_edges = true");
+    if (scenario.joint.model == JointModel::beam) add(refused_springs(solver));
+    if (scenario.field.wake_radius > 0) add(refused_sleep(solver));
+    for (const auto& [key, with, reason, instead] : refused) {
+        found.push_back({{std::string(key), std::string(with)},
+                         fmt::format("{} is not possible with {}: {}; take {}", given(scenario, std::string(key)),
+                                     given(scenario, std::string(with)), reason, instead)});
     }
 }
 

@@ -79,13 +79,6 @@ void check_tow(const Scenario& scenario, Contradictions& found) {
 void check_wake(const Scenario& scenario, Contradictions& found) {
     const double radius = scenario.field.wake_radius;
     if (radius == 0) return;
-    if (scenario.general.solver == SolverKind::stock) {
-        found.push_back(
-            {{"field.wake_radius_m", "general.solver"},
-             fmt::format("{} is not for {}, which lets no floes rest; take general.solver = \"lanes\", or set the "
-                         "radius to 0",
-                         given(scenario, "field.wake_radius_m"), given(scenario, "general.solver"))});
-    }
     double diagonal = 0;
     for (const FloeShape& shape : floes_of(scenario).shapes)
         diagonal = std::max(diagonal, std::hypot(shape.length, shape.breadth));
@@ -126,9 +119,10 @@ void check_given_floes(const Scenario& scenario, Contradictions& found) {
     if (rule.columns.empty()) {
         const auto longer = std::ranges::find_if(rule.values, [](const auto& values) { return !values.empty(); });
         if (longer == rule.values.end()) return;
-        found.push_back({keys, fmt::format("arrangement.poses[{}] has more than x_m, z_m and yaw_deg; name what follows "
-                                           "them in arrangement.columns",
-                                           longer - rule.values.begin())});
+        found.push_back(
+            {keys, fmt::format("arrangement.poses[{}] has more than x_m, z_m and yaw_deg; name what follows "
+                               "them in arrangement.columns",
+                               longer - rule.values.begin())});
         return;
     }
     if (rule.method != ArrangementMethod::file || rule.poses.empty()) {

@@ -7,12 +7,11 @@
 
 #include "core/vector.hpp"
 #include "scenario/contact_preset.hpp"
+#include "solver/solver_kind.hpp"
 #include "structure/shape.hpp"
 
 namespace floes {
 
-/// Of the world: Bullet's own; the same sweeps with many floes side by side; or joints solved exactly.
-enum class SolverKind { stock, lanes, direct };
 enum class JointModel { cfm, beam };  ///< Σ and Γ, or an elastic beam from centre to centre
 /// The point about which the bending moment of Eq. (3) is taken: where the joint is, or the centre of its first
 /// element, about which Bullet reports a joint's torque.

@@ -9,7 +9,6 @@ std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
     check_elements(scenario, found);
     check_floating(scenario, found);
     check_solver(scenario, found);
-    check_contact(scenario, found);
     check_time(scenario, found);
     check_levels(scenario, found);
     check_averaging(scenario, found);

@@ -1,5 +1,5 @@
-// What the rows of a contact take when it is their turn: a normal row, or one with both friction rows in Coulomb's
-// cone. The same for contacts of bodies (contact_kernels.inl) and of whole pieces (direct_contacts.inl).
+// How the impulses of a contact are updated: a normal row by itself, or with both friction rows in Coulomb's cone. The
+// same for contacts of bodies (contact_kernels.inl) and of whole pieces (direct_contacts.inl).
 
 /// Factor that brings (x, y) into the circle about 0, along the line to its centre; 1 inside. Radius >= 0.
 inline Pack in_circle(Pack x, Pack y, Pack radius) {
@@ -7,7 +7,7 @@ inline Pack in_circle(Pack x, Pack y, Pack radius) {
     return square > radius * radius ? radius / square_root(square) : Pack{} + 1.0;
 }
 
-/// What the normal row i takes that has `old`: enough to stop the approach, but no more than its limit.
+/// New impulse of normal row i, whose impulse was `old`: it stops the approach, up to the row's limit.
 template <bool limited>
 [[gnu::always_inline]] inline Pack normal_impulse(const double* target, const LimitArrays& limits, int i, Pack old,
                                                   Pack velocity) {
@@ -51,7 +51,7 @@ template <bool limited, class Contact>
     const Pack old_first = load(all.impulse[1], i);
     const Pack old_second = load(all.impulse[2], i);
     const Pack held = absolute(old_first) + absolute(old_second);
-    if (!any_positive(normal + held)) {  // nothing to hold with, nothing to let go of
+    if (!any_positive(normal + held)) {  // no friction, neither before nor now
         contact.press(pressed);
         return;
     }

@@ -1,5 +1,5 @@
-// Contact rows, in lanes: a pack holds pairs of bodies of which no two share one that moves, so its lanes do not
-// disturb each other. What moves is fetched once for all points at which a pair touches.
+// Contact rows in lanes. No two pairs of a pack share a moving body, so its lanes are independent. The motion of a pair
+// is loaded once for all its contact points.
 
 /// Relative velocity change along the scaled rows.
 [[gnu::always_inline]] inline Pack along(const double* row, const Motion& a, const Motion& b) {
@@ -21,8 +21,8 @@
     b.angular_velocity = b.angular_velocity - load3(row, contact_field::angular_change_b) * impulse;
 }
 
-/// Packs solved at once, in turns: while a row waits for its sum those of the other pack go on, which the processor
-/// does not find by itself, so far apart. Two have 24 vectors of motion; only AVX-512 has registers for them.
+/// Packs whose rows are interleaved: the latency of one row's sum is filled with the row of another pack, which is too
+/// far away for out-of-order execution. The motion of two packs takes 24 vectors; only AVX-512 has the registers.
 inline constexpr int turns = lanes == 8 ? 2 : 1;
 
 /// `solve(row number, row, a, b)` for every row of a pack.
@@ -43,7 +43,7 @@ template <int at_once, class Solve>
             solve(i, rows + static_cast<std::size_t>(i) * (contact_field::count * lanes), a[turn], b[turn]);
         }
     }
-    // A body that does not move may be in several lanes: all put its zeros back.
+    // A fixed body may be in several lanes, which all write its zeros back.
 #pragma GCC unroll 2
     for (int turn = 0; turn < at_once; ++turn) {
         scatter([=](int lane) { return body(2 * turn * lanes + lane); }, a[turn]);
@@ -51,7 +51,7 @@ template <int at_once, class Solve>
     }
 }
 
-/// Of all packs but those of which `idle(pack)` says that nothing changes.
+/// For all packs, except those for which `idle(pack)` holds.
 template <class Solve, class Idle>
 [[gnu::always_inline]] inline void for_each_row(double* delta, const ContactPacks& packs, const double* rows,
                                                 const Solve& solve, const Idle& idle) {
@@ -73,13 +73,13 @@ inline bool never_idle(const ContactPack&) {
     return false;
 }
 
-/// The impulses that rows have at first.
+/// Applies the impulses that rows start from.
 void start_contacts(double* delta, const ContactPacks& packs, const ContactRowArrays& all) {
     const auto start = [&](int i, const double* row, Motion& a, Motion& b) { push(row, a, b, load(all.impulse, i)); };
     for_each_row(delta, packs, all.row, start, never_idle);
 }
 
-// The impulse applied is the difference of the accumulated ones, clamped or not: no branch, and it rounds to the same.
+// The applied impulse is the difference of the accumulated ones, clamped or not: no branch, and the same rounding.
 
 template <bool limited>
 void solve_all_normals(double* delta, const ContactPacks& packs, const ContactRowArrays& all,
@@ -121,7 +121,7 @@ void solve_frictions(double* delta, const ContactPacks& packs, const ContactRowA
     for_each_row(delta, packs, all.row, solve, idle);
 }
 
-/// One contact on its way through its three rows.
+/// One contact while its three rows are solved.
 struct BodyContact {
     const double* row;
     const double* first;

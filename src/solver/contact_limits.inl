@@ -1,5 +1,5 @@
-// What a normal row of contact_setup.inl can carry at most: the impulse at which ice crushes, and nothing at faces
-// inside the ice. docs/contact.md has the law and its source.
+// Upper bounds on the impulses of normal rows: the impulse at which ice crushes, and zero at faces inside the ice.
+// docs/contact.md has the law and its source.
 
 /// One body of each pair, as far as crushing needs it.
 struct Box {
@@ -21,7 +21,7 @@ struct Section {
     Pack area, growth;
 };
 
-/// No face lies flatter on another than 0.01 mm in 1 m: a flush face has its whole area after 2 µm.
+/// Least slope of one face against another, 0.01 mm in 1 m: flush faces reach their whole area within 2 µm.
 inline constexpr double flattest = 1e-5;
 
 /// Whether the face through which an outward direction leaves is covered by another element of the floe: such a face
@@ -67,7 +67,7 @@ inline Section section(const Box& body, const V3& normal, Pack depth) {
             flat || !(depth < middle) ? none : most(k * firsts, none)};
 }
 
-/// Depth from which on an edge's area grows as it will: flattest of the body's least extent.
+/// Least depth at which the growth of an edge's area is taken.
 inline Pack just_touching(const Box& body) {
     return 2.0 * flattest * least(body.half_extent.x, least(body.half_extent.y, body.half_extent.z));
 }
@@ -89,7 +89,7 @@ struct Limit {
 /// equal shares for the points that touch. `share` is p Δt / points.
 inline Limit crushing_limit(const V3& normal, Pack reached, const Box& a, const Box& b, Pack share, Pack scale,
                             double time_step) {
-    // An edge that only just touches has no area yet, but knows how its area will grow.
+    // An edge that only just touches has no area yet, but a growth of area.
     const Pack depth = most(reached, most(just_touching(a), just_touching(b)));
     const Section of_a = section(a, normal, depth);
     const Section of_b = section(b, normal, depth);

@@ -23,15 +23,15 @@ void ContactOrder::find_pairs(std::span<const Contact> contacts) {
 }
 
 void ContactOrder::sort_pairs() {
-    // Within a level, side by side those with as many contacts, since a pack has the rows of its longest pair, and
-    // those that will likely bear nothing, for which there is no friction to solve.
+    // Within a level, pairs with equally many contacts go side by side, because a pack has the rows of its longest
+    // pair; so do pairs that probably stay unloaded, whose friction need not be solved.
     constexpr std::uint32_t lengths = 8;
     const auto rank = [&](const Pair& pair) {
         return (2 * pair.level + (pair.pressed ? 0 : 1)) * lengths + lengths - std::min(pair.contacts, lengths);
     };
     std::uint32_t ranks = 0;
     for (const Pair& pair : pairs_) ranks = std::max(ranks, rank(pair) + 1);
-    // Grown by resize(), which takes more room than asked for: a number that rises one by one allocates seldom.
+    // resize() grows geometrically, so a count that rises one by one seldom allocates.
     start_.resize(std::max<std::size_t>(start_.size(), ranks + 1));
     std::fill(start_.begin(), start_.end(), 0U);
     for (const Pair& pair : pairs_) ++start_[rank(pair) + 1];

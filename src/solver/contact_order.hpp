@@ -10,16 +10,16 @@
 
 namespace floes {
 
-/// Neighbouring contacts of the same two bodies stay together, as a pair. A pair may move forward past pairs that move
-/// nothing that it moves: nothing changes by that. So each goes to the level after the last one that moved its bodies,
-/// and levels are solved one after the other, some pairs of a level side by side.
+/// Neighbouring contacts of the same two bodies stay together, as a pair. Pairs that share no moving
+/// body commute, so each pair goes to the level after the last one that moved its bodies. Levels are solved one after
+/// the other, the pairs of a level side by side.
 class ContactOrder {
   public:
     struct Contact {
         std::uint32_t a, b;              ///< slots of the bodies
         std::uint32_t a_group, b_group;  ///< what moves together with them: below `spare`
         bool a_moves, b_moves;
-        bool pressed;  ///< it bears something already
+        bool pressed;  ///< carries an impulse already
     };
 
     /// spare: the slot after those of all bodies; width and turns: see LaneKernels.

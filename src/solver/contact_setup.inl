@@ -48,7 +48,7 @@ inline Arm make_arm(const V3& axis, const V3& lever_a, const V3& lever_b, const 
     return {axis, torque_a, torque_b, a.inverse_inertia * torque_a, b.inverse_inertia * torque_b};
 }
 
-/// What a unit impulse along one changes along the other, through angular velocity.
+/// Velocity change along one by a unit impulse along the other, through angular velocity.
 inline Pack coupling(const Arm& one, const Arm& other) {
     return dot(one.torque_a, other.angular_change_a) + dot(one.torque_b, other.angular_change_b);
 }
@@ -180,7 +180,7 @@ inline void prepare_contact(const double* point, int i, const Touching& a, const
         prepare_cone(frictions, i, direction, velocity, lever_a, lever_b, a, b, friction, impulse, s);
         return;
     }
-    // Bullet leaves the torque of this step out of the sliding velocity that the row stops.
+    // As in Bullet, the sliding velocity that the row stops does not contain the torque of this step.
     const V3 slide = slide_direction(velocity, direction);
     const Pack t = make_row(frictions.first.row + row, slide, lever_a, lever_b, a, b);
     const V3 sliding = (a.start_velocity + cross(a.angular_velocity, lever_a)) -
@@ -191,8 +191,8 @@ inline void prepare_contact(const double* point, int i, const Touching& a, const
     store(frictions.first.scale, i, t);
 }
 
-/// `prepare(pack, turn, slots of the bodies a, then b)` for every `lanes` pairs. An empty lane is computed like the
-/// first one: nothing in it is infinite or slow.
+/// `prepare(pack, turn, slots of the bodies a, then b)` for every `lanes` pairs. An empty lane repeats the first pair,
+/// so that it has no infinities, which would be slow.
 template <class Prepare>
 inline void for_each_pair(const ContactPacks& packs, const Prepare& prepare) {
     const std::uint32_t* slots = packs.slots;

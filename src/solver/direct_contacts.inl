@@ -1,5 +1,5 @@
-// Contacts between pieces that move as a whole. A row has, for each of its two bodies, the impulse on it and what
-// that does to the velocity of the same body; the rest of the piece is moved once a visit.
+// Contacts between pieces that move as a whole. A row has, for each of its two bodies, the impulse on it and the
+// velocity change of that body; the other bodies of the piece are moved once per visit of the pair.
 
 inline Flat load_flat(const double* row, int field) {
     return {load3(row, field), load3(row, field + 3)};
@@ -61,7 +61,7 @@ inline Flat moved_by(const CompliantBody& body, const Flat& impulse) {
     return {body.within * impulse.within, body.out * impulse.out};
 }
 
-/// A unit impulse along a direction: what it is on both bodies, and what it does to them.
+/// A unit impulse along a direction: the impulse on each body, and the velocity changes of the two.
 struct DirectArm {
     Flat on_a, on_b, moves_a, moves_b;
 };
@@ -141,7 +141,7 @@ void prepare_direct_contacts(const LaneArrays& arrays, const DirectArrays& direc
     });
 }
 
-/// A pair on its way through its rows: motions as they are with the impulses so far, and these impulses.
+/// A pair while its rows are solved: the motions after the impulses so far, and the sums of these impulses.
 struct DirectPair {
     Flat a, b;
     Flat on_a, on_b;
@@ -165,7 +165,7 @@ inline bool is_nothing(const double* impulse) {
     return nothing;
 }
 
-/// Hands an impulse in each lane on to the piece that the lane's body belongs to.
+/// Applies the impulse in each lane to the piece of the lane's body.
 [[gnu::always_inline]] inline void pass_to_piece(double* delta, double* impulse, const ComplianceColumn* columns,
                                                  const std::uint32_t* slots, const Flat& on) {
     alignas(64) double by_lane[lanes][8];
@@ -205,7 +205,7 @@ void start_direct_contacts(double* delta, double* impulse, const ComplianceColum
     for_each_direct_row(delta, impulse, columns, packs, all.row, start);
 }
 
-/// One contact on its way through its three rows.
+/// One contact while its three rows are solved.
 struct PieceContact {
     const double* row;
     DirectPair& pair;

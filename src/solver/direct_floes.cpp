@@ -42,7 +42,7 @@ DirectFloes::DirectFloes(std::span<const SolverBody> bodies, std::span<const Sol
     }
     touched_bodies_.reserve(bodies_.size());
     touched_pieces_.reserve(bodies_.size());
-    // One piece of everything, which then falls apart.
+    // One piece of all bodies, which is then split by its joints.
     Piece all;
     all.bodies.resize(bodies_.size());
     std::iota(all.bodies.begin(), all.bodies.end(), 0U);

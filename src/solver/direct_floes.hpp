@@ -1,7 +1,7 @@
 #pragma once
-// Floes whose joints are solved exactly. What the joints of a connected piece do to the velocities at the end of a step
-// is one linear system (solver/piece_compliance.hpp), so an impulse on one element moves the whole piece at once, and
-// only contacts between pieces are left to iterate.
+// Floes whose joints are solved exactly. The velocities of a connected piece at the end of a step follow from one linear
+// system (solver/piece_compliance.hpp), so an impulse on one element moves the whole piece at once, and only contacts
+// between pieces are iterated.
 
 #include <cstdint>
 #include <memory>
@@ -30,16 +30,16 @@ class DirectFloes {
     DirectFloes(std::span<const SolverBody> bodies, std::span<const SolverJoint> joints, const LaneSlots& slots,
                 const LaneKernels& kernels);
 
-    /// From the next step on.
+    /// Takes effect in the next step.
     void remove_joint(std::size_t joint);
 
-    /// What the joints would do without contacts, from the bodies' start velocities.
+    /// Applies the joints as they act without contacts, from the bodies' start velocities.
     void prepare(const LaneArrays& all, std::span<const LaneBlock> blocks, double time_step);
 
-    /// Makes ready for impulses on the bodies in these contacts: `delta` of the bodies that they may move.
+    /// Prepares impulses on the bodies in these contacts: fills `delta` of all bodies that they may move.
     void touch(const LaneArrays& all, std::span<const SolverContact> contacts);
 
-    /// What all impulses do to the velocities of the pieces, and what the joints carry.
+    /// Velocity changes of the pieces by all impulses, and the reactions of the joints.
     void finish(const LaneArrays& all, std::span<const LaneBlock> blocks);
 
     DirectArrays arrays() { return {local_.data(), spring_.data(), impulse_.data()}; }
@@ -57,7 +57,7 @@ class DirectFloes {
         std::vector<std::uint32_t> bodies;         ///< rising
         std::vector<std::uint32_t> joints;         ///< alive, rising
         std::vector<std::uint32_t> slots, within;  ///< of the bodies, and 0, 1, 2, …
-        std::vector<Mat3> at_rest;                 ///< body -> piece where nothing strains it
+        std::vector<Mat3> at_rest;                 ///< body -> piece, unstrained
         std::shared_ptr<PieceCompliance> compliance;
         std::vector<std::uint32_t> touched_slots, touched_within;
         bool broken = false;  ///< joints were removed since it was found

@@ -1,8 +1,8 @@
-// Joints that are solved exactly: their impulses before velocities change, and what they carry in the end. All of it in
-// the axes of each piece.
+// Joints that are solved exactly: their impulses before velocities change, and their reactions at the end of the step.
+// All in the axes of each piece.
 
-/// A motion, or an impulse, of one body: what moves it within the plane of its floe {x, z, about y}, and what moves it
-/// out of that {y, about x, about z}. Neither causes the other.
+/// A motion or an impulse of one body: its part in the plane of the floe {x, z, about y} and its part out of the plane
+/// {y, about x, about z}. The two do not couple.
 struct Flat {
     V3 within, out;
 };
@@ -56,7 +56,7 @@ inline V3 times(const V3& a, const V3& b) {
     return {a.x * b.x, a.y * b.y, a.z * b.z};
 }
 
-/// What a joint holds against: the motion of a relative to b, along its axes.
+/// The motion that a joint resists: that of a relative to b, along the joint's axes.
 struct JointMotion {
     V3 sliding, turning;
 };
@@ -93,8 +93,9 @@ inline void press_joint(const double* frame, double* spring, const double* react
     const V3 force = axes * pull;
     const V3 moment = axes * twist;
 
-    // The levers are those of a piece that nothing strains; strained, its pivots are a little apart by them, and a pair
-    // of forces would be a couple. The last step's reaction tells how large, and each body takes half of it back.
+    // The levers are those of the unstrained piece. In a strained one the two pivots differ slightly, so that equal and
+    // opposite forces would leave a couple. It is computed from the last step's reaction, and each body gets half of
+    // its opposite.
     const V3 apart = transposed_times(load_matrix(a, local_field::frame),
                                       load3(body_b, body_field::position) - load3(body_a, body_field::position)) +
                      (lever_b - lever_a);
@@ -159,7 +160,7 @@ void direct_reactions(const LaneArrays& arrays, const DirectArrays& direct, cons
 }
 
 void add_velocity_changes(double* delta, const ComplianceColumn& column, const double* impulse) {
-    // The three impulses within the plane beside the three out of it, as the rows of a block are.
+    // In-plane impulses in the lower half, out-of-plane ones in the upper half, like the columns of a block.
     alignas(64) double factor[3][8];
     for (int k = 0; k < 3; ++k) {
         for (int i = 0; i < 8; ++i) factor[k][i] = impulse[k + (i < 4 ? 0 : 4)];

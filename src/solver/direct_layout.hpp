@@ -26,7 +26,7 @@ inline constexpr int impulse = 15;           ///< by its joints, local; then ang
 inline constexpr int count = 21;
 }  // namespace local_field
 
-/// Fields of a joint in a piece that nothing strains, local.
+/// Fields of a joint in an unstrained piece, local.
 namespace spring_field {
 inline constexpr int axes = 0;  ///< joint -> local, row by row
 inline constexpr int lever_a = 9;

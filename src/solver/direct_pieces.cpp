@@ -1,4 +1,4 @@
-// The connected pieces of floes that are solved exactly: how they fall apart, and their compliance.
+// The connected pieces of floes that are solved exactly: how they are split, and their compliance.
 
 #include <algorithm>
 #include <cmath>
@@ -91,7 +91,7 @@ PieceJoint DirectFloes::at_rest(const Piece& piece, const SolverJoint& joint, co
 }
 
 void DirectFloes::make_compliance(Piece& piece) {
-    // Where nothing strains them all bodies are turned against the first as their joints say.
+    // In the unstrained piece the joints give each body's rotation relative to the first.
     piece.at_rest.assign(piece.bodies.size(), Mat3::Identity());
     std::vector<bool> known(piece.bodies.size(), false);
     known[0] = true;

@@ -1,6 +1,6 @@
-// Sweeps over the joints' rows, and what the joints carry in the end.
+// Sweeps over the joints' rows, and the joints' reactions.
 
-/// A joint on its way through its six rows.
+/// A joint while its six rows are solved.
 struct JointSolve {
     double* row;
     double* a;  ///< of `sweep`, like b
@@ -17,7 +17,7 @@ struct JointSolve {
     joint.relative = joint.angular_change_a - joint.angular_change_b;
 }
 
-/// Row first + i: it sees what the rows from `first` on did through the coupling.
+/// Row first + i. The coupling gives it the velocity changes by the rows from `first` on.
 template <int first, int i>
 [[gnu::always_inline]] inline void solve_row(JointSolve& joint) {
     const Pack old = load(joint.row, row_field::impulse + first + i);
@@ -74,8 +74,8 @@ template <auto stage, int n>
     for (int i = 0; i < n; ++i) stage(joints[i]);
 }
 
-/// Joints that share no body, in turns: a stage waits for the one before it, that of another joint does not, and the
-/// processor finds it only close by.
+/// Joints that share no body, stage by stage in turns: the latency of one joint's stage is filled with that of another,
+/// which must be close by for out-of-order execution.
 template <int n>
 [[gnu::always_inline]] inline void solve_joints(JointSolve (&joints)[n]) {
     in_turns<start_joint>(joints);

@@ -33,7 +33,7 @@ inline JointGeometry joint_geometry(const double* frame, const double* a, const 
     return g;
 }
 
-/// s = A^-1/2 of a row; 0, which silences the row, where the joint is not alive or nothing can move.
+/// s = A^-1/2 of a row; 0, which switches the row off, where the joint is broken or both bodies are fixed.
 inline Pack row_scale(Pack a, Pack alive) {
     const Pack s = 1.0 / square_root(a);
     const Pack off = alive * 0.0;

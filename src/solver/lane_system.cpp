@@ -125,7 +125,7 @@ void LaneSystem::solve(std::span<SolverContact> contacts, const ContactLaw& law,
     contact_rows_.start(*kernels_, all.delta);
     contact_rows_.solve_penetrations(*kernels_, iterations);
 
-    // Floes that touch nothing are on their own: all their sweeps at once, while they are in the nearest cache.
+    // Floes without contacts are independent: all their sweeps at once, while their data are in the first-level cache.
     for (std::size_t i = 0; i < free_blocks_.size(); i += 2) {
         kernels_->sweep(all, &free_blocks_[i], std::min<std::size_t>(2, free_blocks_.size() - i), iterations);
     }

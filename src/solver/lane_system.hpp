@@ -25,21 +25,17 @@
 #include "solver/direct_contacts.hpp"
 #include "solver/direct_floes.hpp"
 #include "solver/lane_layout.hpp"
+#include "solver/solver_kind.hpp"
 #include "solver/solver_parts.hpp"
 
 namespace floes {
 
-/// How joints are solved.
-enum class JointSolution {
-    swept,  ///< row by row, in each iteration once
-    direct  ///< exactly, floe by floe (solver/direct_floes.hpp)
-};
-
 class LaneSystem {
   public:
-    /// width: one of lane_widths(), an upper bound: no more lanes are used than there are equal floes.
+    /// width: one of lane_widths(), an upper bound: no more lanes are used than there are equal floes. solver: lanes
+    /// or direct.
     LaneSystem(std::span<const SolverBody> bodies, std::span<const SolverJoint> joints, int width,
-               JointSolution solution = JointSolution::swept);
+               SolverKind solver = SolverKind::lanes);
 
     std::size_t body_count() const { return slot_of_body_.size(); }
     std::size_t joint_count() const { return slot_of_joint_.size(); }

@@ -29,7 +29,7 @@ int useful_width(std::size_t most_floes, int width) {
 }  // namespace
 
 LaneSystem::LaneSystem(std::span<const SolverBody> bodies, std::span<const SolverJoint> joints, int width,
-                       JointSolution solution)
+                       SolverKind solver)
     : slot_of_body_(bodies.size()), slot_of_joint_(joints.size()), block_of_body_(bodies.size()) {
     std::map<std::pair<std::size_t, std::vector<std::int32_t>>, std::size_t> kind_of;
     std::vector<std::vector<Floe>> kinds;  // floes with the same bodies and joints, in order of appearance
@@ -45,7 +45,7 @@ LaneSystem::LaneSystem(std::span<const SolverBody> bodies, std::span<const Solve
     const std::size_t joint_groups = place_blocks(kinds);
     make_arrays(joint_groups);
     fill(bodies, joints);
-    if (solution == JointSolution::swept) return;
+    if (solver == SolverKind::lanes) return;
     direct_.emplace(bodies, joints, LaneSlots{slot_of_body_, slot_of_joint_, body_groups_, joint_groups}, *kernels_);
 }
 
@@ -115,7 +115,7 @@ void LaneSystem::make_arrays(std::size_t joint_groups) {
     frame_ = AlignedArray<double>(joint_groups * lanes * frame_field::count);
     row_ = AlignedArray<double>(joint_groups * lanes * row_field::count);
     reaction_ = AlignedArray<double>(joint_groups * lanes * reaction_field::count);
-    // Empty lanes are computed like the others: they need rotations, so that nothing in them is infinite or slow.
+    // Empty lanes are computed like the others and need rotations: infinities would make them slow.
     for (std::size_t slot = 0; slot < body_groups_ * lanes; ++slot) {
         for (int i = 0; i < 9; i += 4) {
             body_[place(static_cast<std::uint32_t>(slot), body_field::count, body_field::rotation + i, width())] = 1;

@@ -1,5 +1,5 @@
-// What contacts see and change of a body: 8 doubles {velocity, inverse mass, angular velocity, 0}, one after the other
-// in `delta`. From there into lanes, and back.
+// The motion of a body that contacts read and change: 8 doubles {velocity, inverse mass, angular velocity, 0} in
+// `delta`, transposed into lanes and back.
 
 struct Motion {
     V3 velocity;

@@ -80,7 +80,7 @@ bool close(double a, double b) {
     return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
 }
 
-/// Compared with the largest of its entries: the others may be rounding.
+/// Tolerance relative to the largest entry, because small ones may be rounding.
 template <class Matrix>
 bool close(const Matrix& a, const Matrix& b, double size) {
     return (a - b).cwiseAbs().maxCoeff() <= 1e-9 * size;

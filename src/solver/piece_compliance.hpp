@@ -19,13 +19,13 @@
 
 namespace floes {
 
-/// A body of a piece that nothing strains, in the piece's axes, y normal to its plane. Mass 0: it never moves.
+/// A body of an unstrained piece, in the piece's axes, y normal to its plane. Mass 0: it never moves.
 struct PieceBody {
     double mass = 0;              ///< kg
     Mat3 inertia = Mat3::Zero();  ///< about the centre of mass, kg m²
 };
 
-/// A joint of a piece that nothing strains, in the piece's axes.
+/// A joint of an unstrained piece, in the piece's axes.
 struct PieceJoint {
     int a = 0;
     int b = 0;

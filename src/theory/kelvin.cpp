@@ -10,11 +10,10 @@
 namespace floes {
 namespace {
 
-// ber, bei and the two digamma-weighted sums of ker and kei are power series in t = (x²/4). Term n belongs to
-// t^n/(n!)² with the sign of i^n, and weight ψ(n + 1) = -γ + H_n. Even n make ber and ker, odd n bei and kei.
+// ber, bei and the digamma-weighted sum of ker are power series in t = (x²/4). Term n belongs to t^n/(n!)² with the
+// sign of i^n, and weight ψ(n + 1) = -γ + H_n. Even n make ber and ker, odd n bei.
 struct KelvinSums {
-    double ber = 0, bei = 0, ker_sum = 0, kei_sum = 0;
-    double ber_prime = 0, bei_prime = 0, ker_sum_prime = 0;
+    double ber = 0, ber_prime = 0, bei_prime = 0, ker_sum_prime = 0;
 };
 
 KelvinSums kelvin_sums(double x) {
@@ -25,16 +24,13 @@ KelvinSums kelvin_sums(double x) {
     for (int n = 0; n < 80; ++n) {
         const double sign = (n % 4 < 2) ? 1 : -1;
         const double value = sign * power;
-        const double slope = x > 0 ? value * 2 * n / x : 0;  // d/dx t^n = 2 n t^n/x
+        const double slope = value * 2 * n / x;  // d/dx t^n = 2 n t^n/x
         if (n % 2 == 0) {
             sums.ber += value;
             sums.ber_prime += slope;
-            sums.ker_sum += digamma * value;
             sums.ker_sum_prime += digamma * slope;
         } else {
-            sums.bei += value;
             sums.bei_prime += slope;
-            sums.kei_sum += digamma * value;
         }
         power *= t / ((n + 1.0) * (n + 1.0));
         digamma += 1.0 / (n + 1);
@@ -43,25 +39,12 @@ KelvinSums kelvin_sums(double x) {
     return sums;
 }
 
-void check_domain(double x, bool zero_allowed) {
-    const bool above = zero_allowed ? x >= 0 : x > 0;
-    if (!(above && x <= kelvin_series_limit))
-        throw InputError(
-            fmt::format("the Kelvin functions are evaluated at x = {}; allowed is 0 to {}", x, kelvin_series_limit));
-}
-
 }  // namespace
 
-double kelvin_kei(double x) {
-    check_domain(x, true);
-    const KelvinSums s = kelvin_sums(x);
-    // kei = -ln(x/2) bei - (π/4) ber + Σ ψ ...; x ln x -> 0, bei(0) = 0
-    const double logarithm = x > 0 ? std::log(x / 2) * s.bei : 0;
-    return -logarithm - std::numbers::pi / 4 * s.ber + s.kei_sum;
-}
-
 double kelvin_ker_prime(double x) {
-    check_domain(x, false);
+    if (!(x > 0 && x <= kelvin_series_limit))
+        throw InputError(fmt::format("the Kelvin functions are evaluated at x = {}; allowed is above 0 to {}", x,
+                                     kelvin_series_limit));
     const KelvinSums s = kelvin_sums(x);
     // ker = -ln(x/2) ber + (π/4) bei + Σ ψ ..., differentiated term by term
     return -s.ber / x - std::log(x / 2) * s.ber_prime + std::numbers::pi / 4 * s.bei_prime + s.ker_sum_prime;

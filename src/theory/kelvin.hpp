@@ -1,13 +1,10 @@
 #pragma once
-// The Kelvin functions that a plate on a liquid needs (Abramowitz & Stegun 9.9; DLMF 10.61, 10.65).
+// The Kelvin function that a plate on a liquid needs (Abramowitz & Stegun 9.9; DLMF 10.61, 10.65).
 
 namespace floes {
 
 /// Largest argument for which the power series below keeps 10 digits.
 inline constexpr double kelvin_series_limit = 8.0;
-
-/// kei(x), x in [0, kelvin_series_limit]; kei(0) = -π/4. Throws InputError outside.
-double kelvin_kei(double x);
 
 /// ker'(x), x in (0, kelvin_series_limit]; ker'(x) -> -1/x as x -> 0. Throws InputError outside.
 double kelvin_ker_prime(double x);

@@ -24,10 +24,6 @@ double FloatingPlate::characteristic_length(double elastic_modulus) const {
     return std::pow(flexural_rigidity(elastic_modulus) / foundation(), 0.25);
 }
 
-double point_load_slope(const FloatingPlate& plate, double elastic_modulus) {
-    return 8 * std::sqrt(plate.foundation() * plate.flexural_rigidity(elastic_modulus));
-}
-
 double patch_load_slope(const FloatingPlate& plate, double elastic_modulus, double radius) {
     const double x = radius / plate.characteristic_length(elastic_modulus);
     return std::numbers::pi * radius * radius * plate.foundation() / (1 + x * kelvin_ker_prime(x));

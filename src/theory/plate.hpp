@@ -17,9 +17,6 @@ struct FloatingPlate {
     double characteristic_length(double elastic_modulus) const;  ///< l, m
 };
 
-/// dP/dw0 (N/m) under a point load: 8 sqrt(k D).
-double point_load_slope(const FloatingPlate& plate, double elastic_modulus);
-
 /// dP/dw0 (N/m) under a load spread over a circle of radius a (m), w0 at its centre:
 /// w0 = P/(π a² k) [1 + (a/l) ker'(a/l)].
 double patch_load_slope(const FloatingPlate& plate, double elastic_modulus, double radius);

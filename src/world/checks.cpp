@@ -20,23 +20,15 @@ void check_box(const Vec3& half_extents) {
             "above 0 m");
 }
 
-void check_contact(const ContactLaw& law, ConstraintSolver solver) {
-    const bool of_bullet =
-        law.friction == Friction::one_direction && law.normal == NormalLaw::rigid && law.internal_edges;
-    if (solver == ConstraintSolver::stock && !of_bullet) {
-        throw InputError(
-            "The world cannot be built: Bullet's own solver has friction in one direction, rigid contacts and internal "
-            "edges that act, and nothing else; take general.solver = \"lanes\", or contact.preset = \"paper\".");
-    }
-    if (solver == ConstraintSolver::direct && law.friction != Friction::cone) {
-        throw InputError(
-            "The world cannot be built: the direct solver has friction in the whole contact plane only; take "
-            "contact.friction = \"cone\".");
-    }
-    if (solver == ConstraintSolver::direct && law.normal == NormalLaw::rigid && law.split_impulse) {
-        throw InputError(
-            "The world cannot be built: the direct solver corrects every penetration within the impulse; take "
-            "paper.split_impulse_depth_m = inf.");
+void refuse(const Refusal& refusal) {
+    throw InputError(fmt::format("The world refuses this: {}; take {}.", refusal.reason, refusal.instead));
+}
+
+void check_contact(const ContactLaw& law, SolverKind solver) {
+    for (const Refusal& refusal : refused_contacts(solver, law)) refuse(refusal);
+    // Bullet limits a combined coefficient to 10.
+    for (const double friction : {law.ice_ice_friction, law.ice_structure_friction}) {
+        require(friction >= 0 && friction <= 10, "a coefficient of friction", friction, "between 0 and 10");
     }
     require(law.normal == NormalLaw::rigid || law.crushing_pressure > 0, "the crushing pressure", law.crushing_pressure,
             "above 0 Pa");
@@ -63,7 +55,7 @@ void check(const FixedBoxDefinition& box) {
     check_box(box.half_extents);
 }
 
-void check(const JointDefinition& joint, std::size_t bodies, ConstraintSolver solver) {
+void check(const JointDefinition& joint, std::size_t bodies, SolverKind solver) {
     const auto last = static_cast<double>(bodies) - 1;
     for (const BodyId body : {joint.a, joint.b}) {
         require(body.index() < bodies, "the index of a joined body", static_cast<double>(body.index()),
@@ -74,12 +66,12 @@ void check(const JointDefinition& joint, std::size_t bodies, ConstraintSolver so
     // The sweeps are an over-relaxation by 1 + Σ, which does not converge from 1 on.
     require(joint.cfm >= 0 && joint.cfm < 1, "the joint CFM", joint.cfm, "at least 0 and below 1");
     require(joint.erp >= 0 && joint.erp <= 1, "the joint ERP", joint.erp, "between 0 and 1");
-    const bool direct = solver == ConstraintSolver::direct;
     if (!joint.spring) {
-        require(!direct || joint.cfm > 0, "the joint CFM", joint.cfm, "above 0 with the direct solver");
+        require(solver != SolverKind::direct || joint.cfm > 0, "the joint CFM", joint.cfm,
+                "above 0 with the direct solver");
         return;
     }
-    if (!direct) throw InputError("The world cannot be built: only the direct solver has joints that are springs.");
+    if (const auto refusal = refused_springs(solver)) refuse(*refusal);
     for (const auto& part : {joint.spring->force, joint.spring->moment}) {
         for (const double stiffness : part) {
             require(stiffness > 0 && std::isfinite(stiffness), "the stiffness of a joint", stiffness, "above 0");
@@ -87,6 +79,10 @@ void check(const JointDefinition& joint, std::size_t bodies, ConstraintSolver so
     }
     require(joint.spring->damping_ratio >= 0, "the damping ratio of a joint", joint.spring->damping_ratio,
             "at least 0");
+}
+
+void check_sleep(SolverKind solver) {
+    if (const auto refusal = refused_sleep(solver)) refuse(*refusal);
 }
 
 void check_structure(std::span<const ConvexSolid> solids, bool present) {

@@ -9,11 +9,12 @@
 
 namespace floes {
 
-/// With the contact law: what the solver that the definition names cannot do.
+/// With the contact law: what the solver that the definition names refuses (solver/solver_kind.hpp).
 void check(const WorldDefinition& definition);
 void check(const BoxDefinition& box);
 void check(const FixedBoxDefinition& box);
-void check(const JointDefinition& joint, std::size_t bodies, ConstraintSolver solver);
+void check(const JointDefinition& joint, std::size_t bodies, SolverKind solver);
+void check_sleep(SolverKind solver);
 void check_structure(std::span<const ConvexSolid> solids, bool present);
 
 }  // namespace floes

@@ -7,16 +7,10 @@
 #include "core/vector.hpp"
 #include "solver/contact_law.hpp"
 #include "solver/joint_spring.hpp"
+#include "solver/solver_kind.hpp"
 #include "world/ids.hpp"
 
 namespace floes {
-
-/// The constraint solver of a World.
-enum class ConstraintSolver {
-    stock,  ///< Bullet's sequential impulses: projected Gauss-Seidel, joints before contacts in each sweep
-    lanes,  ///< the same sweeps, many floes side by side (solver/lane_system.hpp)
-    direct  ///< joints solved exactly, contacts in sweeps (solver/direct_floes.hpp)
-};
 
 /// Time stepping, solver and contacts.
 struct WorldDefinition {
@@ -24,7 +18,7 @@ struct WorldDefinition {
     int iterations = 50;  ///< Gauss-Seidel sweeps a step; where they solve joints, they set the stiffness at Σ near 0
     double gravity = 9.81;  ///< m/s², along -y
     ContactLaw contact = {};
-    ConstraintSolver solver = ConstraintSolver::stock;
+    SolverKind solver = SolverKind::stock;
     /// m, above 0: Bullet's margins and tolerances, fixed for elements as in the paper's tank, grow with it. A scene
     /// scaled by Froude (lengths by this, times by its root) is the same scene again.
     double length_unit = 1;

@@ -14,7 +14,7 @@ btTransform frame_in(const btRigidBody& body, const JointDefinition& definition)
 
 FixedJoint::FixedJoint(const JointDefinition& definition, btRigidBody& a, btRigidBody& b)
     : constraint_(a, b, frame_in(a, definition), frame_in(b, definition)) {
-    // All six axes: Bullet leaks the first row's CFM into every axis that has none of its own.
+    // Set for all six axes: Bullet uses the first row's CFM for every axis without one of its own.
     for (int axis = 0; axis < 6; ++axis) {
         constraint_.setParam(BT_CONSTRAINT_STOP_CFM, definition.cfm, axis);
         constraint_.setParam(BT_CONSTRAINT_STOP_ERP, definition.erp, axis);

@@ -58,7 +58,7 @@ bool solvable(const btPersistentManifold& manifold) {
     return moves(rigid(manifold.getBody0())) || moves(rigid(manifold.getBody1()));
 }
 
-/// Edges crush by overlap: a point that has none yet exerts nothing. Rigid contacts act before they touch.
+/// Crushing needs overlap: a point without any exerts nothing. Rigid contacts act before they touch.
 bool acts(const btManifoldPoint& point, const ContactLaw& law) {
     return law.normal == NormalLaw::rigid || point.getDistance() < 0;
 }
@@ -73,8 +73,8 @@ constexpr std::size_t not_in_system = static_cast<std::size_t>(-1);
 
 }  // namespace
 
-LaneSolver::LaneSolver(const ContactLaw& law, int lanes, JointSolution joints)
-    : law_(law), width_(lane_kernels(lanes > 0 ? lanes : lane_widths().back()).width), solution_(joints) {}
+LaneSolver::LaneSolver(const ContactLaw& law, int lanes, SolverKind solver)
+    : law_(law), width_(lane_kernels(lanes > 0 ? lanes : lane_widths().back()).width), solver_(solver) {}
 
 void LaneSolver::add_joint(const JointDefinition& definition, const btRigidBody& a, const btRigidBody& b) {
     joints_.push_back({static_cast<std::uint32_t>(definition.a.index()),
@@ -123,7 +123,7 @@ void LaneSolver::lay_out(std::span<btCollisionObject* const> bodies) {
         joint_in_system_[i] = awake.size();
         awake.push_back(joints_[i]);
     }
-    system_.emplace(solver_bodies, awake, width_, solution_);
+    system_.emplace(solver_bodies, awake, width_, solver_);
     for (std::size_t i = 0; i < bodies.size(); ++i) system_->set_state(i, state_of(rigid(bodies[i])));
     for (std::size_t i = 0; i < joints_.size(); ++i) {
         if (removed_[i] && in_system(i)) system_->remove_joint(joint_in_system_[i]);
@@ -144,7 +144,7 @@ void LaneSolver::read_forces(std::span<btCollisionObject* const> bodies) {
 void LaneSolver::read_contacts(std::span<btPersistentManifold* const> manifolds, const btContactSolverInfo& info) {
     const bool cone = law_.friction == Friction::cone;
     if (cone) last_.swap(contacts_);
-    // With the cone all of it: what is left to build up anew in each step lets a contact near its limit creep.
+    // Cones start from the whole impulse, or contacts near sliding creep.
     const double kept = cone ? 1.0 : info.m_warmstartingFactor;
     contacts_.clear();
     for (btPersistentManifold* manifold : manifolds) {

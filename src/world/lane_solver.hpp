@@ -17,8 +17,8 @@ namespace floes {
 class LaneSolver final : public btSequentialImpulseConstraintSolver {
   public:
     /// law: of all contacts; the coefficients of friction come with each. lanes: floes side by side at most, one of
-    /// lane_widths(); 0: as many as the processor has.
-    LaneSolver(const ContactLaw& law, int lanes, JointSolution joints);
+    /// lane_widths(); 0: as many as the processor has. solver: lanes or direct.
+    LaneSolver(const ContactLaw& law, int lanes, SolverKind solver);
 
     /// Joints are numbered from 0 in the order in which they are added, and solved in that order within a floe.
     void add_joint(const JointDefinition& definition, const btRigidBody& a, const btRigidBody& b);
@@ -28,7 +28,7 @@ class LaneSolver final : public btSequentialImpulseConstraintSolver {
     /// place, and their joints are left out.
     void lay_out_anew() { stale_ = true; }
 
-    /// The body's pose and velocity, changed by other hands.
+    /// Tells the solver a pose and velocity of the body that it did not compute itself.
     void place(std::size_t body, const btRigidBody& state);
 
     /// Of the last solve; zero before it and after removal.
@@ -52,7 +52,7 @@ class LaneSolver final : public btSequentialImpulseConstraintSolver {
 
     ContactLaw law_;
     int width_;
-    JointSolution solution_;
+    SolverKind solver_;
     std::vector<SolverJoint> joints_;
     std::vector<bool> removed_;
     std::optional<LaneSystem> system_;          ///< of the bodies and joints there were when it was laid out

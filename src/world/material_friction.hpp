@@ -11,8 +11,7 @@ struct MaterialFriction {
     double structure = 0;
 };
 
-/// The material coefficients that give the law's coefficients of contact. Throws InputError for one outside 0 to 10,
-/// and when that of ice on ice is 0 but that on the structure is not: no product gives that.
+/// The material coefficients that give the coefficients of contact of a law that World accepts.
 MaterialFriction material_friction(const ContactLaw& law);
 
 }  // namespace floes

@@ -22,7 +22,7 @@ void OrderedDynamicsWorld::collect_manifolds() {
         btPersistentManifold* const manifold = const_cast<btDispatcher&>(dispatcher).getManifoldByIndexInternal(i);
         const btCollisionObject& a = *manifold->getBody0();
         const btCollisionObject& b = *manifold->getBody1();
-        // A pair that became one piece is no longer refreshed: its old contacts must not act.
+        // The manifold of two bodies that became one piece is no longer updated: its old contacts must not act.
         if (same_piece(a, b)) manifold->clearManifold();
         if (manifold->getNumContacts() == 0) continue;
         const btManifoldPoint& first = manifold->getContactPoint(0);

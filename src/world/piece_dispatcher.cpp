@@ -40,7 +40,7 @@ void PieceDispatcher::look_closer(btBroadphasePair& pair, btCollisionDispatcher&
     const btBroadphaseProxy& a = *pair.m_pProxy0;
     const btBroadphaseProxy& b = *pair.m_pProxy1;
     if (same_piece(a, b)) return;
-    // Seen close last time, a pair is looked at once more, which ends the contact points that it had.
+    // A pair that was close in the last step is processed once more, which removes its old contact points.
     const int close = apart(a, b, static_cast<PieceDispatcher&>(dispatcher).reach_) ? 0 : 1;
     if (close == 0 && pair.m_internalTmpValue == 0) return;
     pair.m_internalTmpValue = close;

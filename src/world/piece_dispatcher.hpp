@@ -23,9 +23,8 @@ class PieceDispatcher final : public btCollisionDispatcher {
   public:
     using btCollisionDispatcher::btCollisionDispatcher;
 
-    /// From now on pairs that cannot touch are passed over without a look at their bodies: those of one piece, and
-    /// those further apart than a contact point lives. Saves memory traffic, changes nothing: every other pair is as
-    /// before.
+    /// From now on pairs that cannot touch are skipped without loading their bodies: those of one piece, and those
+    /// farther apart than a contact point persists. Saves memory traffic; other pairs are processed as before.
     void pass_over_distant_pairs() { setNearCallback(&PieceDispatcher::look_closer); }
 
     /// A body whose contact points live up to `threshold` apart, m (btCollisionShape::getContactBreakingThreshold).

@@ -42,8 +42,8 @@ void set_up(btContactSolverInfo& info, const WorldDefinition& definition) {
 
 }  // namespace
 
-// All of it, the solvers too, computes in `units`. Members are destroyed last first: the world before what it refers
-// to.
+// Everything here, solvers included, is in `units`. Members are destroyed in reverse order: the world before what it
+// refers to.
 class World::Bullet {
   public:
     explicit Bullet(const WorldDefinition& given)
@@ -51,17 +51,15 @@ class World::Bullet {
         set_up(world.getSolverInfo(), definition);
         world.setGravity({0, -definition.gravity, 0});
         world.setForceUpdateAllAabbs(false);  // fixed boxes do not move
-        if (definition.solver != ConstraintSolver::stock) {
-            const bool direct = definition.solver == ConstraintSolver::direct;
-            world.setConstraintSolver(&lanes.emplace(definition.contact, definition.lanes,
-                                                     direct ? JointSolution::direct : JointSolution::swept));
+        if (definition.solver != SolverKind::stock) {
+            world.setConstraintSolver(&lanes.emplace(definition.contact, definition.lanes, definition.solver));
             dispatcher.pass_over_distant_pairs();
             world.getDispatchInfo().m_useContinuous = false;  // nothing swept: AABBs have a margin of 0.02
         }
     }
 
-    /// Takes the pairs away one by one. Bullet would look through all of them for each body: a time that grows as the
-    /// square of the number of bodies.
+    /// Removes the overlapping pairs one by one. Bullet would search all of them for each body, in a time that grows as
+    /// the square of the number of bodies.
     ~Bullet() {
         btOverlappingPairCache& pairs = *broadphase.getOverlappingPairCache();
         for (int left = pairs.getNumOverlappingPairs(); left > 0; left = pairs.getNumOverlappingPairs()) {
@@ -80,8 +78,8 @@ class World::Bullet {
         return &boxes.emplace_back(half_extents).shape;
     }
 
-    /// All bodies enter here. Bullet's counter of bodies, a debugging aid that nothing reads, is the only datum that
-    /// Worlds in different threads share.
+    /// Adds any body. Worlds in different threads share one datum: Bullet's counter of bodies, a debugging aid that is
+    /// never read.
     BodyId add_body(btCollisionShape* shape, double mass, const Pose& pose, double material, int piece, int flags) {
         const BodyId id(bodies.size());
         btVector3 inertia(0, 0, 0);
@@ -187,8 +185,7 @@ void World::set_piece(BodyId body, int piece) {
 }
 
 void World::set_asleep(BodyId body, bool asleep) {
-    if (!bullet_->lanes)
-        throw InputError("Bullet's own solver lets no bodies sleep; take another, or keep them awake.");
+    check_sleep(bullet_->definition.solver);
     btRigidBody& changed = bullet_->body(body);
     bullet_->world.updateSingleAabb(&changed);  // from now on Bullet leaves its box alone; a new one has no margin yet
     changed.forceActivationState(asleep ? ISLAND_SLEEPING : DISABLE_DEACTIVATION);

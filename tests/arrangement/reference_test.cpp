@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "arrangement/order.hpp"
+#include "arrangement/periodic_box.hpp"
 #include "arrangement/sampler.hpp"
 
 namespace floes {

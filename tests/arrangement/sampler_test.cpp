@@ -7,6 +7,7 @@
 
 #include "arrangement/arrangement.hpp"
 #include "arrangement/check.hpp"
+#include "arrangement/periodic_box.hpp"
 #include "arrangement/starts.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"

@@ -59,22 +59,26 @@ TEST(Validate, EveryContradictionIsOneSentence) {
              s.contact = {.friction = Friction::cone};
              s.general.solver = SolverKind::stock;
          },
-         "contact.friction = \"cone\" is not possible with general.solver = \"stock\", because Bullet's own solver "
+         "contact.friction = \"cone\" is not possible with general.solver = \"stock\": Bullet's own solver "
          "bounds friction by a square; take general.solver = \"lanes\", or contact.preset = \"paper\""},
         {[](Scenario& s) {
              s.contact = {.normal = NormalLaw::crushing};
              s.general.solver = SolverKind::stock;
          },
-         "contact.law = \"crushing\" is not possible with general.solver = \"stock\", because Bullet's own solver has "
+         "contact.law = \"crushing\" is not possible with general.solver = \"stock\": Bullet's own solver has "
          "no "
          "contacts that crush; take general.solver = \"lanes\", or contact.law = \"rigid\""},
         {[](Scenario& s) {
              s.contact = {.internal_edges = false};
              s.general.solver = SolverKind::stock;
          },
-         "paper.internal_edges = false is not possible with general.solver = \"stock\", because Bullet's own solver "
+         "paper.internal_edges = false is not possible with general.solver = \"stock\": Bullet's own solver "
          "does not know which faces lie inside a floe; take general.solver = \"lanes\", or paper.internal_edges = "
          "true"},
+        {[](Scenario& s) { s.contact.ice_ice_friction = 0; },
+         "contact.ice_ice_friction = 0.0 is not possible with contact.ice_structure_friction = 0.2: friction is a "
+         "product of two materials, and without that of ice on ice there is none; take a small one such as "
+         "contact.ice_ice_friction = 1e-6"},
         {[](Scenario& s) { s.general.time_step = 1e-6; },
          "general.time_step_s = 1e-06 with analysis.steady_start_s = 120.0 and analysis.window_s = 150.0 makes 2.7e+08 "
          "steps, "
@@ -183,8 +187,8 @@ TEST(Validate, EveryContradictionIsOneSentence) {
              s.contact = {};
              s.general.solver = SolverKind::stock;
          },
-         "field.wake_radius_m = 3.0 is not for general.solver = \"stock\", which lets no floes rest; take "
-         "general.solver = \"lanes\", or set the radius to 0"},
+         "field.wake_radius_m = 3.0 is not possible with general.solver = \"stock\": Bullet's own solver lets no floes "
+         "rest; take general.solver = \"lanes\", or field.wake_radius_m = 0"},
         {[](Scenario& s) { s.joint.model = JointModel::beam; },
          "joint.model = \"beam\" is not possible with general.solver = \"lanes\": joints as stiff as ice do not "
          "converge "
@@ -193,16 +197,16 @@ TEST(Validate, EveryContradictionIsOneSentence) {
              s.contact.friction = Friction::one_direction;
              s.general.solver = SolverKind::direct;
          },
-         "contact.friction = \"one_direction\" is not possible with general.solver = \"direct\", which has friction in "
-         "the "
-         "whole contact plane only; take contact.friction = \"cone\", or contact.preset = \"physical\""},
+         "contact.friction = \"one_direction\" is not possible with general.solver = \"direct\": the direct solver has "
+         "friction in the whole contact plane only; take contact.friction = \"cone\", or contact.preset = "
+         "\"physical\""},
         {[](Scenario& s) {
              s.contact.normal = NormalLaw::rigid;
              s.general.solver = SolverKind::direct;
          },
-         "paper.split_impulse_depth_m = 0.04 is not possible with general.solver = \"direct\" and rigid contacts: it "
-         "corrects "
-         "every penetration within the impulse; take paper.split_impulse_depth_m = inf"},
+         "paper.split_impulse_depth_m = 0.04 is not possible with general.solver = \"direct\": the direct solver "
+         "opens every penetration of rigid contacts within the impulse; take "
+         "paper.split_impulse_depth_m = inf"},
         {[](Scenario& s) { s.field.wake_radius = 1.1; },
          "field.wake_radius_m = 1.1 lets the structure strike a floe at rest, whose middle may be 1.16 m from its axis "
          "then; take more than that, or 0 for none at rest"},
@@ -256,6 +260,8 @@ TEST(AveragingTimes, OfTheDefaultAreThoseThatSuit) {
 }
 
 TEST(Validate, BordersAreConsistent) {
+    EXPECT_EQ(sentence([](Scenario& s) { s.contact.ice_ice_friction = s.contact.ice_structure_friction = 0; }),
+              "consistent");
     EXPECT_EQ(sentence(use_file), "consistent");
     EXPECT_EQ(sentence([](Scenario& s) { s.analysis.segments = 3750; }), "consistent");  // parts of exactly 2 steps
     EXPECT_EQ(sentence([](Scenario& s) { s.floe.element = 0.6; }), "consistent");        // one element a floe

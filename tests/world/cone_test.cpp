@@ -18,7 +18,7 @@ const std::vector<double> azimuths{0.0, 0.3, 1.0, 0.25 * pi, 0.5 * pi, 2.0, pi, 
 WorldDefinition with(Friction friction, double coefficient, double gravity = 9.81) {
     return {.gravity = gravity,
             .contact = {.erp = 0, .ice_ice_friction = coefficient, .friction = friction},
-            .solver = ConstraintSolver::lanes};
+            .solver = SolverKind::lanes};
 }
 
 // ---- A box pressed on a base, loaded by two others that touch it: P along, Q across.
@@ -178,7 +178,7 @@ TEST(Cone, ACollisionOfManyNeverGainsEnergy) {
 
 TEST(Cone, StockRefusesIt) {
     WorldDefinition definition = with(Friction::cone, 0.3);
-    definition.solver = ConstraintSolver::stock;
+    definition.solver = SolverKind::stock;
     EXPECT_THROW(World{definition}, InputError);
 }
 

@@ -23,7 +23,7 @@ WorldDefinition crushing(double pressure, double time_step) {
                         .ice_structure_friction = 0,
                         .normal = NormalLaw::crushing,
                         .crushing_pressure = pressure},
-            .solver = ConstraintSolver::lanes};
+            .solver = SolverKind::lanes};
 }
 
 /// A box flies at a wall whose normal points against it. Positions are those of the box's first vertex.
@@ -193,7 +193,7 @@ TEST(Crushing, ACollisionOfManyNeverGainsEnergy) {
 
 TEST(Crushing, StockRefusesIt) {
     WorldDefinition definition = crushing(strength, 0.02);
-    definition.solver = ConstraintSolver::stock;
+    definition.solver = SolverKind::stock;
     EXPECT_THROW(World{definition}, InputError);
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 WorldDefinition direct_world(int lanes = 0) {
     WorldDefinition definition;
-    definition.solver = ConstraintSolver::direct;
+    definition.solver = SolverKind::direct;
     definition.lanes = lanes;
     definition.contact.friction = Friction::cone;
     definition.contact.split_impulse = false;
@@ -58,7 +58,7 @@ double largest_difference(const LanesScene& a, const LanesScene& b) {
 // before it was strained.
 TEST(Direct, IsWhereSweepsConvergeTo) {
     WorldDefinition swept = direct_world();
-    swept.solver = ConstraintSolver::lanes;
+    swept.solver = SolverKind::lanes;
     swept.iterations = 20000;
     WorldDefinition direct = direct_world();
     direct.iterations = 500;
@@ -283,7 +283,7 @@ TEST(Direct, RefusesWhatItCannotDo) {
     definition.contact.split_impulse = true;
     EXPECT_THROW(World{definition}, InputError);
     WorldDefinition lanes = direct_world();
-    lanes.solver = ConstraintSolver::lanes;
+    lanes.solver = SolverKind::lanes;
     EXPECT_THROW(LoneFloe(2, stiff_ice(), lanes), InputError);
     JointSpring loose = stiff_ice();
     loose.moment[0] = 0;

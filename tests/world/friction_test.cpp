@@ -93,11 +93,16 @@ TEST(MaterialFrictionTest, GivesBothCoefficientsAsProducts) {
     EXPECT_DOUBLE_EQ(friction.ice * friction.structure, 0.2);
 }
 
-TEST(MaterialFrictionTest, RefusesWhatNoProductGives) {
+TEST(MaterialFrictionTest, OfTheIceIsNoneWithoutFriction) {
     EXPECT_EQ(material_friction(friction_of(0, 0)).ice, 0);
-    EXPECT_THROW(material_friction(friction_of(0, 0.2)), InputError);
-    EXPECT_THROW(material_friction(friction_of(-0.1, 0.2)), InputError);
-    EXPECT_THROW(material_friction(friction_of(0.3, 11)), InputError);
+    EXPECT_EQ(material_friction(friction_of(0, 0)).structure, 0);
+}
+
+TEST(World, RefusesFrictionThatNoProductGives) {
+    EXPECT_NO_THROW(World({.contact = friction_of(0, 0)}));
+    EXPECT_THROW(World({.contact = friction_of(0, 0.2)}), InputError);
+    EXPECT_THROW(World({.contact = friction_of(-0.1, 0.2)}), InputError);
+    EXPECT_THROW(World({.contact = friction_of(0.3, 11)}), InputError);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ WorldDefinition with(bool internal_edges, NormalLaw law) {
                         .normal = law,
                         .crushing_pressure = 145.6e3,
                         .internal_edges = internal_edges},
-            .solver = ConstraintSolver::lanes};
+            .solver = SolverKind::lanes};
 }
 
 /// Two elements of a floe side by side along z, and a third one whose corner is 2 mm inside the face of the first and
@@ -82,7 +82,7 @@ TEST(InternalEdges, AWaistPushesAlongTheNormalsOfItsWalls) {
 
 TEST(InternalEdges, StockRefusesToLeaveThemOut) {
     WorldDefinition definition = with(false, NormalLaw::rigid);
-    definition.solver = ConstraintSolver::stock;
+    definition.solver = SolverKind::stock;
     EXPECT_THROW(World{definition}, InputError);
 }
 

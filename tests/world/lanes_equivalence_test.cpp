@@ -10,7 +10,7 @@
 namespace floes::test {
 namespace {
 
-WorldDefinition solved_by(ConstraintSolver solver, int lanes = 0) {
+WorldDefinition solved_by(SolverKind solver, int lanes = 0) {
     WorldDefinition definition;
     definition.solver = solver;
     definition.lanes = lanes;
@@ -60,8 +60,8 @@ void expect_close(const LanesScene& a, const LanesScene& b, double tolerance) {
 }
 
 TEST(LanesEquivalence, FirstStepsAreBulletsOwn) {
-    LanesScene lanes(solved_by(ConstraintSolver::lanes));
-    LanesScene stock(solved_by(ConstraintSolver::stock));
+    LanesScene lanes(solved_by(SolverKind::lanes));
+    LanesScene stock(solved_by(SolverKind::stock));
     for (int i = 0; i < 3; ++i) {
         lanes.step();
         stock.step();
@@ -70,8 +70,8 @@ TEST(LanesEquivalence, FirstStepsAreBulletsOwn) {
 }
 
 TEST(LanesEquivalence, PackedIceMovesAsInBullet) {
-    LanesScene lanes(solved_by(ConstraintSolver::lanes));
-    LanesScene stock(solved_by(ConstraintSolver::stock));
+    LanesScene lanes(solved_by(SolverKind::lanes));
+    LanesScene stock(solved_by(SolverKind::stock));
     for (int i = 0; i < 40; ++i) {
         lanes.step();
         stock.step();
@@ -82,15 +82,15 @@ TEST(LanesEquivalence, PackedIceMovesAsInBullet) {
 
 // Another law than the default in every field: both solvers have it whole, and it makes a difference.
 TEST(LanesEquivalence, AnotherContactLawActsAsInBullet) {
-    WorldDefinition other = solved_by(ConstraintSolver::lanes);
+    WorldDefinition other = solved_by(SolverKind::lanes);
     other.contact = {.erp = 0.6,
                      .ice_ice_friction = 0.1,
                      .ice_structure_friction = 0.5,
                      .split_impulse = true,
                      .split_impulse_depth = 1e-4};
-    LanesScene usual(solved_by(ConstraintSolver::lanes));
+    LanesScene usual(solved_by(SolverKind::lanes));
     LanesScene lanes(other);
-    other.solver = ConstraintSolver::stock;
+    other.solver = SolverKind::stock;
     LanesScene stock(other);
     for (int i = 0; i < 40; ++i) {
         for (LanesScene* scene : {&usual, &lanes, &stock}) scene->step();
@@ -101,8 +101,8 @@ TEST(LanesEquivalence, AnotherContactLawActsAsInBullet) {
 }
 
 TEST(LanesEquivalence, BrokenFloesMoveAsInBullet) {
-    LanesScene lanes(solved_by(ConstraintSolver::lanes));
-    LanesScene stock(solved_by(ConstraintSolver::stock));
+    LanesScene lanes(solved_by(SolverKind::lanes));
+    LanesScene stock(solved_by(SolverKind::stock));
     for (LanesScene* scene : {&lanes, &stock}) {
         scene->step();
         scene->break_joints(5);
@@ -117,7 +117,7 @@ class EveryWidth : public testing::TestWithParam<std::pair<Friction, NormalLaw>>
 TEST_P(EveryWidth, GivesTheSameBits) {
     std::vector<LanesScene> scenes;
     for (const int width : lane_widths()) {
-        WorldDefinition definition = solved_by(ConstraintSolver::lanes, width);
+        WorldDefinition definition = solved_by(SolverKind::lanes, width);
         definition.contact.friction = GetParam().first;
         definition.contact.normal = GetParam().second;
         definition.contact.crushing_pressure = 145.6e3;

@@ -15,7 +15,7 @@ using test::element_at;
 using test::element_mass;
 using test::element_side;
 
-class LengthUnit : public testing::TestWithParam<ConstraintSolver> {
+class LengthUnit : public testing::TestWithParam<SolverKind> {
   protected:
     static WorldDefinition definition(double unit) { return {.solver = GetParam(), .length_unit = unit}; }
 };
@@ -94,8 +94,8 @@ TEST(LengthUnitOfAWorld, IsRefusedUnlessAboveZero) {
     EXPECT_THROW(World({.length_unit = -1}), InputError);
 }
 
-INSTANTIATE_TEST_SUITE_P(Solvers, LengthUnit, testing::Values(ConstraintSolver::stock, ConstraintSolver::lanes),
-                         [](const auto& given) { return given.param == ConstraintSolver::stock ? "stock" : "lanes"; });
+INSTANTIATE_TEST_SUITE_P(Solvers, LengthUnit, testing::Values(SolverKind::stock, SolverKind::lanes),
+                         [](const auto& given) { return given.param == SolverKind::stock ? "stock" : "lanes"; });
 
 }  // namespace
 }  // namespace floes

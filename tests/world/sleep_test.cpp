@@ -11,7 +11,7 @@ namespace {
 World lanes_world(double gravity) {
     WorldDefinition definition;
     definition.gravity = gravity;
-    definition.solver = ConstraintSolver::lanes;
+    definition.solver = SolverKind::lanes;
     return World(definition);
 }
 
