@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 
 #include "core/units.hpp"
 #include "ice/failure_mode.hpp"
 #include "ice/floe_grid.hpp"
+#include "scenario/floes.hpp"
 
 namespace floes {
 namespace {
@@ -48,7 +50,8 @@ std::string mode_name(int mode) {
 /// How often the joints failed in one floe of one member of a case, 0 to 1.
 struct CaseFailures {
     std::string name;
-    const Scenario* scenario;
+    FloeShape floe;
+    int floes;
     FloeGrid grid;
     std::vector<GridJoint> joints;
     std::vector<double> of_joint;
@@ -56,13 +59,16 @@ struct CaseFailures {
     double total = 0;
 };
 
-CaseFailures failures_of(Evidence& evidence, std::size_t of_case) {
-    const Scenario& scenario = evidence.campaign.cases[of_case].scenario;
+/// None where floes differ in shape: their joints are not the same.
+std::optional<CaseFailures> failures_of(Evidence& evidence, std::size_t of_case) {
+    const FloeSet floes = floes_of(evidence.campaign.cases[of_case].scenario);
+    if (floes.shapes.size() != 1) return std::nullopt;
     const CaseSummary& row = evidence.summary.cases[of_case];
-    CaseFailures found{row.about.name, &scenario, grid_of(scenario.floe), {}, {}, {}};
+    const FloeShape& floe = floes.shapes.front();
+    CaseFailures found{row.about.name, floe, static_cast<int>(floes.size()), grid_of(floe), {}, {}, {}};
     found.joints = joint_order(found.grid);
     found.of_joint.resize(found.joints.size(), 0.0);
-    const double share = 1.0 / row.done / scenario.field.floes;
+    const double share = 1.0 / row.done / found.floes;
     for (const BreakRow& one : breaks_of(evidence)) {
         const MemberRow& member = evidence.table.members[static_cast<std::size_t>(one.member)];
         if (member.case_index != static_cast<int>(of_case)) continue;
@@ -82,15 +88,14 @@ std::string sentence(const CaseFailures& found) {
     for (const auto& [share, mode] : sorted)
         words += fmt::format("{}{} {:.0f} %", words.empty() ? "" : ", ", mode_name(mode),
                              share / found.total / unit::percent);
-    return fmt::format("{}: {:.1f} joints failed in a member: {}.", found.name,
-                       found.total * found.scenario->field.floes, words);
+    return fmt::format("{}: {:.1f} joints failed in a member: {}.", found.name, found.total * found.floes, words);
 }
 
 /// The floe with each joint in the shade of how often it failed; `largest` is the darkest.
 Figure panel(const CaseFailures& found, double largest) {
     constexpr std::size_t most_numbers = 40;  // joints; more have no room for them
     constexpr double widest = 188;            // three panels stand side by side
-    const FloeShape& floe = found.scenario->floe;
+    const FloeShape& floe = found.floe;
     const double half_length = 0.55 * floe.length;
     const double half_breadth = 0.55 * floe.breadth;
     const double scale = widest / 2 / std::max(half_length, half_breadth);
@@ -155,7 +160,9 @@ Section joint_failures_section(Evidence& evidence) {
     std::vector<CaseFailures> cases;
     double largest = 0;
     for (const std::size_t k : drawn_cases(evidence.summary)) {
-        cases.push_back(failures_of(evidence, k));
+        std::optional<CaseFailures> found = failures_of(evidence, k);
+        if (!found) continue;
+        cases.push_back(std::move(*found));
         for (const double share : cases.back().of_joint) largest = std::max(largest, share);
     }
     Section section;

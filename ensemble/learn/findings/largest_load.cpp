@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/units.hpp"
+#include "scenario/floes.hpp"
 
 namespace floes {
 namespace {
