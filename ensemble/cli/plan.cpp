@@ -14,6 +14,7 @@
 #include "cli/commands.hpp"
 #include "cli/config_file.hpp"
 #include "cli/plan_text.hpp"
+#include "cli/terminal.hpp"
 #include "cli/waiting_note.hpp"
 #include "core/error.hpp"
 #include "core/wording.hpp"
@@ -57,10 +58,7 @@ std::string plan_text(const PlanOptions& options) {
         options.from.empty() ? expected_members(campaign) : measured_members(campaign, read_measured_run(options.from));
     if (options.record_bytes > 0) set_record_bytes(planned, options.record_bytes);
     const std::vector<PlanRow> rows = rows_of(options, planned);
-    const PlanHead head = plan_head(campaign, planned);
-    if (options.format == "table") return plan_table(head, rows);
-    const std::vector<DataRows> records = plan_records(head, rows);
-    return options.format == "json" ? json(records) : csv(records.back());
+    return written({plan_section(plan_head(campaign, planned), rows)}, options.format);
 }
 
 }  // namespace

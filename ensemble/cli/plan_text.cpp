@@ -29,51 +29,15 @@ std::string remark(const PlanHead& head, const PlanRow& row) {
     const Forecast& forecast = row.forecast;
     const std::string cores = counted(row.cores, "core");
     if (forecast.master_load > busy_master)
-        return fmt::format("{}: the master is busy {:.0f} % of the time; more cores gain little.\n", cores,
+        return fmt::format("{}: the master is busy {:.0f} % of the time; more cores gain little.", cores,
                            100 * forecast.master_load);
     const double after = forecast.wall_time - forecast.last_member;
     if (after > 0.1 * forecast.wall_time)
-        return fmt::format("{}: start-up takes {} of the time, and writing the campaign file {}.\n", cores,
+        return fmt::format("{}: start-up takes {} of the time, and writing the campaign file {}.", cores,
                            duration_in_figures(forecast.start_up), duration_in_figures(after));
     if (forecast.efficiency < 0.9 && head.members < 3 * row.cores)
-        return fmt::format("{}: too few members; cores are idle while the last ones run.\n", cores);
+        return fmt::format("{}: too few members; cores are idle while the last ones run.", cores);
     return "";
-}
-
-}  // namespace
-
-PlanHead plan_head(const Campaign& campaign, const PlannedMembers& planned) {
-    PlanHead head;
-    head.title = campaign.name;
-    head.members = member_count(campaign);
-    for (const SimulatedMember& member : planned.members) {
-        head.mean_run_time += member.run_time / head.members;
-        head.longest = std::max(head.longest, member.run_time);
-        head.message_bytes = std::max(head.message_bytes, member.record_bytes);
-    }
-    head.source = planned.source;
-    head.calibrates = std::ranges::any_of(campaign.cases, &Case::calibrate);
-    return head;
-}
-
-std::string plan_table(const PlanHead& head, std::span<const PlanRow> rows) {
-    std::string text = fmt::format("{}: {} of {} on average, {} at most, {} each.\n", head.title,
-                                   counted(head.members, "member"), duration_in_figures(head.mean_run_time),
-                                   duration_in_figures(head.longest), size(head.message_bytes));
-    text += fmt::format("Run times: {}.\n", head.source);
-    if (head.calibrates) text += "Not counted: cases are calibrated first, about a minute.\n";
-    text += fmt::format("\n{:>8} {:>6} {:>10} {:>12} {:>11} {:>12} {:>10} {:>10} {:>14}\n", "cores", "ranks",
-                        "wall time", "core-hours", "efficiency", "master busy", "file", "journal", "master memory");
-    for (const PlanRow& row : rows) {
-        const Forecast& forecast = row.forecast;
-        text += fmt::format("{:>8} {:>6} {:>10} {:>12.4g} {:>9.1f} % {:>10.2g} % {:>10} {:>10} {:>14}\n", row.cores,
-                            row.ranks, duration_in_figures(forecast.wall_time), core_hours(row),
-                            100 * forecast.efficiency, 100 * forecast.master_load, size(forecast.file_bytes),
-                            size(forecast.journal_bytes), size(row.master_memory));
-    }
-    std::string remarks;
-    for (const PlanRow& row : rows) remarks += remark(head, row);
-    return remarks.empty() ? text : text + "\n" + remarks;
 }
 
 std::vector<DataRows> plan_records(const PlanHead& head, std::span<const PlanRow> rows) {
@@ -100,6 +64,43 @@ std::vector<DataRows> plan_records(const PlanHead& head, std::span<const PlanRow
          {"journal_bytes", [](const PlanRow& row) { return Datum(row.forecast.journal_bytes); }},
          {"master_memory_bytes", [](const PlanRow& row) { return Datum(row.master_memory); }}});
     return {json_only(std::move(common)), std::move(plans)};
+}
+
+}  // namespace
+
+PlanHead plan_head(const Campaign& campaign, const PlannedMembers& planned) {
+    PlanHead head;
+    head.title = campaign.name;
+    head.members = member_count(campaign);
+    for (const SimulatedMember& member : planned.members) {
+        head.mean_run_time += member.run_time / head.members;
+        head.longest = std::max(head.longest, member.run_time);
+        head.message_bytes = std::max(head.message_bytes, member.record_bytes);
+    }
+    head.source = planned.source;
+    head.calibrates = std::ranges::any_of(campaign.cases, &Case::calibrate);
+    return head;
+}
+
+Section plan_section(const PlanHead& head, std::span<const PlanRow> rows) {
+    Section section{.records = plan_records(head, rows)};
+    section.before = fmt::format("{}: {} of {} on average, {} at most, {} each.\nRun times: {}.\n", head.title,
+                                 counted(head.members, "member"), duration_in_figures(head.mean_run_time),
+                                 duration_in_figures(head.longest), size(head.message_bytes), head.source);
+    if (head.calibrates) section.before += "Not counted: cases are calibrated first, about a minute.\n";
+    section.before += "\n";
+    section.table = {
+        {"cores", "ranks", "wall time", "core-hours", "efficiency", "master busy", "file", "journal", "master memory"}};
+    for (const PlanRow& row : rows) {
+        const Forecast& forecast = row.forecast;
+        section.table.push_back({fmt::format("{}", row.cores), fmt::format("{}", row.ranks),
+                                 duration_in_figures(forecast.wall_time), fmt::format("{:.4g}", core_hours(row)),
+                                 fmt::format("{:.1f} %", 100 * forecast.efficiency),
+                                 fmt::format("{:.2g} %", 100 * forecast.master_load), size(forecast.file_bytes),
+                                 size(forecast.journal_bytes), size(row.master_memory)});
+        if (const std::string told = remark(head, row); !told.empty()) section.notes.push_back(told);
+    }
+    return section;
 }
 
 }  // namespace floes

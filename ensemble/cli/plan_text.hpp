@@ -3,10 +3,9 @@
 
 #include <span>
 #include <string>
-#include <vector>
 
 #include "forecast/plan.hpp"
-#include "tables/data_rows.hpp"
+#include "tables/section.hpp"
 
 namespace floes {
 
@@ -23,9 +22,8 @@ struct PlanHead {
 
 PlanHead plan_head(const Campaign& campaign, const PlannedMembers& planned);
 
-/// For people; with a line on the bottleneck of each setting that has one.
-std::string plan_table(const PlanHead& head, std::span<const PlanRow> rows);
-/// For programs: in JSON one object, in CSV a line for each setting; times in s, sizes in bytes.
-std::vector<DataRows> plan_records(const PlanHead& head, std::span<const PlanRow> rows);
+/// For people with a note on the bottleneck of each setting that has one. In JSON one object, in CSV a line for each
+/// setting; times in s, sizes in bytes.
+Section plan_section(const PlanHead& head, std::span<const PlanRow> rows);
 
 }  // namespace floes

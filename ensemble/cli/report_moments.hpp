@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "page/report_data.hpp"
+#include "page/page.hpp"
 
 namespace floes {
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "example.hpp"
-#include "findings/loads_section.hpp"
 #include "findings/members.hpp"
 #include "findings/pairs.hpp"
+#include "findings/report_sections.hpp"
 #include "findings/summary_section.hpp"
 #include "tables/section.hpp"
 

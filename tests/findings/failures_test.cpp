@@ -1,11 +1,10 @@
 // Failed joints as the report shows them: by mode, over time and over the floe.
 
-#include "findings/failures.hpp"
+#include "findings/report_sections.hpp"
 
 #include <gmock/gmock.h>
 
 #include "findings/example.hpp"
-#include "findings/joint_failures.hpp"
 #include "ice/failure_mode.hpp"
 
 namespace floes {
@@ -49,7 +48,8 @@ TEST(Failures, AreShownInEveryModeThatOccurs) {
 }
 
 TEST(Failures, AreNamedByTheirModes) {
-    Evidence of = evidence({{0, 20, 0, 0, in_plane}, {0, 20, 0, 0, tension}, {0, 30, 0, 1, in_plane}, {0, 40, 0, 1, in_plane}});
+    Evidence of =
+        evidence({{0, 20, 0, 0, in_plane}, {0, 20, 0, 0, tension}, {0, 30, 0, 1, in_plane}, {0, 40, 0, 1, in_plane}});
     EXPECT_THAT(joint_failures_section(of).notes,
                 ElementsAre("E30: 1.0 joints failed in a member: in-plane bending 75 %, tension 25 %."));
 }

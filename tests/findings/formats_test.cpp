@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -58,7 +59,8 @@ TEST(SummaryJson, HasEveryNameOfTheFormat) {
         }
     }
     EXPECT_EQ(row.at("mean_N").at("estimate"), 27.0);
-    EXPECT_EQ(row.at("failures"), json::parse(R"({"bending": 10, "shear": 4, "compression": 0})"));
+    EXPECT_EQ(row.at("failures"), json::parse(R"({"bending": 10, "shear": 4, "compression": 0,
+        "tension": 0, "torsion": 0, "in_plane_bending": 0})"));
     EXPECT_FALSE(row.contains("difference_percent"));
 }
 
@@ -174,6 +176,18 @@ TEST(SummaryTable, ShowsTheFigures) {
     EXPECT_THAT(text, testing::ContainsRegex("mean maximum, N +108\\.0 "));
     EXPECT_THAT(text, testing::ContainsRegex("failure ratio, % +2\\.0 "));
     EXPECT_THAT(text, testing::ContainsRegex("joints failed in bending +2\\.5 \\[0\\.4, 4\\.6\\] +5\\.5 .* +8\\.5 "));
+}
+
+// Without a criterion no joint can fail in tension; a file of before layout 1.9 does not know the mode.
+TEST(SummaryTable, LeavesOutModesInWhichNoJointFailed) {
+    CampaignTable table = example::campaign();
+    for (MemberRow& row : table.members) row.failures[3] = std::numeric_limits<double>::quiet_NaN();
+    const std::string text = summary_table(summarise(table), 150);
+    EXPECT_THAT(text, HasSubstr("\n  in shear "));
+    EXPECT_THAT(text, Not(HasSubstr("in compression")));
+    EXPECT_THAT(text, Not(HasSubstr("in tension")));
+    for (MemberRow& row : table.members) row.failures[0] = row.failures[1] = 0;
+    EXPECT_THAT(summary_table(summarise(table), 150), HasSubstr("joints failed in bending "));
 }
 
 TEST(SummaryTable, FitsTheWidth) {

@@ -126,7 +126,7 @@ std::vector<std::string> change_sentences(const Sensitivity& found) {
 
 }  // namespace
 
-Answer find_answer(Evidence& evidence) {
+CampaignAnswer find_answer(Evidence& evidence) {
     const DesignLoads designs = in_detail(evidence.campaign) ? designs_of(evidence) : DesignLoads{};
     return {load_sentences(evidence.summary, designs), basis_sentences(evidence, designs),
             change_sentences(sensitivity_of(evidence))};

@@ -8,13 +8,13 @@
 
 namespace floes {
 
-struct Answer {
+struct CampaignAnswer {
     std::vector<std::string> loads;    ///< of each case with done members: mean and design load with their intervals
     std::vector<std::string> basis;    ///< ice field, members, method, and how far it extrapolates
     std::vector<std::string> changes;  ///< the axes of a design that change the mean load most, or that there are none
 };
 
 /// Design loads are left out for a campaign of many cases, and where the members did not average their load.
-Answer find_answer(Evidence& evidence);
+CampaignAnswer find_answer(Evidence& evidence);
 
 }  // namespace floes

@@ -3,23 +3,15 @@
 #include <algorithm>
 #include <array>
 
-#include "findings/closed_formulas.hpp"
 #include "findings/control_section.hpp"
-#include "findings/convergence.hpp"
 #include "findings/design_load_section.hpp"
-#include "findings/failures.hpp"
-#include "findings/histories.hpp"
-#include "findings/joint_failures.hpp"
-#include "findings/largest_load.hpp"
 #include "findings/levels.hpp"
-#include "findings/load_map_section.hpp"
-#include "findings/loads_section.hpp"
 #include "findings/members.hpp"
 #include "findings/pairs_section.hpp"
 #include "findings/points.hpp"
+#include "findings/report_sections.hpp"
 #include "findings/sensitivity_section.hpp"
 #include "findings/summary_section.hpp"
-#include "findings/what_was_run.hpp"
 
 namespace floes {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 // The findings of a campaign file by name, as `floes summarize --parts` takes them and as the report shows them. A new
-// finding is a header and a source of its own, and a line in catalogue.cpp.
+// finding is a source with its header, and a line in catalogue.cpp.
 
 #include <span>
 #include <string_view>

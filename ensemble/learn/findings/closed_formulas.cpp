@@ -1,4 +1,4 @@
-#include "findings/closed_formulas.hpp"
+#include "findings/report_sections.hpp"
 
 #include <fmt/format.h>
 

@@ -15,11 +15,11 @@ struct ControlRow {
     ControlledMean found;
 };
 
-/// How many arrangements are drawn, and not run, to know what is usual.
+/// Arrangements that are drawn, not run, for the means of the covariates.
 inline constexpr int control_draws = 200;
 
 /// For each case the quantities of the headlines. Arrangements of a geometry are drawn once, those after the campaign's
-/// last; poses from a file give nothing to draw, and no rows.
+/// last; cases with poses from a file have no rows.
 std::vector<ControlRow> find_control(const Campaign& campaign, const CampaignTable& table);
 
 Section control_section(const Summary& summary, const std::vector<ControlRow>& rows);

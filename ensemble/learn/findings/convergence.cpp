@@ -1,4 +1,4 @@
-#include "findings/convergence.hpp"
+#include "findings/report_sections.hpp"
 
 #include <algorithm>
 

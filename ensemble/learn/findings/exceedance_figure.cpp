@@ -1,4 +1,4 @@
-#include "findings/exceedance_figure.hpp"
+#include "findings/extremes.hpp"
 
 #include <algorithm>
 

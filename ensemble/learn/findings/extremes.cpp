@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "core/units.hpp"
-#include "findings/exceedance_figure.hpp"
 #include "tables/number_text.hpp"
 
 namespace floes {

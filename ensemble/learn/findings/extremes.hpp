@@ -31,6 +31,9 @@ Section extremes_section(const Summary& summary, const std::vector<CaseExtremes>
 /// has no table, which would be too long to read.
 Section exceedance_section(const Summary& summary, const std::vector<CaseExtremes>& extremes);
 
+/// The maxima with both fits, exceedance over load.
+Figure exceedance_figure(const Summary& summary, const std::vector<CaseExtremes>& extremes);
+
 /// "Gumbel" or "GEV".
 const char* name_of(ExtremeKind kind);
 

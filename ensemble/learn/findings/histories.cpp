@@ -1,4 +1,4 @@
-#include "findings/histories.hpp"
+#include "findings/report_sections.hpp"
 
 #include <fmt/format.h>
 

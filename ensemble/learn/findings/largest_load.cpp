@@ -1,4 +1,4 @@
-#include "findings/largest_load.hpp"
+#include "findings/report_sections.hpp"
 
 #include <fmt/format.h>
 

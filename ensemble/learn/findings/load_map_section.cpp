@@ -1,4 +1,4 @@
-#include "findings/load_map_section.hpp"
+#include "findings/report_sections.hpp"
 
 #include <fmt/format.h>
 

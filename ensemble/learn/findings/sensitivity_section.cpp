@@ -180,10 +180,7 @@ Section sensitivity_section(const Sensitivity& found) {
                                      {"to", &SensitivityAxis::to},
                                      {"scale", [](const SensitivityAxis& axis) { return scale_word(axis); }}})),
                                 row_records(found), axis_records(found), make_list("sensitivity/notes", found.notes)}};
-    if (!found.rows.empty()) {
-        section.table = sensitivity_table(found);
-        section.after = "\n";
-    }
+    if (!found.rows.empty()) section.table = sensitivity_table(found);
     return section;
 }
 

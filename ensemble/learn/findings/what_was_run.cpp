@@ -1,4 +1,4 @@
-#include "findings/what_was_run.hpp"
+#include "findings/report_sections.hpp"
 
 #include <fmt/format.h>
 

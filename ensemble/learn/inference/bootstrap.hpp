@@ -30,7 +30,7 @@ struct BootstrapOptions {
 /// 0, 1, …, rows - 1.
 std::vector<std::uint32_t> all_rows(std::size_t rows);
 
-/// Calls `use` with all rows but one, each left out in turn; of more than `most` rows, every most-th together.
+/// The jackknife: calls `use` with all rows but one, for each row. More than `most` rows are left out in `most` groups.
 void leave_out(std::size_t rows, std::size_t most, const std::function<void(std::span<const std::uint32_t>)>& use);
 
 /// 9999; fewer if that would draw more than 20 million rows, but at least 999.
@@ -45,8 +45,8 @@ std::vector<double> bootstrap(std::size_t rows, const RowStatistic& statistic, c
 Limits bca_interval(std::size_t rows, const RowStatistic& statistic, const BootstrapOptions& options = {});
 
 /// Resampled values, sorted and moved to where their quantiles are the limits of bca_interval() at any confidence:
-/// `estimate` is the statistic of all rows, `without` that with rows, or equal groups of rows, left out in turn. Only
-/// sorted where there is no such correction.
+/// `estimate` is the statistic of all rows, `without` that with rows, or equal groups of rows, left out in turn.
+/// Without a correction they are only sorted.
 std::vector<double> bca_draws(std::vector<double> resampled, double estimate, std::span<const double> without);
 
 /// The same for the mean of `values`.

@@ -2,9 +2,9 @@
 // A mean corrected by what is known of the arrangements before they are run: control variates, or the regression
 // estimator of survey sampling (W. G. Cochran, Sampling Techniques, Wiley 1977, chapter 7).
 //
-// Where the load depends on a covariate, such as how ordered the floes lie, and the arrangements that were run happen
-// to have more of it than arrangements have on average, the mean is off by the slope times that. The average over many
-// arrangements costs no simulation.
+// If the load depends on a covariate, such as the order of the floes, and the arrangements that were run have more of
+// it than the average arrangement, the mean is biased by the slope times the difference. The average of the covariate
+// costs no simulation.
 
 #include <span>
 #include <vector>
@@ -25,9 +25,9 @@ struct ControlledMean {
 };
 
 /// `values`: one of each arrangement; `known`: its covariates; `population`: those of arrangements that were not run,
-/// at least 2. The correction is used where it predicts arrangements that it has not seen, and the interval is shorter:
-/// Student's t with as many degrees of freedom fewer as there are covariates, which includes the uncertainty of slopes
-/// and of the population's mean. Covariates that do not vary are left out.
+/// at least 2. The correction is used if it predicts arrangements that the fit has not seen and shortens the interval.
+/// The interval is Student's t, with one degree of freedom less for each covariate; it includes the uncertainty of the
+/// slopes and of the population's mean. Covariates that do not vary are left out.
 ControlledMean controlled_mean(std::span<const double> values, const Covariates& known, const Covariates& population);
 
 }  // namespace floes

@@ -81,7 +81,7 @@ class TailFitter {
         std::vector<double> excesses;
         for (const std::uint32_t row : drawn)
             for (const double peak : rows_[row].peaks) {
-                if (!(peak > threshold_)) break;  // they fall
+                if (!(peak > threshold_)) break;  // sorted, falling
                 excesses.push_back(peak - threshold_);
             }
         std::ranges::sort(excesses, std::ranges::greater{});

@@ -1,6 +1,6 @@
 #pragma once
-// The largest load in a long exposure, from short runs over many arrangements. docs/design_load.md says how, and how
-// well the intervals hold where the truth is known.
+// The largest load in a long exposure, from short runs over many arrangements. docs/design_load.md has the method,
+// and the coverage of its intervals where the truth is known.
 //
 // A member is one row: its peaks and its segment maxima are resampled together.
 
@@ -14,7 +14,7 @@
 
 namespace floes {
 
-/// What one arrangement showed of the averaged load.
+/// The averaged load of one arrangement.
 struct PeakRow {
     std::vector<double> peaks;           ///< declustered, falling, N
     std::vector<double> segment_maxima;  ///< N
@@ -64,8 +64,8 @@ struct DesignLoad {
     Tail weibull;                               ///< shape 1: exponential; 2: Gaussian
     double weibull_weight = 0;                  ///< of the Weibull tail in both_tails, 0-1
     std::vector<DesignLoadEstimate> estimates;  ///< in the order of LargestBy; empty if there are too few peaks
-    /// Of the quantiles of both_tails, a draw a row, NaN where it could not be fitted: the first rows of two cases with
-    /// the same arrangements are of the same draws, as many as both have.
+    /// Bootstrap draws of the quantiles of both_tails, a row each; NaN where the fit failed. Two cases with the same
+    /// arrangements have the same draws in the same rows, as far as both have them.
     std::vector<std::vector<double>> draws;
 
     bool valid() const { return !estimates.empty(); }
@@ -73,7 +73,7 @@ struct DesignLoad {
 
 DesignLoad design_load(const std::vector<PeakRow>& rows, const Measured& measured, const Exposure& exposure);
 
-/// The quantiles of both_tails with the highest `shares` of the peaks: how much the choice of the threshold decides.
+/// The quantiles of both_tails fitted to the highest `shares` of the peaks: their sensitivity to the threshold.
 std::vector<std::vector<double>> over_thresholds(const std::vector<PeakRow>& rows, const Measured& measured,
                                                  const Exposure& exposure, const std::vector<double>& shares);
 

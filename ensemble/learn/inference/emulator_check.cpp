@@ -1,4 +1,4 @@
-// Whether an emulator's errors at points that are left out are of the size that it states.
+// Whether an emulator's leave-one-out errors are as large as it states.
 
 #include <fmt/format.h>
 

@@ -19,14 +19,14 @@ struct EmulatorData {
 
 enum class EmulatorKind { constant, linear, quadratic, gaussian_process };
 
-/// How the statistic deviates from its mean function.
+/// The deviations of the statistic from its mean function.
 struct EmulatorCovariance {
     Eigen::VectorXd lengths;  ///< of correlation along each axis, in half axes; empty unless a Gaussian process
     double variance = 0;      ///< of the correlated part, in the unit of the values squared
     double extra = 0;         ///< the same, of the part that no two points share
 };
 
-/// Covariances that are about equally likely, each with the prediction that follows from it; one if it is not in doubt.
+/// Covariances of equal weight, each with its prediction; a single one where there is no doubt about it.
 struct EmulatorForm {
     struct Part {
         EmulatorCovariance covariance;
@@ -55,7 +55,7 @@ bool determines(const Eigen::MatrixXd& at, EmulatorKind trend);
 /// Covariance of the correlated part for pairs of points; `squares`: of their differences, pairs x axes.
 Eigen::VectorXd shared_variance(const EmulatorCovariance& covariance, const Eigen::MatrixXd& squares);
 
-/// Variance that is added to every noise to keep sums solvable: negligible beside deviations of 1.
+/// Added to every noise variance so that the equations can be solved; negligible beside deviations of 1.
 inline constexpr double solvable = 1e-10;
 
 EmulatorForm fit_gaussian_process(const EmulatorData& data);

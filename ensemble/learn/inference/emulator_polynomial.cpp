@@ -10,7 +10,7 @@ namespace floes {
 
 namespace {
 
-constexpr Eigen::Index fewest_spare = 3;  // points more than terms, for a choice between forms to mean anything
+constexpr Eigen::Index fewest_spare = 3;  // points more than terms, so that forms can be compared
 
 double freedom_of(const Eigen::MatrixXd& terms) {
     return static_cast<double>(terms.rows() - terms.cols());
@@ -75,7 +75,7 @@ bool determines(const Eigen::MatrixXd& at, EmulatorKind trend) {
     if (terms.rows() <= terms.cols()) return false;
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposition(terms);
     if (decomposition.rank() < terms.cols()) return false;
-    // A point with the whole leverage is the only one that tells a term.
+    // A point of leverage 1 determines a term alone.
     const Eigen::MatrixXd basis = decomposition.householderQ() * Eigen::MatrixXd::Identity(terms.rows(), terms.cols());
     return basis.rowwise().squaredNorm().maxCoeff() < 1 - 1e-6;
 }

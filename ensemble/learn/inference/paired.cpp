@@ -80,7 +80,7 @@ double power_of_paired_test(int pairs, double difference, double sd, double conf
     const double noncentrality = std::abs(difference) / sd * std::sqrt(static_cast<double>(pairs));
     const boost::math::students_t central(freedom);
     const double limit = boost::math::quantile(boost::math::complement(central, (1 - confidence) / 2));
-    if (noncentrality > std::max(30.0, 10 * limit)) return 1;  // to all digits; the series below would be slow
+    if (noncentrality > std::max(30.0, 10 * limit)) return 1;  // to double precision; the series below would be slow
     const boost::math::non_central_t shifted(freedom, noncentrality);
     return boost::math::cdf(boost::math::complement(shifted, limit)) + boost::math::cdf(shifted, -limit);
 }

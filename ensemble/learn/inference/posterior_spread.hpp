@@ -1,5 +1,6 @@
 #pragma once
-// Parameters that stand for a posterior distribution: a few of equal weight instead of the likeliest alone.
+// Sigma points: a few sets of parameters, of equal weight, that represent a posterior distribution better than its
+// mode.
 
 #include "inference/simplex.hpp"
 
@@ -7,8 +8,8 @@ namespace floes {
 
 /// `cost` is the negative logarithm of the posterior, `least` its minimum at m parameters. m + 1 places at the corners
 /// of a regular simplex have the mean and covariance of the normal distribution with the curvature at the minimum (S.
-/// J. Julier and J. K. Uhlmann, Proc. Am. Control Conf. 2002, 887-892). Where the cost rises faster than that on the
-/// way to a corner, the corner is drawn in.
+/// J. Julier and J. K. Uhlmann, Proc. Am. Control Conf. 2002, 887-892). A corner where
+/// the cost is higher than that distribution's is moved towards the minimum.
 std::vector<std::vector<double>> spread(const Cost& cost, const Minimum& least);
 
 }  // namespace floes

@@ -31,10 +31,10 @@ struct Tail {
 /// Fewest peaks above the threshold that are fitted.
 inline constexpr std::size_t fewest_peaks = 20;
 
-/// The tail of peaks that exceed `threshold` by `excesses`, N, all positive, in `time` s. Each stands for `weights`
-/// like it, as many as excesses; hidden_peaks.hpp. Pareto with -1/2 <= ξ <= 1, in which range maximum likelihood is
-/// regular and the mean exists; Weibull with 0.2 <= c <= 8 and `origin` below the threshold. Invalid (scale NaN) for
-/// fewer than fewest_peaks or if all are equal.
+/// The tail of peaks that exceed `threshold` by `excesses`, N, all positive, in `time` s. `weights`: how
+/// many events each peak stands for (hidden_peaks.hpp), one for each excess. Pareto with -1/2 <= ξ <= 1, in which range
+/// maximum likelihood is regular and the mean exists; Weibull with 0.2 <= c <= 8 and `origin` below the threshold.
+/// Invalid (scale NaN) for fewer than fewest_peaks or if all are equal.
 Tail fit_tail(TailKind kind, std::span<const double> excesses, std::span<const double> weights, double threshold,
               double origin, double time);
 

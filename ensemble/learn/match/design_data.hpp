@@ -1,5 +1,5 @@
 #pragma once
-// What an emulator wants of the members of a design: coordinates, and for each target means and scatter at the points.
+// The data of emulators: the coordinates of a design's points, and for each target mean and scatter at each point.
 
 #include <span>
 #include <vector>
@@ -24,7 +24,7 @@ struct TargetData {
     std::vector<int> point;               ///< index into MatchData::points, rising
     std::vector<double> mean;             ///< over the done runs
     std::vector<double> sample_variance;  ///< of single runs, n - 1; NaN for one run
-    std::vector<double> variance;         ///< of single runs, steadied by the other points; see match_data(). It counts
+    std::vector<double> variance;         ///< of single runs, weighted with the pooled one, see match_data(); used
                                           ///< where the scatter cannot be emulated
     std::vector<int> runs;                ///< done, at least 1
     /// Part of the variance that an arrangement has in common at all points, 0-1: where points begin from the same
@@ -41,14 +41,14 @@ struct MatchData {
     std::vector<TargetData> targets;  ///< one a target, in order
 };
 
-/// The runs that a scatter pooled over all points counts as, beside the point's own.
+/// Weight of the variance pooled over all points, in runs.
 inline constexpr double pooled_runs = 4;
 
 /// Means and scatter of each target at the points of all waves. Members that are not done are left out, and so are
 /// points without any.
 ///
-/// Variance: a sample variance of four runs is right within a factor of 2 or 3 only, so it is weighted with the
-/// variance V pooled over all points, Σ(nᵢ - 1) sᵢ² / Σ(nᵢ - 1), as if pooled_runs further runs had had that:
+/// Variance: a sample variance of four runs is right within a factor of 2 or 3 only, so it is averaged with the
+/// variance V pooled over all points, Σ(nᵢ - 1) sᵢ² / Σ(nᵢ - 1), which has the weight of pooled_runs runs:
 /// (pooled_runs V + (n - 1) s²) / (pooled_runs + n - 1). A point with one run has V, one with many its own.
 ///
 /// Shared part: the mean product of the deviations from the points' means of two points of a wave on the same

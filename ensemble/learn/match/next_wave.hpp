@@ -1,5 +1,5 @@
 #pragma once
-// The campaign that looks closer at what is left.
+// The next wave: a campaign at points of what is left.
 
 #include <Eigen/Core>
 
@@ -12,7 +12,7 @@
 namespace floes {
 
 /// The campaign of `wave` at other points: `coordinates` of its axes, a row each. Numbers have six digits, so that they
-/// can be read. `seed`: its own, since waves on the same floes would err together.
+/// can be read. `seed`: a new one, because on the same floes the errors of waves correlate.
 Campaign next_wave(const MatchWave& wave, const std::vector<MatchAxis>& axes, const Eigen::MatrixXd& coordinates,
                    const std::string& name, std::uint64_t seed);
 

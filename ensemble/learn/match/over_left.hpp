@@ -1,5 +1,5 @@
 #pragma once
-// What holds at single inputs, over all inputs that are left. For this room only.
+// Distributions over all inputs that are left. For this room only.
 
 #include <limits>
 #include <vector>
@@ -21,8 +21,8 @@ struct AtPoints {
     std::vector<double> variance;
 };
 
-/// The points that are left, with weights. They are normal densities of the used targets' differences, taken for
-/// independent: w ~ Π exp(-I²/2) / D with the implausibility I and the expected difference D of each target.
+/// The points that are left, with weights: the likelihood of the used targets, normal and independent,
+/// w ~ Π exp(-I²/2) / D with the implausibility I and the expected difference D of each target.
 class OverLeft {
   public:
     /// Throws InputError where nothing is left.
@@ -33,11 +33,11 @@ class OverLeft {
     AtPoints emulated(const EmulatedTarget& quantity) const;
     const Eigen::MatrixXd& points() const { return points_; }
 
-    /// Every point counting the same; bounds stay within least and most.
+    /// With equal weights; the bounds stay within least and most.
     PredictedRange even(const AtPoints& at, double least = lowest, double most = highest) const;
-    /// Likewise by the weights.
+    /// With the weights.
     PredictedRange weighed(const AtPoints& at, double least = lowest, double most = highest) const;
-    /// Points that the weights amount to, (Σw)² / Σw².
+    /// The effective number of points, (Σw)² / Σw².
     double effective() const;
 
   private:

@@ -1,5 +1,5 @@
 #pragma once
-// What a quantity is over the inputs that are left.
+// A quantity over the inputs that are left.
 
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@ namespace floes {
 struct Predicted {
     Quantity quantity;
     std::string case_name;
-    PredictedRange mean;      ///< over arrangements, every point that is left weighing the same
+    PredictedRange mean;      ///< over arrangements, with equal weights
     PredictedRange weighted;  ///< the same, points weighed by the likelihood of the targets
     PredictedRange run;       ///< of a single run, weighed
     double effective = 0;     ///< OverLeft::effective()

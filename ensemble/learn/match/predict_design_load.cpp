@@ -40,7 +40,7 @@ struct CaseRuns {
     std::vector<DividedRun> runs;
 };
 
-/// Whether no target rules it out, of each point.
+/// For each point, whether no target rules it out.
 std::vector<bool> points_left(const MatchData& data, const std::vector<EmulatedTarget>& targets) {
     std::vector<bool> left;
     for (const MatchPoint& point : data.points)

@@ -6,8 +6,8 @@
 // method; J. R. M. Hosking and J. R. Wallis, Regional Frequency Analysis, Cambridge 1997), the load of every run is
 // divided by the emulated mean maximum at its point, and one tail is fitted to all of them. It gives the growth from
 // the mean maximum to the largest load in the exposure; the emulated mean maximum times the growth is the design load
-// at any inputs. Taken for granted: the growth is the same at all inputs. It is computed for the lower and the upper
-// half of the mean maxima apart, too.
+// at any inputs. This assumes the same growth at all inputs; to check it, the growth is also computed for the lower and
+// the upper half of the mean maxima.
 
 #include <span>
 #include <string>
@@ -28,8 +28,8 @@ struct PredictedDesignLoad {
     DesignLoadFigure growth_quantile;  ///< the quantile over it; both of both tails
     double growth_lower_half = 0;      ///< of the quantile, from the runs with the smaller mean maxima; NaN: too few
     double growth_upper_half = 0;      ///< from the others
-    PredictedRange expected;           ///< every point that is left counting the same
-    PredictedRange expected_weighed;   ///< points weighed by the likelihood of the targets
+    PredictedRange expected;           ///< with equal weights
+    PredictedRange expected_weighed;   ///< with the likelihood of the targets as weights
     PredictedRange quantile;           ///< that the largest load stays below with the probability asked for
     PredictedRange quantile_weighed;
 };
@@ -37,8 +37,8 @@ struct PredictedDesignLoad {
 /// Fewest runs at points that are left from which the growth is taken; with fewer, from all points.
 inline constexpr std::size_t fewest_growth_runs = 20;
 
-/// One for each case with runs, of the first quantile asked for. Throws
-/// InputError as OverLeft::emulated() and averaging_time() do, and where a case has too few peaks to fit.
+/// One for each case with runs, of the first quantile asked for. Throws InputError as OverLeft::emulated() and
+/// averaging_time() do, and where a case has too few peaks to fit.
 std::vector<PredictedDesignLoad> predict_design_load(std::span<const MatchWave> waves, const MatchData& data,
                                                      const std::vector<EmulatedTarget>& targets, const OverLeft& left,
                                                      const DesignLoadRequest& request);

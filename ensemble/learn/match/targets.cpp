@@ -23,7 +23,7 @@ const Entry* find_entry(const Block& block, const std::string& path) {
     return found == block.entries.end() ? nullptr : &*found;
 }
 
-/// The time that a key ends in, s: 0.5 of "mean_maximun_0.5s"; none where it ends in something else.
+/// The time that a key ends in, s: 0.5 of "mean_maximum_0.5s"; none where it ends in something else.
 std::vector<double> time_in(std::string_view key) {
     double time = 0;
     const char* const end = key.data() + key.size();

@@ -1,5 +1,5 @@
 #pragma once
-// Figures for programs: the same values as CSV and as JSON, under the names of their columns.
+// Records for programs: the same values as CSV and as JSON, under the names of their columns.
 
 #include <concepts>
 #include <cstdint>

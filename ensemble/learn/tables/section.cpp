@@ -23,6 +23,7 @@ std::string text(std::span<const Section> sections, int width) {
     for (const Section& one : sections) {
         std::string part = one.title.empty() ? "" : one.title + "\n\n";
         part += one.before + table_text(one, width) + one.after;
+        if (!one.table.empty() && one.after.empty() && !one.notes.empty()) part += '\n';
         for (const std::string& note : one.notes) part += note + "\n";
         part += one.missing;
         if (!part.empty()) parts.push_back(std::move(part));

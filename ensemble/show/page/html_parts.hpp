@@ -1,5 +1,5 @@
 #pragma once
-// What pages are made of. For this room only.
+// The parts of a page. For this room only.
 
 #include <fmt/format.h>
 

@@ -35,7 +35,7 @@ MatchCells match_cells(const Matching& found, int first_axis, int second_axis, i
         const auto at = static_cast<std::size_t>(cell_of(found.points(row, second_axis), side) * side +
                                                  cell_of(found.points(row, first_axis), side));
         const double implausibility = found.implausibility[row];
-        made.least[at] = std::fmin(made.least[at], implausibility);  // fmin passes over the NaN of an empty cell
+        made.least[at] = std::fmin(made.least[at], implausibility);  // fmin ignores the NaN of an empty cell
         ++points[at];
         left[at] += implausibility <= ruled_out_above;
     }

@@ -1,5 +1,5 @@
 #pragma once
-// What a matching says about one or two inputs at a time: the space seen along all others. For this room only.
+// Projections of a matching onto one or two inputs. For this room only.
 
 #include <vector>
 
@@ -18,7 +18,7 @@ struct MatchCells {
     double depth_at(int i, int k) const { return depth[static_cast<std::size_t>(k * side + i)]; }
 };
 
-/// Cells along an axis that the points fill: with eight or more in a cell on average, at most 16 and at least 4.
+/// Cells along an axis: as many as have eight points each on average, at most 16 and at least 4.
 int match_cell_count(const Matching& found);
 
 MatchCells match_cells(const Matching& found, int first_axis, int second_axis, int side);

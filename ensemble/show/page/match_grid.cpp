@@ -154,7 +154,7 @@ std::string share_panel(const Panel& panel, const Matching& found, int axis, int
                  largest > 0 ? fmt::format("up to {:.3g} %", largest / unit::percent) : "nothing left");
 }
 
-/// A key on lines of at most `letters`, broken behind dots and low lines.
+/// A key on lines of at most `letters`, broken after dots and underscores.
 std::vector<std::string> name_lines(const MatchAxis& axis, std::size_t letters) {
     std::vector<std::string> lines{""};
     std::string piece;
@@ -209,7 +209,7 @@ std::string key_row(double x, double y, const char* title, const Band (&bands)[N
 std::string match_grid(const MatchData& data, const Matching& found) {
     const int count = static_cast<int>(data.axes.size());
     const int cells = match_cell_count(found);
-    // Names need lines, the panels what they leave; three lines of names are the usual case.
+    // Names take as many lines as they need, usually three; the panels share the rest.
     const double rough = std::min(210.0, (whole_width - 3 * line_height - tick_width) / count - gap);
     std::vector<std::vector<std::string>> names;
     std::size_t lines = 1;

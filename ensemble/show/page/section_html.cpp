@@ -61,12 +61,12 @@ std::string section_html(const Section& told, std::string_view heading) {
     std::string html;
     if (!heading.starts_with(told.title)) html = fmt::format("<h3>{}</h3>\n", html_escaped(told.title));
     html += paragraphs(told.before) + tables_html(told);
-    if (told.after.find_first_not_of('\n') != std::string::npos) html += note(told.after);
+    if (!told.after.empty()) html += note(told.after);
     if (!told.notes.empty()) html += listed(told.notes);
     return html + paragraphs(told.missing) + figures_html(told.figures);
 }
 
-std::string answer_html(const std::string& heading, const Answer& answer) {
+std::string answer_html(const std::string& heading, const CampaignAnswer& answer) {
     std::string body;
     for (const std::string& one : answer.loads) body += fmt::format("<p class=\"answer\">{}</p>\n", html_escaped(one));
     if (body.empty()) body = paragraph("No member is done yet.");

@@ -14,6 +14,6 @@ namespace floes {
 std::string section_html(const Section& told, std::string_view heading);
 
 /// The answer as a section of a page.
-std::string answer_html(const std::string& heading, const Answer& answer);
+std::string answer_html(const std::string& heading, const CampaignAnswer& answer);
 
 }  // namespace floes
