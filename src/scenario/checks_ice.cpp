@@ -91,11 +91,11 @@ void check_solver(const Scenario& scenario, Contradictions& found) {
                                      given(scenario, "contact.friction"), given(scenario, "general.solver"))});
     }
     if (direct && scenario.contact.normal == NormalLaw::rigid && scenario.contact.split_impulse) {
-        found.push_back({{"paper.split_impulse_depth_m", "general.solver"},
-                         fmt::format("{} is not possible with {} and rigid contacts: it corrects every penetration "
-                                     "within the impulse; take paper.split_impulse_depth_m = inf",
-                                     given(scenario, "paper.split_impulse_depth_m"),
-                                     given(scenario, "general.solver"))});
+        found.push_back(
+            {{"paper.split_impulse_depth_m", "general.solver"},
+             fmt::format("{} is not possible with {} and rigid contacts: it corrects every penetration "
+                         "within the impulse; take paper.split_impulse_depth_m = inf",
+                         given(scenario, "paper.split_impulse_depth_m"), given(scenario, "general.solver"))});
     }
 }
 
@@ -190,7 +190,7 @@ void check_averaging(const Scenario& scenario, Contradictions& found) {
                                          given(scenario, key), time, given(scenario, "general.time_step_s"),
                                          std::max(1.0, std::round(time / step)) * step)});
         }
-        return;  // further times would only repeat it
+        return;  // one message is enough
     }
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Contradictions: what no single key shows, because each value is allowed and together they make no simulation.
+// Contradictions between keys: values that are allowed one by one but cannot be simulated together.
 
 #include <string>
 #include <vector>
@@ -23,8 +23,8 @@ void validate(const Scenario& scenario);
 
 /// The checks behind find_contradictions(), in checks_ice.cpp and checks_tank.cpp. Each adds what it finds.
 void check_elements(const Scenario& scenario, Contradictions& found);   ///< floes are whole elements, not too many
-void check_solver(const Scenario& scenario, Contradictions& found);     ///< and the joints
-void check_contact(const Scenario& scenario, Contradictions& found);    ///< the solver has the laws
+void check_solver(const Scenario& scenario, Contradictions& found);     ///< it can solve these joints and contacts
+void check_contact(const Scenario& scenario, Contradictions& found);    ///< the solver knows the contact laws
 void check_floating(const Scenario& scenario, Contradictions& found);   ///< the ice floats, heave is stable
 void check_time(const Scenario& scenario, Contradictions& found);       ///< whole steps, segments, history values
 void check_levels(const Scenario& scenario, Contradictions& found);     ///< load levels rise

@@ -15,7 +15,7 @@ namespace {
 constexpr const char* header = "x_m,z_m,yaw_deg";
 constexpr std::size_t columns = 3;
 
-/// The line without blanks, tabs and the carriage return of other systems.
+/// The line without spaces, tabs and carriage returns.
 std::string squeezed(const std::string& line) {
     std::string text;
     for (const char character : line) {

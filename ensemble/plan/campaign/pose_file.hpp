@@ -1,5 +1,5 @@
 #pragma once
-// Floe poses from a CSV file, such as a tank photograph gives.
+// Floe poses from a CSV file, for example from a tank photograph.
 
 #include <string>
 #include <vector>
@@ -14,7 +14,7 @@ using LoadFile = std::string (*)(const std::string& path);
 struct PoseFile {
     std::string path;
     Value poses;             ///< for arrangement.poses
-    std::vector<int> lines;  ///< of the file, from 1: where each pose stands
+    std::vector<int> lines;  ///< line of each pose in the file, from 1
 };
 
 /// Reads "x_m,z_m,yaw_deg" and a line for each floe; blank lines are skipped. `file` names the text in messages. Throws
