@@ -22,7 +22,7 @@ class Option;
 
 namespace floes {
 
-/// The words were wrong (exit status 2), or asked for help or the version (0): what is to be said.
+/// Ends the program: the command line was wrong (exit status 2), or asked for help or the version (0).
 class CommandLineEnd : public std::runtime_error {
   public:
     /// `output`: for standard output; `errors`: for standard error.
@@ -37,7 +37,7 @@ class CommandLineEnd : public std::runtime_error {
     std::string output_;
 };
 
-/// An option of a verb, or an argument given by its place.
+/// An option of a verb, or a positional argument.
 class Option {
   public:
     explicit Option(CLI::Option* option) : option_(option) {}
@@ -50,7 +50,7 @@ class Option {
     Option& not_negative();
     Option& comma_separated();
     Option& exactly(int values);
-    Option& one_each();  ///< a value for each mention: the next word is an argument of the verb
+    Option& one_each();  ///< one value each time it is given; the next word is an argument of the verb
     Option& last_wins();
     Option& shows_default();
     Option& value_name(const std::string& name);
@@ -63,13 +63,13 @@ class Option {
     CLI::Option* option_;
 };
 
-/// Options that belong together: of a verb, or of a choice between them.
+/// A list of options: those of a verb, or a group of which one is chosen.
 class OptionList {
   public:
     explicit OptionList(CLI::App* app) : app_(app) {}
 
-    /// `names`: "-o,--output", or one word without dashes for an argument given by its place. Of texts, whole numbers
-    /// and numbers, and of vectors and std::optional of these (command_line.cpp lists them).
+    /// `names`: "-o,--output", or one word without dashes for a positional argument. Value: std::string, int, double,
+    /// or a vector or std::optional of these, as listed in command_line.cpp.
     template <class Value>
     Option option(const std::string& names, Value& value, const std::string& help);
     Option flag(const std::string& names, bool& value, const std::string& help);
@@ -87,10 +87,10 @@ class Verb : public OptionList {
 
     void footer(const std::string& text);
 
-    /// What the verb does once its words are read; it returns the exit status.
+    /// The function that carries out the verb after its options are read; it returns the exit status.
     void runs(std::function<int()> action);
 
-    /// A verb of this one, as in "floes laboratory plate"; one of them must follow.
+    /// A verb below this one, as in "floes laboratory plate"; the user has to choose one.
     Verb inner(const std::string& name, const std::string& description);
 
   private:
@@ -109,7 +109,7 @@ class CommandLine {
     void version(const std::function<std::string()>& text, const std::string& help);
     void footer(const std::string& text);
 
-    /// Runs the verb that the words choose, with the program as the first of them, and returns its exit status. Throws
+    /// Runs the verb of a command line whose first word is the program, and returns its exit status. Throws
     /// CommandLineEnd, and what the verb throws.
     int run(std::span<char* const> words);
     /// The same without the program's name.

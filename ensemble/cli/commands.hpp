@@ -13,10 +13,10 @@ namespace floes {
 inline constexpr const char* program_description =
     "floes: the load of managed ice floes on a structure, over many random arrangements";
 
-/// All verbs, and --version. `command`: the words of this process.
+/// Adds all verbs and --version. `command`: the command line of this process.
 void add_verbs(CommandLine& line, std::span<char* const> command);
 
-/// With --ranks it starts `command` again, under mpirun.
+/// With --ranks it starts `command` again under mpirun.
 void add_run(CommandLine& line, std::span<char* const> command);
 void add_merge(CommandLine& line);
 void add_status(CommandLine& line);

@@ -9,6 +9,7 @@ void add_laboratory(CommandLine& line) {
     add_plate(verb);
     add_cantilever(verb);
     verb.footer(
+        "Both tests take the ice of a configuration's first case, or the paper's.\n\n"
         "  floes laboratory plate --modulus-MPa 60     the Σ with which a sheet shows 60 MPa\n"
         "  floes laboratory cantilever                 the strength of a beam\n"
         "  floes laboratory plate --help               options of a test");

@@ -20,7 +20,7 @@
 namespace floes {
 namespace {
 
-/// An empty list means the configuration's value; given values are combined with each other.
+/// An empty list stands for the configuration's value; every combination of given values is measured.
 struct PlateOptions {
     std::string config;
     std::vector<std::string> overrides;
@@ -59,7 +59,7 @@ void vary(std::vector<PointPlan>& plans, const std::vector<Value>& values, Set s
     plans = std::move(varied);
 }
 
-/// Sheets of both kinds of joints: those that follow Σ, and beams of a modulus.
+/// Sheets with both kinds of joints: stiffness by Σ, and beams of a given modulus.
 std::vector<PointPlan> make_plans(const PlateOptions& options) {
     std::vector<PointPlan> plans{{base_scenario(options), {.load = options.load}}};
     vary(plans, options.elements, [](PointPlan& plan, double value) { plan.scenario.floe.element = value; });
@@ -115,7 +115,7 @@ Section curve_section(const std::vector<CurvePoint>& curve) {
              {"elastic_modulus_point_MPa", [](Row row) { return row.elastic_modulus_point / unit::megapascal; }}})}};
 }
 
-/// The one ice whose Σ is to be found.
+/// The ice for which Σ is sought. Throws InputError if the lists describe several.
 PointPlan plan_of_inverse(PlateOptions options) {
     options.sheets.resize(1);
     options.cfm.clear();
@@ -185,11 +185,13 @@ void add_plate(Verb& laboratory) {
         "loaded elements, which is right for joints that follow Σ; E (point) a point load, which is right for beams "
         "from\n"
         "centre to centre (docs/ice.md).\n\n"
-        "  floes laboratory plate --sheet-m 2.6 --cfm 1e-10 --iterations 10,50,100   the ceiling set by the iterations\n"
-        "  floes laboratory plate --sheet-m 5.1 --element-m 0.3,0.1 --beam-MPa 60    beam joints, whatever the element\n"
+        "  floes laboratory plate --sheet-m 2.6 --cfm 1e-10 --iterations 10,50,100   the ceiling set by the "
+        "iterations\n"
+        "  floes laboratory plate --sheet-m 5.1 --element-m 0.3,0.1 --beam-MPa 60    beam joints, whatever the "
+        "element\n"
         "  floes laboratory plate table3.toml --modulus-MPa 60                       Σ for an ice of 60 MPa");
     verb.runs([options, cfm, beams, modulus] {
-        // One of the two given alone: only sheets of these joints.
+        // If only one of the two is given, only sheets with these joints are measured.
         if (cfm.given() && !beams.given()) options->moduli.clear();
         if (beams.given() && !cfm.given()) options->cfm.clear();
         const bool inverse = modulus.given();

@@ -39,7 +39,7 @@ struct MatchOptions {
     int points = 40;
     std::vector<std::string> at;
     std::vector<std::string> predicted;
-    double exposure_h = 0;  ///< 0: no design load is asked for
+    double exposure_h = 0;  ///< 0: no design load
     DesignLoadRequest design;
     std::string page;
     std::string format = "table";
@@ -57,7 +57,7 @@ void write_next(const MatchOptions& options, const std::vector<MatchWave>& waves
                  static_cast<int>(points.rows()), path.c_str());
 }
 
-/// The coordinates of the point that KEY=VALUE pairs name, one for each axis.
+/// The coordinates of a point given by KEY=VALUE pairs, one for each axis.
 Eigen::VectorXd point_at(const std::vector<std::string>& pairs, const std::vector<MatchAxis>& axes) {
     Eigen::VectorXd at =
         Eigen::VectorXd::Constant(static_cast<Eigen::Index>(axes.size()), std::numeric_limits<double>::quiet_NaN());
@@ -82,7 +82,7 @@ Eigen::VectorXd point_at(const std::vector<std::string>& pairs, const std::vecto
     return at;
 }
 
-/// Of "QUANTITY" or "CASE:QUANTITY".
+/// Reads "QUANTITY" or "CASE:QUANTITY".
 Section quantities_over(const OverLeft& left, const MatchOptions& options, const std::vector<MatchWave>& waves) {
     std::vector<Target> wanted;
     for (const std::string& word : options.predicted) {

@@ -27,7 +27,7 @@ struct MergeOptions {
     bool overwrite = false;
 };
 
-/// Damaged records are left out of a merge, and their members stand as missing.
+/// A merge leaves out damaged records; their members count as missing.
 void tell_damage(const std::filesystem::path& journal, const JournalContents& contents) {
     const FileVerdict verdict = judge_journal(journal, contents);
     if (verdict.state != FileState::damaged) return;

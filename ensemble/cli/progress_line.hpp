@@ -1,6 +1,6 @@
 #pragma once
-// How far one long computation has come, on standard error: a live line on a terminal, a plain one every ten seconds
-// elsewhere.
+// The progress of one long computation on standard error: a line that is updated on a terminal, elsewhere a new line
+// every ten seconds.
 
 #include <chrono>
 #include <cstdio>

@@ -39,7 +39,7 @@ void prepare_environment(const char* program) {
     setenv("FLOES_LAUNCHER", program, keep);      // so that the printed command has --ranks
     setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", keep);  // in containers the only user is root
     setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", keep);
-    // Containers forbid a process to read another's memory; Open MPI would print a warning and continue.
+    // In containers a process must not read the memory of another; Open MPI would warn of that and continue.
     setenv("OMPI_MCA_btl_vader_single_copy_mechanism", "none", keep);
 }
 

@@ -31,7 +31,7 @@ struct ReplayOptions {
     ReplayLook look;
 };
 
-/// A recording for the time of the program, beside what is made of it.
+/// A temporary recording beside the files that are made of it; deleted at the end.
 class PassingRecording {
   public:
     explicit PassingRecording(const std::filesystem::path& beside) : path_(beside.string() + ".record.h5") {}
@@ -59,7 +59,7 @@ MemberResult compute(const ReplaySubject& subject, const FrameSteps& steps, cons
     });
 }
 
-/// Computes the member and writes its recording. Whether it is the member of the file; says what differs if not.
+/// Computes the member and writes its recording. Returns whether it equals the member of the file; prints what differs.
 bool record_member(const ReplayOptions& options, const std::filesystem::path& path, const StopSignals& signals) {
     const CampaignFile file(options.file);
     const CampaignTable table = read_campaign_file(file);
@@ -88,10 +88,11 @@ void write_outputs(const std::filesystem::path& record_path, const ReplayOptions
     }
 }
 
-/// A recording may take the place of another, but not that of a campaign.
+/// Refuses to overwrite a campaign file with a recording.
 void check_place(const std::filesystem::path& path) {
     if (std::filesystem::exists(path) && !is_recording(path))
-        throw InputError(fmt::format("{} is there and is no recording; give the recording another name.", path.string()));
+        throw InputError(
+            fmt::format("{} is there and is no recording; give the recording another name.", path.string()));
 }
 
 bool run(const ReplayOptions& options, const StopSignals& signals) {
@@ -101,9 +102,10 @@ bool run(const ReplayOptions& options, const StopSignals& signals) {
     for (const std::string& output : options.outputs)
         if (kind_of(output) == ReplayOutput::recording) recordings.push_back(output);
     if (recordings.size() > (has_record ? 0 : 1))
-        throw InputError(has_record ? fmt::format("{} is a recording already; make something else of it.", options.file)
-                                    : fmt::format("Two recordings of one member, {} and {}, would be the same; give one.",
-                                                  recordings[0], recordings[1]));
+        throw InputError(has_record
+                             ? fmt::format("{} is a recording already; make something else of it.", options.file)
+                             : fmt::format("Two recordings of one member, {} and {}, would be the same; give one.",
+                                           recordings[0], recordings[1]));
     if (has_record) {
         if (options.member.given() || options.times.given())
             throw InputError(fmt::format(
@@ -131,7 +133,8 @@ int exit_status_of(const ReplayOptions& options) {
 }
 
 void add_choices(Verb& verb, ReplayOptions& options) {
-    verb.option("file", options.file, "The campaign file (CAMPAIGN.h5), or a recording that floes replay made").required();
+    verb.option("file", options.file, "The campaign file (CAMPAIGN.h5), or a recording that floes replay made")
+        .required();
     verb.option("member", options.member.number, "The member's number").not_negative();
     verb.option("--case", options.member.case_name, "The member of this case ...");
     verb.option("--arrangement", options.member.arrangement, "... and this arrangement").not_negative();

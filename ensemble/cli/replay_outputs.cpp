@@ -24,7 +24,7 @@ Kind kind_named(const std::array<std::string_view, count>& names, const std::str
     return static_cast<Kind>(std::ranges::find(names, name) - names.begin());
 }
 
-/// How it looks, without the times.
+/// The look of pictures and films, without the times.
 PictureStyle style_of(const ReplayLook& look) {
     PictureStyle style;
     style.view = kind_named<View>(view_names, look.view);
@@ -116,7 +116,8 @@ void check(const ReplayLook& look) {
 
 void write_replay_output(const std::filesystem::path& path, const Recording& recording, const ReplayLook& look,
                          const std::function<void()>& go_on) {
-    if (kind_of(path) == ReplayOutput::vtk) return write_vtk_series(path, recording);  // a file and a folder of its name
+    if (kind_of(path) == ReplayOutput::vtk)
+        return write_vtk_series(path, recording);  // a file and a folder of its name
     std::filesystem::path aside = path;
     aside.replace_extension(".part" + path.extension().string());  // by which ffmpeg knows what to make
     try {

@@ -1,5 +1,5 @@
 #pragma once
-// What floes replay makes of a recording, by the ending of each file's name.
+// The files that floes replay makes of a recording, by the ending of their names.
 
 #include <filesystem>
 #include <functional>
@@ -23,11 +23,11 @@ struct ReplayLook {
     int rate = 25;  ///< frames of films a second
 };
 
-/// Throws InputError when there is something in it that cannot be drawn.
+/// Throws InputError if something in it cannot be drawn.
 void check(const ReplayLook& look);
 
-/// Makes the file, with progress on standard error; one that fails leaves what was there before. `go_on` is called
-/// again and again where that takes long, and throws to stop it. Not for ReplayOutput::recording.
+/// Makes the file, with progress on standard error; if that fails, an earlier file stays as it was. `go_on` is called
+/// repeatedly during long work and throws to stop it. Not for ReplayOutput::recording.
 void write_replay_output(const std::filesystem::path& path, const Recording& recording, const ReplayLook& look,
                          const std::function<void()>& go_on);
 

@@ -73,7 +73,7 @@ std::string resume_command(const RunVerb& verb, const std::string& program, int 
     return command;
 }
 
-/// --part K/N.
+/// Reads K/N of --part.
 CampaignPart part_of(const RunVerb& verb, const Campaign& campaign) {
     if (verb.part.empty()) return {};
     CampaignPart part;

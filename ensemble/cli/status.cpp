@@ -1,5 +1,5 @@
-// floes status: the members of a campaign that are done, failed and still to do. Works during a run and changes
-// nothing but a page of it, on request.
+// floes status: the members of a campaign that are done, failed and still to do. Works during a run. Writes nothing
+// except, on request, a page.
 
 #include <unistd.h>
 
@@ -32,7 +32,7 @@ constexpr std::chrono::seconds watch_interval{2};
 constexpr std::chrono::seconds page_interval{status_page_seconds};
 constexpr int least_pause_per_look = 10;  // reading a large campaign takes seconds
 
-/// Shows the status, or writes the page of it. Returns whether a run is active.
+/// Prints the status or writes its page. Returns whether a run is active.
 bool show(const StatusOptions& options) {
     if (!options.page.empty()) {
         const CampaignSnapshot snapshot = read_snapshot(options.file);

@@ -37,7 +37,7 @@ std::vector<DataColumn<CaseStatus>> count_columns() {
             {"total", [](const CaseStatus& one) { return Datum(members_of(one)); }}};
 }
 
-/// What there may be; null where there is nothing.
+/// The value, or null where there is none.
 template <class Value>
 Datum known(const std::optional<Value>& value) {
     return value ? Datum(*value) : Datum(Undefined{});

@@ -1,5 +1,5 @@
 #pragma once
-// Standard output: how much room it has, and what is written there.
+// The width of standard output, and results as text for it.
 
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace floes {
 
-/// Characters on a line of standard output: those of the terminal; elsewhere COLUMNS of the environment, or 100. At
+/// Characters on a line of standard output: of the terminal, otherwise the environment's COLUMNS, otherwise 100; at
 /// least 40.
 int terminal_width();
 

@@ -1,4 +1,4 @@
-// What `floes` can do: its verbs in the order of --help, from which manual pages and completions are made as well.
+// The verbs of floes in the order of --help. Manual pages and completions are made from the same list.
 
 #include "cli/commands.hpp"
 

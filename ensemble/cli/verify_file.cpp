@@ -42,7 +42,7 @@ std::string members_text(const std::set<std::size_t>& members) {
     return fmt::format("{} {}", members.size() == 1 ? "member" : "members", fmt::join(members, ", "));
 }
 
-/// Which results of a damaged campaign file are still whole.
+/// Which results of a damaged campaign file are still good.
 std::string whole_members(const hdf5::FileCheck& check) {
     std::set<std::size_t> lost;
     bool only_provenance = check.fault.empty();
@@ -90,7 +90,7 @@ FileVerdict verify_journal(const std::filesystem::path& path) {
     return verdict;
 }
 
-/// What makes a campaign file again.
+/// How to make the campaign file anew.
 std::string campaign_remedy(const std::filesystem::path& path) {
     const std::filesystem::path journal = journal_path(path);
     const std::string otherwise = "restore it from a copy, or compute it again.";

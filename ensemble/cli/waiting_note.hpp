@@ -1,5 +1,5 @@
 #pragma once
-// A word to whoever waits.
+// A note for a user who has to wait.
 
 #include <chrono>
 #include <condition_variable>
@@ -11,7 +11,7 @@
 
 namespace floes {
 
-/// Says on `out` what the program is doing, once, if this still lives after `patience`.
+/// Prints on `out`, once, what the program is doing, if the object still exists after `patience`.
 class WaitingNote {
   public:
     WaitingNote(std::ostream& out, std::string doing, std::chrono::milliseconds patience = std::chrono::seconds(2));

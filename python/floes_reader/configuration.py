@@ -1,5 +1,5 @@
-"""The resolved configuration of a campaign: which key has which value in which case, by the names that `floes config
---reference` lists."""
+"""The resolved configuration of a campaign: which key has which value in which case. Names are those of the version
+that wrote the file; for those of 1.0.0 see docs/configuration.md, "Coming from 1.0.0"."""
 
 import tomllib
 from typing import Any

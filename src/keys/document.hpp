@@ -10,8 +10,7 @@
 
 namespace floes {
 
-/// A value as written in the text. `Strange` is a kind that no key accepts: dates, tables, empty tables; `kind` names
-/// it.
+/// A value as written in the text. `Strange` stands for what no key accepts: dates and tables; `kind` says which.
 struct Value {
     struct Strange {
         std::string kind;
@@ -43,13 +42,13 @@ struct Document {
     std::vector<Block> blocks;
 };
 
-/// Reads TOML; `file` names it in messages. Throws InputError with file, line and column if the text is not TOML, with
-/// file, line and key if a key is given twice or longer than any of ours, and as refuse_what_cannot_be_held() does.
+/// Reads TOML; `file` names it in messages. Throws InputError if the text is not TOML (with line and column), if a key
+/// is given twice or is longer than any of floes (with line and key), and as refuse_what_cannot_be_held() does.
 Document parse_document(std::string_view text, const std::string& file);
 
-/// Reads "key=value" of a command line option. A value that is not TOML is taken as a word, so that
-/// field.far_end=open needs no quotes. `option` ("--set") begins the message. Throws InputError without
-/// "=", for bytes that are not UTF-8, and as parse_document() does for what cannot be held.
+/// Reads "key=value" of a command line option. A value that is not TOML is taken as text, so that field.far_end=open
+/// needs no quotes. `option` ("--set") begins the message. Throws InputError if there is no "=", if the text is not
+/// UTF-8, and as refuse_what_cannot_be_held() does.
 Entry parse_override(const std::string& override_text, const std::string& option);
 
 }  // namespace floes

@@ -11,11 +11,11 @@ constexpr std::size_t longest_compared = 200;  // the time grows with the produc
 
 }  // namespace
 
-// An unknown key is compared with all of ours, so nothing is allocated here.
+// Allocates nothing, because an unknown key is compared with every key.
 std::size_t edit_distance(std::string_view one, std::string_view other) {
     one = one.substr(0, longest_compared);
     other = other.substr(0, longest_compared);
-    std::array<std::array<std::size_t, longest_compared + 1>, 3> rows;  // each row takes the place of the third last
+    std::array<std::array<std::size_t, longest_compared + 1>, 3> rows;  // used in turn
     std::size_t* before_last = rows[0].data();
     std::size_t* last = rows[1].data();
     std::size_t* row = rows[2].data();

@@ -5,7 +5,6 @@
 // may have either spelling; texts of users have the present one.
 
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -23,10 +22,7 @@ Key instead_of(std::vector<Key> before, Key key);
 /// The keys with the paths and forms of 1.0.0, without derived ones: what digests are made of.
 Keys keys_of_digest(Keys keys);
 
-/// Throws InputError if the entry's path is one of 1.0.0 only: the sentence says what to write instead.
-void refuse_former(std::span<const Key> keys, const Entry& entry);
-
-/// The same for a path without a value, such as that of an axis; `where` begins the sentence.
-void refuse_former(std::span<const Key> keys, const std::string& path, const std::string& where);
+/// The key that stands for a path that only 1.0.0 had; none for other paths.
+const Key* present_key(std::span<const Key> keys, std::string_view path);
 
 }  // namespace floes

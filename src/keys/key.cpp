@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 #include "keys/edit_distance.hpp"
 #include "keys/literal.hpp"
@@ -75,60 +75,6 @@ struct Allowed {
 
 }  // namespace
 
-Range Range::at_most(double bound) const {
-    Range range = *this;
-    range.high = bound;
-    return range;
-}
-
-Range Range::below(double bound) const {
-    Range range = at_most(bound);
-    range.high_included = false;
-    return range;
-}
-
-Range Range::or_infinity() const {
-    Range range = *this;
-    range.infinity_included = true;
-    return range;
-}
-
-Range Range::because(std::string_view why) const {
-    Range range = *this;
-    range.reason = why;
-    return range;
-}
-
-bool Range::contains(double value) const {
-    const bool high_enough = low_included ? value >= low : value > low;
-    const bool low_enough = high_included ? value <= high : value < high;
-    if (std::isinf(value)) return infinity_included && value > 0;
-    return high_enough && low_enough;
-}
-
-Range above(double bound) {
-    Range range = at_least(bound);
-    range.low_included = false;
-    return range;
-}
-
-Range at_least(double bound) {
-    Range range;
-    range.low = bound;
-    return range;
-}
-
-std::string to_text(const Range& range) {
-    std::vector<std::string> parts;
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    if (range.low > -infinity)
-        parts.push_back(fmt::format("{} {}", range.low_included ? "at least" : "above", range.low));
-    if (range.high < infinity)
-        parts.push_back(fmt::format("{} {}", range.high_included ? "at most" : "below", range.high));
-    const std::string bounds = parts.empty() ? "any number" : fmt::format("{}", fmt::join(parts, " and "));
-    return range.infinity_included ? bounds + ", or inf" : bounds;
-}
-
 Key number_key(std::string_view path, double& field, double unit, Range range, std::string_view source,
                std::string_view doc) {
     return {path,
@@ -185,12 +131,18 @@ void copy_value(const Key& from, const Key& to) {
 }
 
 std::vector<Entry> in_order_of_reading(std::span<const Key> keys, std::vector<Entry> entries) {
-    const auto place = [&](const Entry& entry) {
-        const Key* key = find_key(keys, entry.path);
-        if (key == nullptr) return 1;  // reported in its turn
-        return key->preset ? 0 : key->part || key->replaced ? 2 : 1;
+    const auto is_first = [&](const Entry& entry) {
+        return std::ranges::any_of(keys, [&](const Key& key) { return key.preset && key.path == entry.path; });
     };
-    std::ranges::stable_sort(entries, {}, place);
+    const auto is_last = [&](const Key& key, const Entry& entry) {
+        if (key.part) return key.path == entry.path;
+        return std::ranges::any_of(key.before,
+                                   [&](const Key& old) { return old.path != key.path && old.path == entry.path; });
+    };
+    const auto others = std::ranges::stable_partition(entries, is_first);
+    std::ranges::stable_partition(others, [&](const Entry& entry) {
+        return std::ranges::none_of(keys, [&](const Key& key) { return is_last(key, entry); });
+    });
     return entries;
 }
 

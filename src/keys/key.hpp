@@ -8,7 +8,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,29 +16,9 @@
 
 #include "core/units.hpp"
 #include "keys/document.hpp"
+#include "keys/range.hpp"
 
 namespace floes {
-
-/// Allowed range of a number, in the unit of the key. NaN is never allowed.
-struct Range {
-    double low = -std::numeric_limits<double>::infinity();
-    double high = std::numeric_limits<double>::infinity();
-    bool low_included = true;
-    bool high_included = true;
-    bool infinity_included = false;
-    std::string_view reason;  ///< why, if it is not obvious; part of the message
-
-    Range at_most(double bound) const;
-    Range below(double bound) const;
-    Range or_infinity() const;
-    Range because(std::string_view why) const;
-    bool contains(double value) const;
-};
-Range above(double bound);
-Range at_least(double bound);
-
-/// "above 0 and below 1"; "any number" without bounds.
-std::string to_text(const Range& range);
 
 struct NumberField {
     std::function<double()> get;      ///< SI
@@ -84,14 +63,14 @@ struct RowsField {
 struct Key {
     std::string_view path;  ///< "ice.thickness_m": table, dot, name with unit
     std::variant<NumberField, NumbersField, IntegerField, SwitchField, WordField, TextField, RowsField> field;
-    std::string_view source;  ///< where the default comes from
-    std::string_view doc;     ///< meaning, and what changing it does
-    bool late = false;        ///< came after the first campaigns; not in a digest where it has the value of before
-    bool preset = false;      ///< sets several keys at once
-    bool part = false;        ///< sets a part of the value of another key
-    std::string_view former = {};   ///< path in 1.0.0, if it was another
-    std::vector<Key> before = {};   ///< keys of 1.0.0 that this one replaced, bound to the same fields
-    bool replaced = false;          ///< one of those
+    std::string_view source;       ///< where the default comes from
+    std::string_view doc;          ///< meaning, and what changing it does
+    bool late = false;             ///< came after the first campaigns; not in a digest where it has the value of before
+    bool preset = false;           ///< sets several keys at once
+    bool part = false;             ///< sets a part of the value of another key
+    std::string_view former = {};  ///< path in 1.0.0, if it was another
+    std::vector<Key> before = {};  ///< keys of 1.0.0 that this one replaced, bound to the same fields
+    bool replaced = false;         ///< one of those
 
     /// It has no field of its own, so digests and differences leave it out.
     bool derived() const { return preset || part; }

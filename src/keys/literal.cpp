@@ -9,7 +9,7 @@
 namespace floes {
 namespace {
 
-/// TOML distinguishes integers from floats by the point, so a key that takes a number is written with one.
+/// TOML tells floats from integers by the decimal point, so a number is always written with one.
 std::string with_point(std::string text) {
     if (text.find_first_of(".en") == std::string::npos) text += ".0";
     return text;
@@ -25,8 +25,8 @@ std::string number_literal(double in_si, double unit) {
     if (unit == 1) return number_literal(in_si);
     const double number = in_si / unit;
     if (!std::isfinite(number)) return number_literal(number);
-    // What comes back as in_si is less than 5e-16 from `number`. So if fewer than 15 digits do, 15 are the same ones
-    // with zeros behind.
+    // A number that gives in_si again differs from `number` by less than 5e-16 of it. So where fewer than 15 digits are
+    // enough, 15 digits are the same ones followed by zeros.
     for (int digits = std::numeric_limits<double>::digits10; digits <= std::numeric_limits<double>::max_digits10;
          ++digits) {
         const std::string text = fmt::format("{:.{}g}", number, digits);

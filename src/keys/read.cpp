@@ -14,7 +14,7 @@
 namespace floes {
 namespace {
 
-/// Whole numbers are numbers too: thickness_m = 1.
+/// Accepts integers as well: thickness_m = 1.
 std::optional<double> as_number(const Value& value) {
     if (const auto* number = std::get_if<double>(&value.data)) return *number;
     if (const auto* integer = std::get_if<std::int64_t>(&value.data)) return static_cast<double>(*integer);
@@ -126,9 +126,27 @@ void assign(const Key& key, const Entry& entry) {
     std::visit(Assigner{key, entry}, key.field);
 }
 
+void refuse_former(std::span<const Key> keys, const Entry& entry) {
+    const Key* now = present_key(keys, entry.path);
+    if (now == nullptr) return;
+    std::string value = to_text(entry.value);
+    if (now->former.empty()) {
+        assign(*find_key(keys, entry.path), entry);  // the present key then shows what was meant
+        value = literal(*now);
+    }
+    throw InputError(fmt::format("{}: {} = {} is a key of floes 1.0.0; write {} = {}", entry.where, entry.path,
+                                 to_text(entry.value), now->path, value));
+}
+
+void refuse_former(std::span<const Key> keys, const std::string& path, const std::string& where) {
+    if (const Key* now = present_key(keys, path))
+        throw InputError(fmt::format("{}: {} is a key of floes 1.0.0; write {}", where, path, now->path));
+}
+
 std::string assign_known(std::span<const Key> keys, const Entry& entry, Spelling spelling) {
-    if (spelling == Spelling::present) refuse_former(keys, entry);
     if (const Key* key = find_key(keys, entry.path)) {
+        const bool former = key->replaced || key->path != entry.path;
+        if (former && spelling == Spelling::present) refuse_former(keys, entry);
         assign(*key, entry);
         return std::string(key->path);
     }

@@ -14,6 +14,12 @@ void assign(const Key& key, const Entry& entry);
 /// Which paths a text may have: a user's the present ones, one that floes stored also those of 1.0.0.
 enum class Spelling { present, stored };
 
+/// Throws InputError if the entry's path is one of 1.0.0 only: the sentence says what to write instead.
+void refuse_former(std::span<const Key> keys, const Entry& entry);
+
+/// The same for a path without a value, such as that of an axis; `where` begins the sentence.
+void refuse_former(std::span<const Key> keys, const std::string& path, const std::string& where);
+
 /// Finds the entry's key and sets its field. Returns the path of that key, or "" for a known table without keys ([ice]
 /// and nothing below it). Throws InputError as assign() does, for an unknown key, naming the nearest known one, and for
 /// one of 1.0.0 if only present ones are allowed, naming the one that replaced it.

@@ -22,11 +22,11 @@ bool is_of_key(char character) {
            character == ' ' || character == '\t';
 }
 
-/// A text read only so far that its strings, its comments and the rest are told apart.
+/// Scans a text just far enough to tell strings and comments from the rest.
 class Scan {
   public:
     explicit Scan(std::string_view text) : text_(text) {
-        if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;  // the mark that some editors begin with
+        if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;  // byte order mark
         while (at_ < text_.size()) step();
     }
 
@@ -46,7 +46,7 @@ class Scan {
         ++at_;
     }
 
-    /// A string of one line ends with its line at the latest: what follows is not TOML then.
+    /// A one-line string ends with its line at the latest; without a closing quote the text is not TOML anyway.
     void skip_string(char quote) {
         const char quotes[]{quote, quote, quote};
         const std::string_view three(quotes, 3);
@@ -55,7 +55,8 @@ class Scan {
             if (quote == '"' && text_[at_] == '\\') {
                 ++at_;
             } else if (many_lines && text_.substr(at_, 3) == three) {
-                at_ = std::min(text_.find_first_not_of(quote, at_), text_.size());  // quotes may stand before the end
+                at_ = std::min(text_.find_first_not_of(quote, at_),
+                               text_.size());  // the string itself may end with quotes
                 return;
             } else if (!many_lines && (text_[at_] == quote || text_[at_] == '\n')) {
                 ++at_;

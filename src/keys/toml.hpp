@@ -1,14 +1,14 @@
 #pragma once
-// toml++, compiled here and not linked, because some of its macros are others: what it takes for impossible of a text
-// from anywhere must do no harm.
+// toml++ as headers, not as a library, because some of its macros are replaced: what it assumes never to happen must do
+// no harm, since a text may come from anywhere.
 
 #define TOML_HEADER_ONLY 1
 #if __has_include(<toml++/impl/preprocessor.hpp>)
 #include <toml++/impl/preprocessor.hpp>
 #else
 #include <toml++/impl/preprocessor.h>
-// toml++ 3.3 asks whether a character beyond ASCII is a blank, and takes it for unreachable that U+FEF7 is none. 3.4
-// answers as it does here.
+// When toml++ 3.3 looks whether a character is a blank, U+FEF7 leads to a place that it declares unreachable. The
+// answer given there instead is the one of 3.4.
 #pragma push_macro("TOML_UNREACHABLE")
 #undef TOML_UNREACHABLE
 #define TOML_UNREACHABLE return false

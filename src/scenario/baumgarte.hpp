@@ -4,10 +4,10 @@
 //
 // Eqs. (4)-(5):   Σ = 1 / (Δt K + D),   Γ = Δt K / (Δt K + D),   with Σ in s/kg.
 //
-// Bullet's joints multiply Σ with the impulse of a row that was scaled by its effective mass already, and do not divide
-// by Δt: the number is dimensionless, and Eq. (4) holds for each row with Σ Δt A in place of Σ, where A = J M⁻¹ Jᵀ is
-// the inverse of the row's effective mass. Hence K = Γ / (Δt² Σ A) and D = (1 - Γ) / (Δt Σ A): stiffness follows the
-// mass of the elements and the inverse square of the time step. Measured to five digits, the same in Bullet 2.82
+// Bullet multiplies Σ with the impulse of a row that is already scaled by its effective mass, and does not divide by
+// Δt: its Σ is dimensionless, and Eq. (4) holds for each row with Σ Δt A in place of Σ, where A = J M⁻¹ Jᵀ is the
+// inverse of the row's effective mass. Hence K = Γ / (Δt² Σ A) and D = (1 - Γ) / (Δt Σ A): stiffness is proportional to
+// the mass of the elements and to the inverse square of the time step. Measured to five digits, alike in Bullet 2.82
 // to 3.27.
 
 namespace floes {
@@ -33,7 +33,7 @@ SpringDamper paper_spring(const Stabilization& numbers, double time_step);
 /// Bullet's numbers for a joint row of inverse effective mass A (1/kg, or 1/(kg m²)).
 Stabilization bullet_stabilization(const SpringDamper& row, double time_step, double inverse_mass);
 
-/// What Bullet's numbers amount to on a joint row of inverse effective mass A (1/kg, or 1/(kg m²)).
+/// The spring and damper that Bullet's numbers make of a joint row of inverse effective mass A (1/kg, or 1/(kg m²)).
 SpringDamper bullet_spring(const Stabilization& numbers, double time_step, double inverse_mass);
 
 /// A = J M⁻¹ Jᵀ of the rows of a joint at mid-edge between two equal square elements lying in one plane.

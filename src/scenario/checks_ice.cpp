@@ -166,7 +166,7 @@ void check_averaging(const Scenario& scenario, Contradictions& found) {
                                          given(scenario, key), time, given(scenario, "general.time_step_s"),
                                          std::max(1.0, std::round(time / step)) * step)});
         }
-        return;  // further times would only repeat it
+        return;  // one message is enough
     }
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Laws of contact that belong together, docs/contact.md.
+// Sets of contact laws that belong together, docs/contact.md.
 
 #include <array>
 #include <initializer_list>
@@ -15,12 +15,12 @@ enum class ContactPreset {
     own        ///< anything else
 };
 
-/// Words of the enumerations in their order, as keys, files and reports have them.
+/// The words of the enumerations, in order, for keys, files and reports.
 inline constexpr std::array<std::string_view, 3> preset_words{"paper", "physical", "own"};
 inline constexpr std::array<std::string_view, 2> friction_words{"one_direction", "cone"};
 inline constexpr std::array<std::string_view, 2> normal_law_words{"rigid", "crushing"};
 
-/// The law with what the preset says of it; as it is for `own`.
+/// The law with the choices of the preset; unchanged for `own`.
 constexpr ContactLaw with_preset(ContactLaw law, ContactPreset preset) {
     if (preset == ContactPreset::own) return law;
     const bool physical = preset == ContactPreset::physical;

@@ -1,6 +1,6 @@
 #pragma once
 // All that is fixed for one simulation: Tables 1 and 2 of the paper, and what the paper leaves open, as one value.
-// SI units throughout. Defaults are the paper's case at E = 60 MPa. Text keys and ranges: scenario/keys.cpp.
+// SI units throughout. Keys and ranges: scenario/tables_*.cpp.
 
 #include <string>
 #include <vector>
@@ -18,7 +18,7 @@ enum class JointModel { cfm, beam };  ///< Σ and Γ, or an elastic beam from ce
 enum class MomentAbout { pivot, element_centre };
 enum class ThresholdForm { force, as_printed };  ///< of Eqs. (1)-(2): L_e T_e σ, or L_e T_e² σ as the paper prints them
 enum class ArrangementMethod { monte_carlo, lattice, file, scattered };
-enum class ArrangementStart { lattice, stripes };  ///< where the Monte Carlo chain begins; forgotten by its end
+enum class ArrangementStart { lattice, stripes };  ///< of the Monte Carlo chain; the result forgets it
 enum class FarEnd { ice_sheet, open };             ///< what stands behind the ice field
 enum class WaterFlow { potential, still };         ///< water velocity that drag is relative to
 enum class FormDragOn { outline, every_element };  ///< edge faces that form drag acts on
@@ -91,10 +91,10 @@ struct Field {
     double half_width = 2.4;      ///< the field lies in |z| <= half_width, m (between the wall ice sheets)
     double sheet_width = 1.0;     ///< breadth of the fixed ice sheets along the walls and at the far end, m
     FarEnd far_end = FarEnd::ice_sheet;
-    double wake_radius = 0;  ///< m from the structure's axis; floes beyond it that nothing touched yet rest. 0: none do
+    double wake_radius = 0;  ///< m from the structure's axis; untouched floes beyond it are at rest. 0: none are
 };
 
-/// How the floes come to lie where they lie.
+/// How the initial positions of the floes are generated.
 struct ArrangementRule {
     ArrangementMethod method = ArrangementMethod::scattered;
     ArrangementStart start = ArrangementStart::lattice;
@@ -118,7 +118,7 @@ struct Structure {
     double speed = 0.07;  ///< V, m/s (Table 1)
 };
 
-/// Hydrostatics and hydrodynamics of an element (facts: literature ranges in scenario/keys.cpp).
+/// Hydrostatics and hydrodynamics of an element; sources in scenario/tables_tank.cpp.
 struct Water {
     double density = 1000.0;  ///< ρ_w, kg/m³ (Table 1)
     WaterFlow flow = WaterFlow::potential;

@@ -116,13 +116,13 @@ void add_contact(Keys& keys, ContactLaw& contact) {
     keys.push_back(late_key(word_key(
         "contact.friction", contact.friction, {friction_words.begin(), friction_words.end()}, "docs/convergence.md",
         "Law of friction. one_direction: one row per contact along the sliding velocity, as in Bullet; a contact that "
-        "sticks is not held across that row. cone: Coulomb's law in the whole contact plane, with solver lanes only; "
+        "sticks is not held across that row. cone: Coulomb's law in the whole contact plane, not with solver stock; "
         "higher loads and more broken floes (docs/contact.md).")));
     keys.push_back(late_key(word_key(
         "contact.law", contact.normal, {normal_law_words.begin(), normal_law_words.end()}, "docs/convergence.md",
         "What bounds the force along the normal. rigid: nothing, so that a collision ends within one step and the "
         "largest load depends on the time step. crushing: ice yields at crushing_pressure_kPa over the area that the "
-        "overlap opens and does not push back, with solver lanes only; contact.erp and split impulse then have no "
+        "overlap opens and does not push back, not with solver stock; contact.erp and split impulse then have no "
         "effect (docs/contact.md).")));
     keys.push_back(late_key(number_key(
         "contact.crushing_pressure_kPa", contact.crushing_pressure, unit::kilopascal, at_least(0).at_most(1e6),

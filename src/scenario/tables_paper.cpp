@@ -52,8 +52,8 @@ void add_paper(Keys& keys, Scenario& scenario) {
         "contact.internal_edges",
         switch_key("paper.internal_edges", scenario.contact.internal_edges, "docs/convergence.md",
                    "Whether faces between the elements of a floe, and the rims at which pieces of the structure meet, "
-                   "can be touched although they lie inside the body, as Bullet's can. false: nothing acts there, with "
-                   "solver lanes only."))));
+                   "can be touched although they lie inside the body, as Bullet's can. false: nothing acts there, not "
+                   "with solver stock."))));
     keys.push_back(split_impulse(scenario.contact));
 }
 

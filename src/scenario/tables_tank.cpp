@@ -47,7 +47,7 @@ RowsField shape_rows(Shape& shape) {
             [&shape](const std::vector<std::vector<double>>& rows) { shape = Shape::of_rows(rows); }};
 }
 
-/// The radius of the lowest point, of which a design can have an axis.
+/// The radius of the lowest point as a key of its own, so that a design can have it as an axis.
 Key keel_radius(Shape& shape) {
     const auto rows_of = [&shape] {
         std::vector<std::vector<double>> rows = shape.rows();
@@ -104,11 +104,12 @@ void add_field(Keys& keys, Field& field) {
         "field.far_end", field.far_end, {"ice_sheet", "open"}, "design decision; the paper names the walls only",
         "Far end boundary of the field: a fixed ice sheet that confines it, or open water. With an open far end, the "
         "load on a straight 45° wall is half as large and that on a 76° wall a fifth, and hardly any floe breaks."));
-    keys.push_back(number_key("field.wake_radius_m", field.wake_radius, unit::one, at_least(0).at_most(farthest),
-                              "off: every floe is computed",
-                              "Solver lanes only: a floe rests, at no cost, until the structure's axis is within this "
-                              "distance of its middle or moving ice touches it. This neglects a displacement by the "
-                              "flow ahead of the structure of at most waterline radius² / this. 0: off."));
+    keys.push_back(
+        number_key("field.wake_radius_m", field.wake_radius, unit::one, at_least(0).at_most(farthest),
+                   "off: every floe is computed",
+                   "Not with solver stock: a floe rests, at no cost, until the structure's axis is within this "
+                   "distance of its middle or moving ice touches it. This neglects a displacement by the "
+                   "flow ahead of the structure of at most waterline radius² / this. 0: off."));
 }
 
 void add_arrangement(Keys& keys, ArrangementRule& arrangement) {
@@ -118,8 +119,8 @@ void add_arrangement(Keys& keys, ArrangementRule& arrangement) {
                  "scattered: a disordered field, floes thrown at random and pushed apart until none overlap; "
                  "monte_carlo: equilibrium of hard squares, rows and columns where they are dense, independent of the "
                  "start; lattice: rows, with jitter; file: given poses, the same for each arrangement.");
-    keys.push_back(instead_of(
-        {method, word_key("arrangement.start", arrangement.start, {"lattice", "stripes"}, "", "")}, method));
+    keys.push_back(
+        instead_of({method, word_key("arrangement.start", arrangement.start, {"lattice", "stripes"}, "", "")}, method));
     keys.push_back(number_key("arrangement.clearance_m", arrangement.clearance, unit::one, at_least(0).at_most(10),
                               "judgement", "Minimum initial gap between floes, and between floes and walls."));
     keys.push_back(integer_key("arrangement.sweeps", arrangement.sweeps, 0, 10000000, "judgement; see arrangement.md",

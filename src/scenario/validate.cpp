@@ -14,7 +14,7 @@ std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
     check_averaging(scenario, found);
     check_shape(scenario, found);
     check_given_floes(scenario, found);
-    if (!found.empty()) return found;  // what follows would only repeat it in other words
+    if (!found.empty()) return found;  // the checks below would report the same again
     check_tow(scenario, found);
     check_wake(scenario, found);
     check_lattice(scenario, found);

@@ -1,5 +1,5 @@
 #pragma once
-// Contradictions: what no single key shows, because each value is allowed and together they make no simulation.
+// Contradictions between keys: values that are allowed one by one but cannot be simulated together.
 
 #include <string>
 #include <vector>

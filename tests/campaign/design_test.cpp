@@ -210,6 +210,7 @@ TEST(Design, EveryMistakeIsASentence) {
         {grid + "[[design.axis]]\nvalues = [1]\n", "a.toml:3: this [[design.axis]] has no key"},
         {grid + axis("ice.thicknes_m", "values = [1]"), "did you mean \"ice.thickness_m\"?"},
         {grid + axis("campaign.seed", "values = [1]"), "is not a key that a case takes"},
+        {grid + axis("paper.split_impulse_depth_m", "values = [0.04, inf]"), "the values of an axis are finite"},
         {grid + axis("ice.thickness_m", "value = [0.03]"),
          "a.toml:5: value = [0.03] is not a key of an axis; did you "
          "mean values?"},

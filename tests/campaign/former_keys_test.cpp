@@ -139,7 +139,8 @@ TEST(FormerKeys, TheTextOf1_0HasAnotherValueOfEveryKey) {
     const Keys keys = keys_of_digest(describe(scenario));
     const Campaign campaign = of_1_0();
     for (std::size_t i = 0; i < keys.size(); ++i) {
-        if (keys[i].path == "arrangement.file") continue;  // it becomes the poses
+        if (keys[i].path == "arrangement.file") continue;     // it becomes the poses
+        if (keys[i].path == "arrangement.columns") continue;  // came after 1.0.0
         EXPECT_TRUE(std::ranges::any_of(campaign.cases, [&](const Case& one) {
             scenario = one.scenario;
             return exact_text(keys[i]) != exact_text(usual[i]);

@@ -174,6 +174,18 @@ TEST(Keys, OverridesAreTomlOrABareWord) {
         EXPECT_THROW(parse_override(wrong, "--set"), InputError) << wrong;
 }
 
+TEST(Keys, InfinityIsAllowedWhereTheRangeSaysSo) {
+    const Range depth = at_least(0).at_most(10).or_infinity();
+    EXPECT_EQ(to_text(depth), "at least 0 and at most 10, or inf");
+    EXPECT_TRUE(depth.contains(HUGE_VAL));
+    for (const double outside : {-HUGE_VAL, std::nan(""), 10.1}) EXPECT_FALSE(depth.contains(outside)) << outside;
+    double field = 1;
+    const Keys keys{number_key("ice.depth_m", field, unit::one, depth, "none", "Depth.")};
+    assign_known(keys, {"ice.depth_m", Value{HUGE_VAL}, "a.toml:1"});
+    EXPECT_EQ(field, HUGE_VAL);
+    EXPECT_EQ(literal(keys[0]), "inf");
+}
+
 TEST(Keys, DifferencesNameTheKey) {
     Sample there;
     Sample here;

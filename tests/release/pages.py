@@ -96,16 +96,18 @@ def check_bash():
 
 def check_zsh():
     check(not output("zsh", "-n", str(FOLDER / "_floes")), "zsh cannot read its completion")
-    # A shell in a terminal of its own, asked by the key for a list.
-    script = f"""zmodload zsh/zpty; zpty floes zsh -f -i
-        zpty -w floes 'fpath=({FOLDER} $fpath); autoload -U compinit; compinit -u -D; PS1=; TERM=dumb'
-        zpty -w floes 'unsetopt zle_bracketed_paste; LISTMAX=0; bindkey "^I" complete-word; echo rea"dy"'
-        zpty -m floes x '*ready*'
-        zpty -n -w floes $'floes run --res\\t--iso\\tp\\t'; sleep 2; zpty -n -w floes $'\\C-a#\\n'
-        zpty -w floes 'echo fin"ished"'
-        zpty -r -m floes all '*finished*'; print -r -- $all"""
-    shown = re.sub(r"\x1b\[[0-9;?]*[A-Za-z]|\x08|\r", "", output("zsh", "-fc", script, timeout=60))
-    check("--resume --isolation process" in re.sub(r"\s+", " ", shown), f"zsh completes otherwise: {shown}")
+    for typed, completed in {r"floes run --res\t--iso\tp\t": "--resume --isolation process",
+                             r"floes lab\tpl\t--she\t": "laboratory plate --sheet-m"}.items():
+        # A shell in a terminal of its own, asked by the key for a list.
+        script = f"""zmodload zsh/zpty; zpty floes zsh -f -i
+            zpty -w floes 'fpath=({FOLDER} $fpath); autoload -U compinit; compinit -u -D; PS1=; TERM=dumb'
+            zpty -w floes 'unsetopt zle_bracketed_paste; LISTMAX=0; bindkey "^I" complete-word; echo rea"dy"'
+            zpty -m floes x '*ready*'
+            zpty -n -w floes $'{typed}'; sleep 2; zpty -n -w floes $'\\C-a#\\n'
+            zpty -w floes 'echo fin"ished"'
+            zpty -r -m floes all '*finished*'; print -r -- $all"""
+        shown = re.sub(r"\x1b\[[0-9;?]*[A-Za-z]|\x08|\r", "", output("zsh", "-fc", script, timeout=60))
+        check(completed in re.sub(r"\s+", " ", shown), f"zsh completes otherwise: {shown}")
 
 
 def check_fish():

@@ -1,5 +1,5 @@
 #pragma once
-// What is allowed and yet not wise.
+// What is allowed but not advisable.
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-// The keys of [campaign] and of a [[case]], and all there is to print about keys.
+// The keys of [campaign], [design], [stop], [run] and of a [[case]], and what is printed about keys.
 
 #include <cstdint>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace floes {
 
-/// What [campaign] sets.
+/// The fields of [campaign].
 struct CampaignHead {
     std::string name;
     std::uint64_t seed = 1;
@@ -40,7 +40,7 @@ Keys describe(RunRules& rules);
 /// and elastic_modulus_MPa, and every key of a scenario.
 Keys describe(Case& one);
 
-/// The key that a shorthand of a [[case]] stands for; any other path is its own.
+/// The full path of a shorthand of a [[case]]; other paths are returned as they are.
 std::string full_path(const std::string& path);
 
 /// A sentence about each table of a configuration.
@@ -52,7 +52,7 @@ std::string default_configuration();
 /// All keys as Markdown, a table for each table of the configuration. docs/configuration.md contains it.
 std::string reference_markdown();
 
-/// One key, as said in the reference.
+/// One line of the reference.
 struct KeyDescription {
     std::string key;
     std::string default_value;

@@ -20,7 +20,7 @@ constexpr const char* case_block = "case";
 constexpr std::size_t longest_name = 200;
 constexpr std::size_t most_axis_values = 2'000'000;  // over all cases; each takes some 150 bytes
 
-/// How many numbers it holds, texts by their length.
+/// The memory that a value needs, in numbers; a text counts by its length.
 std::size_t size_of(const Value& value) {
     if (const auto* text = std::get_if<std::string>(&value.data)) return 1 + text->size() / 16;
     std::size_t size = 1;
@@ -29,7 +29,7 @@ std::size_t size_of(const Value& value) {
     return size;
 }
 
-/// Of the values that a case has of all axes, the largest ones taken.
+/// The same for the values of all axes in one case, at most.
 std::size_t values_of_a_case(const Design& design) {
     std::size_t size = 0;
     for (const DesignAxis& axis : design.axes) {
@@ -70,7 +70,7 @@ std::string case_name(const Block& block, std::set<std::string>& taken) {
     return name;
 }
 
-/// Some case says which point it is: then all are points, written out.
+/// Whether the cases are the points of a design, written out: then they have a design.point.
 bool written_out(const std::vector<CaseBlock>& cases) {
     return std::ranges::any_of(cases, [](const CaseBlock& one) {
         return std::ranges::find(one.block.entries, "design.point", &Entry::path) != one.block.entries.end();

@@ -48,7 +48,7 @@ UnitPoints sobol(std::size_t points, std::size_t dimensions, std::uint64_t seed)
     UnitPoints all(points, std::vector<double>(dimensions));
     for (std::size_t p = 0; p < points; ++p) {
         for (std::size_t d = 0; d < dimensions; ++d) {
-            const std::uint64_t bits = p == 0 ? 0 : sequence() >> unused_bits;  // Boost leaves the first point out
+            const std::uint64_t bits = p == 0 ? 0 : sequence() >> unused_bits;  // Boost skips the first point, 0
             all[p][d] = static_cast<double>(bits ^ shift[d]) * 0x1p-53;
         }
     }

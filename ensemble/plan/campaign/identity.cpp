@@ -12,7 +12,7 @@
 namespace floes {
 namespace {
 
-/// What the members depend on outside their scenarios.
+/// What members depend on besides their scenarios.
 CampaignHead head_of(const Campaign& campaign) {
     return {"", campaign.seed, campaign.arrangements, campaign.common_arrangements};
 }
@@ -35,12 +35,12 @@ std::vector<std::string> differences_of(const Case& there, const Case& here) {
     return lines;
 }
 
-/// All that a member of the case depends on, but the seed.
+/// Everything that a member of the case depends on, except the seed.
 std::string case_text(const Case& one) {
     return canonical_text(one.scenario) + (one.calibrate ? "joint.cfm is to be calibrated\n" : "");
 }
 
-/// The lines of each case that both have; a line that all cases share is given once, without naming them.
+/// The differences of each case that both have; a line that is the same for all cases is given once, without a name.
 std::vector<std::string> case_differences(const Campaign& there, const Campaign& here) {
     std::vector<std::vector<std::string>> of_case;
     std::vector<std::string> names;
@@ -74,7 +74,7 @@ std::vector<std::string> case_differences(const Campaign& there, const Campaign&
 std::string fingerprint(const Campaign& campaign) {
     CampaignHead head = head_of(campaign);
     Keys keys = describe(head);
-    // Common arrangements add nothing to the text: campaigns keep the fingerprints they had before there was a choice.
+    // Common arrangements are not part of the text, so that campaigns from before this key keep their fingerprints.
     if (head.common_arrangements) std::erase_if(keys, [](const Key& key) { return key.path == common_path; });
     std::string text = canonical_text(keys);
     for (const Case& one : campaign.cases) text += fmt::format("case {}\n{}", one.name, case_text(one));

@@ -1,6 +1,5 @@
 #pragma once
-// Which campaign, and which case, it is: digests that are equal when the members are, and what differs when they are
-// not.
+// The identity of campaigns and cases: digests that are equal exactly when the members are, and what differs otherwise.
 
 #include <string>
 #include <vector>

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view header = "x_m,z_m,yaw_deg";
 
-/// The line without blanks, tabs and the carriage return of other systems.
+/// The line without spaces, tabs and carriage returns.
 std::string squeezed(const std::string& line) {
     std::string text;
     for (const char character : line) {

@@ -1,5 +1,5 @@
 #pragma once
-// Floe poses from a CSV file, such as a tank photograph gives.
+// Floe poses from a CSV file, for example from a tank photograph.
 
 #include <string>
 #include <vector>
@@ -15,7 +15,7 @@ struct PoseFile {
     std::string path;
     std::string columns;     ///< for arrangement.columns: what the header has behind x_m,z_m,yaw_deg
     Value poses;             ///< for arrangement.poses
-    std::vector<int> lines;  ///< of the file, from 1: where each pose stands
+    std::vector<int> lines;  ///< line of each pose in the file, from 1
 };
 
 /// Reads "x_m,z_m,yaw_deg", keys of which each floe has a value of its own, and a line for each floe; blank lines are

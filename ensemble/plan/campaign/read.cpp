@@ -60,7 +60,7 @@ class Reader {
         const std::vector<CaseBlock> blocks = at_points(std::move(given), design_, axes_, head_.seed, source_.file);
         refuse_members(blocks.size(), campaign.arrangements, source_.file);
         Case one;
-        const Keys keys = describe(one);  // once: it takes longer than all else of a case
+        const Keys keys = describe(one);  // only once, because it takes longer than the rest of a case
         HeldNumbers held(source_.file);
         for (const CaseBlock& block : blocks) {
             read_case(block, blocks.size() > 1, one, keys);
@@ -71,7 +71,7 @@ class Reader {
         if (const auto fault = stop_quantity_fault(campaign))
             throw InputError(
                 fmt::format("{}: {}", origins_.contains("stop.of") ? origins_.at("stop.of") : source_.file, *fault));
-        // It is stored and sent as this text: what could not be read again is refused before a member is computed.
+        // The campaign is stored and sent as this text, so one that could not be read again is refused at once.
         if (source_.from_user) write_campaign(campaign, fmt::format("{}, with all keys written out", source_.file));
         return campaign;
     }
@@ -112,7 +112,7 @@ class Reader {
         if (!path.empty()) origins[full_path(path)] = entry.where;
     }
 
-    /// An override that every case would override again does nothing: worse than an error.
+    /// Refuses an override that would have no effect because a case or an axis sets the same key.
     void refuse_hidden() const {
         for (const Entry& entry : overrides_) {
             if (is_case_path(entry.path)) continue;
@@ -134,7 +134,7 @@ class Reader {
         }
     }
 
-    /// Nor may a preset of the case overrule it unseen. `keys`: of the case, when all that it gives is set.
+    /// Refuses an override that a preset of the case would undo. `keys`: of the case, after all its entries are set.
     void refuse_overruled(const Keys& keys, const CaseBlock& block) const {
         for (const auto& [entry, wanted] : overridden_) {
             const Key* here = find_key(keys, full_path(entry.path));
@@ -189,7 +189,7 @@ class Reader {
             "The name of the configuration file is not UTF-8, so it cannot name the campaign; give campaign.name.");
     }
 
-    /// Into `one`, to which `keys` are bound. Messages name the case where it is `one_of_many`.
+    /// Reads a case into `one`, to which `keys` are bound. Messages name the case if it is `one_of_many`.
     void read_case(const CaseBlock& block, bool one_of_many, Case& one, const Keys& keys) {
         one = {block.name, base_};
         Origins own;
@@ -228,7 +228,7 @@ class Reader {
                                      to_text(entry.value), table));
     }
 
-    /// Begins with the place of the first of the keys involved that the text sets.
+    /// The message begins with the place of the first key involved that the text sets.
     void refuse_contradictions(const Scenario& scenario, const Origins& origins, const std::string& label) const {
         const std::vector<Contradiction> found = find_contradictions(scenario);
         if (found.empty()) return;

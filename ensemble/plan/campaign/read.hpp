@@ -18,7 +18,8 @@ struct CampaignSource {
     std::string text;                    ///< TOML
     std::string file;                    ///< names the text in messages; its stem is the campaign's name
     std::vector<std::string> overrides;  ///< "key=value" pairs (--set), applied last; of two for one key the later one
-    bool from_user = false;              ///< not by write_campaign(): given poses are looked at floe by floe
+    /// Not stored by write_campaign(): only present keys are allowed, and given poses are checked floe by floe.
+    bool from_user = false;
 };
 
 /// Reads and checks a campaign. Throws InputError, one sentence: file, line, key, value, what is allowed, and the

@@ -12,7 +12,6 @@
 #include "campaign/campaign_keys.hpp"
 #include "core/error.hpp"
 #include "keys/edit_distance.hpp"
-#include "keys/former.hpp"
 #include "keys/literal.hpp"
 #include "keys/read.hpp"
 #include "scenario/keys.hpp"
@@ -20,7 +19,7 @@
 namespace floes {
 namespace {
 
-/// What an axis is given by.
+/// The entries of a [[design.axis]].
 struct AxisText {
     std::optional<Entry> key;
     std::optional<Entry> values;
@@ -122,7 +121,7 @@ class AxisReader {
         if (!axis_.numeric && text_.scale) throw wrong(text_.scale->where, "takes no numbers, so it has no scale");
     }
 
-    /// In the key's unit, after the key has found it good.
+    /// The number in the key's unit. Throws InputError if the key does not accept it.
     double number(const Key& key, const Entry& entry) const {
         assign(key, {axis_.key, entry.value, entry.where});
         if (const auto* whole = std::get_if<std::int64_t>(&entry.value.data)) return static_cast<double>(*whole);

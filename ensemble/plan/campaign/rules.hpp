@@ -6,12 +6,12 @@
 namespace floes {
 
 struct StopRule {
-    double half_width = 0;          ///< of the 95 % interval over the mean, a part of 1; 0: all arrangements are run
-    std::string of = "mean_load";   ///< key of the quantity whose precision is asked for
+    double half_width = 0;          ///< of the 95 % interval, relative to the mean; 0: all arrangements are run
+    std::string of = "mean_load";   ///< key of the quantity that has to be precise
     std::string case_name = "all";  ///< or "none", or the name of one case
     std::string contrast = "none";  ///< or "all", or "B - A" for the paired difference of two cases
-    int minimum = 20;               ///< fewest arrangements before the rule is asked
-    int look_ahead = 5;             ///< further arrangements for which it must go on holding
+    int minimum = 20;               ///< arrangements before the rule is applied
+    int look_ahead = 5;             ///< further arrangements for which it must stay satisfied
     int batch = 10;                 ///< arrangements handed out before any later one
 
     bool active() const { return half_width > 0; }

@@ -1,5 +1,5 @@
 #pragma once
-// Whether every case measures what the stop rule looks at.
+// Whether every case measures the quantity of the stop rule.
 
 #include <optional>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace floes {
 
-/// What is wrong with stop.of in a sentence's words; none where a stop rule may look at it in every case.
+/// The sentence that says what is wrong with stop.of; none if every case measures that quantity.
 std::optional<std::string> stop_quantity_fault(const Campaign& campaign);
 
 }  // namespace floes

@@ -20,8 +20,8 @@ namespace {
 
 constexpr const char* cfm_path = "joint.cfm";
 
-/// Paths of the keys in which the cases differ, or that some do not have. `keys` are bound to `scenario`, which is
-/// given those of the cases in turn.
+/// Paths of the keys that differ between cases, or that some cases do not have. `keys` are bound to `scenario`, which
+/// takes the scenario of each case in turn.
 std::set<std::string_view> varying_paths(const std::vector<Case>& cases, const Keys& keys, Scenario& scenario) {
     std::set<std::string_view> paths;
     if (std::ranges::any_of(cases, &Case::calibrate)) paths.insert(cfm_path);
@@ -38,9 +38,9 @@ std::set<std::string_view> varying_paths(const std::vector<Case>& cases, const K
     return paths;
 }
 
-/// The keys to be written: the present ones, but where one of them cannot hold what a case has from 1.0.0 (such as the
-/// depth of a split impulse that is off), those that it replaced. `keys` are bound to `scenario`, which is given those
-/// of the cases in turn.
+/// The keys to write. Where a case stored by 1.0.0 has a value that no present key can hold (such as the depth of a
+/// split impulse that is off), these are the keys of 1.0.0 instead. `keys` are bound to `scenario`, which takes the
+/// scenario of each case in turn.
 Keys keys_of_text(const std::vector<Case>& cases, const Keys& keys, Scenario& scenario) {
     Scenario again;
     const Keys read = describe(again);
@@ -63,7 +63,7 @@ Keys keys_of_text(const std::vector<Case>& cases, const Keys& keys, Scenario& sc
         else
             written.push_back(key);
     }
-    // A replaced key may be of another table, and a table is written once.
+    // A replaced key may belong to another table, and each table is written once.
     const auto table = [&](const Key& key) { return std::ranges::find(keys, key.table(), &Key::table); };
     std::ranges::stable_sort(written, {}, table);
     return written;
@@ -100,7 +100,7 @@ std::string write_campaign(const Campaign& campaign, const std::string& where) {
     CampaignHead head{campaign.name, campaign.seed, campaign.arrangements, campaign.common_arrangements};
     const std::vector<Case>& cases = campaign.cases;
     Scenario scenario = cases.front().scenario;
-    const Keys present = describe(scenario);  // once: it takes longer than all else of a case
+    const Keys present = describe(scenario);  // only once, because it takes longer than the rest of a case
     const Keys keys = keys_of_text(cases, present, scenario);
     const std::set<std::string_view> varying = varying_paths(cases, keys, scenario);
     StopRule stop = campaign.stop;
@@ -119,7 +119,7 @@ std::string write_campaign(const Campaign& campaign, const std::string& where) {
     std::string text = write_tables(tables, titles(), Comments::none);
     text += axes_text(design, present);
     for (const Case& one : cases) {
-        if (text.size() > longest_text) break;  // a list that each case has may make it many times as long
+        if (text.size() > longest_text) break;  // lists repeated in each case can make it very long
         scenario = one.scenario;
         text += fmt::format("\n[[case]]\nname = {}\n", text_literal(one.name));
         if (design.active())

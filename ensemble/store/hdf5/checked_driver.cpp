@@ -15,7 +15,7 @@
 namespace floes::hdf5 {
 namespace {
 
-/// HDF5 hands its own part, which comes first, back to every function.
+/// HDF5 passes a pointer to its own part, which comes first, to every function.
 struct OpenFile : H5FD_t {
     explicit OpenFile(CheckedPages opened) : H5FD_t{}, pages(std::move(opened)) {}
     CheckedPages pages;
@@ -46,7 +46,7 @@ Value caught(const Action& action, Value otherwise) {
     }
 }
 
-/// What HDF5 copies from the file access to open().
+/// What HDF5 passes from the file access properties to open().
 struct Opening {
     std::optional<CheckedPages>* pages;
 };
@@ -80,15 +80,16 @@ haddr_t get_eof(const H5FD_t* file, H5FD_mem_t) {
     return mine(file).pages.size();
 }
 
-/// Whether HDF5 may have what was read although a page of it is damaged: a page has several datasets in it, and what is
-/// said should name the right one. Headers have checksums, which HDF5 compares before it takes more of them than sizes.
+/// Whether data of a damaged page are passed to HDF5 nevertheless. A page holds parts of several datasets, and the
+/// message should name the right one. Headers have checksums, which HDF5 verifies before it uses more than sizes of
+/// them.
 bool may_have(const OpenFile& file, H5FD_mem_t of) {
     return of == H5FD_MEM_OHDR || (of == H5FD_MEM_DRAW && file.passes_values);
 }
 
 herr_t read(H5FD_t* file, H5FD_mem_t of, hid_t, haddr_t at, std::size_t size, void* to) {
     CheckedPages& pages = mine(file).pages;
-    // HDF5 guesses how long the superblock is and reads past the end of a tiny file; there are zeros.
+    // HDF5 guesses the length of the superblock and reads past the end of a tiny file; it gets zeros there.
     const auto inside = static_cast<std::size_t>(std::min<haddr_t>(size, pages.size() - std::min(at, pages.size())));
     const std::span bytes(static_cast<std::byte*>(to), size);
     std::ranges::fill(bytes.subspan(inside), std::byte{0});
@@ -135,7 +136,7 @@ hid_t driver() {
     return registered;
 }
 
-/// None where the file of `object` is not read by its pages.
+/// None if the file of `object` is not read through checked pages.
 OpenFile* open_file_of(hid_t object) {
     const Handle file(H5Iget_file_id(object), H5Fclose, "H5Iget_file_id", "a dataset");
     const Handle access(H5Fget_access_plist(file.id()), H5Pclose, "H5Fget_access_plist", "a file");

@@ -1,5 +1,5 @@
 #pragma once
-// Datasets of a known number of rows that are added in order, so that never more than a chunk of each is in memory.
+// Datasets with a known number of rows, which are added in order, so that at most one chunk of each is in memory.
 // Only for sources of rooms with HDF5 files of their own.
 
 #include <cstdint>
@@ -13,19 +13,20 @@
 
 namespace floes::hdf5 {
 
-/// A dataset of numbers as write_values() makes it. Value: double, int32 or int8.
+/// A dataset of numbers like those of write_values(). Value: double, int32 or int8.
 template <class Value>
 class Column {
   public:
     /// The first of the dimensions is that of the rows. `missing`: the number that stands for a missing value.
     Column(hid_t parent, const Label& label, const Dimensions& dimensions, std::optional<Value> missing = {});
-    /// Of an enumeration.
+    /// The same for an enumeration.
     Column(hid_t parent, const Label& label, const Dimensions& dimensions, const Flags& flags);
 
     /// Adds whole rows, in row-major order.
     void add(std::span<const Value> values);
     void add(const Value& value) { add(std::span(&value, 1)); }
-    /// After the last row: writes what is left, and the digest. Throws std::logic_error if rows are missing.
+    /// Call it after the last row: writes the remaining rows and the digest. Throws std::logic_error if rows are
+    /// missing.
     void finish();
 
   private:
@@ -38,7 +39,7 @@ class Column {
     hsize_t written_ = 0;  ///< rows
     Handle dataset_;
     Handle space_;
-    std::vector<Value> waiting_;  ///< rows that do not fill a chunk yet
+    std::vector<Value> waiting_;  ///< rows of a chunk that is not full yet
     DatasetDigest digest_;
 };
 
@@ -46,7 +47,7 @@ extern template class Column<double>;
 extern template class Column<std::int32_t>;
 extern template class Column<std::int8_t>;
 
-/// A dataset of one text a row.
+/// A dataset with one text per row.
 class TextColumn {
   public:
     TextColumn(hid_t parent, const Label& label, const Dimensions& dimensions);

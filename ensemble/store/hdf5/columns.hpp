@@ -1,6 +1,6 @@
 #pragma once
-// Datasets with as many values as they should have, each of which there is. Files with digests always have; older ones
-// may have been damaged unseen. Only for sources of rooms with HDF5 files of their own.
+// Reading datasets and checking that they are complete. Those of files with digests are; older files may be damaged
+// without a trace. Only for sources of rooms with HDF5 files of their own.
 
 #include <fmt/format.h>
 
@@ -24,7 +24,7 @@ std::vector<Value> read_column(hid_t file, const std::string& name, std::size_t 
     return values;
 }
 
-/// Throws RunError unless each value is one of least, …, most.
+/// Throws RunError unless each value is from `least` to `most`.
 template <class Value>
 std::vector<Value> read_numbers(hid_t file, const std::string& name, std::size_t count, Value least, Value most) {
     std::vector<Value> values = read_column<Value>(file, name, count);
@@ -34,14 +34,14 @@ std::vector<Value> read_numbers(hid_t file, const std::string& name, std::size_t
     return values;
 }
 
-/// Of a single text.
+/// The value of a dataset with one text.
 inline std::string read_text(hid_t file, const std::string& name) {
     const std::vector<std::string> texts = read_texts(file, name);
     check_count(file, name, texts.size(), 1);
     return texts.front();
 }
 
-/// Values of `rows` rows, each as wide as the others; none where there are no rows.
+/// Values of `rows` rows of equal width; none if there are no rows.
 template <class Value>
 std::vector<Value> read_table(hid_t file, const std::string& name, std::size_t rows, std::size_t& width) {
     std::vector<Value> values = read_values<Value>(file, name);

@@ -14,10 +14,10 @@ namespace floes::hdf5 {
 namespace {
 
 constexpr const char* provenance_group = "/provenance";
-constexpr int most_deep = 8;  // groups of floes lie at the root; links of a damaged one may go in a ring
+constexpr int most_deep = 8;  // floes has groups at the root only; links of a damaged file may form a ring
 constexpr std::size_t most_objects = 10000;
 
-/// Of the root: who wrote it, and the digest itself.
+/// Attributes of the root that are left out: who wrote the file, and the digest itself.
 constexpr std::array not_contents{"software", "softwareVersion", contents_attribute};
 
 Handle open_object(hid_t file, const std::string& path) {
@@ -64,7 +64,7 @@ void add_attribute(hid_t object, const std::string& name, StreamingDigest& diges
         check_read(H5Aread(attribute.id(), type.id(), values.data()), object, name);
         digest.add_text(name);
         digest.add_text({reinterpret_cast<const char*>(values.data()), values.size()});
-    }  // others are references between datasets and their scales
+    }  // the others are references between datasets and their scales
 }
 
 bool is_provenance(const std::string& path) {

@@ -1,6 +1,6 @@
 #pragma once
-// What a whole file holds: all its datasets by path, and the digest over them. Only for sources of rooms with HDF5
-// files of their own.
+// The contents of a whole file: the paths of all datasets, and one digest over them. Only for sources of rooms with
+// HDF5 files of their own.
 
 #include <string>
 #include <vector>
@@ -13,13 +13,13 @@ namespace floes::hdf5 {
 struct Paths {
     std::vector<std::string> groups;  ///< the root "/" is the first
     std::vector<std::string> datasets;
-    std::vector<std::string> unreadable;  ///< of either: only who looks for damage goes on with these
+    std::vector<std::string> unreadable;  ///< of both kinds; only a search for damage continues with these
 };
 Paths paths_of(hid_t file);
 
-/// The digest over all that does not say how the file was made: of groups and datasets outside /provenance in turn the
-/// path, each attribute that is a text or numbers, and so the digest of each dataset. Two files of the same members
-/// have the same. `provenance`: the same of what lies in /provenance; empty where there is none.
+/// The digest over everything except how the file was made: for each group and dataset outside /provenance the path and
+/// all attributes that are text or numbers, which include the digest of the dataset. Two files of the same members have
+/// the same. `provenance`: the digest over /provenance; empty if there is none.
 struct ContentsDigests {
     std::string contents;
     std::string provenance;
@@ -27,10 +27,10 @@ struct ContentsDigests {
 };
 ContentsDigests contents_digests(hid_t file);
 
-/// Writes them, when all else is written: the one as an attribute of the root, the other of /provenance.
+/// Writes both digests, as attributes of the root and of /provenance. Call it last.
 void write_contents_digests(hid_t file);
 
-/// Those written; empty where there are none.
+/// The digests that the file has; empty if there are none.
 ContentsDigests read_contents_digests(hid_t file);
 
 }  // namespace floes::hdf5

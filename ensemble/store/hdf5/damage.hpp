@@ -1,5 +1,5 @@
 #pragma once
-// What is said of a file that cannot be read as it was written. Only for sources of rooms with HDF5 files of their own.
+// Errors about a file that differs from what was written. Only for sources of rooms with HDF5 files of their own.
 
 #include <string>
 #include <string_view>
@@ -22,7 +22,7 @@ class DamagedFile : public RunError {
 /// Throws DamagedFile. `object`: the file or anything in it.
 [[noreturn]] void refuse_damaged(hid_t object, std::string_view fault);
 
-/// The same of something called `name` that HDF5 refuses to read, with HDF5's own reason.
+/// The same for an object called `name` that HDF5 cannot read, with HDF5's own reason.
 [[noreturn]] void refuse_unreadable(hid_t object, const std::string& name);
 
 /// The value of a call that reads `name`, which is in the file of `object`.

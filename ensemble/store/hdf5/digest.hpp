@@ -1,7 +1,7 @@
 #pragma once
-// Digests of datasets: what HDF5's own checksums leave open, and what says that two files hold the same. They are made
-// of contents, not of how HDF5 stores them, and stand as the attribute `digest` of each dataset. Only for sources of
-// rooms with HDF5 files of their own.
+// Digests of datasets. They cover what HDF5's own checksums do not, and show whether two files have the same contents.
+// They are made of the contents, not of how HDF5 stores them, and are the attribute `digest` of each dataset. Only for
+// sources of rooms with HDF5 files of their own.
 //
 //     values  XXH3-128 of all values, row-major, little endian; of texts the length of each (u64) and its bytes
 //     rows    XXH3-128 of the Adler-32 (u32) of each row's bytes, shuffled: of tables whose rows come packed
@@ -20,7 +20,7 @@
 namespace floes::hdf5 {
 
 inline constexpr const char* digest_attribute = "digest";
-/// Of the root: over all that lies outside /provenance.
+/// Attribute of the root: the digest over everything outside /provenance.
 inline constexpr const char* contents_attribute = "contents_digest";
 
 enum class DigestKind { values, rows };
@@ -31,13 +31,13 @@ struct StoredDigest {
     friend bool operator==(const StoredDigest&, const StoredDigest&) = default;
 };
 
-/// Taken while values are written or read.
+/// Computed while values are written or read.
 class DatasetDigest {
   public:
     explicit DatasetDigest(DigestKind kind = DigestKind::values) : kind_(kind) {}
 
     void add_bytes(std::span<const std::byte> values) { digest_.add(values); }
-    /// Whole rows of values; a row has `width` of them.
+    /// Adds whole rows of `width` values.
     template <class Value>
     void add(std::span<const Value> values, std::size_t width) {
         if constexpr (std::is_same_v<Value, double>) {
@@ -46,10 +46,10 @@ class DatasetDigest {
         add_bytes(std::as_bytes(values));
     }
     void add(std::span<const std::string> texts);
-    /// Of the kind `rows`: checksum() of each row in turn.
+    /// For the kind `rows`: adds the checksum() of the next row.
     void add_row(std::uint32_t checksum) { add_bytes(std::as_bytes(std::span(&checksum, 1))); }
 
-    /// Takes path, type and sizes of the dataset, and is then complete.
+    /// Adds path, type and sizes of the dataset and returns the complete digest.
     StoredDigest finish(hid_t dataset);
 
   private:
@@ -61,7 +61,7 @@ class DatasetDigest {
 
 void write_digest(hid_t dataset, const StoredDigest& digest);
 
-/// None where the dataset carries none: it is of an older layout, or was added by somebody else.
+/// The stored digest; none if the dataset is of an older layout or was added by another program.
 std::optional<StoredDigest> read_digest(hid_t dataset);
 
 /// The digest of a dataset as it is stored now, read piece by piece. Throws RunError where it cannot be read.

@@ -1,5 +1,5 @@
 #pragma once
-// What kind of HDF5 file it is, and of which layout.
+// The kind of an HDF5 file and its layout version.
 
 #include <array>
 #include <string_view>
@@ -9,7 +9,7 @@ namespace floes::hdf5 {
 struct FileKind {
     std::string_view filetype;   ///< attribute of the root
     std::array<int, 2> version;  ///< of the layout, {major, minor}: a new minor only adds names
-    int oldest_minor;            ///< that is read
+    int oldest_minor;            ///< that can be read
     std::string_view what;       ///< as a message names it: "campaign of floes"
 };
 

@@ -13,10 +13,10 @@ std::uint32_t folded(std::uint32_t sum) {
 }  // namespace
 
 void append_fletcher32(Bytes& chunk) {
-    constexpr std::size_t most = 360;  // words that the sums can take before they are folded
+    constexpr std::size_t most = 360;  // words that can be added before the sums have to be reduced
     std::uint32_t low = 0;
     std::uint32_t high = 0;
-    const auto word = [&](std::size_t at) {  // the first byte of a word is its higher one; a last odd byte as well
+    const auto word = [&](std::size_t at) {  // big endian; an odd last byte is the high one
         const auto first = std::to_integer<std::uint32_t>(chunk[at]);
         return first << 8 | (at + 1 < chunk.size() ? std::to_integer<std::uint32_t>(chunk[at + 1]) : 0);
     };

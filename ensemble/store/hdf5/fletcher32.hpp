@@ -1,6 +1,6 @@
 #pragma once
-// The checksum that HDF5's filter Fletcher32 puts behind each chunk, for chunks that are written past the filters. HDF5
-// itself computes it only inside. For this room only.
+// The checksum that HDF5's filter Fletcher32 appends to each chunk, for chunks that are written without the filters;
+// HDF5 does not export its own function. For this room only.
 
 #include "core/bytes.hpp"
 

@@ -32,8 +32,8 @@ void Handle::close(std::string_view call, std::string_view about) {
 }
 
 QuietErrors::QuietErrors() {
-    // A damaged file can leave HDF5 with parts that it cannot close, of which it would complain when the program ends.
-    // All files are closed before.
+    // A damaged file can leave HDF5 with objects that it cannot close; it would complain of them when the program ends.
+    // All files are closed by then.
     static const bool left_alone = H5dont_atexit() >= 0;
     static_cast<void>(left_alone);
     H5Eget_auto2(H5E_DEFAULT, &function_, &data_);

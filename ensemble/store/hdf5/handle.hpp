@@ -1,6 +1,6 @@
 #pragma once
-// HDF5 identifiers that close themselves, and calls that cannot fail unnoticed. Only for sources of rooms with HDF5
-// files of their own. Not for two threads at once.
+// HDF5 identifiers that close themselves, and calls whose failures become exceptions. Only for sources of rooms with
+// HDF5 files of their own. Not thread-safe.
 
 #include <hdf5.h>
 
@@ -10,13 +10,13 @@
 
 namespace floes::hdf5 {
 
-/// What HDF5 says of the last call that failed.
+/// HDF5's description of the last call that failed.
 std::string last_reason();
 
-/// Throws RunError quoting the call, what it was about, and HDF5's own reason.
+/// Throws RunError with the call, its object and HDF5's own reason.
 [[noreturn]] void fail(std::string_view call, std::string_view about);
 
-/// The value of an HDF5 call that answers negatively when it fails.
+/// The result of an HDF5 call that returns a negative value on failure.
 template <class Value>
 Value check(Value value, std::string_view call, std::string_view about) {
     if (value < 0) fail(call, about);
@@ -37,7 +37,7 @@ class Handle {
     }
 
     hid_t id() const { return id_; }
-    /// Closes now and reports failure, which a destructor cannot: buffered data reach the file at closing.
+    /// Closes now and throws on failure, which a destructor cannot: buffered data reach the file when it is closed.
     void close(std::string_view call, std::string_view about);
 
   private:
@@ -45,7 +45,7 @@ class Handle {
     Close close_;
 };
 
-/// While it lives HDF5 prints no error stacks: failures are reported as exceptions.
+/// While it exists, HDF5 prints no error stacks, because failures are reported as exceptions.
 class QuietErrors {
   public:
     QuietErrors();
@@ -58,8 +58,8 @@ class QuietErrors {
     void* data_ = nullptr;
 };
 
-/// File access that leaves out HDF5's own locks: campaign files never change in place, and some cluster file systems
-/// refuse locks.
+/// File access without HDF5's own locks: campaign files never change in place, and some cluster file systems do not
+/// support locks.
 Handle access_without_locks();
 
 /// The same for a new file, in the format of HDF5 1.10: its superblock, headers and indices of chunks have checksums.

@@ -1,5 +1,5 @@
 #pragma once
-// The attributes at the root of every HDF5 file of floes, which say what kind of file it is. Only for sources of rooms
+// The attributes of the root of every HDF5 file of floes, which identify its kind. Only for sources of rooms
 // with HDF5 files of their own.
 
 #include <filesystem>
@@ -10,12 +10,12 @@
 
 namespace floes::hdf5 {
 
-/// Title, filetype, version and software.
+/// Writes title, filetype, version and software.
 void write_kind(hid_t file, const FileKind& kind, const std::string& title);
 
 bool is_of_kind(hid_t file, const FileKind& kind);
 
-/// Throws InputError when the file is of another kind, or its major version is not this program's.
+/// Throws InputError if the file is of another kind or another major version.
 void check_kind(hid_t file, const FileKind& kind, const std::filesystem::path& path);
 
 }  // namespace floes::hdf5

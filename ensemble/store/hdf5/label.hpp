@@ -1,5 +1,5 @@
 #pragma once
-// How a dataset is named and along which dimensions it lies. Only for sources of rooms with HDF5 files of their own.
+// The name, unit and dimensions of a dataset. Only for sources of rooms with HDF5 files of their own.
 
 #include <cstdint>
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace floes::hdf5 {
 
-/// What stands on every dataset.
+/// The attributes of every dataset.
 struct Label {
     std::string name;
     std::string unit;
@@ -21,7 +21,7 @@ struct Label {
 /// The meanings of the small integers of a dataset (CF flag_values, flag_meanings).
 struct Flags {
     std::vector<std::int8_t> values;
-    std::string meanings;                     ///< one word a value, spaces between
+    std::string meanings;                     ///< one word per value, separated by spaces
     std::optional<std::int8_t> missing = {};  ///< stands for a missing value
 };
 

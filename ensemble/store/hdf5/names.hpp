@@ -9,8 +9,8 @@
 
 namespace floes::hdf5 {
 
-/// Those that iterate(visit, names) visits, as H5Literate and H5Aiterate do; Info is what these say of one. Ordered
-/// here: HDF5 may free what it has not read where it orders those of a damaged file.
+/// The names that iterate(visit, names) visits, as H5Literate and H5Aiterate do; Info is the type of their information.
+/// Sorted here, because HDF5 itself can crash when it sorts the names of a damaged file.
 template <class Info, class Iterate>
 std::vector<std::string> names_in_order(const Iterate& iterate) {
     std::vector<std::string> names;

@@ -15,7 +15,7 @@ namespace floes::hdf5 {
 namespace {
 
 constexpr std::string_view magic = "floespgs";
-constexpr std::uint32_t page_bytes = 512;  // as a disk keeps them together: what is lost shows in few datasets
+constexpr std::uint32_t page_bytes = 512;  // as a disk's sectors, so that a damaged one touches few datasets
 constexpr std::uint64_t at_once = 2048 * page_bytes;
 constexpr std::uint64_t foot_bytes = 8 + 4 + 8 + 8;
 

@@ -16,21 +16,21 @@ namespace {
 
 constexpr std::size_t most_values_at_once = std::size_t{1} << 26;  // half a gigabyte of doubles
 
-/// Whether the file is of a layout that gives every dataset a digest.
+/// Whether the layout of the file gives every dataset a digest.
 bool has_digests(hid_t parent) {
     const Handle root(check_read(H5Oopen(parent, "/", H5P_DEFAULT), parent, "its root"), H5Oclose, "H5Oopen", "/");
     return has_attribute(root.id(), contents_attribute);
 }
 
-/// The digest of a dataset; files of older layouts have none. To be read before values are passed: its text lies in a
-/// heap, which is of the same kind for HDF5, and a damaged one crashes it.
+/// The digest of a dataset; files of older layouts have none. Read it before values from damaged pages are passed on:
+/// the digest is a text in a heap, and HDF5 crashes if that is damaged.
 std::optional<StoredDigest> stored_digest(hid_t parent, const Handle& dataset, const std::string& name) {
     std::optional<StoredDigest> stored = read_digest(dataset.id());
     if (!stored && has_digests(parent)) refuse_damaged(parent, fmt::format("{} has lost its digest", name));
     return stored;
 }
 
-/// Takes the digest of what was read by `add`, and compares.
+/// Compares the stored digest with that of the values that `add` adds.
 template <class Add>
 void compare(const Handle& dataset, const std::string& name, const std::optional<StoredDigest>& stored,
              const Add& add) {
@@ -59,7 +59,7 @@ Handle open_for_reading(const std::filesystem::path& path) {
 }
 
 bool exists(hid_t parent, const std::string& name) {
-    for (std::size_t end = 0; end != std::string::npos;) {  // each folder of the path must be there to be asked
+    for (std::size_t end = 0; end != std::string::npos;) {  // HDF5 wants each group on the path to exist
         end = name.find('/', end + 1);
         if (check_read(H5Lexists(parent, name.substr(0, end).c_str(), H5P_DEFAULT), parent, name) == 0) return false;
     }

@@ -11,13 +11,13 @@
 
 namespace floes::hdf5 {
 
-/// Opens an HDF5 file for reading. Throws InputError when there is no such file or it is no HDF5 file.
+/// Opens an HDF5 file for reading. Throws InputError if the file does not exist or is not an HDF5 file.
 Handle open_for_reading(const std::filesystem::path& path);
 
-/// Whether there is something of that name; `name` may be a path.
+/// Whether an object of that name exists; `name` may be a path.
 bool exists(hid_t parent, const std::string& name);
 
-/// All values of a dataset, row-major; `name` may be a path. Throws RunError where it is not there, or does not fit its
+/// All values of a dataset, row-major; `name` may be a path. Throws RunError if it does not exist or does not match its
 /// digest.
 template <class Value>
 std::vector<Value> read_values(hid_t parent, const std::string& name);
@@ -25,12 +25,12 @@ extern template std::vector<double> read_values<double>(hid_t, const std::string
 extern template std::vector<std::int32_t> read_values<std::int32_t>(hid_t, const std::string&);
 extern template std::vector<std::int8_t> read_values<std::int8_t>(hid_t, const std::string&);
 
-/// A dataset of which some rows are read at a time. Value: double, float or int32. HDF5 checks the sum of each chunk;
-/// the digest is of all rows, and is not compared.
+/// A dataset that is read a few rows at a time. Value: double, float or int32. HDF5 verifies the checksum of each
+/// chunk; the digest covers all rows and is not compared.
 template <class Value>
 class RowReader {
   public:
-    /// Throws RunError where there is no such dataset; `name` may be a path.
+    /// `name` may be a path. Throws RunError if there is no such dataset.
     RowReader(hid_t parent, const std::string& name);
     /// Values of one row.
     std::size_t width() const { return width_; }
@@ -50,7 +50,7 @@ extern template class RowReader<double>;
 extern template class RowReader<float>;
 extern template class RowReader<std::int32_t>;
 
-/// Likewise of texts, which are UTF-8.
+/// The same for texts, which are UTF-8.
 std::vector<std::string> read_texts(hid_t parent, const std::string& name);
 
 }  // namespace floes::hdf5

@@ -1,6 +1,6 @@
 #pragma once
-// Compressed tables whose rows are written one at a time, or come packed. Only for sources of rooms with HDF5 files of
-// their own.
+// Compressed tables whose rows are written one at a time or arrive compressed. Only for sources of rooms with HDF5
+// files of their own.
 
 #include <cstdint>
 #include <span>
@@ -12,16 +12,16 @@
 
 namespace floes::hdf5 {
 
-/// A compressed table of doubles, a chunk a row, whose rows are written one at a time. A row may have dimensions of its
-/// own, and is then given in row-major order.
+/// A compressed table of doubles with one chunk per row, written row by row. A row may itself have dimensions; it is
+/// then given in row-major order.
 class Rows {
   public:
     Rows(hid_t parent, const Label& label, const Scale& rows, const Dimensions& columns);
-    /// A row of one dimension may be shorter than the table is wide; the rest is NaN, as is a row never written.
+    /// A row of one dimension may be shorter than the table is wide; the rest is NaN, and so are rows never written.
     void write(std::size_t row, std::span<const double> values);
-    /// Likewise; a row of full width goes into the file as it is.
+    /// The same for a compressed row; one of full width is written unchanged.
     void write(std::size_t row, const PackedNumbers& values);
-    /// Writes the table's digest, after its last row.
+    /// Writes the digest of the table. Call it after the last row.
     void finish();
 
   private:

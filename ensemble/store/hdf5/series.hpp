@@ -1,5 +1,5 @@
 #pragma once
-// Datasets that grow while a run goes on. Only for sources of rooms with HDF5 files of their own.
+// Datasets that grow during a run. Only for sources of rooms with HDF5 files of their own.
 
 #include <cstdint>
 #include <span>
@@ -22,12 +22,12 @@ class Series {
     void append(std::span<const Value> values);
     void append(const Value& value) { append(std::span(&value, 1)); }
 
-    /// Writes the dataset's digest, after its last row.
+    /// Writes the digest of the dataset. Call it after the last row.
     void finish();
 
     hsize_t rows() const { return rows_; }
 
-    /// Makes it a scale of its own name.
+    /// Makes it a dimension scale with its own name.
     void become_scale();
     /// The first dimension of `dataset` is along this scale.
     void scales(hid_t dataset) const;

@@ -7,11 +7,11 @@
 namespace floes::hdf5 {
 namespace {
 
-constexpr hsize_t most_from_a_byte = 1032;             // deflate compresses by no larger factor
-constexpr hsize_t most_unwritten = hsize_t{1} << 26;   // bytes: rows never written take no space in the file
+constexpr hsize_t most_from_a_byte = 1032;             // the largest factor of deflate
+constexpr hsize_t most_unwritten = hsize_t{1} << 26;   // bytes; rows never written take no space
 constexpr hsize_t most_in_a_chunk = hsize_t{1} << 28;  // bytes; a row of ten million steps is smaller
 
-/// Bytes of one chunk, which HDF5 asks memory for; 0 of a dataset without chunks.
+/// Bytes of one chunk, for which HDF5 allocates memory; 0 for a dataset without chunks.
 hsize_t chunk_bytes(const Handle& dataset, const StoredShape& shape) {
     const Handle properties(H5Dget_create_plist(dataset.id()), H5Pclose, "H5Dget_create_plist", "a dataset");
     if (H5Pget_layout(properties.id()) != H5D_CHUNKED) return 0;
@@ -23,7 +23,7 @@ hsize_t chunk_bytes(const Handle& dataset, const StoredShape& shape) {
     return bytes;
 }
 
-/// Sets the counts; false where they do not fit a number.
+/// Sets the counts; false if they overflow.
 bool count(StoredShape& shape) {
     hsize_t bytes = shape.value_bytes;
     for (std::size_t k = 0; k < shape.sizes.size(); ++k) {
@@ -40,7 +40,8 @@ bool is_possible(const Handle& dataset, StoredShape& shape, Portion portion) {
     const hsize_t stored = H5Dget_storage_size(dataset.id());
     const hsize_t bytes = shape.count * shape.value_bytes;
     if (chunk > most_in_a_chunk) return false;
-    if (chunk == 0 && stored > 0) return shape.is_text ? bytes <= stored : bytes == stored;  // a text is elsewhere
+    if (chunk == 0 && stored > 0)
+        return shape.is_text ? bytes <= stored : bytes == stored;  // texts are stored elsewhere
     const hsize_t wanted = portion == Portion::whole ? bytes : shape.row_values * shape.value_bytes;
     return wanted <= most_unwritten || wanted / most_from_a_byte <= stored;
 }

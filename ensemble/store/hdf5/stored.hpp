@@ -1,5 +1,5 @@
 #pragma once
-// What is stored of a dataset: sizes, as far as they can be believed, and texts, before any digest is compared. Only
+// What can be read of a dataset before its digest is compared: its sizes, as far as they are plausible, and texts. Only
 // for files inside this room.
 
 #include <cstdint>
@@ -10,10 +10,10 @@
 
 namespace floes::hdf5 {
 
-/// Opens a dataset for reading; `name` may be a path. Throws RunError where there is none.
+/// Opens a dataset for reading; `name` may be a path. Throws RunError if it does not exist.
 Handle open_dataset(hid_t parent, const std::string& name);
 
-/// Its dataspace and its type in the file. Throw RunError where they cannot be read.
+/// Its dataspace and its type in the file. Throw RunError if they cannot be read.
 Handle stored_space(const Handle& dataset, const std::string& name);
 Handle stored_type(const Handle& dataset, const std::string& name);
 
@@ -27,13 +27,13 @@ struct StoredShape {
     hsize_t rows() const { return sizes.empty() ? 1 : sizes.front(); }
 };
 
-/// What of a dataset is to be in memory at once.
+/// How much of a dataset will be in memory at once.
 enum class Portion { whole, row };
 
-/// Throws RunError where the sizes are more than the file can hold, so that a damaged size never asks for memory.
+/// Throws RunError if the sizes are larger than the file can hold, so that no memory is allocated for a damaged size.
 StoredShape shape_of(const Handle& dataset, const std::string& name, Portion portion);
 
-/// All texts of a dataset of texts. Throws RunError where they cannot be read.
+/// All texts of a dataset. Throws RunError if they cannot be read.
 std::vector<std::string> texts_of(const Handle& dataset, const std::string& name);
 
 }  // namespace floes::hdf5

@@ -15,7 +15,7 @@
 namespace floes::hdf5 {
 namespace {
 
-constexpr rlim_t longest = 10;          // s of the processor: a slow disk is no fault of the file
+constexpr rlim_t longest = 10;          // s of processor time, because the disk may be slow
 constexpr unsigned longest_wait = 600;  // s
 
 void read_structure(const std::filesystem::path& path) {
@@ -26,7 +26,7 @@ void read_structure(const std::filesystem::path& path) {
             const Handle dataset = open_dataset(file.id(), name);
             if (shape_of(dataset, name, Portion::row).is_text) texts_of(dataset, name);
         } catch (const DamagedFile&) {
-            continue;  // HDF5 noticed
+            continue;  // HDF5 reported an error instead of crashing
         }
     }
     contents_digests(file.id());
@@ -36,7 +36,7 @@ void read_structure(const std::filesystem::path& path) {
 
 void try_out(const std::filesystem::path& path) {
     const pid_t child = ::fork();
-    if (child < 0) return;  // then without
+    if (child < 0) return;  // then the trial is left out
     if (child == 0) {
         const rlimit processor{longest, longest};
         const rlimit no_core{0, 0};

@@ -43,7 +43,7 @@ void check_dataset(hid_t file, const std::string& path, FileCheck& check) {
         const std::string& fault = damage.fault();
         one.fault = fault.find(path) == std::string::npos ? fmt::format("{}: {}", path, fault) : fault;
         if (one.by_rows) one.rows = unreadable_rows(file, path);
-    } catch (const RunError& error) {  // of the disk
+    } catch (const RunError& error) {  // an error of the disk
         one.fault = error.what();
     }
     if (!one.fault.empty()) check.damaged.push_back(std::move(one));
@@ -74,7 +74,7 @@ FileCheck check_file(const std::filesystem::path& path, std::span<const std::str
     try {
         const Handle file = open_for_reading(path);
         check_contents(file.id(), filetypes, check);
-        // HDF5 does not read every byte: what lies between its objects, for one.
+        // HDF5 does not read every byte, for example not those between its objects.
         if (check.good()) check.between = first_page_fault(file.id());
     } catch (const DamagedFile& damage) {
         check.fault = damage.fault();

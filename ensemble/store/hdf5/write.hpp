@@ -1,5 +1,5 @@
 #pragma once
-// Writing a self-describing HDF5 file in the manner of netCDF-4: labelled datasets on named dimension scales.
+// Writes a self-describing HDF5 file like those of netCDF-4: labelled datasets with named dimension scales.
 // Only for sources of rooms with HDF5 files of their own.
 
 #include <cstdint>
@@ -15,10 +15,10 @@
 
 namespace floes::hdf5 {
 
-/// Those of an enumeration that counts from 0 in the order of `words`.
+/// The flags of an enumeration that counts from 0 in the order of `words`.
 Flags flags_of(std::span<const char* const> words, std::optional<std::int8_t> missing = {});
 
-/// A new file; one of that name is emptied. Order of creation is kept, no times are stored.
+/// Creates a file, or empties an existing one. Order of creation is kept, no times are stored.
 Handle create_file(const std::filesystem::path& path);
 Handle create_group(hid_t parent, const std::string& name);
 
@@ -26,20 +26,20 @@ Scale write_scale(hid_t parent, const Label& label, std::span<const std::int32_t
 Scale write_scale(hid_t parent, const Label& label, std::span<const double> coordinates);
 Scale write_scale(hid_t parent, const Label& label, std::span<const std::string> coordinates);
 
-/// A scale 0, 1, …, count - 1.
+/// Writes a dimension scale 0, 1, …, count - 1.
 Scale write_index_scale(hid_t parent, const char* name, const char* long_name, std::size_t count);
 
-/// Values in row-major order over the dimensions. Doubles: NaN is the missing value.
+/// Writes values in row-major order over the dimensions. For doubles, NaN is the missing value.
 void write_values(hid_t parent, const Label& label, const Dimensions& dimensions, std::span<const double> values);
 void write_values(hid_t parent, const Label& label, const Dimensions& dimensions, std::span<const std::string> values);
 /// `missing`: the number that stands for a missing value.
 void write_values(hid_t parent, const Label& label, const Dimensions& dimensions, std::span<const std::int32_t> values,
                   std::int32_t missing);
-/// No value is ever missing.
+/// The same for values none of which is missing.
 void write_values(hid_t parent, const Label& label, const Dimensions& dimensions, std::span<const std::int32_t> values);
 void write_values(hid_t parent, const Label& label, const Dimensions& dimensions, std::span<const std::int8_t> values,
                   const Flags& flags);
-/// One text, without dimensions.
+/// Writes one text, without dimensions.
 void write_text(hid_t parent, const Label& label, const std::string& text);
 
 }  // namespace floes::hdf5
