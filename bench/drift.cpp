@@ -23,7 +23,7 @@ Simulation make_drift(const Drift& drift) {
     std::vector<PlanarPose> poses;
     for (int i = 0; i < drift.floes; ++i) {
         poses.push_back({.x = scenario.field.begin + cell * (i / across + 0.5),
-                                     .z = cell * (i % across + 0.5) - scenario.field.half_width});
+                         .z = cell * (i % across + 0.5) - scenario.field.half_width});
     }
     const FloeSet floes = floes_at(scenario, poses);
     SimulationState state = Simulation(scenario, floes).state();

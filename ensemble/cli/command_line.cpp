@@ -1,7 +1,7 @@
 #include "cli/command_line.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <optional>
 #include <sstream>
@@ -135,8 +135,8 @@ void CommandLine::moved(const std::string& former, const std::string& now) {
     CLI::App* verb = app_->add_subcommand(former)->group("")->prefix_command();  // "": not in --help
     verb->set_help_flag();
     verb->callback([=] {
-        throw CommandLineEnd(
-            2, {}, fmt::format("floes: {} is called floes {} now; its options are the same.\n", former, now));
+        throw CommandLineEnd(2, {},
+                             fmt::format("floes: {} is called floes {} now; its options are the same.\n", former, now));
     });
 }
 

@@ -16,9 +16,9 @@ namespace floes {
 
 /// Floes with their poses: centres in m, yaws in rad.
 struct Arrangement : FloeSet {
-    double psi4 = 0;                ///< fourfold_order() of the poses
-    double local_order = 0;         ///< local_order() of the poses
-    double coverage_ahead = 0;      ///< coverage_ahead() of the floes
+    double psi4 = 0;            ///< fourfold_order() of the poses
+    double local_order = 0;     ///< local_order() of the poses
+    double coverage_ahead = 0;  ///< coverage_ahead() of the floes
 };
 
 /// Arrangement `number` of the campaign with this seed: a pure function of its arguments, the same bits anywhere.

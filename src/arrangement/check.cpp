@@ -109,8 +109,7 @@ std::optional<Fault> find_fault(const Scenario& scenario, const FloeSet& floes) 
     if (poses.size() != static_cast<std::size_t>(field.floes)) {
         return Fault{fmt::format("the arrangement has {} floes where the field has {}", poses.size(), field.floes)};
     }
-    const double concentration =
-        covered_area(floes) / ((scenario.field_end() - field.begin) * 2 * field.half_width);
+    const double concentration = covered_area(floes) / ((scenario.field_end() - field.begin) * 2 * field.half_width);
     if (!(std::abs(concentration - field.concentration) <= area_rounding * field.concentration)) {
         return Fault{fmt::format("the floes cover {} of the field instead of {}", concentration, field.concentration)};
     }
@@ -135,10 +134,12 @@ std::optional<Fault> find_fault(const Scenario& scenario, const FloeSet& floes) 
     const auto [i, j] = *pair;
     const double dx = poses[j].x - poses[i].x;
     const double dz = poses[j].z - poses[i].z;
-    return Fault{fmt::format("floes {} and {}, at x = {:.4f} m, z = {:.4f} m and x = {:.4f} m, z = {:.4f} m, {}", i, j,
-                             poses[i].x, poses[i].z, poses[j].x, poses[j].z,
-                             gap_text(widest_gap({shapes[i], grown[i].turn}, {shapes[j], grown[j].turn}, margin, dx, dz), clearance)),
-                 {i, j}};
+    return Fault{
+        fmt::format(
+            "floes {} and {}, at x = {:.4f} m, z = {:.4f} m and x = {:.4f} m, z = {:.4f} m, {}", i, j, poses[i].x,
+            poses[i].z, poses[j].x, poses[j].z,
+            gap_text(widest_gap({shapes[i], grown[i].turn}, {shapes[j], grown[j].turn}, margin, dx, dz), clearance)),
+        {i, j}};
 }
 
 }  // namespace floes

@@ -153,8 +153,8 @@ std::optional<Crowd::Contact> Crowd::contact(const Body& first, const Body& seco
     bool side_of_first = true;
     for (const bool is_first : {true, false}) {
         const Turn turn = is_first ? first.turn : second.turn;
-        const Extent reach = is_first ? joint_extent(first.turned(), second.turned())
-                                      : joint_extent(second.turned(), first.turned());
+        const Extent reach =
+            is_first ? joint_extent(first.turned(), second.turned()) : joint_extent(second.turned(), first.turned());
         for (const auto& [axis, width] : {std::pair{along(turn), reach.x}, std::pair{across(turn), reach.z}}) {
             const double distance = axis.dot(apart);
             const double depth = width - std::abs(distance);

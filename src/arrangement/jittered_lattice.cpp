@@ -40,8 +40,8 @@ std::vector<PlanarPose> jittered_lattice(const Walls& walls, std::span<const Rec
         const Resident moved = resident(floe, pose);
         const auto hit = [&](const Resident& other) {
             const Rectangle& shape = grown[static_cast<std::size_t>(other.floe)];
-            return other.floe != moved.floe && overlap({grown[floe], moved.turn}, {shape, other.turn},
-                                                       other.x - moved.x, other.z - moved.z);
+            return other.floe != moved.floe &&
+                   overlap({grown[floe], moved.turn}, {shape, other.turn}, other.x - moved.x, other.z - moved.z);
         };
         if (!room.admits(shapes[floe], pose.x, pose.z, moved.turn) || cells.any_near(pose.x, pose.z, hit)) return false;
         poses[floe] = pose;

@@ -17,9 +17,9 @@ struct Jitter {
     double turn = 0;
 };
 
-/// A floe of each shape, at least clearance (m) apart and from the walls, each uniformly distributed over the positions within
-/// its jitter that the others leave free. Throws InputError if floes fit on no lattice, or if a floe finds no position
-/// in 10 000 trials.
+/// A floe of each shape, at least clearance (m) apart and from the walls, each uniformly distributed over the positions
+/// within its jitter that the others leave free. Throws InputError if floes fit on no lattice, or if a floe finds no
+/// position in 10 000 trials.
 std::vector<PlanarPose> jittered_lattice(const Walls& walls, std::span<const Rectangle> shapes, double clearance,
                                          const Jitter& jitter, RandomStream& random);
 

@@ -61,8 +61,9 @@ struct TurnedRectangle {
 inline Extent joint_extent(const TurnedRectangle& first, const TurnedRectangle& second) {
     const double cos_between = std::abs(first.turn.cos * second.turn.cos + first.turn.sin * second.turn.sin);
     const double sin_between = std::abs(first.turn.cos * second.turn.sin - first.turn.sin * second.turn.cos);
-    return {first.shape.half_length + second.shape.half_length * cos_between + second.shape.half_breadth * sin_between,
-            first.shape.half_breadth + second.shape.half_length * sin_between + second.shape.half_breadth * cos_between};
+    return {
+        first.shape.half_length + second.shape.half_length * cos_between + second.shape.half_breadth * sin_between,
+        first.shape.half_breadth + second.shape.half_length * sin_between + second.shape.half_breadth * cos_between};
 }
 
 /// Whether two rectangles overlap. The second lies at (dx, dz) from the first (m). Touching is not overlap. A

@@ -71,7 +71,8 @@ std::vector<PlanarPose> scattered(const Walls& walls, std::span<const Rectangle>
         "{} floes of {} m x {} m, scattered in a field of {:.3f} m x {:.3f} m, still overlap after {} attempts at "
         "pushing them apart to a clearance of {} m; lower field.concentration_percent or the clearance, or use "
         "arrangement.method = \"monte_carlo\", whose floes lie in rows where they are dense",
-        shapes.size(), 2 * largest.half_length, 2 * largest.half_breadth, walls.length, walls.breadth, attempts, clearance));
+        shapes.size(), 2 * largest.half_length, 2 * largest.half_breadth, walls.length, walls.breadth, attempts,
+        clearance));
 }
 
 }  // namespace floes

@@ -26,13 +26,15 @@ IceField::IceField(World& world, const Scenario& scenario, const FloeSet& floes)
     joints_.reserve(joints);
     for (std::size_t i = 0; i < floes.size(); ++i) {
         const Floe& floe = floes.floes[i];
-        add_floe(world, scenario.water, floe.pose, floes.shape(i), floes.material(i), orders[floe.shape]);
+        add_floe(world, scenario, floe.pose, floes.shape(i), floes.material(i), orders[floe.shape]);
     }
 }
 
-void IceField::add_floe(World& world, const Water& water, const PlanarPose& pose, const FloeShape& shape,
+void IceField::add_floe(World& world, const Scenario& scenario, const PlanarPose& pose, const FloeShape& shape,
                         const Material& material, const std::vector<GridJoint>& order) {
     const FloeGrid grid = grid_of(shape);
+    const Water& water = scenario.water;
+    const double pressure = scenario.contact_law(material.ice).crushing_pressure;
     const std::optional<JointSpring> spring = joint_spring(shape, material);
     const int floe = floes();
     const int first = static_cast<int>(elements_.size());
@@ -45,7 +47,8 @@ void IceField::add_floe(World& world, const Water& water, const PlanarPose& pose
         const BodyId body = world.add_element({.half_extents = Vec3(shape.element, shape.thickness, shape.element) / 2,
                                                .mass = shape.element_mass(material.ice) * (1 + water.added_mass),
                                                .pose = {middle + yaw * grid.centre(index), yaw},
-                                               .piece = first});
+                                               .piece = first,
+                                               .crushing_pressure = pressure});
         const bool outline = water.form_drag_on == FormDragOn::outline;
         const std::uint8_t edges = outline ? grid.outline_edges(index) : std::uint8_t{every_edge};
         elements_.push_back({body, floe, index, first, edges});

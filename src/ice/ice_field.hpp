@@ -72,7 +72,7 @@ class IceField {
         Thresholds thresholds;
     };
 
-    void add_floe(World& world, const Water& water, const PlanarPose& pose, const FloeShape& shape,
+    void add_floe(World& world, const Scenario& scenario, const PlanarPose& pose, const FloeShape& shape,
                   const Material& material, const std::vector<GridJoint>& order);
     const Sheet& floe_of(const Joint& joint) const { return floes_[static_cast<std::size_t>(joint.floe)]; }
     void fail(World& world, const Joint& joint, const BreakEvent& event);

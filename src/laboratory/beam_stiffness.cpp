@@ -101,7 +101,8 @@ BeamStiffness measure_beam_stiffness(const Scenario& scenario, int elements) {
     const double stiffness = elastic_ice(scenario.floe, scenario.material()).flexural_rigidity() * side;
     const double arm = side * (elements - 0.5);
     BeamStiffness result;
-    result.elastic_frequency = cantilever_frequency(side * elements, stiffness, scenario.floe.element_mass(scenario.ice) / side);
+    result.elastic_frequency =
+        cantilever_frequency(side * elements, stiffness, scenario.floe.element_mass(scenario.ice) / side);
     const double time_step = 1 / (steps_per_swing * result.elastic_frequency);
     const double load = 1e-3 * 3 * stiffness / (arm * arm);  // bends it by a thousandth of its length
     Strip strip(scenario, elements, time_step);

@@ -11,6 +11,7 @@
 
 #include "member/array_axis.hpp"
 #include "member/array_values.hpp"
+#include "member/floe_properties.hpp"
 
 namespace floes {
 

@@ -13,11 +13,11 @@ namespace floes {
 /// For a failed member only the order of its floes, the failures and the peaks are valid: they were recorded before it
 /// failed.
 struct MemberOutputs {
-    LoadStatistics load;                 ///< of the surge load in the window
-    std::vector<AveragedLoad> averaged;  ///< the same load over each averaging time, rising
-    double mean_sway = 0;                ///< N, over the window
-    double mean_heave = 0;               ///< N, over the window
-    double failure_ratio = 0;            ///< broken floes / floes at the end of the run, 0-1
+    LoadStatistics load;                                       ///< of the surge load in the window
+    std::vector<AveragedLoad> averaged;                        ///< the same load over each averaging time, rising
+    double mean_sway = 0;                                      ///< N, over the window
+    double mean_heave = 0;                                     ///< N, over the window
+    double failure_ratio = 0;                                  ///< broken floes / floes at the end of the run, 0-1
     std::array<double, failure_mode_names.size()> failures{};  ///< failed joints by mode
     double local_order = 0;     ///< of the arrangement, arrangement/order.hpp; its psi4 is stored with the poses
     double coverage_ahead = 0;  ///< share of the structure's path covered by ice at t = 0, 0-1

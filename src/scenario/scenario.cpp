@@ -37,9 +37,9 @@ Material Scenario::material() const {
     return {ice, joint};
 }
 
-ContactLaw Scenario::contact_law() const {
+ContactLaw Scenario::contact_law(const Ice& of) const {
     ContactLaw law = contact;
-    if (law.crushing_pressure == 0) law.crushing_pressure = ice.compressive_strength;
+    if (law.crushing_pressure == 0) law.crushing_pressure = of.compressive_strength;
     return law;
 }
 

@@ -54,9 +54,9 @@ struct FloeShape {
     double thickness = 0.033;  ///< T_i = T_e, m
     double element = 0.2;      ///< L_e, m; divides length and breadth
 
-    int elements_long() const;               ///< along x, at least 1
-    int elements_broad() const;              ///< along z, at least 1
-    double element_mass(const Ice&) const;   ///< of ice, kg
+    int elements_long() const;              ///< along x, at least 1
+    int elements_broad() const;             ///< along z, at least 1
+    double element_mass(const Ice&) const;  ///< of ice, kg
     /// Of the middle of the floe above the water at rest, m; negative above half draught. Density of the water: kg/m³.
     double floating_height(const Ice&, double water_density) const;
 
@@ -154,10 +154,11 @@ struct Scenario {
     Water water;
     Analysis analysis;
 
-    double field_length() const;     ///< m: covered area / (concentration * 2 half_width)
-    double field_end() const;        ///< x of the field's far edge, m
-    Material material() const;       ///< of floes that have no other
-    ContactLaw contact_law() const;  ///< contact, with the crushing pressure that is in force
+    double field_length() const;                                 ///< m: covered area / (concentration * 2 half_width)
+    double field_end() const;                                    ///< x of the field's far edge, m
+    Material material() const;                                   ///< of floes that have no other
+    ContactLaw contact_law() const { return contact_law(ice); }  ///< contact, with the crushing pressure in force
+    ContactLaw contact_law(const Ice& of) const;                 ///< for such ice
     /// Averaging times that are measured, s: those given; of the default, only whole steps that fit into a segment.
     std::vector<double> averaging_times() const;
     /// Whether the time is whole steps, at least one, and fits into a segment.

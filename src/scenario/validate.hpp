@@ -22,17 +22,17 @@ std::vector<Contradiction> find_contradictions(const Scenario& scenario);
 void validate(const Scenario& scenario);
 
 /// The checks behind find_contradictions(), in checks_ice.cpp and checks_tank.cpp. Each adds what it finds.
-void check_elements(const Scenario& scenario, Contradictions& found);   ///< floes are whole elements, not too many
-void check_solver(const Scenario& scenario, Contradictions& found);     ///< it refuses nothing that it is to do
-void check_floating(const Scenario& scenario, Contradictions& found);   ///< the ice floats, heave is stable
-void check_time(const Scenario& scenario, Contradictions& found);       ///< whole steps, segments, history values
-void check_levels(const Scenario& scenario, Contradictions& found);     ///< load levels rise
-void check_averaging(const Scenario& scenario, Contradictions& found);  ///< whole steps within a segment, rising
-void check_shape(const Scenario& scenario, Contradictions& found);      ///< a body that stands in the water
-void check_tow(const Scenario& scenario, Contradictions& found);        ///< it meets the ice and stays in it
-void check_wake(const Scenario& scenario, Contradictions& found);       ///< the structure strikes no resting floe
-void check_lattice(const Scenario& scenario, Contradictions& found);    ///< the floes fit
+void check_elements(const Scenario& scenario, Contradictions& found);     ///< floes are whole elements, not too many
+void check_solver(const Scenario& scenario, Contradictions& found);       ///< it refuses nothing that it is to do
+void check_floating(const Scenario& scenario, Contradictions& found);     ///< the ice floats, heave is stable
+void check_time(const Scenario& scenario, Contradictions& found);         ///< whole steps, segments, history values
+void check_levels(const Scenario& scenario, Contradictions& found);       ///< load levels rise
+void check_averaging(const Scenario& scenario, Contradictions& found);    ///< whole steps within a segment, rising
+void check_shape(const Scenario& scenario, Contradictions& found);        ///< a body that stands in the water
+void check_tow(const Scenario& scenario, Contradictions& found);          ///< it meets the ice and stays in it
+void check_wake(const Scenario& scenario, Contradictions& found);         ///< the structure strikes no resting floe
+void check_lattice(const Scenario& scenario, Contradictions& found);      ///< the floes fit
 void check_given_floes(const Scenario& scenario, Contradictions& found);  ///< each is ice that floats, in elements
-void check_poses(const Scenario& scenario, Contradictions& found);      ///< given poses belong to the field
+void check_poses(const Scenario& scenario, Contradictions& found);        ///< given poses belong to the field
 
 }  // namespace floes

@@ -166,8 +166,8 @@ void Simulation::apply_water() {
     water_.clear();
     for (const std::size_t i : awake) {
         const BodyState& state = states_[i];
-        water_.set(i, {state.position, state.rotation, state.velocity, state.angular_velocity,
-                       elements[i].exposed_edges});
+        water_.set(i,
+                   {state.position, state.rotation, state.velocity, state.angular_velocity, elements[i].exposed_edges});
     }
     water_.compute(tow_.x(time()));
     for (const std::size_t i : awake) world_.apply(elements[i].body, water_.wrench(i));

@@ -1,7 +1,7 @@
 #pragma once
-// Floes whose joints are solved exactly. The velocities of a connected piece at the end of a step follow from one linear
-// system (solver/piece_compliance.hpp), so an impulse on one element moves the whole piece at once, and only contacts
-// between pieces are iterated.
+// Floes whose joints are solved exactly. The velocities of a connected piece at the end of a step follow from one
+// linear system (solver/piece_compliance.hpp), so an impulse on one element moves the whole piece at once, and only
+// contacts between pieces are iterated.
 
 #include <cstdint>
 #include <memory>

@@ -23,10 +23,11 @@ inline constexpr int torque = 21;           ///< about the centre of mass
 inline constexpr int inverse_inertia = 24;  ///< principal, own axes; 0 for a body that never moves
 inline constexpr int start_velocity = 27;   ///< velocity + what force does in the step
 inline constexpr int start_angular_velocity =
-    30;                                 ///< angular velocity + what torque and the gyroscopic term do in the step
-inline constexpr int half_extent = 33;  ///< of a box, own axes; 0: flat and unbounded
-inline constexpr int covered = 36;      ///< 1 for a face on which a joint holds another body: +x +y +z -x -y -z
-inline constexpr int count = 42;
+    30;                                       ///< angular velocity + what torque and the gyroscopic term do in the step
+inline constexpr int half_extent = 33;        ///< of a box, own axes; 0: flat and unbounded
+inline constexpr int covered = 36;            ///< 1 for a face on which a joint holds another body: +x +y +z -x -y -z
+inline constexpr int crushing_pressure = 42;  ///< 0: that of the contact law
+inline constexpr int count = 43;
 }  // namespace body_field
 
 /// Fields of a body that every sweep reads.

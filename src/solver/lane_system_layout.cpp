@@ -135,6 +135,7 @@ void LaneSystem::fill(std::span<const SolverBody> bodies, std::span<const Solver
             put(body_field::inverse_inertia + k, bodies[i].inverse_inertia[static_cast<std::size_t>(k)]);
             put(body_field::half_extent + k, bodies[i].half_extent[static_cast<std::size_t>(k)]);
         }
+        put(body_field::crushing_pressure, bodies[i].crushing_pressure);
     }
     for (std::size_t i = 0; i < joints.size(); ++i) {
         fill(slot_of_joint_[i], joints[i]);

@@ -14,6 +14,7 @@ struct SolverBody {
     double inverse_mass = 0;                  ///< 1/kg
     std::array<double, 3> inverse_inertia{};  ///< principal, about its own axes, 1/(kg m²)
     std::array<double, 3> half_extent{};      ///< of a box, own axes, m; 0: flat and unbounded, where ice crushes on it
+    double crushing_pressure = 0;             ///< Pa, of its edges, above 0; 0: that of the contact law
 };
 
 /// A joint's frame in a body: rotation joint -> body row by row, origin in m from the centre of mass.

@@ -49,8 +49,9 @@ void WaterLanes::set(std::size_t element, const ElementState& state) {
 
 void WaterLanes::compute(double structure_x) {
     for (const Group& group : groups_)
-        kernel_({state_.data() + group.first, exposed_edges_.data() + group.first, wrench_.data() + group.first, stride_},
-                group.factors, group.count, structure_x);
+        kernel_(
+            {state_.data() + group.first, exposed_edges_.data() + group.first, wrench_.data() + group.first, stride_},
+            group.factors, group.count, structure_x);
 }
 
 Wrench WaterLanes::wrench(std::size_t element) const {

@@ -34,6 +34,7 @@ struct BoxDefinition {
     double mass = 0;                   ///< kg, > 0, homogeneous
     Pose pose;                         ///< of the centre
     int piece = no_piece;
+    double crushing_pressure = 0;  ///< Pa, of its edges, with NormalLaw::crushing; 0: that of the contact law
 };
 
 /// A box of ice that never moves.

@@ -11,6 +11,7 @@ WorldDefinition FroudeUnits::to_own(WorldDefinition definition) const {
 
 BoxDefinition FroudeUnits::to_own(BoxDefinition box) const {
     box.half_extents /= length_;
+    box.crushing_pressure *= length_ * length_;
     box.pose = to_own(box.pose);
     return box;
 }

@@ -110,11 +110,12 @@ bool LaneSolver::in_system(std::size_t joint) const {
 
 void LaneSolver::lay_out(std::span<btCollisionObject* const> bodies) {
     std::vector<SolverBody> solver_bodies;
-    for (const btCollisionObject* object : bodies) {
-        const btRigidBody& body = rigid(object);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const btRigidBody& body = rigid(bodies[i]);
         SolverBody& added = solver_bodies.emplace_back();
         if (moves(body)) added = {body.getInvMass(), array_of(body.getInvInertiaDiagLocal()), {}};
         added.half_extent = half_extent(body);
+        added.crushing_pressure = crushing_pressures_[i];
     }
     std::vector<SolverJoint> awake;
     joint_in_system_.assign(joints_.size(), not_in_system);

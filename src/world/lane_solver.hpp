@@ -20,6 +20,9 @@ class LaneSolver final : public btSequentialImpulseConstraintSolver {
     /// lane_widths(); 0: as many as the processor has. solver: lanes or direct.
     LaneSolver(const ContactLaw& law, int lanes, SolverKind solver);
 
+    /// Bodies are numbered from 0 in the order in which they are added. crushing_pressure: Pa; 0: that of the law.
+    void add_body(double crushing_pressure) { crushing_pressures_.push_back(crushing_pressure); }
+
     /// Joints are numbered from 0 in the order in which they are added, and solved in that order within a floe.
     void add_joint(const JointDefinition& definition, const btRigidBody& a, const btRigidBody& b);
     void remove_joint(std::size_t joint);
@@ -53,6 +56,7 @@ class LaneSolver final : public btSequentialImpulseConstraintSolver {
     ContactLaw law_;
     int width_;
     SolverKind solver_;
+    std::vector<double> crushing_pressures_;  ///< by body
     std::vector<SolverJoint> joints_;
     std::vector<bool> removed_;
     std::optional<LaneSystem> system_;          ///< of the bodies and joints there were when it was laid out

@@ -9,6 +9,7 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <deque>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -80,7 +81,8 @@ class World::Bullet {
 
     /// Adds any body. Worlds in different threads share one datum: Bullet's counter of bodies, a debugging aid that is
     /// never read.
-    BodyId add_body(btCollisionShape* shape, double mass, const Pose& pose, double material, int piece, int flags) {
+    BodyId add_body(btCollisionShape* shape, double mass, const Pose& pose, double material, int piece, int flags,
+                    double crushing_pressure) {
         const BodyId id(bodies.size());
         btVector3 inertia(0, 0, 0);
         if (mass > 0) shape->calculateLocalInertia(mass, inertia);
@@ -93,6 +95,7 @@ class World::Bullet {
         added.setUserIndex(static_cast<int>(id.index()));
         world.addRigidBody(&added);
         assign_piece(added, piece);
+        if (lanes) lanes->add_body(crushing_pressure);
         if (mass > 0) dispatcher.allow_for(shape->getContactBreakingThreshold(gContactBreakingThreshold));
         return id;
     }
@@ -134,13 +137,13 @@ BodyId World::add_element(const BoxDefinition& given) {
     check(given);
     const BoxDefinition box = bullet_->units.to_own(given);
     return bullet_->add_body(bullet_->box_shape(box.half_extents), box.mass, box.pose, bullet_->friction.ice, box.piece,
-                             0);
+                             0, box.crushing_pressure);
 }
 
 BodyId World::add_fixed_box(const FixedBoxDefinition& given) {
     check(given);
     const FixedBoxDefinition box = bullet_->units.to_own(given);
-    return bullet_->add_body(bullet_->box_shape(box.half_extents), 0, box.pose, bullet_->friction.ice, no_piece, 0);
+    return bullet_->add_body(bullet_->box_shape(box.half_extents), 0, box.pose, bullet_->friction.ice, no_piece, 0, 0);
 }
 
 BodyId World::add_structure(std::span<const ConvexSolid> solids, const Vec3& position) {
@@ -152,7 +155,8 @@ BodyId World::add_structure(std::span<const ConvexSolid> solids, const Vec3& pos
     }
     const Pose pose{bullet_->units.to_own(position), Quat::Identity()};
     bullet_->structure = bullet_->add_body(&*bullet_->structure_shape, 0, pose, bullet_->friction.structure, no_piece,
-                                           btCollisionObject::CF_KINEMATIC_OBJECT);
+                                           btCollisionObject::CF_KINEMATIC_OBJECT,
+                                           std::numeric_limits<double>::infinity());  // it does not crush
     return *bullet_->structure;
 }
 

@@ -31,7 +31,8 @@ std::string refusal(const Scenario& scenario) {
 
 bool same(const Arrangement& a, const Arrangement& b) {
     for (std::size_t i = 0; i < a.size(); ++i) {
-        if (a.floes[i].pose.x != b.floes[i].pose.x || a.floes[i].pose.z != b.floes[i].pose.z || a.floes[i].pose.yaw != b.floes[i].pose.yaw)
+        if (a.floes[i].pose.x != b.floes[i].pose.x || a.floes[i].pose.z != b.floes[i].pose.z ||
+            a.floes[i].pose.yaw != b.floes[i].pose.yaw)
             return false;
     }
     return a.psi4 == b.psi4;
@@ -246,8 +247,8 @@ TEST(GivenPoses, OverlapExactlyWhenAPairOfThemDoes) {
         const Rectangle grown = rectangles(floes_of(scenario)).front().grown(0.5 * scenario.arrangement.clearance);
         for (int i = 0; i < floes; ++i)
             for (int j = 0; j < i; ++j)
-                some = some || overlap({grown, turn_of(poses[i].yaw)}, {grown, turn_of(poses[j].yaw)}, poses[j].x - poses[i].x,
-                                       poses[j].z - poses[i].z);
+                some = some || overlap({grown, turn_of(poses[i].yaw)}, {grown, turn_of(poses[j].yaw)},
+                                       poses[j].x - poses[i].x, poses[j].z - poses[i].z);
         EXPECT_EQ(find_fault(scenario, floes_at(scenario, poses)).has_value(), some);
         faults += some ? 1 : 0;
     }

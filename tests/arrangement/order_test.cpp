@@ -115,7 +115,8 @@ TEST(CoverageAhead, IsOfThePathAndOfNothingBesideIt) {
     ASSERT_NEAR(radius, 0.614, 0.2);
     const double path = 18.9 * 2 * radius;
     EXPECT_NEAR(coverage_ahead(scenario, floes_at(scenario, std::vector<PlanarPose>{{10, 0, 0}})), 0.36 / path, 1e-12);
-    EXPECT_NEAR(coverage_ahead(scenario, floes_at(scenario, std::vector<PlanarPose>{{10, -radius, 0}})), 0.18 / path, 1e-12);
+    EXPECT_NEAR(coverage_ahead(scenario, floes_at(scenario, std::vector<PlanarPose>{{10, -radius, 0}})), 0.18 / path,
+                1e-12);
     EXPECT_EQ(coverage_ahead(scenario, floes_at(scenario, std::vector<PlanarPose>{{10, radius + 0.31, 0}})), 0);
     // A structure wider than the field sweeps all of it.
     scenario.field.half_width = 0.9 * radius;

@@ -51,7 +51,8 @@ std::vector<double> equilibrium_figures(const Arrangement& made) {
     values[1] = made.local_order;
     for (std::size_t i = 0; i < made.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
-            const double distance = std::hypot(made.floes[i].pose.x - made.floes[j].pose.x, made.floes[i].pose.z - made.floes[j].pose.z);
+            const double distance =
+                std::hypot(made.floes[i].pose.x - made.floes[j].pose.x, made.floes[i].pose.z - made.floes[j].pose.z);
             for (std::size_t k = 0; k + 1 < distances.size(); ++k)
                 values[2 + k] += distance >= distances[k] && distance < distances[k + 1];
         }

@@ -50,7 +50,8 @@ TEST(Sampler, IsTunedToTheAcceptanceAskedFor) {
 
 TEST(Sampler, StepStaysBelowTheFloeWhereEverythingIsAccepted) {
     const Rectangle square{0.5, 0.5};
-    HardRectangles floes(PeriodicBox{0, 0, 50, 50}, std::vector(4, square), 0, lattice_start({0, 0, 50, 50}, square, 0, 4));
+    HardRectangles floes(PeriodicBox{0, 0, 50, 50}, std::vector(4, square), 0,
+                         lattice_start({0, 0, 50, 50}, square, 0, 4));
     RandomStream random(1, 0, StreamId::monte_carlo, 0);
     EXPECT_EQ(tune(floes, random).shift, square.half_diagonal());
 }

@@ -73,7 +73,9 @@ TEST(FormerKeys, AreRefusedFromUsersWithWhatToWrite) {
 TEST(FormerKeys, AreRefusedAsAxesOfUsers) {
     const std::string text =
         "[design]\nmethod = \"grid\"\n[[design.axis]]\nkey = \"contact.internal_edges\"\nvalues = [true, false]\n";
-    EXPECT_EQ(refusal([&] { read_campaign({text, "a.toml", {}, true}, nullptr); }),
+    EXPECT_EQ(refusal([&] {
+                  read_campaign({text, "a.toml", {}, true}, nullptr);
+              }),
               "a.toml:4: contact.internal_edges is a key of floes 1.0.0; write paper.internal_edges");
     EXPECT_EQ(stored(text).design.axes.at(0).key, "paper.internal_edges");
     EXPECT_FALSE(stored(text).cases.at(1).scenario.contact.internal_edges);
@@ -153,7 +155,8 @@ TEST(FormerKeys, WhatIsWrittenHasThePresentOnesAndTheSameDigests) {
     const std::string whole = write_campaign(campaign);
     EXPECT_EQ(fingerprint(stored(whole)), fingerprint(campaign));
     EXPECT_TRUE(differences(stored(whole), campaign).empty());
-    std::erase_if(campaign.cases, [](const Case& one) { return one.name == "without_effect" || one.name == "stripes"; });
+    std::erase_if(campaign.cases,
+                  [](const Case& one) { return one.name == "without_effect" || one.name == "stripes"; });
     const std::string text = write_campaign(campaign);
     EXPECT_EQ(fingerprint(read_campaign({text, "a.toml", {}, true}, nullptr)), fingerprint(campaign))
         << "a user may give it";

@@ -65,7 +65,8 @@ Bytes record_read(const std::filesystem::path& path) {
     const RecordingSubject& subject = record.subject();
     for (const std::string& text : {subject.campaign, subject.fingerprint, subject.configuration, subject.case_name})
         out.text(text);
-    for (const int number : {subject.member, subject.arrangement, record.layout().floes(), record.frames()}) out.i32(number);
+    for (const int number : {subject.member, subject.arrangement, record.layout().floes(), record.frames()})
+        out.i32(number);
     const RecordingOutcome& outcome = record.outcome();
     for (const std::vector<double>* loads : {&outcome.history.surge, &outcome.history.sway, &outcome.history.heave})
         out.doubles(*loads);
@@ -77,7 +78,8 @@ Bytes record_read(const std::filesystem::path& path) {
     for (int k = 0; k < std::min(frames, record.frames()); ++k) {
         record.read(record.nearest(record.time(k)), frame);
         put(frame, out);
-        for (const std::uint8_t broken : broken_floes(outcome.breaks, record.layout().floes(), frame.time)) out.u8(broken);
+        for (const std::uint8_t broken : broken_floes(outcome.breaks, record.layout().floes(), frame.time))
+            out.u8(broken);
     }
     return out.take();
 }

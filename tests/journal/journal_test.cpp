@@ -153,8 +153,8 @@ TEST(Journal, Of1_0IsResumedWithTheKeysOfNow) {
     const std::string former =
         "contact.preset = \"physical\"\njoint.threshold_form = \"as_printed\"\nanalysis.keep_history = false\n";
     const std::string now = "paper.threshold_form = \"as_printed\"\nanalysis.history_steps = 0\n";
-    open_journal(path, former + "[[case]]\nname = \"E60\"\n", Existing::refuse).append(
-        synthetic::record(campaign(former, false), 0));
+    open_journal(path, former + "[[case]]\nname = \"E60\"\n", Existing::refuse)
+        .append(synthetic::record(campaign(former, false), 0));
     const Journal journal = open_journal(path, campaign(now, true), Existing::resume);
     EXPECT_TRUE(journal.extension().empty());
     EXPECT_TRUE(match_records(campaign(now, true), journal.members().notes()).at(0));

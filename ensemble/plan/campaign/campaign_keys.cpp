@@ -115,13 +115,12 @@ Keys describe(StopRule& stop) {
 
 Key method_key(Design& design) {
     constexpr std::size_t sobol_indices = 5;
-    WordField method{
-        {"none", "grid", "list", "latin_hypercube", "sobol", "sobol_indices"},
-        [&design] { return design.indices ? sobol_indices : static_cast<std::size_t>(design.method); },
-        [&design](std::size_t word) {
-            design.indices = word == sobol_indices;
-            design.method = design.indices ? DesignMethod::sobol : static_cast<DesignMethod>(word);
-        }};
+    WordField method{{"none", "grid", "list", "latin_hypercube", "sobol", "sobol_indices"},
+                     [&design] { return design.indices ? sobol_indices : static_cast<std::size_t>(design.method); },
+                     [&design](std::size_t word) {
+                         design.indices = word == sobol_indices;
+                         design.method = design.indices ? DesignMethod::sobol : static_cast<DesignMethod>(word);
+                     }};
     return instead_of(
         {switch_key("design.indices", design.indices, "", "")},
         {"design.method", std::move(method), "off",

@@ -53,9 +53,10 @@ PoseFile read_poses(const std::string& text, const std::string& file) {
         if (!header_seen) {
             const bool longer = line.size() > header.size() && line[header.size()] == ',';
             if (!line.starts_with(header) || !(line == header || longer)) {
-                throw InputError(fmt::format("{}:{}: {} is not the header of a pose file; write {}, and behind it keys "
-                                             "of which each floe has a value of its own, such as ice.thickness_m",
-                                             file, number, text_literal(line), header));
+                throw InputError(
+                    fmt::format("{}:{}: {} is not the header of a pose file; write {}, and behind it keys "
+                                "of which each floe has a value of its own, such as ice.thickness_m",
+                                file, number, text_literal(line), header));
             }
             header_seen = line;
             continue;

@@ -208,8 +208,8 @@ std::vector<Face> Stage::faces(const Frame& frame, const Projection& projection,
         faces.add(Box{box.centre, Mat3::Identity(), box.half_extents}, exposed, sheet_ice, clear);
     const std::vector<std::uint8_t> exposed = exposed_sides(layout_, failed);
     for (std::size_t k = 0; k < frame.elements.size(); ++k)
-        faces.add(Box{frame.elements[k].position, frame.elements[k].rotation, layout_.elements[k].half_extents}, exposed[k],
-                  colour(k), clear);
+        faces.add(Box{frame.elements[k].position, frame.elements[k].rotation, layout_.elements[k].half_extents},
+                  exposed[k], colour(k), clear);
     add_structure(faces, scenario.structure.shape, frame.structure, scenario.floe.element / 2, clear);
     return std::move(faces).found();
 }

@@ -93,8 +93,8 @@ json failures(const Recording& recording) {
     for (const BreakEvent& event : recording.outcome().breaks) {
         const IceLayout::LaidJoint& joint = layout.joints.at(layout.joint(event.floe, event.joint));
         const bool along_x = joint.axis == JointAxis::x;
-        all.push_back({event.time, event.mode, event.floe, joint.a, along_x ? edge_plus_x : edge_plus_z,
-                       joint.b, along_x ? edge_minus_x : edge_minus_z});
+        all.push_back({event.time, event.mode, event.floe, joint.a, along_x ? edge_plus_x : edge_plus_z, joint.b,
+                       along_x ? edge_minus_x : edge_minus_z});
     }
     return all;
 }

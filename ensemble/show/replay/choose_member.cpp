@@ -56,10 +56,10 @@ FrameTimes chosen_times(const ReplaySubject& subject, const TimeChoice& choice) 
     if (choice.worst) {
         times.through = time_of_largest_load(subject);
         if (std::isnan(times.through))
-            throw InputError(
-                fmt::format("{} keeps no load history of member {} (analysis.history_steps = 0), so it does not say when "
-                            "its largest load came; give --from and --to instead of --worst.",
-                            subject.file.string(), subject.about.member));
+            throw InputError(fmt::format(
+                "{} keeps no load history of member {} (analysis.history_steps = 0), so it does not say when "
+                "its largest load came; give --from and --to instead of --worst.",
+                subject.file.string(), subject.about.member));
         times.from = std::max(0.0, times.through - round_worst);
         times.to = std::min(end, times.through + round_worst);
     }

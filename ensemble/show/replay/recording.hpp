@@ -1,7 +1,7 @@
 #pragma once
-// The recording of a replayed member: frames of all that there is to see, on what they stand, and the whole load history.
-// A file of its own in HDF5, described in docs/replay.md. Written and read a frame at a time: a long run is larger than
-// the memory.
+// The recording of a replayed member: frames of all that there is to see, on what they stand, and the whole load
+// history. A file of its own in HDF5, described in docs/replay.md. Written and read a frame at a time: a long run is
+// larger than the memory.
 
 #include <cstdint>
 #include <filesystem>

@@ -1,8 +1,8 @@
 #pragma once
 // Computes a member of a campaign file again and keeps frames of it.
 //
-//   const Subject subject(path, member)  ->  replay(subject, frames, recording)  ->  a recording, and what differs from the
-//   file
+//   const Subject subject(path, member)  ->  replay(subject, frames, recording)  ->  a recording, and what differs from
+//   the file
 
 #include <filesystem>
 #include <functional>

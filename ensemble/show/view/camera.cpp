@@ -19,8 +19,7 @@ Camera looking(const Vec3& target, const Vec3& from, const Vec3& up, double heig
 
 Camera camera(View view, const RecordingSubject& subject, double structure) {
     // So much ice round the structure that floes are seen to come, to turn and to leave.
-    const double seen = 2 * subject.scenario.structure.shape.largest_radius() +
-                        3 * largest_side(subject.floes);
+    const double seen = 2 * subject.scenario.structure.shape.largest_radius() + 3 * largest_side(subject.floes);
     switch (view) {
         case View::above:
             return looking({structure, 0, 0}, Vec3::UnitY(), Vec3::UnitX(), 1.3 * seen);

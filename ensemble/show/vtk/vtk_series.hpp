@@ -4,9 +4,9 @@
 //
 // Why a series of files: ParaView 5.11 (Debian 12) opens it with the reader that it picks by itself, and every element
 // is a cell of eight points with its own numbers, so that a histogram counts an element once, a threshold takes whole
-// elements, and a slice cuts ice. XDMF over the recording's own arrays would cost no further space, but they hold poses,
-// and XDMF has nothing that turns a pose into a box: one would see points, and boxes only through a glyph that no
-// filter looks into. VTKHDF files that change in time are read from ParaView 5.12 on.
+// elements, and a slice cuts ice. XDMF over the recording's own arrays would cost no further space, but they hold
+// poses, and XDMF has nothing that turns a pose into a box: one would see points, and boxes only through a glyph that
+// no filter looks into. VTKHDF files that change in time are read from ParaView 5.12 on.
 
 #include <filesystem>
 #include <string>
@@ -19,8 +19,8 @@
 
 namespace floes {
 
-/// Writes the series of a recording, a frame at a time, over files of the same names. `path`: NAME.pvd. Throws InputError
-/// for a path that does not end in .pvd, RunError when a file cannot be written.
+/// Writes the series of a recording, a frame at a time, over files of the same names. `path`: NAME.pvd. Throws
+/// InputError for a path that does not end in .pvd, RunError when a file cannot be written.
 void write_vtk_series(const std::filesystem::path& path, const Recording& recording);
 
 /// The series of frames that come in order of time. Not complete before finish(): then NAME.pvd and NAME.py are
