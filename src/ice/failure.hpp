@@ -5,7 +5,7 @@
 //   shear        λ_s = |(shear_vertical, shear_in_plane)|        ε_s = L_e T_e σ_s        (2)
 //   bending      λ_b = |bending + a shear_vertical|              ε_b = L_e T_e² σ_b / 6   (3)
 //
-// The paper prints (1) and (2) with T_e², which makes a moment of a force (design decision 3);
+// The paper prints (1) and (2) with T_e², which makes a moment of a force;
 // ThresholdForm::as_printed compares these numbers as they stand. The arm a is 0, or L_e / 2 for the moment about the
 // centre of element a, joint.moment_about. The paper has no criterion for the other parts. If a strength is given, they
 // are

@@ -45,7 +45,7 @@ struct FloeGrid {
 FloeGrid grid_of(const FloeShape& shape);
 
 /// All joints of a floe in the order in which they are created, numbered in the break log and swept by the solver.
-/// Joints whose Σ is nearly 0 are as stiff as 50 sweeps in this order make them (design decision 1), so the order is
+/// Joints whose Σ is nearly 0 are as stiff as 50 sweeps in this order make them (docs/calibration.md), so the order is
 /// part of the model. Chosen: square rings around the floe's centre, inner before outer, within a ring by element, x
 /// before z. Σ = 1e-10 on the 5.4 m sheet of Fig. 2 then shows 207 MPa by the point-load formula (the paper: about 200;
 /// Bullet's own order 206, row by row 125, all x joints before all z joints 235).

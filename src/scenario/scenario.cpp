@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenario/floes.hpp"
-
 namespace floes {
 
 int FloeShape::elements_long() const {
@@ -21,16 +19,6 @@ double FloeShape::element_mass(const Ice& ice) const {
 
 double FloeShape::floating_height(const Ice& ice, double water_density) const {
     return thickness * (0.5 - ice.density / water_density);
-}
-
-double Scenario::field_length() const {
-    const double covered = arrangement.columns.empty() ? field.floes * floe.length * floe.breadth  // all alike
-                                                       : covered_area(floes_of(*this));
-    return covered / (field.concentration * 2.0 * field.half_width);
-}
-
-double Scenario::field_end() const {
-    return field.begin + field_length();
 }
 
 Material Scenario::material() const {

@@ -26,7 +26,7 @@ enum class FormDragOn { outline, every_element };  ///< edge faces that form dra
 /// Time stepping and the constraint solver.
 struct General {
     double time_step = 0.02;  ///< Δt, s (Table 1)
-    int iterations = 50;      ///< projected Gauss-Seidel sweeps a step (design decision 1); direct: over contacts
+    int iterations = 50;      ///< projected Gauss-Seidel sweeps a step; direct: over contacts
     SolverKind solver = SolverKind::lanes;
     double gravity = 9.81;        ///< m/s²
     double runaway_speed = 10.0;  ///< m/s; an element faster than this ends the member as failed
@@ -66,7 +66,7 @@ struct FloeShape {
 /// The fixed joints between elements.
 struct Joint {
     JointModel model = JointModel::cfm;
-    double cfm = 0.016;           ///< Σ, Bullet's relative number (design decision 2); below 1
+    double cfm = 0.016;           ///< Σ, Bullet's relative number (docs/calibration.md); below 1
     double erp = 0.8;             ///< Γ (Table 1)
     double damping_ratio = 0.05;  ///< of beam joints, of critical
     ThresholdForm threshold_form = ThresholdForm::force;

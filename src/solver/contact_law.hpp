@@ -18,7 +18,7 @@ enum class NormalLaw {
 
 /// Restitution is 0 (Table 1). World refuses what is out of the ranges given here.
 struct ContactLaw {
-    double erp = 0.2;               ///< Γ, share of a penetration pushed out each step, 0-1 (design decision 5)
+    double erp = 0.2;               ///< Γ, share of a penetration pushed out each step, 0-1
     double ice_ice_friction = 0.3;  ///< f_ii, Coulomb's coefficient between floes and on fixed ice, 0-10 (Table 1)
     double ice_structure_friction = 0.2;  ///< f_is, of ice on the structure, 0-10 (Table 1)
     bool split_impulse = true;            ///< correct penetrations deeper than split_impulse_depth outside the impulse

@@ -29,6 +29,15 @@ struct ShapeColumn {
     double high;  ///< low <= number <= high
 };
 
+/// A closed surface of flat polygons, whose corners run counter-clockwise as seen from outside.
+struct SurfaceMesh {
+    std::vector<Vec3> points;
+    std::vector<std::vector<int>> polygons;  ///< indices of points
+
+    /// Outward and of length 1; 0 for a polygon without area.
+    Vec3 normal(const std::vector<int>& polygon) const;
+};
+
 class Shape {
   public:
     /// Table 2: breadths 1.472 and 1.228 m, draught 0.443 m, depth 0.565 m. Above the waterline a straight wall through
@@ -72,6 +81,10 @@ class Shape {
     /// "straight, 45.0° from the horizontal (radius 0.171 m at -0.443 m to 0.736 m at +0.122 m)"; of a bent wall every
     /// part, from the bottom up.
     std::string words() const;
+
+    /// The surface for pictures, m from the axis at the waterline: x along the tow, y up. Round parts have `sides`
+    /// sides.
+    SurfaceMesh mesh(int sides) const;
 
     /// Outline of the section along the tow through the axis: (x, height) in m, closed.
     std::vector<Vec2> section() const;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace floes {
@@ -126,36 +125,27 @@ std::vector<std::uint8_t> exposed_sides(const IceLayout& layout, const std::vect
     return exposed;
 }
 
-void add_structure(Faces& faces, const Shape& shape, double x, double height, double clear_water) {
-    const std::vector<std::vector<double>> profile = shape.rows();  // height and radius, from the bottom up
-    const auto at = [x](double angle, double radius, double y) {
-        return Vec3(x + radius * std::cos(angle), y, radius * std::sin(angle));
-    };
-    constexpr double turn = 2 * std::numbers::pi / directions;
-    for (int k = 0; k < directions; ++k) {
-        const double from = k * turn;
-        const double to = (k + 1) * turn;
-        for (std::size_t p = 0; p + 1 < profile.size(); ++p) {
-            const Vec2 low(profile[p][1], profile[p][0]);
-            const Vec2 high(profile[p + 1][1], profile[p + 1][0]);
-            const int parts = std::max(1, static_cast<int>(std::ceil((high - low).norm() / height)));
-            const Vec2 wall = (high - low).normalized();
-            const double middle = from + turn / 2;
-            const Vec3 normal(wall.y() * std::cos(middle), -wall.x(), wall.y() * std::sin(middle));
-            for (int part = 0; part < parts; ++part) {
-                const Vec2 lower = low + (high - low) * part / parts;
-                const Vec2 upper = low + (high - low) * (part + 1) / parts;
-                faces.add(std::array<Vec3, 4>{at(from, lower.x(), lower.y()), at(to, lower.x(), lower.y()),
-                                              at(to, upper.x(), upper.y()), at(from, upper.x(), upper.y())},
-                          normal, structure_yellow, 0, clear_water);
-            }
-        }
-    }
-    for (const bool top : {false, true}) {
-        const std::vector<double>& rim = top ? profile.back() : profile.front();
+/// A face that reaches behind the eye is left out, so walls are cut into strips no longer than `longest`, m.
+void add_structure(Faces& faces, const Shape& shape, double x, double longest, double clear_water) {
+    const SurfaceMesh surface = shape.mesh(directions);
+    for (const std::vector<int>& polygon : surface.polygons) {
         std::vector<Vec3> corners;
-        for (int k = 0; k < directions; ++k) corners.push_back(at(k * turn, rim[1], rim[0]));
-        faces.add(corners, top ? Vec3(Vec3::UnitY()) : Vec3(-Vec3::UnitY()), structure_yellow, 0, clear_water);
+        for (const int index : polygon) corners.push_back(surface.points[static_cast<std::size_t>(index)] + Vec3(x, 0, 0));
+        const Vec3 normal = surface.normal(polygon);
+        if (corners.size() != 4) {
+            faces.add(corners, normal, structure_yellow, 0, clear_water);
+            continue;
+        }
+        const Vec3 first = corners[1] - corners[0];
+        const Vec3 last = corners[2] - corners[3];
+        const int parts = std::max(1, static_cast<int>(std::ceil(std::max(first.norm(), last.norm()) / longest)));
+        for (int part = 0; part < parts; ++part) {
+            const double from = static_cast<double>(part) / parts;
+            const double to = static_cast<double>(part + 1) / parts;
+            faces.add(std::array<Vec3, 4>{corners[0] + from * first, corners[0] + to * first, corners[3] + to * last,
+                                          corners[3] + from * last},
+                      normal, structure_yellow, 0, clear_water);
+        }
     }
 }
 

@@ -86,6 +86,17 @@ json ice(const FloeSet& floes) {
     return kinds;
 }
 
+json structure(const Shape& shape) {
+    const SurfaceMesh mesh = shape.mesh(96);
+    json points = json::array();
+    for (const Vec3& point : mesh.points)
+        for (const double value : point) points.push_back(static_cast<float>(value));
+    return {{"points", std::move(points)},
+            {"polygons", mesh.polygons},
+            {"radius", shape.largest_radius()},
+            {"top", shape.top()}};
+}
+
 /// [time, mode, floe, element a, its edge, element b, its edge]; edges as bits of Edge.
 json failures(const Recording& recording) {
     const IceLayout& layout = recording.layout();
@@ -138,7 +149,7 @@ std::string page_header(const Recording& recording, const Quanta& quanta, const 
         {"elements", recording.layout().elements.size()},
         {"floes", recording.layout().floes()},
         {"ice", ice(subject.floes)},
-        {"profile", scenario.structure.shape.rows()},
+        {"structure", structure(scenario.structure.shape)},
         {"tow", {{"start", scenario.structure.start}, {"speed", scenario.structure.speed}}},
         {"channel",
          {{"begin", channel.begin}, {"end", channel.end}, {"edge", channel.outer_edge}, {"sheets", sheets(channel)}}},

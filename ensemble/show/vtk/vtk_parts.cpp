@@ -1,7 +1,5 @@
 #include "vtk/vtk_parts.hpp"
 
-#include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace floes {
@@ -87,28 +85,13 @@ VtkMesh load_part(const Frame& frame) {
 }
 
 VtkMesh structure_part(const Shape& shape, double axis) {
-    constexpr int sides = 96;
-    const std::vector<std::vector<double>> profile = shape.rows();  // height, radius
-    const int rings = static_cast<int>(profile.size());
+    const SurfaceMesh surface = shape.mesh(96);
     VtkMesh mesh{.kind = VtkCells::polygons};
-    for (const std::vector<double>& row : profile)
-        for (int side = 0; side < sides; ++side) {
-            const double angle = 2 * std::numbers::pi * side / sides;
-            append(mesh.points, {axis + row[1] * std::cos(angle), row[0], row[1] * std::sin(angle)});
-        }
-    const auto close = [&] { mesh.offsets.push_back(static_cast<std::int32_t>(mesh.connectivity.size())); };
-    // Points run from x to z, clockwise when seen from above; polygons run counter-clockwise when seen from outside.
-    for (int side = 0; side < sides; ++side) mesh.connectivity.push_back(side);
-    close();
-    for (int side = 0; side < sides; ++side) mesh.connectivity.push_back(rings * sides - 1 - side);
-    close();
-    for (int ring = 0; ring + 1 < rings; ++ring)
-        for (int side = 0; side < sides; ++side) {
-            const int low = ring * sides;
-            const int next = (side + 1) % sides;
-            for (const int point : {side, side + sides, next + sides, next}) mesh.connectivity.push_back(low + point);
-            close();
-        }
+    for (const Vec3& point : surface.points) append(mesh.points, Vec3(axis + point.x(), point.y(), point.z()));
+    for (const std::vector<int>& polygon : surface.polygons) {
+        mesh.connectivity.insert(mesh.connectivity.end(), polygon.begin(), polygon.end());
+        mesh.offsets.push_back(static_cast<std::int32_t>(mesh.connectivity.size()));
+    }
     return mesh;
 }
 

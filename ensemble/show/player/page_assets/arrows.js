@@ -85,8 +85,7 @@ class Arrows {
 
 // The arrows of the paper's Fig. 5 at a frame. `metres` is the length of 1 N.
 function forceArrows(replay, frame, time, metres, {load, contacts}) {
-  const {profile} = replay.header;
-  const radius = Math.max(...profile.map(([, r]) => r));
+  const {radius, top} = replay.header.structure;
   const colour = name => new THREE.Color(styled(name)).toArray();
   const arrows = [];
   const add = (start, force, name, thick) => {
@@ -99,7 +98,7 @@ function forceArrows(replay, frame, time, metres, {load, contacts}) {
       add(point, normal, 'normal', 0.012 * radius);
     }
   if (load) {
-    const axis = [replay.structureAt(time), profile[profile.length - 1][0], 0];
+    const axis = [replay.structureAt(time), top, 0];
     const {x, y, z} = replay.loadAt(frame);
     add(axis, [x, y, z], 'ink', 0.035 * radius);
     add(axis, [x, 0, 0], 'surge', 0.025 * radius);

@@ -21,7 +21,7 @@ class Stage {
     this.renderer.autoClear = false;
     this.orbit = new Orbit(canvas, changed);
     this.shows = {load: true, contacts: true};
-    const radius = Math.max(...header.profile.map(([, r]) => r));
+    const {radius} = header.structure;
     this.newtons = roundNumber(replay.strongLoad() / (2.2 * radius)); // that an arrow of 1 m stands for
     this.longer = 1;
     this.useTheme();

@@ -1,16 +1,38 @@
 'use strict';
 // What the ice floats in and against: the structure, the fixed ice sheets and the water with its grid of metres.
 
-// A part of the profile each, so that its rims stay sharp.
+// Polygons in triangles. Where neighbours lie almost in one plane the surface is shaded as round; its rims stay sharp.
+function surfaceGeometry({points, polygons}) {
+  const at = index => new THREE.Vector3().fromArray(points, 3 * index);
+  const normals = polygons.map(polygon => {
+    const sum = new THREE.Vector3();
+    for (let k = 1; k + 1 < polygon.length; ++k)
+      sum.add(at(polygon[k]).sub(at(polygon[0])).cross(at(polygon[k + 1]).sub(at(polygon[0]))));
+    return sum.normalize();
+  });
+  const around = Array.from({length: points.length / 3}, () => []);
+  polygons.forEach((polygon, p) => polygon.forEach(index => around[index].push(normals[p])));
+  const positions = [];
+  const shading = [];
+  polygons.forEach((polygon, p) => {
+    const add = index => {
+      const normal = new THREE.Vector3();
+      for (const other of around[index]) if (other.dot(normals[p]) > 0.95) normal.add(other);
+      positions.push(...at(index).toArray());
+      shading.push(...normal.normalize().toArray());
+    };
+    for (let k = 1; k + 1 < polygon.length; ++k) [polygon[0], polygon[k], polygon[k + 1]].forEach(add);
+  });
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute('position', new THREE.Float32BufferAttribute(positions, 3));
+  geometry.setAttribute('normal', new THREE.Float32BufferAttribute(shading, 3));
+  return geometry;
+}
+
 function makeStructure(header) {
   const group = new THREE.Group();
   const material = new THREE.MeshLambertMaterial({side: THREE.DoubleSide});
-  const profile = header.profile.map(([height, radius]) => new THREE.Vector2(radius, height));
-  const bottom = new THREE.Vector2(0, profile[0].y);
-  const top = new THREE.Vector2(0, profile[profile.length - 1].y);
-  const outline = [bottom, ...profile, top];
-  for (let i = 1; i < outline.length; ++i)
-    group.add(new THREE.Mesh(new THREE.LatheBufferGeometry([outline[i - 1], outline[i]], 96), material));
+  group.add(new THREE.Mesh(surfaceGeometry(header.structure), material));
   const mark = towMark(header);
   group.add(mark);
   group.useTheme = () => {
@@ -27,7 +49,10 @@ function makeStructure(header) {
 
 // A triangle on top that points where the tow goes.
 function towMark(header) {
-  const [height, radius] = header.profile[header.profile.length - 1];
+  const {points, top: height} = header.structure;
+  let radius = 0; // of the deck
+  for (let i = 0; i < points.length; i += 3)
+    if (Math.abs(points[i + 1] - height) < 1e-6) radius = Math.max(radius, Math.hypot(points[i], points[i + 2]));
   const ahead = Math.sign(header.tow.speed) || 1;
   const corners = [[0.9, 0], [0.68, -0.16], [0.68, 0.16]];
   const geometry = new THREE.BufferGeometry();
@@ -105,7 +130,7 @@ function makeWater(header) {
 
 // Metres between lines of the water: about the structure's radius, a power of ten.
 function cellSize(header) {
-  const radius = Math.max(...header.profile.map(([, r]) => r));
+  const {radius} = header.structure;
   return 10 ** Math.round(Math.log10(radius));
 }
 
