@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "findings/example.hpp"
 #include "findings/extremes.hpp"
@@ -113,6 +114,15 @@ TEST(Extremes, TakeTheSegmentsOfEveryDoneMember) {
         EXPECT_GT(level.interval.high, level.level);
     }
     EXPECT_EQ(soft.exceedance.size(), 36u);
+}
+
+TEST(Findings, HaveANameOrAPlaceInTheReport) {
+    std::set<std::string_view> names;
+    for (const Finding& finding : findings()) {
+        EXPECT_EQ(finding.page_title.empty(), finding.on_page == nullptr) << finding.name << finding.page_title;
+        EXPECT_FALSE(finding.name.empty() && finding.page_title.empty());
+        EXPECT_TRUE(finding.name.empty() || names.insert(finding.name).second) << finding.name;
+    }
 }
 
 TEST(Findings, ComeInOrderAsATable) {
