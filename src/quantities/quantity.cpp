@@ -63,4 +63,12 @@ std::optional<Quantity> any_quantity(std::string_view key) {
     return made.key.view() == key ? std::optional(made) : std::nullopt;
 }
 
+MemberOutputs unmeasured(int segments) {
+    MemberOutputs outputs;
+    outputs.load.steady = false;
+    outputs.load.segment_maximum.assign(static_cast<std::size_t>(segments), std::numeric_limits<double>::quiet_NaN());
+    for (const Quantity& one : quantities) one.place.set(outputs, std::numeric_limits<double>::quiet_NaN());
+    return outputs;
+}
+
 }  // namespace floes

@@ -292,12 +292,6 @@ constexpr auto shown_in(const std::ranges::forward_range auto& all, Shown least)
 }
 
 /// Outputs without data: every quantity is NaN, each of `segments` maxima NaN.
-inline MemberOutputs unmeasured(int segments) {
-    MemberOutputs outputs;
-    outputs.load.steady = false;
-    outputs.load.segment_maximum.assign(static_cast<std::size_t>(segments), std::numeric_limits<double>::quiet_NaN());
-    for (const Quantity& one : quantities) one.place.set(outputs, std::numeric_limits<double>::quiet_NaN());
-    return outputs;
-}
+MemberOutputs unmeasured(int segments);
 
 }  // namespace floes

@@ -14,8 +14,6 @@ struct Floe {
     PlanarPose pose;           ///< of its centre
     std::size_t shape = 0;     ///< index in FloeSet::shapes
     std::size_t material = 0;  ///< index in FloeSet::materials
-
-    friend bool operator==(const Floe&, const Floe&) = default;
 };
 
 struct FloeSet {

@@ -93,7 +93,7 @@ MemberResult understand(std::span<const std::byte> written, const Ending& ending
     const bool orderly = !ending.at_deadline && WIFEXITED(ending.wait_status) && WEXITSTATUS(ending.wait_status) == 0;
     if (!orderly || written.empty()) return failed_result(reason_of(ending, limits));
     ByteReader in(written);
-    if (static_cast<helper_protocol::Answer>(in.u8()) == helper_protocol::Answer::sentence) {
+    if (static_cast<helper_protocol::AnswerKind>(in.u8()) == helper_protocol::AnswerKind::sentence) {
         return failed_result(in.text());
     }
     MemberResult result = read_member_result(in);

@@ -47,7 +47,7 @@ void reset_signals() {
 
 Bytes sentence(const std::string& text) {
     ByteWriter answer;
-    answer.u8(static_cast<std::uint8_t>(Answer::sentence));
+    answer.u8(static_cast<std::uint8_t>(AnswerKind::sentence));
     answer.text(text);
     return answer.take();
 }
@@ -58,7 +58,7 @@ Bytes compute_answer(const Request& request, const Campaign& campaign, const Mem
     const Attempted attempt = attempt_here(compute, campaign, request.number, limits, {}, [] {});
     try {
         ByteWriter answer;
-        answer.u8(static_cast<std::uint8_t>(Answer::result));
+        answer.u8(static_cast<std::uint8_t>(AnswerKind::result));
         write(answer, *attempt.result);
         write_arrays(answer, *attempt.result);
         return answer.take();

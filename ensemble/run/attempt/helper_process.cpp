@@ -144,7 +144,7 @@ class Server {
         }
         if (pid < 0) {
             ByteWriter answer;
-            answer.u8(static_cast<std::uint8_t>(Answer::sentence));
+            answer.u8(static_cast<std::uint8_t>(AnswerKind::sentence));
             answer.text(fmt::format("Cannot create a process for the member ({}).", std::strerror(errno)));
             send_frames(socket.get(), Frame::part, answer.bytes());
             const Ending none;

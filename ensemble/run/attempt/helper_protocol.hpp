@@ -26,7 +26,7 @@ struct RequestWithDescriptor {
     Descriptor descriptor;
 };
 
-enum class Answer : std::uint8_t { result, sentence };
+enum class AnswerKind : std::uint8_t { result, sentence };
 
 enum class Frame : std::uint8_t { part, ending };  // the first byte of each packet
 constexpr std::size_t most_bytes_in_a_frame = 32768;
