@@ -54,6 +54,7 @@ Scenario plate_scenario(const Scenario& scenario) {
     Scenario plate;
     plate.general = scenario.general;
     plate.ice = scenario.ice;
+    plate.floe.thickness = scenario.floe.thickness;
     plate.floe.element = scenario.floe.element;
     plate.joint = scenario.joint;
     plate.joint.cfm = Scenario{}.joint.cfm;

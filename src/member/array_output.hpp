@@ -111,7 +111,7 @@ inline constexpr std::array array_outputs{
                 .axes = {&floe_axis, &coordinate_axis},
                 .access = at_poses<&MemberResult::arrangement>(),
                 .of_arrangement = true},
-    ArrayOutput{.path = "arrangements/floe",
+    ArrayOutput{.path = "arrangements/properties",
                 .unit = "SI",
                 .long_name = "properties of each floe, where they differ",
                 .axes = {&floe_axis, &property_axis},

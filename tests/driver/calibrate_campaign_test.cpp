@@ -19,7 +19,8 @@ using testing::HasSubstr;
 Campaign coarse() {
     Campaign campaign = synthetic::campaign(1);
     for (Case& one : campaign.cases) {
-        one.scenario.floe = {1.5, 1.5, 0.75};
+        one.scenario.floe.length = one.scenario.floe.breadth = 1.5;
+        one.scenario.floe.element = 0.75;
         one.scenario.general.iterations = 20;
         one.scenario.ice.elastic_modulus = 200e6;
     }

@@ -72,7 +72,7 @@ class Refusals(unittest.TestCase):
                            ("Member 4 has no history: it failed: an element ran away", lambda c: c.history(4)),
                            ("Member 7 has no history: it is missing.", lambda c: c.history(7)),
                            ("There is no member 12", lambda c: c.history(12)),
-                           ("has no group tides; it has members, exceedance", lambda c: c.group("tides"))):
+                           ("has no group tides; it has cases, members, exceedance", lambda c: c.group("tides"))):
             self.refused(words, use, FULL)
         campaign = floes_reader.open(FULL)
         campaign.close()

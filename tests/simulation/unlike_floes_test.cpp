@@ -27,6 +27,7 @@ struct Six {
         scenario.analysis.steady_start = 0;
         scenario.analysis.window = 20;
         scenario.field.floes = 6;
+        scenario.field.concentration = 0.02;  // a field as long as the row
         for (int i = 0; i < 6; ++i) {
             const double side = sides[i % 3];
             const FloeShape shape{(2 + i % 2) * side, 2 * side, thicknesses[i / 3], side};
@@ -49,7 +50,7 @@ TEST(UnlikeFloes, TakeTheirShapesFromOneTable) {
     double area = 0;
     for (std::size_t i = 0; i < 7; ++i) area += six.floes.shape(i).length * six.floes.shape(i).breadth;
     EXPECT_NEAR(covered_area(six.floes), area, 1e-15);
-    EXPECT_EQ(largest_side(six.floes), 0.9);
+    EXPECT_DOUBLE_EQ(largest_side(six.floes), 0.9);
     const IceLayout layout(six.floes);
     EXPECT_EQ(layout.elements.size(), 4u + 6 + 4 + 6 + 4 + 6 + 4);
     EXPECT_EQ(layout.joints.size(), 4u + 7 + 4 + 7 + 4 + 7 + 4);
