@@ -219,10 +219,8 @@ TEST(ReadCampaign, EveryMessageIsOneSentence) {
         {with_file("header.csv"),
          "configs/header.csv:1: \"x,z,yaw\" is not the header of a pose file; write x_m,z_m,yaw_deg, "
          "and behind it keys of which each floe has a value of its own, such as ice.thickness_m"},
-        {with_file("word.csv"),
-         "configs/word.csv:3: \"6.3,zero,0\" is not a pose; write 3 numbers, x_m,z_m,yaw_deg"},
-        {with_file("four.csv"),
-         "configs/four.csv:2: \"6.3,0,0,0\" is not a pose; write 3 numbers, x_m,z_m,yaw_deg"},
+        {with_file("word.csv"), "configs/word.csv:3: \"6.3,zero,0\" is not a pose; write 3 numbers, x_m,z_m,yaw_deg"},
+        {with_file("four.csv"), "configs/four.csv:2: \"6.3,0,0,0\" is not a pose; write 3 numbers, x_m,z_m,yaw_deg"},
         {with_file("empty.csv"),
          "configs/empty.csv: there are no poses; write x_m,z_m,yaw_deg and a line for each floe"},
         {with_file("far.csv"),

@@ -1,5 +1,5 @@
-// Files that floes 1.0 wrote are read for good: two.h5 and two.journal are what 1.0.0 made of two.toml, two members that
-// break floes, with levels, averaged loads and a thinned history.
+// Files that floes 1.0 wrote are read for good: two.h5 and two.journal are what 1.0.0 made of two.toml, two members
+// that break floes, with levels, averaged loads and a thinned history.
 
 #include <gtest/gtest.h>
 

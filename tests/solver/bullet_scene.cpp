@@ -124,7 +124,8 @@ LaneSystem BulletScene::lane_system(int width) const {
         solver_joints.push_back({static_cast<std::uint32_t>(j.getRigidBodyA().getUserIndex()),
                                  static_cast<std::uint32_t>(j.getRigidBodyB().getUserIndex()),
                                  frame_of(j.getFrameOffsetA()), frame_of(j.getFrameOffsetB()),
-                                 j.getParam(BT_CONSTRAINT_STOP_CFM, 0), j.getParam(BT_CONSTRAINT_STOP_ERP, 0), std::nullopt});
+                                 j.getParam(BT_CONSTRAINT_STOP_CFM, 0), j.getParam(BT_CONSTRAINT_STOP_ERP, 0),
+                                 std::nullopt});
     }
     LaneSystem system(solver_bodies, solver_joints, width);
     for (std::size_t i = 0; i < joints.size(); ++i) {

@@ -130,7 +130,8 @@ void add_structure(Faces& faces, const Shape& shape, double x, double longest, d
     const SurfaceMesh surface = shape.mesh(directions);
     for (const std::vector<int>& polygon : surface.polygons) {
         std::vector<Vec3> corners;
-        for (const int index : polygon) corners.push_back(surface.points[static_cast<std::size_t>(index)] + Vec3(x, 0, 0));
+        for (const int index : polygon)
+            corners.push_back(surface.points[static_cast<std::size_t>(index)] + Vec3(x, 0, 0));
         const Vec3 normal = surface.normal(polygon);
         if (corners.size() != 4) {
             faces.add(corners, normal, structure_yellow, 0, clear_water);

@@ -59,7 +59,8 @@ std::size_t CampaignContent::found(const ArrayAxis& axis) const {
 bool CampaignContent::has(const ArrayOutput& array) const {
     return std::ranges::none_of(array.axes, [&](const ArrayAxis* axis) {
         if (axis == nullptr) return false;
-        return ((axis->kind == AxisKind::placed || axis->kind == AxisKind::counted) && places.axis(*axis).places.empty()) ||
+        return ((axis->kind == AxisKind::placed || axis->kind == AxisKind::counted) &&
+                places.axis(*axis).places.empty()) ||
                (axis->kind == AxisKind::longest && found(*axis) == 0);
     });
 }

@@ -6,6 +6,7 @@
 
 #include "campaign_file/member_rows.hpp"
 #include "campaign_file/read_arrays.hpp"
+#include "campaign_file/read_details.hpp"
 #include "hdf5/columns.hpp"
 
 namespace floes {
@@ -24,6 +25,19 @@ std::vector<MemberResult> read_quantities(const CampaignFile& file, std::size_t 
         }
     }
     return results;
+}
+
+/// Files of layout 1.8 have totals of three modes only, but the events of all.
+void count_failures(const CampaignFile& file, const std::vector<RowStatus>& states,
+                    std::vector<MemberResult>& results) {
+    if (hdf5::exists(file.id(), "members/failures_tension")) return;
+    for (std::size_t k = 0; k < results.size(); ++k)
+        if (states[k] != RowStatus::missing) results[k].failures = {};
+    for (const BreakRow& row : read_breaks(file)) {
+        if (row.member < 0 || static_cast<std::size_t>(row.member) >= results.size())
+            hdf5::refuse_damaged(file.id(), fmt::format("breaks/member has {}, which is no member", row.member));
+        ++results.at(static_cast<std::size_t>(row.member)).failures.at(static_cast<std::size_t>(row.mode));
+    }
 }
 
 /// Those that are read with the quantities. Times of averaged loads are what the scenario says.
@@ -55,6 +69,7 @@ CampaignTable read_campaign_file(const CampaignFile& file) {
     const std::vector<RowStatus> states = read_states(file);
     std::vector<MemberResult> results = read_quantities(file, states.size());
     read_table_arrays(file, states, results);
+    count_failures(file, states, results);
     const auto steady = hdf5::read_numbers<std::int8_t>(file.id(), "members/steady", states.size(), -1, 1);
     const auto reason = hdf5::read_texts(file.id(), "members/reason");
     hdf5::check_count(file.id(), "members/reason", reason.size(), states.size());
