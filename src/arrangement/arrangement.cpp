@@ -112,7 +112,7 @@ double coverage_ahead(const Scenario& scenario, const FloeSet& floes) {
 }
 
 Arrangement make_arrangement(const Scenario& scenario, std::uint64_t seed, std::uint32_t number) {
-    Arrangement made{floes_of(scenario)};
+    Arrangement made{floes_of(scenario, {seed, number})};
     const std::vector<PlanarPose> poses = find_poses(scenario, rectangles(made), seed, number);
     for (std::size_t i = 0; i < poses.size(); ++i) made.floes[i].pose = poses[i];
     if (const std::optional<Fault> fault = find_fault(scenario, made)) {

@@ -78,7 +78,7 @@ const ArrayAxis property_axis{"property",
                               "property of a floe",
                               AxisKind::counted,
                               [](const Scenario& scenario) {
-                                  return counted_to(scenario.arrangement.columns.empty() ? 0 : property_words.size());
+                                  return counted_to(floes_may_differ(scenario) ? property_words.size() : 0);
                               },
                               true,
                               property_words};

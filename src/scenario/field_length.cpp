@@ -5,8 +5,8 @@
 namespace floes {
 
 double Scenario::field_length() const {
-    const double covered = arrangement.columns.empty() ? field.floes * floe.length * floe.breadth  // all alike
-                                                       : covered_area(floes_of(*this));
+    const double covered =
+        floes_may_differ(*this) ? covered_area(floes_of(*this)) : field.floes * floe.length * floe.breadth;
     return covered / (field.concentration * 2.0 * field.half_width);
 }
 

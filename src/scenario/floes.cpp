@@ -57,7 +57,7 @@ FloeSet floes_at(const Scenario& scenario, std::span<const PlanarPose> poses) {
     return set;
 }
 
-FloeSet floes_of(const Scenario& scenario) {
+FloeSet floes_of(const Scenario& scenario, const Draw&) {
     const ArrangementRule& rule = scenario.arrangement;
     if (rule.method != ArrangementMethod::file)
         return floes_at(scenario, std::vector<PlanarPose>(static_cast<std::size_t>(scenario.field.floes)));
@@ -86,6 +86,10 @@ FloeSet floes_of(const Scenario& scenario) {
         set.add(rule.poses[floe], shape, material);
     }
     return set;
+}
+
+bool floes_may_differ(const Scenario& scenario) {
+    return !scenario.arrangement.columns.empty();
 }
 
 double covered_area(const FloeSet& floes) {

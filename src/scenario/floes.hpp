@@ -2,6 +2,7 @@
 // Floes side by side, which may differ: shapes and materials stand in tables, and each floe says which are its own.
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -35,9 +36,18 @@ struct FloeSet {
 /// A floe of the scenario's own shape and material at each pose.
 FloeSet floes_at(const Scenario& scenario, std::span<const PlanarPose> poses);
 
+/// Which of a campaign's arrangements: what a law that draws floes would draw them by.
+struct Draw {
+    std::uint64_t seed = 0;    ///< of the campaign
+    std::uint32_t number = 0;  ///< of the arrangement
+};
+
 /// The floes of a scenario, which an arrangement will give their places; given poses are kept. Throws InputError with
 /// the column or the floe at fault if the values of single floes are not those of arrangement.columns.
-FloeSet floes_of(const Scenario& scenario);
+FloeSet floes_of(const Scenario& scenario, const Draw& draw = {});
+
+/// Whether floes of the scenario can differ from each other.
+bool floes_may_differ(const Scenario& scenario);
 
 /// Of all floes, m².
 double covered_area(const FloeSet& floes);

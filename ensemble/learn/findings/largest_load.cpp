@@ -31,7 +31,8 @@ Figure::Points ring(double x, double radius) {
     return points;
 }
 
-Figure plan_view(const Scenario& scenario, const std::vector<PlanarPose>& poses, const std::set<int>& broken) {
+Figure plan_view(const Scenario& scenario, const FloeSet& floes, const std::vector<PlanarPose>& poses,
+                 const std::set<int>& broken) {
     const Field& field = scenario.field;
     const double radius = scenario.structure.shape.waterline_radius();
     const double low = std::min(scenario.structure.start - radius, field.begin) - 0.3;
@@ -49,7 +50,6 @@ Figure plan_view(const Scenario& scenario, const std::vector<PlanarPose>& poses,
     if (field.far_end == FarEnd::ice_sheet)
         figure.area({{scenario.field_end(), -inner}, {high, -inner}, {high, inner}, {scenario.field_end(), inner}},
                     "sheet");
-    const FloeSet floes = floes_of(scenario);
     for (std::size_t i = 0; i < poses.size(); ++i)
         figure.area(corners(poses[i], floes.shape(i)), broken.contains(static_cast<int>(i)) ? "ice broken" : "ice");
     figure.area(ring(scenario.structure.start, radius), "structure");
@@ -66,7 +66,10 @@ Section largest_load_section(Evidence& evidence) {
     std::set<int> broken;
     for (const BreakRow& row : breaks_of(evidence))
         if (row.member == *number) broken.insert(row.floe);
-    Figure figure = plan_view(evidence.campaign.cases[of_case].scenario, read_poses(evidence.file, *number), broken);
+    const Scenario& scenario = evidence.campaign.cases[of_case].scenario;
+    const FloeSet floes = floes_of(scenario, {arrangement_seed(evidence.campaign, member.case_index),
+                                              static_cast<std::uint32_t>(member.arrangement)});
+    Figure figure = plan_view(scenario, floes, read_poses(evidence.file, *number), broken);
     figure.caption = fmt::format(
         "Member {}, case {}: largest load {:.1f} N, mean {:.1f} N, {:.1f} % of the floes broke (marked).", *number,
         evidence.summary.name_of(of_case), member.load.maximum, member.load.mean, member.failure_ratio / unit::percent);

@@ -16,8 +16,8 @@ namespace floes {
 namespace {
 
 /// The floes of the scenario, as many as the file has. `floe`: of each element.
-FloeSet read_floes(hid_t file, const Scenario& scenario, const std::vector<std::int32_t>& floe) {
-    FloeSet floes = floes_of(scenario);
+FloeSet read_floes(hid_t file, const Scenario& scenario, const Draw& draw, const std::vector<std::int32_t>& floe) {
+    FloeSet floes = floes_of(scenario, draw);
     const std::size_t count = floe.empty() || floe.back() < 0 ? 0 : static_cast<std::size_t>(floe.back()) + 1;
     if (floes.alike() && count <= floe.size()) floes = floes_at(scenario, std::vector<PlanarPose>(count));
     const IceLayout layout(floes);
@@ -34,8 +34,10 @@ RecordingSubject read_subject(hid_t file) {
     subject.member = hdf5::read_int_attribute(file, "member").at(0);
     subject.arrangement = hdf5::read_int_attribute(file, "arrangement").at(0);
     subject.configuration = hdf5::read_text(file, "configuration");
-    subject.scenario = read_campaign({subject.configuration, "its configuration", {}}, nullptr).cases.at(0).scenario;
-    subject.floes = read_floes(file, subject.scenario, hdf5::read_values<std::int32_t>(file, "ice/floe"));
+    const Campaign campaign = read_campaign({subject.configuration, "its configuration", {}}, nullptr);
+    subject.scenario = campaign.cases.at(0).scenario;
+    const Draw draw{arrangement_seed(campaign, 0), static_cast<std::uint32_t>(subject.arrangement)};
+    subject.floes = read_floes(file, subject.scenario, draw, hdf5::read_values<std::int32_t>(file, "ice/floe"));
     return subject;
 }
 

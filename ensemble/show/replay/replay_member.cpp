@@ -105,14 +105,15 @@ ReplaySubject replay_subject(const CampaignFile& file, const CampaignTable& tabl
     subject.stored = table.members[static_cast<std::size_t>(member)];
     subject.seed = arrangement_seed(campaign, key.case_index);
     const Campaign one = with_case(campaign, key.case_index, table.cases.at(row));
-    subject.about = {.campaign = campaign.name,
-                     .fingerprint = fingerprint(campaign),
-                     .configuration = write_campaign(one),
-                     .case_name = campaign.cases[row].name,
-                     .member = member,
-                     .arrangement = key.arrangement,
-                     .scenario = one.cases.front().scenario,
-                     .floes = floes_of(one.cases.front().scenario)};
+    subject.about = {
+        .campaign = campaign.name,
+        .fingerprint = fingerprint(campaign),
+        .configuration = write_campaign(one),
+        .case_name = campaign.cases[row].name,
+        .member = member,
+        .arrangement = key.arrangement,
+        .scenario = one.cases.front().scenario,
+        .floes = floes_of(one.cases.front().scenario, {subject.seed, static_cast<std::uint32_t>(key.arrangement)})};
     return subject;
 }
 
