@@ -67,8 +67,9 @@ Section largest_load_section(Evidence& evidence) {
     for (const BreakRow& row : breaks_of(evidence))
         if (row.member == *number) broken.insert(row.floe);
     const Scenario& scenario = evidence.campaign.cases[of_case].scenario;
-    const FloeSet floes = floes_of(scenario, {arrangement_seed(evidence.campaign, member.case_index),
-                                              static_cast<std::uint32_t>(member.arrangement)});
+    const FloeSet floes =
+        floes_of(scenario, {arrangement_seed(evidence.campaign, member.case_index),
+                            static_cast<std::uint32_t>(member_key(evidence.campaign, *number).arrangement)});
     Figure figure = plan_view(scenario, floes, read_poses(evidence.file, *number), broken);
     figure.caption = fmt::format(
         "Member {}, case {}: largest load {:.1f} N, mean {:.1f} N, {:.1f} % of the floes broke (marked).", *number,
