@@ -18,6 +18,7 @@ function(floes_assets target)
   endforeach()
   set(source ${PROJECT_BINARY_DIR}/generated/${target}_assets.cpp)
   configure_file(${PROJECT_SOURCE_DIR}/cmake/assets.cpp.in ${source} @ONLY)
-  set_source_files_properties(${source} PROPERTIES OBJECT_DEPENDS "${paths}")
+  # -fno-lto: link-time optimisation does not see the symbols of assembler.
+  set_source_files_properties(${source} PROPERTIES OBJECT_DEPENDS "${paths}" COMPILE_OPTIONS -fno-lto)
   target_sources(${target} PRIVATE ${source})
 endfunction()
