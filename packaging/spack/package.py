@@ -7,7 +7,7 @@ class Floes(CMakePackage):
     # Not in Spack's own repository and without an address to fetch it from: docs/install.md says how to build with it.
     license("BSD-3-Clause")
 
-    version("1.0.0")
+    version("2.0.0")
 
     generator("ninja")
 
