@@ -13,7 +13,7 @@ namespace point_field {
 inline constexpr int on_a = 0;
 inline constexpr int on_b = 3;
 inline constexpr int normal = 6;    ///< unit, from b to a
-inline constexpr int distance = 9;  ///< infinite for a point that there is not
+inline constexpr int distance = 9;  ///< infinite in an empty place
 inline constexpr int friction = 10;
 inline constexpr int impulse = 11;
 inline constexpr int count = 12;
@@ -45,8 +45,8 @@ namespace cone_second_field {
 inline constexpr int coupling = 9;  ///< J M^-1 J^T of the normal row with the first and with the second
 }  // namespace cone_second_field
 
-/// Pairs of bodies that touch, `width` side by side, no moving body twice; each pair's contacts one after the other. Of
-/// two turns twice as many, whose rows follow each other in turns.
+/// Pairs of bodies that touch, `width` side by side, no moving body twice; each pair's contacts one after the other. With
+/// two turns a pack has twice as many pairs, whose rows alternate.
 struct ContactPack {
     std::uint32_t turns;
     std::uint32_t first_row;  ///< in groups of `width`

@@ -10,7 +10,7 @@
 
 namespace floes {
 
-/// Fields of point_field, by groups of `width`. Where there is no contact, something that stays open.
+/// Fields of point_field, by groups of `width`. Empty places get a gap that never closes.
 void fill_points(AlignedArray<double>& points, std::span<const SolverContact> contacts, const ContactOrder& order,
                  int width);
 

@@ -80,7 +80,7 @@ class DirectFloes {
     std::vector<SolverJoint> joints_;
     std::vector<Piece> pieces_;
     std::vector<std::uint32_t> piece_of_body_, within_piece_;
-    std::vector<std::shared_ptr<PieceCompliance>> compliances_;  ///< of the pieces that there are
+    std::vector<std::shared_ptr<PieceCompliance>> compliances_;  ///< shared by the pieces of one form
     bool stale_ = true;
     double time_step_ = 0;
     AlignedArray<double> local_, spring_, impulse_;

@@ -116,7 +116,7 @@ struct LaneKernels {
     /// How much the prepared normal rows can carry at most, where ice crushes or internal edges do not act.
     void (*prepare_limits)(const LaneArrays&, const ContactPacks&, const double* points, const double* normal_scale,
                            const LimitArrays&, const ContactLaw&, double time_step);
-    /// What the impulses do that rows begin with; one sweep over all normal rows; one over all friction rows in one
+    /// Applies the impulses that rows start from; one sweep over all normal rows; one over all friction rows in one
     /// direction; one over all rows of cones, contact by contact.
     void (*start_contacts)(double* delta, const ContactPacks&, const ContactRowArrays&);
     void (*solve_normals)(double* delta, const ContactPacks&, const ContactRowArrays&, const LimitArrays&);
