@@ -45,8 +45,8 @@ namespace cone_second_field {
 inline constexpr int coupling = 9;  ///< J M^-1 J^T of the normal row with the first and with the second
 }  // namespace cone_second_field
 
-/// Pairs of bodies that touch, `width` side by side, no moving body twice; each pair's contacts one after the other. With
-/// two turns a pack has twice as many pairs, whose rows alternate.
+/// Pairs of bodies that touch, `width` side by side, no moving body twice; each pair's contacts one after the other.
+/// With two turns a pack has twice as many pairs, whose rows alternate.
 struct ContactPack {
     std::uint32_t turns;
     std::uint32_t first_row;  ///< in groups of `width`
