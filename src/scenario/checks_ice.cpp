@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "scenario/floes.hpp"
 #include "scenario/keys.hpp"
 #include "scenario/validate.hpp"
 
@@ -43,12 +44,19 @@ void check_whole_steps(const Scenario& scenario, double time, const std::string&
 
 }  // namespace
 
-void check_elements(const Scenario& scenario, Contradictions& found) {
+void check_sides(const Scenario& scenario, Contradictions& found) {
     check_side(scenario, scenario.floe.length, "floe.length_m", found);
     if (scenario.floe.breadth != scenario.floe.length)
         check_side(scenario, scenario.floe.breadth, "floe.breadth_m", found);
-    const double elements = std::round(scenario.floe.length / scenario.floe.element) *
-                            std::round(scenario.floe.breadth / scenario.floe.element) * scenario.field.floes;
+}
+
+void check_elements(const Scenario& scenario, Contradictions& found) {
+    check_sides(scenario, found);
+    if (floes_may_differ(scenario)) return;  // check_given_floes() counts those
+    check_element_count(scenario, scenario.floe.elements() * scenario.field.floes, found);
+}
+
+void check_element_count(const Scenario& scenario, double elements, Contradictions& found) {
     if (elements > most_elements) {
         found.push_back(
             {{"floe.element_m", "field.floes"},

@@ -133,20 +133,22 @@ void check_given_floes(const Scenario& scenario, Contradictions& found) {
     try {
         const FloeSet floes = floes_of(scenario);
         std::set<std::pair<std::size_t, std::size_t>> kinds;
+        Scenario alike = scenario;
+        alike.arrangement = {};  // a copy of the poses for each kind of floe would take too long
         for (std::size_t i = 0; i < floes.size(); ++i) {
             if (!kinds.emplace(floes.floes[i].shape, floes.floes[i].material).second) continue;
-            Scenario alike = scenario;
             alike.floe = floes.shape(i);
             alike.ice = floes.material(i).ice;
             alike.joint = floes.material(i).joint;
             Contradictions of_floe;
-            check_elements(alike, of_floe);
+            check_sides(alike, of_floe);
             check_floating(alike, of_floe);
             for (Contradiction& one : of_floe) {
                 one.sentence = fmt::format("floe {}: {}", i, one.sentence);
                 found.push_back(std::move(one));
             }
         }
+        check_element_count(scenario, element_count(floes), found);
     } catch (const InputError& fault) {
         found.push_back({keys, fault.what()});
     }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <sstream>
 #include <string>
 #include <variant>
@@ -13,13 +14,19 @@
 namespace floes {
 namespace {
 
+/// Finds a value's place in a table, at the end for a new one. By a tree: a million floes may all differ.
 template <class Value>
-std::size_t index_in(std::vector<Value>& table, const Value& value) {
-    const auto found = std::ranges::find(table, value);
-    const auto index = static_cast<std::size_t>(found - table.begin());
-    if (found == table.end()) table.push_back(value);
-    return index;
-}
+class Places {
+  public:
+    std::size_t of(const Value& value, std::vector<Value>& table) {
+        const auto [place, is_new] = places_.emplace(value, table.size());
+        if (is_new) table.push_back(value);
+        return place->second;
+    }
+
+  private:
+    std::map<Value, std::size_t> places_;
+};
 
 /// The numbers that `columns` names, in its order.
 std::vector<const NumberField*> named_fields(const Keys& keys, const std::string& columns) {
@@ -41,8 +48,13 @@ std::vector<const NumberField*> named_fields(const Keys& keys, const std::string
 
 }  // namespace
 
-void FloeSet::add(const PlanarPose& pose, const FloeShape& shape, const Material& material) {
-    floes.push_back({pose, index_in(shapes, shape), index_in(materials, material)});
+FloeSet gathered(std::span<const SingleFloe> floes) {
+    FloeSet set;
+    Places<FloeShape> shapes;
+    Places<Material> materials;
+    for (const SingleFloe& one : floes)
+        set.floes.push_back({one.pose, shapes.of(one.shape, set.shapes), materials.of(one.material, set.materials)});
+    return set;
 }
 
 std::vector<PlanarPose> FloeSet::poses() const {
@@ -69,7 +81,7 @@ FloeSet floes_of(const Scenario& scenario, const Draw&) {
     add_ice(keys, shape, material.ice);
     add_joint(keys, material.joint);
     const std::vector<const NumberField*> fields = named_fields(keys, rule.columns);
-    FloeSet set;
+    std::vector<SingleFloe> given;
     for (std::size_t floe = 0; floe < rule.poses.size(); ++floe) {
         const std::vector<double>& values = rule.values.at(floe);
         if (values.size() != fields.size())
@@ -83,9 +95,9 @@ FloeSet floes_of(const Scenario& scenario, const Draw&) {
                                              values[i], i + 1, to_text(fields[i]->range)));
             fields[i]->set(values[i] * fields[i]->unit);
         }
-        set.add(rule.poses[floe], shape, material);
+        given.push_back({rule.poses[floe], shape, material});
     }
-    return set;
+    return gathered(given);
 }
 
 bool floes_may_differ(const Scenario& scenario) {
@@ -98,6 +110,12 @@ double covered_area(const FloeSet& floes) {
     double area = 0;
     for (std::size_t i = 0; i < count.size(); ++i) area += count[i] * floes.shapes[i].length * floes.shapes[i].breadth;
     return area;
+}
+
+double element_count(const FloeSet& floes) {
+    double count = 0;
+    for (const Floe& floe : floes.floes) count += floes.shapes[floe.shape].elements();
+    return count;
 }
 
 double largest_side(const FloeSet& floes) {

@@ -28,10 +28,17 @@ struct FloeSet {
     bool alike() const { return shapes.size() == 1 && materials.size() == 1; }
 
     std::vector<PlanarPose> poses() const;
-
-    /// Adds a floe; equal shapes and equal materials stand in the tables once.
-    void add(const PlanarPose& pose, const FloeShape& shape, const Material& material);
 };
+
+/// A floe by itself, without tables.
+struct SingleFloe {
+    PlanarPose pose;
+    FloeShape shape;
+    Material material;
+};
+
+/// The set of these floes, in their order; equal shapes and equal materials stand in the tables once.
+FloeSet gathered(std::span<const SingleFloe> floes);
 
 /// A floe of the scenario's own shape and material at each pose.
 FloeSet floes_at(const Scenario& scenario, std::span<const PlanarPose> poses);
@@ -51,6 +58,9 @@ bool floes_may_differ(const Scenario& scenario);
 
 /// Of all floes, m².
 double covered_area(const FloeSet& floes);
+
+/// Of all floes together; a double, since what a user asks for may be more than any integer.
+double element_count(const FloeSet& floes);
 
 /// The largest side of any floe, m.
 double largest_side(const FloeSet& floes);

@@ -2,6 +2,7 @@
 // All that is fixed for one simulation: Tables 1 and 2 of the paper, and what the paper leaves open, as one value.
 // SI units throughout. Keys and ranges: scenario/tables_*.cpp.
 
+#include <compare>
 #include <string>
 #include <vector>
 
@@ -44,7 +45,7 @@ struct Ice {
     double elastic_modulus = 60e6;          ///< E, Pa; where joints follow Σ, only a label
     double poisson_ratio = 0.3;             ///< ν, of beam joints
 
-    friend bool operator==(const Ice&, const Ice&) = default;
+    friend auto operator<=>(const Ice&, const Ice&) = default;
 };
 
 /// A sheet of ice, made of square elements of its own thickness (Table 1).
@@ -54,13 +55,14 @@ struct FloeShape {
     double thickness = 0.033;  ///< T_i = T_e, m
     double element = 0.2;      ///< L_e, m; divides length and breadth
 
-    int elements_long() const;              ///< along x, at least 1
-    int elements_broad() const;             ///< along z, at least 1
+    int elements_long() const;   ///< along x, at least 1
+    int elements_broad() const;  ///< along z, at least 1
+    double elements() const { return static_cast<double>(elements_long()) * elements_broad(); }
     double element_mass(const Ice&) const;  ///< of ice, kg
     /// Of the middle of the floe above the water at rest, m; negative above half draught. Density of the water: kg/m³.
     double floating_height(const Ice&, double water_density) const;
 
-    friend bool operator==(const FloeShape&, const FloeShape&) = default;
+    friend auto operator<=>(const FloeShape&, const FloeShape&) = default;
 };
 
 /// The fixed joints between elements.
@@ -72,7 +74,7 @@ struct Joint {
     ThresholdForm threshold_form = ThresholdForm::force;
     MomentAbout moment_about = MomentAbout::pivot;
 
-    friend bool operator==(const Joint&, const Joint&) = default;
+    friend auto operator<=>(const Joint&, const Joint&) = default;
 };
 
 /// All that a floe is made of.
@@ -80,7 +82,7 @@ struct Material {
     Ice ice;
     Joint joint;
 
-    friend bool operator==(const Material&, const Material&) = default;
+    friend auto operator<=>(const Material&, const Material&) = default;
 };
 
 /// The channel and the ice field in it.

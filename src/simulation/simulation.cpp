@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "core/error.hpp"
 #include "ice/scenario_world.hpp"
@@ -32,20 +34,15 @@ constexpr std::size_t most_contacts = 1024;
 
 /// One model for all elements of the same size and density.
 WaterLanes make_water(const Scenario& scenario, const FloeSet& floes, const std::vector<IceElement>& elements) {
-    struct Kind {
-        std::size_t shape;
-        double density;
-        bool operator==(const Kind&) const = default;
-    };
-    std::vector<Kind> kinds;
+    std::map<std::pair<std::size_t, double>, std::size_t> kinds;  // shape and density -> model
     std::vector<WaterModel> models;
     std::vector<std::size_t> kind_of_floe;
     for (std::size_t i = 0; i < floes.size(); ++i) {
-        const Kind kind{floes.floes[i].shape, floes.material(i).ice.density};
-        kind_of_floe.push_back(static_cast<std::size_t>(std::ranges::find(kinds, kind) - kinds.begin()));
-        if (kind_of_floe.back() < kinds.size()) continue;
+        const auto [kind, is_new] =
+            kinds.try_emplace({floes.floes[i].shape, floes.material(i).ice.density}, kinds.size());
+        kind_of_floe.push_back(kind->second);
+        if (!is_new) continue;
         const FloeShape& shape = floes.shape(i);
-        kinds.push_back(kind);
         models.emplace_back(scenario.water, scenario.general.gravity, ElementShape{shape.element, shape.thickness},
                             shape.element_mass(floes.material(i).ice), scenario.structure.shape.waterline_radius(),
                             scenario.structure.speed);

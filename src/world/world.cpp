@@ -11,6 +11,7 @@
 #include <deque>
 #include <limits>
 #include <optional>
+#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -73,7 +74,7 @@ class World::Bullet {
     const btRigidBody& body(BodyId id) const { return bodies[id.index()]; }
 
     btBoxShape* box_shape(const Vec3& half_extents) {
-        for (auto& box : boxes) {
+        for (auto& box : std::views::reverse(boxes)) {  // most often the last: elements of one floe are equal
             if (box.half_extents == half_extents) return &box.shape;
         }
         return &boxes.emplace_back(half_extents).shape;

@@ -9,8 +9,10 @@
 #include <cstdlib>
 
 #include "core/error.hpp"
+#include "hdf5/read.hpp"
 #include "hdf5/write.hpp"
 #include "journal/journal.hpp"
+#include "member/floe_properties.hpp"
 #include "support/file_bytes.hpp"
 #include "support/refusal.hpp"
 #include "support/synthetic.hpp"
@@ -145,6 +147,28 @@ TEST(CampaignFile, SameMembersGiveTheSameValuesWhateverTheirOrderAndOrigin) {
     records[0].result.history.heave.back() += 1e-12;
     publish(folder / "c.h5", campaign, records, two);
     EXPECT_EQ(compare(folder / "a.h5", folder / "c.h5"), 1) << "the comparison must see a difference";
+}
+
+TEST(CampaignFile, HoldsThePropertiesOfFloesOfEachMembersOwnCase) {
+    const TemporaryFolder folder;
+    const Campaign campaign = synthetic::campaign();
+    auto records = synthetic::records(campaign);
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        MemberResult& result = records[i].result;
+        result.floe_properties.assign(result.arrangement.size() * floe_properties.size(), static_cast<double>(i));
+    }
+    publish(folder / "a.h5", campaign, records, {});
+    const hdf5::Handle file = hdf5::open_for_reading(folder / "a.h5");
+    const std::vector<double> values = hdf5::read_values<double>(file.id(), "members/floe_properties");
+    constexpr std::size_t most_floes = 6;
+    ASSERT_EQ(values.size(), records.size() * most_floes * floe_properties.size());
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        const double* row = &values[i * most_floes * floe_properties.size()];
+        for (std::size_t floe = 0; floe < most_floes; ++floe) {
+            const double wanted = floe < records[i].result.arrangement.size() ? static_cast<double>(i) : std::nan("");
+            EXPECT_TRUE(same(row[floe * floe_properties.size()], wanted)) << i << ", floe " << floe;
+        }
+    }
 }
 
 TEST(CampaignFile, TakesRecordsFromTheJournal) {

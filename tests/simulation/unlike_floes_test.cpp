@@ -19,6 +19,7 @@ constexpr double thicknesses[]{0.033, 0.06};  // m
 /// Three sizes by two thicknesses in still water, far apart, ahead of a structure that does not reach them.
 struct Six {
     Scenario scenario;
+    std::vector<SingleFloe> singles;
     FloeSet floes;
 
     Six() {
@@ -35,15 +36,17 @@ struct Six {
             material.ice.density = 900 + 10 * i;
             material.ice.bending_strength = 30e3 + 5e3 * i;
             material.ice.elastic_modulus = 40e6 * (1 + i);
-            floes.add({7 + 1.5 * i, (i % 2) - 0.5, 0.4 * i}, shape, material);
+            singles.push_back({{7 + 1.5 * i, (i % 2) - 0.5, 0.4 * i}, shape, material});
         }
+        floes = gathered(singles);
     }
 };
 
 TEST(UnlikeFloes, TakeTheirShapesFromOneTable) {
     Six six;
     EXPECT_EQ(six.floes.shapes.size(), 6u);
-    six.floes.add({20, 0, 0}, six.floes.shape(2), six.floes.material(4));
+    six.singles.push_back({{20, 0, 0}, six.singles[2].shape, six.singles[4].material});
+    six.floes = gathered(six.singles);
     EXPECT_EQ(six.floes.shapes.size(), 6u);
     EXPECT_EQ(six.floes.floes.back().shape, 2u);
     EXPECT_EQ(six.floes.floes.back().material, 4u);
@@ -120,15 +123,15 @@ struct Pairs {
     }
 
     static FloeSet pairs(const Scenario& scenario) {
-        FloeSet made;
+        std::vector<SingleFloe> made;
         for (int i = 0; i < 6; ++i) {
             const double side = sides[i % 3];
             Material material = scenario.material();
             material.ice.elastic_modulus = 40e6 * (1 + i);
             material.ice.bending_strength = 30e3 + 5e3 * i;
-            made.add({2.0 * i, 0, 0.3 * i}, {2 * side, side, thicknesses[i / 3], side}, material);
+            made.push_back({{2.0 * i, 0, 0.3 * i}, {2 * side, side, thicknesses[i / 3], side}, material});
         }
-        return made;
+        return gathered(made);
     }
 
     /// Steps with a moment in each joint, about its own z axis, N m.
