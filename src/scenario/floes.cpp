@@ -28,22 +28,22 @@ class Places {
     std::map<Value, std::size_t> places_;
 };
 
-/// The numbers that `columns` names, in its order.
-std::vector<const NumberField*> named_fields(const Keys& keys, const std::string& columns) {
-    std::vector<const NumberField*> fields;
+/// The keys that `columns` names, in its order; each holds a number.
+std::vector<const Key*> named_keys(const Keys& keys, const std::string& columns) {
+    std::vector<const Key*> named;
     std::istringstream names(columns);
     for (std::string name; std::getline(names, name, ',');) {
         const Key* key = find_key(keys, name);
-        const NumberField* field = key == nullptr ? nullptr : std::get_if<NumberField>(&key->field);
-        if (field == nullptr || std::ranges::find(fields, field) != fields.end()) {
+        const bool number = key != nullptr && std::holds_alternative<NumberField>(key->field);
+        if (!number || std::ranges::find(named, key) != named.end()) {
             throw InputError(fmt::format(
                 "arrangement.columns = \"{}\" has \"{}\", which is {}; allowed: numbers of [floe], [ice] and [joint], "
                 "each once, such as \"floe.length_m,floe.breadth_m,ice.thickness_m\"",
-                columns, name, field == nullptr ? "no such number" : "there twice"));
+                columns, name, number ? "there twice" : "no such number"));
         }
-        fields.push_back(field);
+        named.push_back(key);
     }
-    return fields;
+    return named;
 }
 
 }  // namespace
@@ -80,20 +80,21 @@ FloeSet floes_of(const Scenario& scenario, const Draw&) {
     add_floe(keys, shape);
     add_ice(keys, shape, material.ice);
     add_joint(keys, material.joint);
-    const std::vector<const NumberField*> fields = named_fields(keys, rule.columns);
+    const std::vector<const Key*> columns = named_keys(keys, rule.columns);
     std::vector<SingleFloe> given;
     for (std::size_t floe = 0; floe < rule.poses.size(); ++floe) {
         const std::vector<double>& values = rule.values.at(floe);
-        if (values.size() != fields.size())
+        if (values.size() != columns.size())
             throw InputError(fmt::format("floe {} has {} values behind its pose and arrangement.columns names {}", floe,
-                                         values.size(), fields.size()));
+                                         values.size(), columns.size()));
         shape = scenario.floe;
         material = scenario.material();
-        for (std::size_t i = 0; i < fields.size(); ++i) {
-            if (!fields[i]->range.contains(values[i]))
-                throw InputError(fmt::format("floe {} has {} in column {} of arrangement.columns; allowed: {}", floe,
-                                             values[i], i + 1, to_text(fields[i]->range)));
-            fields[i]->set(values[i] * fields[i]->unit);
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            const NumberField& field = std::get<NumberField>(columns[i]->field);
+            if (!field.range.contains(values[i]))
+                throw InputError(fmt::format("floe {} has {} = {}; allowed: {}", floe, columns[i]->path, values[i],
+                                             to_text(field.range)));
+            field.set(values[i] * field.unit);
         }
         given.push_back({rule.poses[floe], shape, material});
     }

@@ -31,8 +31,8 @@ std::string message(const std::string& header, const std::string& rows, const st
     return refusal([&] { with_rows(header, rows, more); });
 }
 
-const char* const header = "x_m,z_m,yaw_deg,length_m,breadth_m,thickness_m,bending_strength_kPa";
-const char* const two = "6.4,0,0,0.8,0.4,0.04,50\n20.6,2,90,0.6,0.6,0.03,60\n";
+const char* const header = "x_m,z_m,yaw_deg,floe.length_m,floe.breadth_m,ice.thickness_m,ice.bending_strength_kPa";
+const char* const two = "7.4,0,0,0.8,0.4,0.04,50\n18.6,1.5,90,0.6,0.6,0.03,60\n";
 
 TEST(Columns, GiveEachFloeItsOwnShapeAndIce) {
     const Scenario scenario = with_rows(header, two).cases.at(0).scenario;
@@ -61,30 +61,31 @@ TEST(Columns, GiveTheFieldItsLength) {
         return with_rows(header, rows).cases.at(0).scenario.field_length();
     };
     const double area = 0.8 * 0.4 + 0.6 * 0.6;
-    EXPECT_NEAR(length("6.4,0,0,1.6,0.4,0.04,50\n20.6,2,90,0.6,0.6,0.03,60\n") / length(two), (area + 0.32) / area,
+    EXPECT_NEAR(length("7.4,0,0,1.6,0.4,0.04,50\n18.6,1.5,90,0.6,0.6,0.03,60\n") / length(two), (area + 0.32) / area,
                 1e-9);
 }
 
 TEST(Columns, ArePropertiesOfFloesAndNothingElse) {
-    EXPECT_THAT(message("x_m,z_m,yaw_deg,width_m", "6.4,0,0,1\n"), HasSubstr("width_m"));
-    EXPECT_THAT(message("x_m,z_m,yaw_deg,length_m,length_m", "6.4,0,0,1,1\n"), HasSubstr("twice"));
-    EXPECT_THAT(message("x_m,z_m,yaw_deg,model", "6.4,0,0,1\n"), HasSubstr("model"));
-    EXPECT_THAT(message("x_m,z_m,yaw_deg,length_m,", "6.4,0,0,1,\n"), HasSubstr("x_m,z_m,yaw_deg"));
+    EXPECT_THAT(message("x_m,z_m,yaw_deg,floe.width_m", "7.4,0,0,1\n"), HasSubstr("width_m"));
+    EXPECT_THAT(message("x_m,z_m,yaw_deg,floe.length_m,floe.length_m", "7.4,0,0,1,1\n"), HasSubstr("each once"));
+    EXPECT_THAT(message("x_m,z_m,yaw_deg,joint.model", "7.4,0,0,1\n"), HasSubstr("model"));
+    EXPECT_THAT(message("x_m,z_m,yaw_deg,floe.length_m,", "7.4,0,0,1,\n"), HasSubstr("x_m,z_m,yaw_deg"));
 }
 
 TEST(Columns, HoldANumberInItsRangeForEachFloe) {
-    EXPECT_THAT(message("x_m,z_m,yaw_deg,length_m", "6.4,0,0,1\n7,0,0\n"), HasSubstr(":3"));
-    EXPECT_THAT(message("x_m,z_m,yaw_deg,thickness_m", "6.4,0,0,0.03\n20.6,2,0,-1\n"), HasSubstr("thickness_m"));
-    EXPECT_THAT(message("x_m,z_m,yaw_deg,length_m", "6.4,0,0,0.6\n20.6,2,0,0.7\n"),
+    EXPECT_THAT(message("x_m,z_m,yaw_deg,floe.length_m", "7.4,0,0,1\n7,0,0\n"), HasSubstr(":3"));
+    EXPECT_THAT(message("x_m,z_m,yaw_deg,ice.thickness_m", "7.4,0,0,0.03\n18.6,1.5,0,-1\n"), HasSubstr("thickness_m"));
+    EXPECT_THAT(message("x_m,z_m,yaw_deg,floe.length_m", "7.4,0,0,0.6\n18.6,1.5,0,0.7\n"),
                 HasSubstr("floe 1: floe.element_m = 0.2 does not divide floe.length_m = 0.7"));
-    EXPECT_THAT(message("x_m,z_m,yaw_deg,density_kg_m3", "6.4,0,0,900\n20.6,2,0,1100\n"), HasSubstr("sinks"));
+    EXPECT_THAT(message("x_m,z_m,yaw_deg,ice.density_kg_m3", "7.4,0,0,900\n18.6,1.5,0,1100\n"), HasSubstr("sinks"));
 }
 
 TEST(Columns, AllFloesTogetherAreNotTooManyElements) {
-    EXPECT_THAT(message("x_m,z_m,yaw_deg,element_m", "6.4,0,0,0.2\n20.6,2,0,0.0001\n"), HasSubstr("3.6e+07 elements"));
+    EXPECT_THAT(message("x_m,z_m,yaw_deg,floe.element_m", "7.4,0,0,0.2\n18.6,1.5,0,0.0001\n"),
+                HasSubstr("3.6e+07 elements"));
     // The table's own element is not that of any floe.
     EXPECT_NO_THROW(
-        with_rows("x_m,z_m,yaw_deg,element_m", "6.4,0,0,0.2\n20.6,2,0,0.2\n", "[floe]\nelement_m = 0.0001\n"));
+        with_rows("x_m,z_m,yaw_deg,floe.element_m", "7.4,0,0,0.2\n18.6,1.5,0,0.2\n", "[floe]\nelement_m = 0.0001\n"));
 }
 
 }  // namespace
