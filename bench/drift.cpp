@@ -8,7 +8,7 @@
 namespace floes::bench {
 
 Simulation make_drift(const Drift& drift) {
-    Scenario scenario;
+    Scenario scenario = paper_scenario();
     scenario.contact = {};  // the paper's laws, which Bullet's own solver has, too
     choose_solver(scenario, drift.solver);
     if (drift.solver == SolverKind::direct) scenario.contact = with_preset({}, ContactPreset::physical);

@@ -67,7 +67,7 @@ void choose_solver(Scenario& scenario, SolverKind solver) {
 }
 
 Scenario tow_scenario(SolverKind solver, Wall wall) {
-    Scenario scenario;
+    Scenario scenario = paper_scenario();
     scenario.contact = {};  // the paper's laws, which Bullet's own solver has, too
     choose_solver(scenario, solver);
     scenario.arrangement.method = ArrangementMethod::monte_carlo;

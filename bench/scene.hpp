@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "arrangement/arrangement.hpp"
+#include "scenario/keys.hpp"
 #include "scenario/scenario.hpp"
 #include "simulation/simulation.hpp"
 

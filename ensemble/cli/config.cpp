@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <tbb/info.h>
+
 #include <cstdio>
+#include <iostream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,7 +15,9 @@
 #include "campaign/write.hpp"
 #include "cli/commands.hpp"
 #include "cli/config_file.hpp"
+#include "cli/terminal.hpp"
 #include "core/wording.hpp"
+#include "driver/plate_moduli.hpp"
 #include "tables/data_rows.hpp"
 
 namespace floes {
@@ -42,7 +47,8 @@ std::string reference_json() {
 std::string check_line(const Campaign& campaign) {
     std::string calibrated;
     for (const Case& one : campaign.cases) {
-        if (one.calibrate) calibrated += (calibrated.empty() ? "; to be calibrated: " : ", ") + one.name;
+        if (one.pairing == Pairing::find_cfm)
+            calibrated += (calibrated.empty() ? "; to be calibrated: " : ", ") + one.name;
     }
     std::string text = fmt::format("ok: {} x {} = {}{}\n", counted(std::ssize(campaign.cases), "case"),
                                    counted(campaign.arrangements, "arrangement"),
@@ -51,10 +57,16 @@ std::string check_line(const Campaign& campaign) {
     return text;
 }
 
+std::string check(Campaign campaign) {
+    Progress progress(std::cerr, style_of_standard_error());
+    settle_moduli(campaign, tbb::info::default_concurrency(), progress);
+    return check_line(campaign);
+}
+
 std::string answer(const ConfigOptions& options) {
     if (options.defaults) return default_configuration();
     if (options.reference) return options.format == "json" ? reference_json() : reference_markdown();
-    if (!options.check.empty()) return check_line(load_campaign(options.check, options.overrides));
+    if (!options.check.empty()) return check(load_campaign(options.check, options.overrides));
     return write_campaign(load_campaign(options.resolved, options.overrides));
 }
 

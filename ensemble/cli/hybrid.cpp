@@ -2,6 +2,7 @@
 // 8).
 
 #include <cstdio>
+#include <iostream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "cli/config_file.hpp"
 #include "cli/terminal.hpp"
 #include "core/units.hpp"
+#include "driver/plate_moduli.hpp"
 #include "findings/hybrid.hpp"
 
 namespace floes {
@@ -26,7 +28,11 @@ struct HybridOptions {
 
 Scenario scenario_of(const HybridOptions& options) {
     if (options.config.empty()) return Scenario{};
-    return load_campaign(options.config, options.overrides).cases.front().scenario;
+    Campaign campaign = load_campaign(options.config, options.overrides);
+    campaign.cases.resize(1);
+    Progress progress(std::cerr, style_of_standard_error());
+    settle_moduli(campaign, 1, progress);
+    return campaign.cases.front().scenario;
 }
 
 HybridModel model_of(const HybridOptions& options, const Scenario& scenario) {

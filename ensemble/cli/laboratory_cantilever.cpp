@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -15,6 +16,7 @@
 #include "laboratory/beam_stiffness.hpp"
 #include "laboratory/calibration.hpp"
 #include "laboratory/cantilever.hpp"
+#include "scenario/keys.hpp"
 #include "tables/number_text.hpp"
 #include "theory/beam.hpp"
 
@@ -45,7 +47,7 @@ BeamLoad load_of(const std::string& word) {
 }
 
 Scenario base_scenario(const CantileverOptions& options) {
-    if (options.config.empty()) return {};
+    if (options.config.empty()) return paper_scenario();
     return load_campaign(options.config, options.overrides).cases.front().scenario;
 }
 
@@ -55,8 +57,9 @@ std::vector<Row> measure(const CantileverOptions& options) {
         throw InputError("The elastic beam for comparison has one modulus; give a single --modulus-MPa.");
     const double foundation = scenario.water.density * scenario.general.gravity;
     std::vector<Row> rows;
-    for (const double cfm : options.cfm) {
-        scenario.joint.cfm = cfm;
+    const bool beams = scenario.joint.model == JointModel::beam;  // which have no Σ
+    for (const double cfm : beams ? std::vector<double>{NAN} : options.cfm) {
+        if (!beams) scenario.joint.cfm = cfm;
         for (const std::string& word : options.loads) {
             const BeamLoad load = load_of(word);
             // Shear and compression act on one element; a longer beam would only bend or transmit them.
@@ -81,9 +84,10 @@ Section section_of(const std::vector<Row>& rows, bool floating) {
     Table table{{"Σ", "mode", "length, m", "load, N", "strength, kPa", "set, kPa", "shown/set"}};
     if (floating) table.front().emplace_back("elastic beam");
     for (const Row& row : rows) {
-        table.push_back({fmt::format("{:.4g}", row.cfm), mode_of(row), fmt::format("{:.3g}", row.shown.length),
-                         fmt::format("{:.4g}", row.shown.load), fixed(row.shown.strength / unit::kilopascal, 2),
-                         fixed(row.shown.set / unit::kilopascal, 2), fixed(row.shown.strength / row.shown.set, 3)});
+        table.push_back({std::isnan(row.cfm) ? "beam" : fmt::format("{:.4g}", row.cfm), mode_of(row),
+                         fmt::format("{:.3g}", row.shown.length), fmt::format("{:.4g}", row.shown.load),
+                         fixed(row.shown.strength / unit::kilopascal, 2), fixed(row.shown.set / unit::kilopascal, 2),
+                         fixed(row.shown.strength / row.shown.set, 3)});
         if (floating) table.back().emplace_back(fixed(row.elastic, 3));
     }
     return {.table = std::move(table),

@@ -15,6 +15,7 @@
 #include "core/units.hpp"
 #include "driver/measure_curve.hpp"
 #include "laboratory/calibration.hpp"
+#include "scenario/keys.hpp"
 #include "tables/number_text.hpp"
 
 namespace floes {
@@ -40,7 +41,7 @@ struct PlateOptions {
 /// Without a configuration: the paper's ice as a plate of 0.030 m, as tested in its Fig. 2.
 Scenario base_scenario(const PlateOptions& options) {
     if (!options.config.empty()) return load_campaign(options.config, options.overrides).cases.front().scenario;
-    Scenario scenario;
+    Scenario scenario = paper_scenario();
     scenario.floe.thickness = 0.030;
     return scenario;
 }

@@ -78,7 +78,7 @@ PlanHead plan_head(const Campaign& campaign, const PlannedMembers& planned) {
         head.message_bytes = std::max(head.message_bytes, member.record_bytes);
     }
     head.source = planned.source;
-    head.calibrates = std::ranges::any_of(campaign.cases, &Case::calibrate);
+    head.calibrates = std::ranges::count(campaign.cases, Pairing::find_cfm, &Case::pairing) > 0;
     return head;
 }
 

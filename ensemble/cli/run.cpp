@@ -20,6 +20,7 @@
 #include "core/error.hpp"
 #include "core/wording.hpp"
 #include "driver/calibrate_campaign.hpp"
+#include "driver/plate_moduli.hpp"
 #include "driver/run_campaign.hpp"
 #include "driver/signals.hpp"
 #include "driver/worker.hpp"
@@ -113,6 +114,7 @@ int lead(const RunVerb& verb, const std::string& program, Link& link, Helper& he
             const LeaveOnSignals leave;  // nothing has started yet that would need an orderly end
             options.places.calibrations = calibrate_campaign(campaign, kept_calibrations(options.places),
                                                              threads_of(link, verb.threads), progress);
+            settle_moduli(campaign, threads_of(link, verb.threads), progress);
         }
         status = run_campaign(campaign, options, link, compute_member, progress, &helper);
     }

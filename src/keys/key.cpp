@@ -116,6 +116,12 @@ Key late_key(Key key) {
     return key;
 }
 
+Key only_with(std::string_view setting, std::function<bool()> in_force, Key key) {
+    key.only_with = setting;
+    key.in_force = std::move(in_force);
+    return key;
+}
+
 void copy_value(const Key& from, const Key& to) {
     std::visit(
         [&]<class Field>(const Field& source) {

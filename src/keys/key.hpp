@@ -71,9 +71,13 @@ struct Key {
     std::string_view former = {};  ///< path in 1.0.0, if it was another
     std::vector<Key> before = {};  ///< keys of 1.0.0 that this one replaced, bound to the same fields
     bool replaced = false;         ///< one of those
+    std::string_view only_with = {};      ///< setting without which the key has no effect: "joint.model = \"cfm\""
+    std::function<bool()> in_force = {};  ///< whether that setting holds; empty: the key always has an effect
 
     /// It has no field of its own, so digests and differences leave it out.
     bool derived() const { return preset || part; }
+    /// Another setting leaves it without effect.
+    bool idle() const { return in_force && !in_force(); }
 
     std::string_view table() const { return path.substr(0, path.find('.')); }
     std::string_view name() const { return path.substr(path.find('.') + 1); }
@@ -92,6 +96,9 @@ Key text_key(std::string_view path, std::string& field, std::string_view source,
 
 /// A key that came after the first campaigns: scenarios in which it has the value of before keep their digest.
 Key late_key(Key key);
+
+/// A key that has an effect only with another setting, `in_force` of which tells whether it holds.
+Key only_with(std::string_view setting, std::function<bool()> in_force, Key key);
 
 /// A key that sets several fields at once, each of which has a key of its own. It is read before those, wherever it
 /// stands in the text, so that they can change what it sets.

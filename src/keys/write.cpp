@@ -41,6 +41,12 @@ std::string broken_literal(const Key& key) {
     return broken;
 }
 
+/// What the key does, and with which other setting if it needs one.
+std::string meaning(const Key& key) {
+    if (key.only_with.empty()) return std::string(key.doc);
+    return fmt::format("{} Only with {}.", key.doc, key.only_with);
+}
+
 /// Escapes "|", which would end a cell of a Markdown table.
 std::string cell(std::string_view given) {
     std::string text(given);
@@ -63,10 +69,12 @@ std::string write_tables(std::span<const Key> keys, const TableTitles& titles, C
             text += fmt::format("[{}]\n", table);
         }
         if (comments == Comments::all) {
-            text +=
-                "\n" + comment(key.doc) + comment(fmt::format("Allowed: {}. Source: {}.", allowed(key), key.source));
+            text += "\n" + comment(meaning(key)) +
+                    comment(fmt::format("Allowed: {}. Source: {}.", allowed(key), key.source));
         }
-        text += fmt::format("{} = {}\n", key.name(), broken_literal(key));
+        // A key without effect is not set: it would be refused.
+        const bool idle = comments == Comments::all && key.idle();
+        text += fmt::format("{}{} = {}\n", idle ? "# " : "", key.name(), broken_literal(key));
     }
     return text;
 }
@@ -83,7 +91,7 @@ std::string reference_markdown(std::span<const Key> keys, const TableTitles& tit
             text += "| key | default | allowed | meaning | source of the default |\n|---|---|---|---|---|\n";
         }
         text += fmt::format("| `{}` | `{}` | {} | {} | {} |\n", key.path, literal(key), cell(allowed(key)),
-                            cell(key.doc), cell(key.source));
+                            cell(meaning(key)), cell(key.source));
     }
     return text;
 }

@@ -95,7 +95,7 @@ BeamStiffness measure_beam_stiffness(const Scenario& scenario, int elements) {
     if (scenario.joint.model != JointModel::beam) {
         throw InputError(
             "The stiffness of joints that follow Σ and Γ changes with the time step; take joint.model = \"beam\" and "
-            "general.solver = \"direct\", or measure a sheet with floes calibrate.");
+            "general.solver = \"direct\", or measure a sheet with floes laboratory plate.");
     }
     const double side = scenario.floe.element;
     const double stiffness = elastic_ice(scenario.floe, scenario.material()).flexural_rigidity() * side;

@@ -43,7 +43,8 @@ class Curve {
     throw InputError(
         fmt::format("An elastic modulus of {:.6g} MPa is above {:.4g} MPa, the largest that elements of {} m reach "
                     "with {} iterations and a time step of {} s: sweeps that have not converged leave the ice soft "
-                    "however small Σ is. Allowed is less; try more iterations or larger elements.",
+                    "however small Σ is. Allowed is less; try more iterations or larger elements, or joints without "
+                    "such a limit: joint.model = \"beam\" with general.solver = \"direct\".",
                     wanted / unit::megapascal, ceiling / unit::megapascal, scenario.floe.element,
                     scenario.general.iterations, scenario.general.time_step));
 }

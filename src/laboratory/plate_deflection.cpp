@@ -140,6 +140,13 @@ PlateTest plate_test_for(const Scenario& scenario) {
     return test;
 }
 
+PlateTest whole_plate_test(const Scenario& scenario) {
+    PlateTest test = plate_test_for(scenario);
+    // Slightly enlarged, so that rounding does not lose an element if the elements divide the sheet.
+    test.sheet = std::floor(test.sheet / scenario.floe.element * (1 + 1e-9)) * scenario.floe.element;
+    return test;
+}
+
 PlateDeflection measure_plate_deflection(const Scenario& scenario, const PlateTest& test) {
     if (!(test.load > 0) || test.increments < 1)
         throw InputError(fmt::format("A plate test needs a load above 0 N in at least 1 increment, not {} N in {}.",

@@ -19,6 +19,9 @@ struct PlateTest {
 /// paper's.
 PlateTest plate_test_for(const Scenario& scenario);
 
+/// The same on the largest sheet up to that size that the scenario's elements divide.
+PlateTest whole_plate_test(const Scenario& scenario);
+
 struct PlateDeflection {
     std::vector<double> load;          ///< N, of each increment
     std::vector<double> deflection;    ///< m, of the centre of the sheet, downwards

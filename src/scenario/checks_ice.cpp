@@ -87,6 +87,33 @@ void check_floating(const Scenario& scenario, Contradictions& found) {
     }
 }
 
+void check_proportions(const Scenario& scenario, Contradictions& found) {
+    constexpr double largest_strain = 0.1;        // at failure; ice breaks at some 1e-4, model ice at some 1e-3
+    constexpr double least_concentration = 0.01;  // less is a fraction that was meant as a percentage
+    const double side = std::min(scenario.floe.length, scenario.floe.breadth);
+    if (scenario.floe.thickness > side) {
+        found.push_back({{"ice.thickness_m", "floe.length_m", "floe.breadth_m"},
+                         fmt::format("{} is more than the floe's side of {:g} m, so that it would lie on its edge; a "
+                                     "floe is a sheet. Take thinner ice or larger floes",
+                                     given(scenario, "ice.thickness_m"), side)});
+    }
+    if (scenario.ice.bending_strength > largest_strain * scenario.ice.elastic_modulus) {
+        found.push_back(
+            {{"ice.bending_strength_kPa", "ice.elastic_modulus_MPa"},
+             fmt::format("{} is more than a tenth of {}: such ice is rubber, and joints are elastic only as "
+                         "long as they turn little. Sea ice has some 500 kPa and 5000 MPa, model ice some "
+                         "40 kPa and 60 MPa; mind that one is in kPa and the other in MPa",
+                         given(scenario, "ice.bending_strength_kPa"), given(scenario, "ice.elastic_modulus_MPa"))});
+    }
+    if (scenario.field.concentration < least_concentration && scenario.arrangement.method != ArrangementMethod::file) {
+        found.push_back(
+            {{"field.concentration_percent"},
+             fmt::format("{} is less than 1 percent, a field of {:.4g} m almost without ice; write 75 for three "
+                         "quarters. For single floes in open water give their places: arrangement.method = \"file\"",
+                         given(scenario, "field.concentration_percent"), scenario.field_length())});
+    }
+}
+
 void check_solver(const Scenario& scenario, Contradictions& found) {
     const SolverKind solver = scenario.general.solver;
     std::vector<Refusal> refused = refused_contacts(solver, scenario.contact);

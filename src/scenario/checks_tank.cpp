@@ -143,6 +143,7 @@ void check_given_floes(const Scenario& scenario, Contradictions& found) {
             Contradictions of_floe;
             check_sides(alike, of_floe);
             check_floating(alike, of_floe);
+            check_proportions(alike, of_floe);
             for (Contradiction& one : of_floe) {
                 one.sentence = fmt::format("floe {}: {}", i, one.sentence);
                 found.push_back(std::move(one));

@@ -10,9 +10,9 @@
 namespace floes {
 namespace {
 
-/// The values that late keys have in a scenario from before them, by the paths of 1.0.0.
+/// The values that late keys had before they came, by the paths of 1.0.0.
 std::map<std::string_view, std::string> late_texts() {
-    Scenario scenario = before_late_keys();
+    Scenario scenario = paper_scenario();
     std::map<std::string_view, std::string> texts;
     for (const Key& key : keys_of_digest(describe(scenario)))
         if (key.late) texts.emplace(key.path, exact_text(key));
@@ -64,10 +64,24 @@ TableTitles scenario_titles() {
     };
 }
 
-Scenario before_late_keys() {
+Scenario paper_scenario() {
     Scenario scenario;
+    scenario.general.iterations = 50;
+    scenario.general.solver = SolverKind::lanes;
+    scenario.joint.model = JointModel::cfm;
     scenario.contact = with_preset(scenario.contact, ContactPreset::paper);
     return scenario;
+}
+
+bool is_superfluous(const Key& key) {
+    static const std::map<std::string_view, std::string> usual = [] {
+        Scenario scenario;  // keys that another one leaves without effect have the paper's values there, too
+        std::map<std::string_view, std::string> texts;
+        for (const Key& one : describe(scenario))
+            if (one.in_force) texts.emplace(one.path, exact_text(one));
+        return texts;
+    }();
+    return key.idle() && exact_text(key) == usual.at(key.path);
 }
 
 // A late key is left out where it has the value of before, so that members stored before it came keep their digest.

@@ -20,9 +20,12 @@ Keys describe(Scenario& scenario);
 /// A sentence about each table.
 TableTitles scenario_titles();
 
-/// The scenario of a text without any keys that was stored before there were late ones: their fields have the values
-/// that were in force then.
-Scenario before_late_keys();
+/// The paper's tank as the paper's program most likely computed it: sweeps over joints that follow Σ, Bullet's
+/// contacts. Also what a stored text means where it is silent, since the first campaigns had these values.
+Scenario paper_scenario();
+
+/// Whether the key is without effect and has its usual value, so that a text need not have it.
+bool is_superfluous(const Key& key);
 
 /// "path = value" in SI for all keys, with the paths and forms of 1.0.0: equal exactly when the scenarios are.
 std::string canonical_text(const Scenario& scenario);

@@ -27,8 +27,8 @@ enum class FormDragOn { outline, every_element };  ///< edge faces that form dra
 /// Time stepping and the constraint solver.
 struct General {
     double time_step = 0.02;  ///< Δt, s (Table 1)
-    int iterations = 50;      ///< projected Gauss-Seidel sweeps a step; direct: over contacts
-    SolverKind solver = SolverKind::lanes;
+    int iterations = 20;      ///< projected Gauss-Seidel sweeps a step; direct: over contacts
+    SolverKind solver = SolverKind::direct;
     double gravity = 9.81;        ///< m/s²
     double runaway_speed = 10.0;  ///< m/s; an element faster than this ends the member as failed
 };
@@ -42,7 +42,7 @@ struct Ice {
     double tensile_strength = 0;            ///< Pa; 0: no criterion (the paper has none)
     double torsion_strength = 0;            ///< Pa; 0: no criterion
     double in_plane_bending_strength = 0;   ///< Pa; 0: no criterion
-    double elastic_modulus = 60e6;          ///< E, Pa; where joints follow Σ, only a label
+    double elastic_modulus = 60e6;          ///< E, Pa; of joints that follow Σ it is what a plate test shows
     double poisson_ratio = 0.3;             ///< ν, of beam joints
 
     friend auto operator<=>(const Ice&, const Ice&) = default;
@@ -67,7 +67,7 @@ struct FloeShape {
 
 /// The fixed joints between elements.
 struct Joint {
-    JointModel model = JointModel::cfm;
+    JointModel model = JointModel::beam;
     double cfm = 0.016;           ///< Σ, Bullet's relative number (docs/calibration.md); below 1
     double erp = 0.8;             ///< Γ (Table 1)
     double damping_ratio = 0.05;  ///< of beam joints, of critical

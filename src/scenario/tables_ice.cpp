@@ -6,19 +6,20 @@
 namespace floes {
 
 void add_general(Keys& keys, General& general) {
-    keys.push_back(number_key("general.time_step_s", general.time_step, unit::one, above(0).at_most(1), "Table 1",
-                              "Time step. The stiffness of joints is proportional to its inverse square (see [joint]), "
-                              "so another time step gives other ice."));
-    keys.push_back(integer_key(
-        "general.iterations", general.iterations, 1, 100000, "inferred from Fig. 2; Bullet's own default is 10",
-        "Projected Gauss-Seidel sweeps per step. With solver direct they are over contacts only, and 20 are enough "
-        "(docs/convergence.md). With the others more sweeps make ice of small cfm stiffer: at cfm 1e-10 a sheet shows "
-        "37, 207 and 421 MPa at 10, 50 and 100 sweeps. Run time is proportional to it."));
     keys.push_back(
-        word_key("general.solver", general.solver, {"stock", "lanes", "direct"}, "the paper",
-                 "Constraint solver: lanes sweeps over joints and contacts, with many floes at once, one per "
-                 "SIMD lane; stock is Bullet's own, the reference. direct solves all joints of a floe "
-                 "exactly, so that only contacts need iterations (docs/ice.md)."));
+        number_key("general.time_step_s", general.time_step, unit::one, above(0).at_most(1), "Table 1",
+                   "Time step. With joint.model = \"cfm\" the stiffness of joints is proportional to its inverse "
+                   "square (see [joint]), so another time step gives other ice."));
+    keys.push_back(integer_key(
+        "general.iterations", general.iterations, 1, 100000, "docs/convergence.md",
+        "Projected Gauss-Seidel sweeps per step. With solver direct they are over contacts only, and 20 are enough. "
+        "With the others more sweeps make ice of small cfm stiffer: at cfm 1e-10 a sheet shows 37, 207 and 421 MPa at "
+        "10, 50 and 100 sweeps; the paper's figures need 50."));
+    keys.push_back(word_key(
+        "general.solver", general.solver, {"stock", "lanes", "direct"}, "E as stated, without a ceiling; docs/ice.md",
+        "Constraint solver: direct solves all joints of a floe exactly, so that only contacts need "
+        "iterations (docs/ice.md). lanes sweeps over joints and contacts, with many floes at once, one per "
+        "SIMD lane; stock is Bullet's own, the reference and the paper's."));
     keys.push_back(
         number_key("general.gravity_m_s2", general.gravity, unit::one, above(0).at_most(100), "standard", "Gravity."));
     keys.push_back(number_key(
@@ -51,9 +52,10 @@ void add_ice(Keys& keys, FloeShape& floe, Ice& ice) {
                               "Strength in bending about the vertical axis; 0: no failure criterion."));
     keys.push_back(number_key(
         "ice.elastic_modulus_MPa", ice.elastic_modulus, unit::megapascal, above(0).at_most(1e6), "Table 1",
-        "Nominal E of the case. If joint.cfm is given too, it is only a label in results: joint.cfm sets the "
-        "stiffness. If joint.cfm is not given, floes run finds the joint.cfm with which a sheet shows this E. With "
-        "joint.model = \"beam\" it is the E of the ice."));
+        "E of the ice. With joint.model = \"beam\" joints get their stiffness from it. With \"cfm\" floes run finds "
+        "the joint.cfm with which a sheet of this ice shows it; if joint.cfm is given as well, both have to agree "
+        "within "
+        "5 % in a plate test; and if only joint.cfm is given, this E is what that test shows."));
     keys.push_back(late_key(number_key("ice.poisson_ratio", ice.poisson_ratio, unit::one, at_least(0).at_most(0.5),
                                        "usual for ice", "Poisson's ratio ν, with joint.model = \"beam\".")));
 }
@@ -64,26 +66,37 @@ void add_floe(Keys& keys, FloeShape& floe) {
         number_key("floe.length_m", floe.length, unit::one, size, "Table 1", "Length of a floe along its own x."));
     keys.push_back(
         number_key("floe.breadth_m", floe.breadth, unit::one, size, "Table 1", "Breadth of a floe along its own z."));
-    keys.push_back(number_key("floe.element_m", floe.element, unit::one, size, "Table 1",
-                              "Side of the square elements; must divide length and breadth. Together with joint.cfm it "
-                              "sets the elastic modulus. Floes break only along the grid of elements."));
+    keys.push_back(number_key(
+        "floe.element_m", floe.element, unit::one, size, "Table 1",
+        "Side of the square elements; must divide length and breadth. Floes break only along the grid of elements."));
 }
 
 void add_joint(Keys& keys, Joint& joint) {
-    keys.push_back(number_key(
+    const auto with_cfm = [&joint](Key key) {
+        return only_with(
+            "joint.model = \"cfm\"", [&joint] { return joint.model == JointModel::cfm; }, std::move(key));
+    };
+    const auto with_beams = [&joint](Key key) {
+        return only_with(
+            "joint.model = \"beam\"", [&joint] { return joint.model == JointModel::beam; }, std::move(key));
+    };
+    keys.push_back(with_cfm(number_key(
         "joint.cfm", joint.cfm, unit::one, above(0).below(1).because("at 1 and above the solver diverges"), "Table 1",
-        "Constraint force mixing Σ of all six axes, Bullet's dimensionless number. A larger value gives softer ice."));
-    keys.push_back(number_key("joint.erp", joint.erp, unit::one, above(0).at_most(1), "Table 1",
-                              "Error reduction parameter Γ: the share of a joint's error corrected in each step. "
-                              "Stiffness is proportional to it."));
+        "Constraint force mixing Σ of all six axes, Bullet's dimensionless number. A larger value gives softer ice. "
+        "With "
+        "general.solver = \"stock\" or \"lanes\" iterations leave the ice soft however small it is.")));
+    keys.push_back(
+        with_cfm(number_key("joint.erp", joint.erp, unit::one, above(0).at_most(1), "Table 1",
+                            "Error reduction parameter Γ: the share of a joint's error corrected in each step. "
+                            "Stiffness is proportional to it.")));
     keys.push_back(late_key(word_key(
-        "joint.model", joint.model, {"cfm", "beam"}, "the paper",
-        "How stiff joints are. cfm: by cfm and erp, together with element size, time step and iterations. beam: an "
-        "elastic beam from centre to centre, whose stiffness follows from ice.elastic_modulus_MPa, "
-        "ice.poisson_ratio, element side and thickness; with general.solver = \"direct\" only (docs/ice.md).")));
-    keys.push_back(late_key(
-        number_key("joint.damping_ratio", joint.damping_ratio, unit::one, at_least(0).at_most(10), "judgement",
-                   "Damping of beam joints: share of critical for two elements that swing against each other.")));
+        "joint.model", joint.model, {"cfm", "beam"}, "E as stated, whatever the elements; docs/ice.md",
+        "How stiff joints are. beam: an elastic beam from centre to centre, whose stiffness follows from "
+        "ice.elastic_modulus_MPa, ice.poisson_ratio, element side and thickness; with general.solver = \"direct\" only "
+        "(docs/ice.md). cfm: by cfm and erp, together with element size, time step and iterations, as in the paper.")));
+    keys.push_back(with_beams(
+        late_key(number_key("joint.damping_ratio", joint.damping_ratio, unit::one, at_least(0).at_most(10), "judgement",
+                            "Damping of joints: share of critical for two elements that swing against each other."))));
 }
 
 namespace {

@@ -8,6 +8,7 @@ std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
     Contradictions found;
     check_elements(scenario, found);
     check_floating(scenario, found);
+    check_proportions(scenario, found);
     check_solver(scenario, found);
     check_time(scenario, found);
     check_levels(scenario, found);

@@ -25,6 +25,7 @@ void validate(const Scenario& scenario);
 void check_elements(const Scenario& scenario, Contradictions& found);  ///< floes are whole elements, not too many
 void check_sides(const Scenario& scenario, Contradictions& found);     ///< floes are whole elements
 void check_element_count(const Scenario& scenario, double elements, Contradictions& found);  ///< of all floes
+void check_proportions(const Scenario& scenario, Contradictions& found);  ///< sheets that bend a little, and a field
 void check_solver(const Scenario& scenario, Contradictions& found);       ///< it refuses nothing that it is to do
 void check_floating(const Scenario& scenario, Contradictions& found);     ///< the ice floats, heave is stable
 void check_time(const Scenario& scenario, Contradictions& found);         ///< whole steps, segments, history values

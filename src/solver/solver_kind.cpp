@@ -43,7 +43,7 @@ std::vector<Refusal> refused_contacts(SolverKind solver, const ContactLaw& law) 
 std::optional<Refusal> refused_springs(SolverKind solver) {
     if (solver == SolverKind::direct) return std::nullopt;
     return Refusal{"joint.model", solver_key, "joints as stiff as ice do not converge in sweeps",
-                   "general.solver = \"direct\""};
+                   "general.solver = \"direct\", or joint.model = \"cfm\""};
 }
 
 std::optional<Refusal> refused_sleep(SolverKind solver) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "member/run_member.hpp"
+#include "support/sweeping_scenario.hpp"
 
 namespace floes {
 namespace {
@@ -15,7 +16,7 @@ Campaign short_campaign() {
     made.name = "short";
     made.seed = 7;
     made.arrangements = 2;
-    Scenario scenario;
+    Scenario scenario = sweeping_scenario();
     scenario.field.floes = 4;
     scenario.field.concentration = 0.4;
     scenario.field.begin = 2.0;

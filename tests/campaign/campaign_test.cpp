@@ -8,18 +8,22 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include <fstream>
 #include <iterator>
 #include <set>
 
 #include "campaign/campaign_keys.hpp"
 #include "scenario/keys.hpp"
+#include "support/sweeping_scenario.hpp"
 
 namespace floes {
 namespace {
 
 Campaign sample() {
-    Campaign campaign{"sample", 7, 4, {{"E30", {}}, {"E60", {}}, {"E200", {}}}, {}};
+    const Scenario scenario = sweeping_scenario();
+    Campaign campaign{"sample", 7, 4, {{"E30", scenario}, {"E60", scenario}, {"E200", scenario}}, {}};
     campaign.cases[0].scenario.joint.cfm = 0.03;
     campaign.cases[0].scenario.ice.elastic_modulus = 30e6;
     campaign.cases[2].scenario.joint.cfm = 1e-10;
@@ -161,7 +165,7 @@ TEST(WriteCampaign, ReadsBackEqual) {
 }
 
 TEST(WriteCampaign, GivenPosesReadBackBitForBit) {
-    Scenario scenario;
+    Scenario scenario = sweeping_scenario();
     scenario.arrangement.method = ArrangementMethod::file;
     scenario.field.floes = 9;
     scenario.field.concentration = 0.04;
@@ -180,16 +184,23 @@ TEST(WriteCampaign, CasesListOnlyWhatDiffers) {
               "[[case]]\nname = \"E200\"\nice.elastic_modulus_MPa = 200.0\njoint.cfm = 1e-10\n");
 }
 
-TEST(WriteCampaign, WhatIsToBeCalibratedReadsBackSo) {
-    Campaign written = sample();
-    for (const std::vector<bool>& calibrate :
-         {std::vector{false, true, false}, {true, false, true}, {true, true, true}}) {
+TEST(WriteCampaign, WhatIsToBeFoundReadsBackSo) {
+    constexpr Pairing settled = Pairing::settled;
+    constexpr Pairing cfm = Pairing::find_cfm;
+    constexpr Pairing modulus = Pairing::find_modulus;
+    for (const std::array<Pairing, 3>& pairings : {std::array{settled, cfm, settled},
+                                                   {cfm, settled, cfm},
+                                                   {cfm, cfm, cfm},
+                                                   {modulus, settled, cfm},
+                                                   {modulus, modulus, modulus}}) {
+        Campaign written = sample();
         for (std::size_t i = 0; i < 3; ++i) {
-            written.cases[i].calibrate = calibrate[i];
-            if (calibrate[i]) written.cases[i].scenario.joint.cfm = Scenario{}.joint.cfm;
+            written.cases[i].pairing = pairings[i];
+            if (pairings[i] == cfm) written.cases[i].scenario.joint.cfm = Joint{}.cfm;
+            if (pairings[i] == modulus) written.cases[i].scenario.ice.elastic_modulus = Ice{}.elastic_modulus;
         }
         const Campaign read_back = read_campaign({write_campaign(written), "other.toml", {}}, nullptr);
-        for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(read_back.cases[i].calibrate, calibrate[i]) << i;
+        for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(read_back.cases[i].pairing, pairings[i]) << i;
         EXPECT_EQ(fingerprint(read_back), fingerprint(written));
         EXPECT_TRUE(differences(written, read_back).empty());
     }
@@ -198,7 +209,7 @@ TEST(WriteCampaign, WhatIsToBeCalibratedReadsBackSo) {
 TEST(Campaign, AStatedSigmaIsNotTheSameAsOneToBeFound) {
     const Campaign stated = sample();
     Campaign wanted = sample();
-    wanted.cases[1].calibrate = true;
+    wanted.cases[1].pairing = Pairing::find_cfm;
     EXPECT_NE(fingerprint(wanted), fingerprint(stated));
     EXPECT_NE(case_fingerprint(wanted, 1), case_fingerprint(stated, 1));
     EXPECT_EQ(case_fingerprint(wanted, 0), case_fingerprint(stated, 0));
@@ -227,15 +238,15 @@ void expect_table3(const char* path, const Scenario& expected) {
     }
 }
 
-TEST(Configurations, Table3IsTheDefaultsWithThePapersContacts) {
-    Scenario papers;
-    papers.contact = with_preset({.erp = 0.8}, ContactPreset::paper);
+TEST(Configurations, Table3IsThePapersScenario) {
+    Scenario papers = paper_scenario();
+    papers.contact.erp = 0.8;
     papers.joint.moment_about = MomentAbout::element_centre;
     expect_table3("configs/table3.toml", papers);
 }
 
-TEST(Configurations, Table3PhysicalIsTheDefaults) {
-    expect_table3("configs/table3_physical.toml", {});
+TEST(Configurations, Table3PhysicalHasSweepsAndPhysicalContacts) {
+    expect_table3("configs/table3_physical.toml", sweeping_scenario());
 }
 
 TEST(Configurations, TheExampleOfADesignHasSaltellisPoints) {
@@ -260,7 +271,7 @@ TEST(Configurations, ReferenceNamesEveryKeyOnce) {
     CampaignHead head;
     Design design;
     StopRule stop;
-    Scenario scenario;
+    Scenario scenario = sweeping_scenario();
     RunRules rules;
     EXPECT_EQ(keys.size(), describe(scenario).size() + describe(head).size() + describe(design).size() +
                                describe(stop).size() + describe(rules).size());

@@ -256,12 +256,12 @@ TEST(Design, EveryMistakeIsASentence) {
 
 TEST(Design, HasTooManyCasesForMessages) {
     const std::string text = design("method = \"sobol\"\npoints = 32\n") + sobol_axes;
-    const Campaign many = read(text, {"floe.element_m=0.6"});
-    const Campaign more = read(text, {"floe.element_m=0.6", "design.points=64"});
+    const Campaign many = read(text, {"floe.element_m=0.6", "ice.elastic_modulus_MPa=60"});
+    const Campaign more = read(text, {"floe.element_m=0.6", "ice.elastic_modulus_MPa=60", "design.points=64"});
     EXPECT_THAT(differences(many, more),
                 ElementsAre("cases: p000, p001, p002 … (32 in all) there, p000, p001, p002 … (64 in all) here"));
-    EXPECT_EQ(advice(many).size(), 13u);
-    EXPECT_EQ(advice(many).back(), "The same holds for 20 further cases.");
+    ASSERT_EQ(advice(many).size(), 1u);
+    EXPECT_THAT(advice(many).front(), HasSubstr("(31 in all)."));
 }
 
 TEST(CommonArrangements, AreOfCasesWithOneGeometry) {

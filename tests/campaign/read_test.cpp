@@ -17,6 +17,12 @@ const char* const three_cases = R"([campaign]
 seed = 7
 arrangements = 12
 
+[general]
+solver = "lanes"
+
+[joint]
+model = "cfm"
+
 [ice]
 thickness_m = 0.03
 
@@ -59,6 +65,9 @@ std::string message(const std::string& text, const std::vector<std::string>& ove
     return "accepted";
 }
 
+/// Joints that follow Σ, in sweeps.
+const std::string sweeps = "general.solver = \"lanes\"\njoint.model = \"cfm\"\n";
+
 /// Two floes in a channel of 15 m, poses to come from `file`.
 std::string with_file(const std::string& file) {
     return "[arrangement]\nmethod = \"file\"\nfile = \"" + file +
@@ -92,11 +101,21 @@ TEST(ReadCampaign, SingleCaseIsNamedFromItsModulus) {
     EXPECT_EQ(read("", {"ice.elastic_modulus_MPa=200"}).cases[0].name, "E200");
 }
 
-TEST(ReadCampaign, AModulusWithoutASigmaIsToBeCalibrated) {
-    const auto calibrated = [](const std::string& text, const std::vector<std::string>& overrides = {}) {
+TEST(ReadCampaign, WhatIsNotStatedOfEAndSigmaIsToBeFound) {
+    const auto with = [&](Pairing pairing, const std::string& text, const std::vector<std::string>& overrides) {
         std::string names;
-        for (const Case& one : read(text, overrides).cases) names += one.calibrate ? one.name + " " : "";
+        for (const Case& one : read(sweeps + text, overrides).cases)
+            names += one.pairing == pairing ? one.name + " " : "";
         return names;
+    };
+    const auto calibrated = [&](const std::string& text, const std::vector<std::string>& overrides = {}) {
+        return with(Pairing::find_cfm, text, overrides);
+    };
+    const auto measured = [&](const std::string& text, const std::vector<std::string>& overrides = {}) {
+        return with(Pairing::find_modulus, text, overrides);
+    };
+    const auto compared = [&](const std::string& text, const std::vector<std::string>& overrides = {}) {
+        return with(Pairing::check, text, overrides);
     };
     const std::string modulus = "[ice]\nelastic_modulus_MPa = 45.0\n";
     const std::string cfm = "[joint]\ncfm = 0.02\n";
@@ -106,19 +125,36 @@ TEST(ReadCampaign, AModulusWithoutASigmaIsToBeCalibrated) {
         "[[case]]\nname = \"long\"\nice.elastic_modulus_MPa = 30.0\n"
         "[[case]]\nname = \"both\"\nelastic_modulus_MPa = 30.0\ncfm = 0.03\n"
         "[[case]]\nname = \"cfm\"\ncfm = 0.03\n";
-    EXPECT_EQ(calibrated(""), "");
+    EXPECT_EQ(calibrated(""), "E60 ");
     EXPECT_EQ(calibrated(modulus), "E45 ");
-    EXPECT_EQ(calibrated(cfm), "");
-    EXPECT_EQ(calibrated(modulus + cfm), "");
-    EXPECT_EQ(calibrated(modulus, {"joint.cfm=0.02"}), "");
+    EXPECT_EQ(measured(cfm), "cfm0.02 ");
+    EXPECT_EQ(compared(modulus + cfm), "E45 ");
+    EXPECT_EQ(compared(modulus, {"joint.cfm=0.02"}), "E45 ");
     EXPECT_EQ(calibrated("", {"ice.elastic_modulus_MPa=45"}), "E45 ");
-    EXPECT_EQ(calibrated(cases), "short long ");
-    EXPECT_EQ(calibrated(modulus + cases), "plain short long ");
-    EXPECT_EQ(calibrated(cfm + cases), "");
+    EXPECT_EQ(calibrated(cases), "plain short long ");
+    EXPECT_EQ(measured(cases), "cfm ");
+    EXPECT_EQ(compared(cases), "both ");
+    EXPECT_EQ(measured(cfm + cases), "plain cfm ");
+    EXPECT_EQ(compared(cfm + cases), "short long both ");
     EXPECT_EQ(calibrated(cases, {"case.short.cfm=0.02", "case.plain.elastic_modulus_MPa=30"}), "plain long ");
-    EXPECT_EQ(read(cases).cases[1].scenario.ice.elastic_modulus, 30e6);
-    const std::string beams = "[general]\nsolver = \"direct\"\n[joint]\nmodel = \"beam\"\n";  // E is what it says
-    EXPECT_EQ(calibrated(beams + cases), "");
+    EXPECT_EQ(read(sweeps + cases).cases[1].scenario.ice.elastic_modulus, 30e6);
+    const Campaign of_file = read_campaign({sweeps + cases, "a.toml", {}}, nullptr);
+    EXPECT_EQ(of_file.cases[3].pairing, Pairing::settled) << "a stored text was compared before";
+    EXPECT_EQ(compared("run.nominal_modulus = true\n" + modulus + cfm), "");
+    EXPECT_EQ(read(modulus).cases[0].pairing, Pairing::settled) << "beams have the E that is stated";
+}
+
+TEST(ReadCampaign, RefusesKeysThatNoCaseUses) {
+    EXPECT_EQ(message("joint.cfm = 0.02\n"),
+              "configs/a.toml:1: joint.cfm = 0.02 has no effect: it needs joint.model = \"cfm\". Add that, or leave "
+              "joint.cfm out.");
+    EXPECT_EQ(message("", {"joint.erp=0.5"}),
+              "--set joint.erp=0.5: joint.erp = 0.5 has no effect: it needs joint.model = \"cfm\". Add that, or leave "
+              "joint.erp out.");
+    const std::string both = "[joint]\ncfm = 0.02\n[[case]]\nname = \"A\"\n[[case]]\nname = \"B\"\n";
+    EXPECT_EQ(message(both + "joint.model = \"cfm\"\n"), "accepted") << "one case uses it";
+    EXPECT_NE(message(both), "accepted");
+    EXPECT_EQ(message("joint.cfm = 0.016\njoint.damping_ratio = 0.05\n"), "accepted") << "as if they were not there";
 }
 
 TEST(ReadCampaign, OrderOfTheTextDoesNotMatter) {
@@ -143,7 +179,7 @@ TEST(ReadCampaign, OverridesComeLast) {
 }
 
 TEST(ReadCampaign, CaseOverrideFindsTheLongestName) {
-    const std::string text = "[[case]]\nname = \"E\"\n[[case]]\nname = \"E.b\"\n";
+    const std::string text = sweeps + "[[case]]\nname = \"E\"\n[[case]]\nname = \"E.b\"\n";
     EXPECT_EQ(read(text, {"case.E.b.joint.erp=0.5"}).cases[1].scenario.joint.erp, 0.5);
 }
 
@@ -206,7 +242,7 @@ TEST(ReadCampaign, EveryMessageIsOneSentence) {
          "configs/a.toml:2: floe.element_m = 0.2 does not divide floe.length_m = 0.5; the nearest side that does is "
          "0.166667"},
         {cases + "floe.element_m = 0.25\n",
-         "configs/a.toml:20: case E200: floe.element_m = 0.25 does not divide floe.length_m = 0.6; the nearest side "
+         "configs/a.toml:26: case E200: floe.element_m = 0.25 does not divide floe.length_m = 0.6; the nearest side "
          "that does "
          "is 0.3"},
         {"[arrangement]\nfile = \"poses.csv\"\n",
@@ -241,7 +277,7 @@ TEST(ReadCampaign, EveryMessageAboutOverridesIsOneSentence) {
         {"ice.thicknes_m=0.03",
          "--set ice.thicknes_m=0.03: ice.thicknes_m = 0.03 is not a key; did you mean ice.thickness_m?"},
         {"joint.cfm=0.5",
-         "--set joint.cfm=0.5: the [[case]] at configs/a.toml:8 sets joint.cfm itself; override it there, --set "
+         "--set joint.cfm=0.5: the [[case]] at configs/a.toml:14 sets joint.cfm itself; override it there, --set "
          "case.NAME.joint.cfm=0.5"},
         {"case.E61.cfm=0.5",
          "--set case.E61.cfm=0.5: case.E61.cfm names no case; the cases are E30, E60, E200, written case.E30.KEY"},
@@ -297,7 +333,7 @@ const Case& only_case(const Campaign& campaign) {
 }
 
 TEST(ReadCampaign, APresetOfACaseOverrulesNoOverrideUnseen) {
-    const std::string text = "[[case]]\nname = \"a\"\ncontact.preset = \"paper\"\n[[case]]\nname = \"b\"\n";
+    const std::string text = sweeps + "[[case]]\nname = \"a\"\ncontact.preset = \"paper\"\n[[case]]\nname = \"b\"\n";
     EXPECT_EQ(refusal([&] { read(text, {"contact.law=crushing"}); }),
               "--set contact.law=crushing: the preset of case a says contact.law = \"rigid\"; override it there, --set "
               "case.a.contact.law=\"crushing\"");
@@ -307,21 +343,21 @@ TEST(ReadCampaign, APresetOfACaseOverrulesNoOverrideUnseen) {
 }
 
 TEST(Preset, SetsItsKeysBeforeThoseThatAreGiven) {
-    const Campaign paper = read("[contact]\nlaw = \"crushing\"\npreset = \"paper\"\n");
+    const Campaign paper = read(sweeps + "[contact]\nlaw = \"crushing\"\npreset = \"paper\"\n");
     EXPECT_EQ(only_case(paper).scenario.contact.normal, NormalLaw::crushing) << "given beside it, before or after";
     EXPECT_EQ(only_case(paper).scenario.contact.friction, Friction::one_direction);
-    const Campaign overridden = read("[contact]\nfriction = \"cone\"\n", {"contact.preset=paper"});
+    const Campaign overridden = read(sweeps + "[contact]\nfriction = \"cone\"\n", {"contact.preset=paper"});
     EXPECT_EQ(only_case(overridden).scenario.contact.friction, Friction::one_direction) << "--set comes after the file";
-    const Campaign cases = read(
-        "[contact]\npreset = \"paper\"\n[[case]]\nname = \"a\"\ncontact.friction = \"cone\"\n"
-        "contact.preset = \"physical\"\n[[case]]\nname = \"b\"\n");
+    const Campaign cases = read(sweeps +
+                                "[contact]\npreset = \"paper\"\n[[case]]\nname = \"a\"\ncontact.friction = \"cone\"\n"
+                                "contact.preset = \"physical\"\n[[case]]\nname = \"b\"\n");
     EXPECT_EQ(preset_of(cases.cases[0].scenario.contact), ContactPreset::physical);
     EXPECT_EQ(preset_of(cases.cases[1].scenario.contact), ContactPreset::paper);
 }
 
 TEST(Preset, OfACaseByOverrideComesBeforeItsKeysToo) {
     const Campaign campaign =
-        read("[[case]]\nname = \"a\"\n", {"case.a.contact.law=rigid", "case.a.contact.preset=physical"});
+        read(sweeps + "[[case]]\nname = \"a\"\n", {"case.a.contact.law=rigid", "case.a.contact.preset=physical"});
     EXPECT_EQ(only_case(campaign).scenario.contact.normal, NormalLaw::rigid);
     EXPECT_EQ(only_case(campaign).scenario.contact.friction, Friction::cone);
 }

@@ -1,15 +1,17 @@
-# A case that gives an elastic modulus in place of Σ: calibrated once, the same on any ranks, kept for --resume, its curve
+# Joints that follow Σ, and a case that gives an elastic modulus in place of it: calibrated once, the same on any ranks, kept for --resume, its curve
 # in the file. Elements of 0.6 m, so that a plate test takes a tenth of a second.
 source "$(dirname "$0")/common.sh"
 
-sed -i '/^cfm = 1e-10/d' campaign.toml
-COARSE=(--set floe.length_m=1.2 --set floe.element_m=0.6 --set field.floes=2 --set general.iterations=20
+sed -i 's/^elastic_modulus_MPa = 30.0/cfm = 0.03/' campaign.toml
+SWEEPS=(--set general.solver=lanes --set joint.model=cfm)
+COARSE=("${SWEEPS[@]}" --set floe.length_m=1.2 --set floe.element_m=0.6 --set field.floes=2 --set general.iterations=20
         --set campaign.arrangements=2 --set analysis.window_s=3.0)
 
 expect 0 resolved "$FLOES" config --resolved campaign.toml "${COARSE[@]}"
 said resolved "# joint.cfm: calibrated"
 expect 0 alone "$FLOES" run campaign.toml -o alone.h5 "${COARSE[@]}"
 said alone "calibrated E200: Σ = "
+said alone "case E30: joint.cfm = 0.03 gives "
 expect 0 ranks "${MPIRUN[@]}" -n 2 "$FLOES" run campaign.toml -o ranks.h5 "${COARSE[@]}"
 same alone.h5 ranks.h5
 expect 0 curve h5dump -d /calibration/elastic_modulus alone.h5

@@ -24,8 +24,8 @@ Campaign coarse() {
         one.scenario.general.iterations = 20;
         one.scenario.ice.elastic_modulus = 200e6;
     }
-    campaign.cases[0].calibrate = true;
-    campaign.cases[2].calibrate = true;
+    campaign.cases[0].pairing = Pairing::find_cfm;
+    campaign.cases[2].pairing = Pairing::find_cfm;
     return campaign;
 }
 
@@ -46,7 +46,7 @@ TEST(CalibrateCampaign, GivesCasesOfOneIceTheSigmaThatShowsTheirModulus) {
     EXPECT_EQ(run.campaign.cases[0].scenario.joint.cfm, found.cfm);
     EXPECT_EQ(run.campaign.cases[1].scenario.joint.cfm, coarse().cases[1].scenario.joint.cfm) << "was given";
     EXPECT_EQ(run.campaign.cases[2].scenario.joint.cfm, found.cfm);
-    for (const Case& one : run.campaign.cases) EXPECT_FALSE(one.calibrate);
+    for (const Case& one : run.campaign.cases) EXPECT_EQ(one.pairing, Pairing::settled);
     const CurvePoint point =
         measure_curve_point(run.campaign.cases[0].scenario, {.sheet = 7 * 0.75});  // 5.4 m are 7.2 elements
     EXPECT_NEAR(point.elastic_modulus, 200e6, 0.01 * 200e6);

@@ -9,6 +9,7 @@
 
 #include "ice/scenario_world.hpp"
 #include "ice_scene.hpp"
+#include "support/sweeping_scenario.hpp"
 
 namespace floes::test {
 namespace {
@@ -26,7 +27,7 @@ Wrench buoyancy(const Scenario& scenario, const BodyState& state) {
 }
 
 TEST(IceFloating, BeginsAtTheDraughtOfArchimedes) {
-    const Scenario scenario;
+    const Scenario scenario = sweeping_scenario();
     World world{WorldDefinition{}};
     const IceField ice(world, scenario, floes_at(scenario, std::vector<PlanarPose>{{5, 1, 0.3}}));
     for (const IceElement& element : ice.elements()) {
@@ -36,7 +37,7 @@ TEST(IceFloating, BeginsAtTheDraughtOfArchimedes) {
 }
 
 TEST(IceFloating, LaysElementsWhereThePoseSays) {
-    Scenario scenario;
+    Scenario scenario = sweeping_scenario();
     scenario.floe.length = 0.4;  // 2 x 3 elements
     World world{WorldDefinition{}};
     const double yaw = 0.4;
@@ -55,7 +56,7 @@ TEST(IceFloating, LaysElementsWhereThePoseSays) {
 }
 
 TEST(IceFloating, StaysAtRestForAMinute) {
-    const Scenario scenario;
+    const Scenario scenario = sweeping_scenario();
     World world{WorldDefinition{}};
     IceField ice(world, scenario, floes_at(scenario, std::vector<PlanarPose>{{5, 1, 0.3}}));
     std::vector<Vec3> start;
@@ -101,7 +102,7 @@ TEST(IceFloating, CarriesItsAddedMassAlong) {
 
 TEST(IceFloating, ShowsTheWaterTheOutlineOfAFloeOrEveryElement) {
     for (const auto& [on, faces] : {std::pair{FormDragOn::outline, 12}, std::pair{FormDragOn::every_element, 36}}) {
-        Scenario scenario;
+        Scenario scenario = sweeping_scenario();
         scenario.water.form_drag_on = on;
         World world{WorldDefinition{}};
         const IceField ice(world, scenario, floes_at(scenario, std::vector<PlanarPose>{{0, 0, 0}}));
@@ -113,7 +114,7 @@ TEST(IceFloating, ShowsTheWaterTheOutlineOfAFloeOrEveryElement) {
 
 // Bent, sheared and squeezed at once, neighbours and diagonal neighbours overlap; they are one piece and do not touch.
 TEST(IceFloating, DoesNotTouchItself) {
-    Scenario scenario;
+    Scenario scenario = sweeping_scenario();
     scenario.joint.cfm = 0.1;  // soft
     scenario.ice.bending_strength = scenario.ice.compressive_strength = scenario.ice.shear_strength = 1e9;
     World world = weightless_world();

@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "ice/ice_field.hpp"
+#include "support/sweeping_scenario.hpp"
 
 namespace floes::test {
 
 /// A scenario whose floes are of `elements_long` x `elements_broad` elements, otherwise the paper's.
 inline Scenario scenario_of(int elements_long, int elements_broad) {
-    Scenario scenario;
+    Scenario scenario = sweeping_scenario();
     scenario.floe.length = elements_long * scenario.floe.element;
     scenario.floe.breadth = elements_broad * scenario.floe.element;
     return scenario;

@@ -28,9 +28,9 @@ key = "ice.bending_strength_kPa"
 from = 20
 to = 60
 [[design.axis]]
-key = "joint.cfm"
-from = 0.001
-to = 0.03
+key = "ice.elastic_modulus_MPa"
+from = 30.0
+to = 1000.0
 scale = "log"
 [[case]]
 name = "slow"

@@ -152,7 +152,9 @@ TEST(Journal, Of1_0IsResumedWithTheKeysOfNow) {
     };
     const std::string former =
         "contact.preset = \"physical\"\njoint.threshold_form = \"as_printed\"\nanalysis.keep_history = false\n";
-    const std::string now = "paper.threshold_form = \"as_printed\"\nanalysis.history_steps = 0\n";
+    const std::string now =
+        "general.solver = \"lanes\"\ngeneral.iterations = 50\njoint.model = \"cfm\"\njoint.cfm = 0.016\n"
+        "ice.elastic_modulus_MPa = 60\npaper.threshold_form = \"as_printed\"\nanalysis.history_steps = 0\n";
     open_journal(path, former + "[[case]]\nname = \"E60\"\n", Existing::refuse)
         .append(synthetic::record(campaign(former, false), 0));
     const Journal journal = open_journal(path, campaign(now, true), Existing::resume);

@@ -8,6 +8,7 @@
 #include "ice/beam_joint.hpp"
 #include "laboratory/beam_stiffness.hpp"
 #include "laboratory/calibration.hpp"
+#include "scenario/keys.hpp"
 #include "theory/plate.hpp"
 
 namespace floes {
@@ -43,7 +44,7 @@ TEST_P(StripOfIce, BendsAndSwingsAsAnElasticOne) {
 INSTANTIATE_TEST_SUITE_P(Moduli, StripOfIce, testing::Values(60e6, 1e9, 5e9));
 
 TEST(StripOfIce, NeedsBeamJoints) {
-    EXPECT_THROW(measure_beam_stiffness({}, 3), InputError);
+    EXPECT_THROW(measure_beam_stiffness(paper_scenario(), 3), InputError);
     EXPECT_THROW(measure_beam_stiffness(with_beam_joints({}, 60e6), 0), InputError);
 }
 

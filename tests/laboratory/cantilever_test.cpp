@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
+#include "support/sweeping_scenario.hpp"
 #include "theory/beam.hpp"
 
 namespace floes {
@@ -40,7 +41,7 @@ TEST_P(BeamAtCfm, IsCrushedAtItsCompressiveStrength) {
 INSTANTIATE_TEST_SUITE_P(PapersValues, BeamAtCfm, testing::Values(1e-10, 0.016, 0.03));
 
 TEST(Beam, AsPrintedShearNeedsAThirtiethOfTheLoad) {
-    Scenario scenario;
+    Scenario scenario = sweeping_scenario();
     const double load = measure_beam_strength(scenario, {.load = BeamLoad::shear, .elements = 1}).load;
     scenario.joint.threshold_form = ThresholdForm::as_printed;
     const BeamStrength printed = measure_beam_strength(scenario, {.load = BeamLoad::shear, .elements = 1});
@@ -49,14 +50,14 @@ TEST(Beam, AsPrintedShearNeedsAThirtiethOfTheLoad) {
 }
 
 TEST(Beam, TwiceTheStrengthTakesTwiceTheLoad) {
-    Scenario scenario;
+    Scenario scenario = sweeping_scenario();
     scenario.ice.bending_strength *= 2;
     EXPECT_NEAR(measure_beam_strength(scenario, {.elements = 2}).strength, 72.8e3, 0.01 * 72.8e3);
 }
 
 TEST(Beam, AFloatingBeamReadsMoreThanItsStrengthAsOneOnAFoundationDoes) {
     // The numerical beam is softer than an elastic one of 60 MPa (its joints also shear), so it reads somewhat more.
-    const Scenario scenario;
+    const Scenario scenario = sweeping_scenario();
     for (const int elements : {2, 3}) {
         const BeamStrength shown = measure_beam_strength(scenario, {.elements = elements, .floating = true});
         const double elastic = floating_cantilever_factor(60e6, elements * 0.2, scenario.floe.thickness, 9810);
@@ -66,7 +67,7 @@ TEST(Beam, AFloatingBeamReadsMoreThanItsStrengthAsOneOnAFoundationDoes) {
 }
 
 TEST(Beam, RefusesWhatCannotBeTested) {
-    const Scenario scenario;
+    const Scenario scenario = sweeping_scenario();
     EXPECT_THROW(measure_beam_strength(scenario, {.elements = 0}), InputError);
     EXPECT_THROW(measure_beam_strength(scenario, {.increment = 0}), InputError);
 }

@@ -6,12 +6,13 @@
 
 #include "core/error.hpp"
 #include "support/froude.hpp"
+#include "support/sweeping_scenario.hpp"
 
 namespace floes {
 namespace {
 
 Scenario paper_plate(double cfm) {
-    Scenario scenario;
+    Scenario scenario = sweeping_scenario();
     scenario.floe.thickness = 0.030;
     scenario.joint.cfm = cfm;
     return scenario;
@@ -42,7 +43,7 @@ TEST(PlateDeflection, EvenAndOddSheetsAgree) {
 // Of a power of 4 to the bit: support/froude.hpp. Without a load the sheet stays where it is but for rounding, and that
 // counts as settled at every size.
 TEST(PlateDeflection, IsTheSameTestAtAnySize) {
-    const Scenario scenario;
+    const Scenario scenario = sweeping_scenario();
     PlateTest test = plate_test_for(scenario);
     EXPECT_EQ(test.sheet, 5.4);
     EXPECT_EQ(test.load, 3);

@@ -24,9 +24,9 @@ key = "contact.ice_ice_friction"
 from = 0.1
 to = 0.5
 [[design.axis]]
-key = "joint.cfm"
-from = 0.001
-to = 0.03
+key = "ice.elastic_modulus_MPa"
+from = 30.0
+to = 1000.0
 scale = "log"
 [field]
 floes = 6

@@ -53,7 +53,7 @@ TEST(ScenarioKeys, GivenShowsTheValueInTheUnitOfTheKey) {
 
 // What a journal from before these keys holds must still be found under its digest.
 TEST(ScenarioKeys, LaterKeysAreSilentWhereTheySayWhatWasSoBefore) {
-    Scenario scenario = before_late_keys();
+    Scenario scenario = paper_scenario();
     EXPECT_EQ(canonical_text(scenario).find("analysis.history_stride"), std::string::npos);
     EXPECT_EQ(canonical_text(scenario).find("analysis.exceedance_levels_N"), std::string::npos);
     EXPECT_EQ(canonical_text(scenario).find("contact.friction"), std::string::npos);

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "core/error.hpp"
+#include "support/sweeping_scenario.hpp"
 
 namespace floes {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 using Change = std::function<void(Scenario&)>;
 
 std::string sentence(const Change& change) {
-    Scenario scenario;
+    Scenario scenario = sweeping_scenario();
     change(scenario);
     try {
         validate(scenario);
@@ -191,8 +192,7 @@ TEST(Validate, EveryContradictionIsOneSentence) {
          "rest; take general.solver = \"lanes\", or field.wake_radius_m = 0"},
         {[](Scenario& s) { s.joint.model = JointModel::beam; },
          "joint.model = \"beam\" is not possible with general.solver = \"lanes\": joints as stiff as ice do not "
-         "converge "
-         "in sweeps; take general.solver = \"direct\""},
+         "converge in sweeps; take general.solver = \"direct\", or joint.model = \"cfm\""},
         {[](Scenario& s) {
              s.contact.friction = Friction::one_direction;
              s.general.solver = SolverKind::direct;
@@ -246,7 +246,7 @@ TEST(Validate, EveryContradictionIsOneSentence) {
 
 // Whoever leaves the key alone gets what suits the rest.
 TEST(AveragingTimes, OfTheDefaultAreThoseThatSuit) {
-    Scenario scenario;
+    Scenario scenario = sweeping_scenario();
     EXPECT_EQ(scenario.averaging_times(), (std::vector{0.1, 0.5, 1.0, 2.0}));
     scenario.general.time_step = 0.025;
     EXPECT_EQ(scenario.averaging_times(), (std::vector{0.1, 0.5, 1.0, 2.0}));
@@ -288,7 +288,7 @@ TEST(Validate, BordersAreConsistent) {
 }
 
 TEST(Validate, FirstKeyNamedIsAKey) {
-    Scenario scenario;
+    Scenario scenario = sweeping_scenario();
     scenario.floe.element = 0.25;
     scenario.analysis.segments = 7;
     const std::vector<Contradiction> found = find_contradictions(scenario);

@@ -12,6 +12,7 @@
 
 #include "simulation/simulation.hpp"
 #include "support/replaced_new.hpp"
+#include "support/sweeping_scenario.hpp"
 
 namespace {
 
@@ -61,7 +62,7 @@ class StepLoop : public ::testing::Test {
 
 /// Floes in rows of four, `gap` m apart, between walls that are as far, the structure at the near edge.
 struct Rows {
-    Scenario scenario;
+    Scenario scenario = sweeping_scenario();
     FloeSet arrangement;
 
     Rows(int rows, double gap) {

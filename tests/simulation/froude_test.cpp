@@ -8,6 +8,7 @@
 
 #include "arrangement/arrangement.hpp"
 #include "simulation/simulation.hpp"
+#include "support/sweeping_scenario.hpp"
 
 namespace floes {
 namespace {
@@ -16,7 +17,7 @@ using test::scaled;
 
 /// configs/smoke.toml at 60 MPa.
 Scenario smoke() {
-    Scenario scenario;
+    Scenario scenario = sweeping_scenario();
     scenario.field.floes = 24;
     scenario.field.begin = 2.0;
     scenario.field.half_width = 1.25;

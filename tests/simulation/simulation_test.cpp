@@ -7,13 +7,14 @@
 
 #include "core/error.hpp"
 #include "ice/scenario_world.hpp"
+#include "support/sweeping_scenario.hpp"
 
 namespace floes {
 namespace {
 
 /// A channel with room for a few floes and a tow so slow that the structure stays away from them.
 Scenario quiet_scenario(int floes, double duration) {
-    Scenario scenario;
+    Scenario scenario = sweeping_scenario();
     scenario.field.floes = floes;
     scenario.field.concentration = 0.05;
     scenario.structure.speed = 1e-9;
@@ -74,7 +75,7 @@ TEST(Floating, SettlesToTheTrueDraughtFromFiveMillimetresOff) {
 
 /// The structure drives at one floe in open water.
 Scenario head_on(double duration) {
-    Scenario scenario;
+    Scenario scenario = sweeping_scenario();
     scenario.field.floes = 1;
     scenario.field.concentration = 0.01;
     scenario.field.far_end = FarEnd::open;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "simulation/simulation.hpp"
+#include "support/sweeping_scenario.hpp"
 
 namespace floes {
 namespace {
@@ -13,7 +14,7 @@ constexpr double wake_radius = 1.3;
 
 /// A floe ahead of the structure, within the radius; 5 cm beyond it another; and one to the side.
 Scenario three_floes() {
-    Scenario scenario;
+    Scenario scenario = sweeping_scenario();
     scenario.field.floes = 3;
     scenario.field.concentration = 0.05;
     scenario.field.wake_radius = wake_radius;

@@ -4,13 +4,14 @@
 
 #include "core/error.hpp"
 #include "simulation/simulation.hpp"
+#include "support/sweeping_scenario.hpp"
 
 namespace floes {
 namespace {
 
 /// The structure drives into two floes so hard that they break, in still water.
 Scenario breaking_scenario(SolverKind solver) {
-    Scenario scenario;
+    Scenario scenario = sweeping_scenario();
     scenario.general.solver = solver;
     if (solver == SolverKind::stock) scenario.contact = {};  // it has the paper's laws only
     scenario.field.floes = 2;

@@ -1,13 +1,13 @@
 #pragma once
 // A run of six seconds in which much happens.
 
-#include "scenario/scenario.hpp"
+#include "support/sweeping_scenario.hpp"
 
 namespace floes {
 
 /// A small closed channel that the structure fills half: floes jam, bend and break within seconds.
 inline Scenario jam_scenario() {
-    Scenario scenario;
+    Scenario scenario = sweeping_scenario();
     scenario.ice.bending_strength = 10e3;
     scenario.field.floes = 12;
     scenario.field.begin = 2.0;

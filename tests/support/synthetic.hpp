@@ -13,12 +13,13 @@
 #include "records/calibration_record.hpp"
 #include "records/member_record.hpp"
 #include "records/session.hpp"
+#include "support/sweeping_scenario.hpp"
 
 namespace floes::synthetic {
 
 /// Three cases: the second shares the first one's geometry, the third has fewer floes, segments and steps.
 inline Campaign campaign(int arrangements = 4) {
-    Scenario scenario;
+    Scenario scenario = sweeping_scenario();
     scenario.field.floes = 6;
     scenario.field.concentration = 0.3;
     scenario.structure.speed = 1.75;

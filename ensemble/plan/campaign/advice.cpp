@@ -2,32 +2,104 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
+#include "campaign/name_list.hpp"
 #include "core/units.hpp"
+#include "scenario/keys.hpp"
 #include "theory/plate.hpp"
 
 namespace floes {
+namespace {
+
+/// What is odd about a case, as a sentence without its end; empty where nothing is.
+using Oddity = std::string (*)(const Case& one);
+
+std::string large_elements(const Case& one) {
+    const Scenario& scenario = one.scenario;
+    const FloatingPlate plate{.thickness = scenario.floe.thickness,
+                              .water_density = scenario.water.density,
+                              .gravity = scenario.general.gravity};
+    const double length = plate.characteristic_length(scenario.ice.elastic_modulus);
+    if (one.pairing == Pairing::find_modulus || scenario.floe.element < length) return {};
+    return fmt::format(
+        "{} is not below {:.3g} m, the characteristic length of ice of {:g} MPa; such elements are too large to show "
+        "where the ice would bend and break",
+        given(scenario, "floe.element_m"), length, scenario.ice.elastic_modulus / unit::megapascal);
+}
+
+std::string thick_elements(const Case& one) {
+    const Scenario& scenario = one.scenario;
+    if (scenario.floe.thickness <= scenario.floe.element) return {};
+    return fmt::format("{} is more than {}; elements that are thicker than wide do not bend as a plate does",
+                       given(scenario, "ice.thickness_m"), given(scenario, "floe.element_m"));
+}
+
+std::string little_ice(const Case& one) {
+    constexpr double little = 0.05;
+    const Scenario& scenario = one.scenario;
+    if (scenario.field.concentration >= little || scenario.arrangement.method == ArrangementMethod::file) return {};
+    return fmt::format("{} leaves the field of {:.4g} m almost without ice; 75 is three quarters",
+                       given(scenario, "field.concentration_percent"), scenario.field_length());
+}
+
+std::string odd_strength(const Case& one) {
+    constexpr double weakest = 1 * unit::kilopascal;
+    constexpr double strongest = 5000 * unit::kilopascal;
+    const double strength = one.scenario.ice.bending_strength;
+    if (strength >= weakest && strength <= strongest) return {};
+    return fmt::format("{} is unlike any ice; sea ice has some 500, model ice some 40",
+                       given(one.scenario, "ice.bending_strength_kPa"));
+}
+
+std::string soft_in_compression(const Case& one) {
+    const Ice& ice = one.scenario.ice;
+    if (ice.compressive_strength >= ice.bending_strength) return {};
+    return fmt::format("{} is below {}; ice is several times stronger in compression than in bending",
+                       given(one.scenario, "ice.compressive_strength_kPa"),
+                       given(one.scenario, "ice.bending_strength_kPa"));
+}
+
+std::string few_sweeps(const Case& one) {
+    constexpr int few = 10;
+    if (one.scenario.general.iterations >= few) return {};
+    return fmt::format("{} leaves contacts unsolved, and the load depends on it; 20 are enough with solver direct",
+                       given(one.scenario, "general.iterations"));
+}
+
+std::string long_steps(const Case& one) {
+    constexpr double most_of_thickness = 0.1;  // in the tank it is 0.04
+    const Scenario& scenario = one.scenario;
+    const double way = scenario.structure.speed * scenario.general.time_step;
+    if (way <= most_of_thickness * scenario.floe.thickness) return {};
+    return fmt::format(
+        "{} and {} take the structure {:.3g} m on in each step, more than a tenth of the ice's thickness; a shorter "
+        "step resolves how it meets the ice",
+        given(scenario, "general.time_step_s"), given(scenario, "structure.speed_m_s"), way);
+}
+
+constexpr std::array<Oddity, 7> oddities{large_elements,      thick_elements, little_ice, odd_strength,
+                                         soft_in_compression, few_sweeps,     long_steps};
+
+}  // namespace
 
 std::vector<std::string> advice(const Campaign& campaign) {
-    constexpr int most_named = 12;  // a design may have thousands of cases
     std::vector<std::string> sentences;
-    int others = 0;
-    for (const Case& one : campaign.cases) {
-        const Scenario& scenario = one.scenario;
-        const FloatingPlate plate{.thickness = scenario.floe.thickness,
-                                  .water_density = scenario.water.density,
-                                  .gravity = scenario.general.gravity};
-        const double length = plate.characteristic_length(scenario.ice.elastic_modulus);
-        if (scenario.floe.element < length) continue;
-        if (sentences.size() == most_named) {
-            ++others;
-            continue;
+    for (const Oddity oddity : oddities) {
+        std::string first;
+        std::vector<std::string> others;
+        for (const Case& one : campaign.cases) {
+            const std::string odd = oddity(one);
+            if (odd.empty()) continue;
+            if (first.empty())
+                first = fmt::format("case {}: {}", one.name, odd);
+            else
+                others.push_back(one.name);
         }
-        sentences.push_back(fmt::format(
-            "case {}: floe.element_m = {:g} is not below {:.3g} m, the characteristic length of ice of {:g} MPa; "
-            "such elements are too large to show where the ice would bend and break.",
-            one.name, scenario.floe.element, length, scenario.ice.elastic_modulus / unit::megapascal));
+        if (first.empty()) continue;
+        sentences.push_back(others.empty() ? first + "."
+                                           : fmt::format("{}. The same holds for {}.", first, name_list(others)));
     }
-    if (others > 0) sentences.push_back(fmt::format("The same holds for {} further cases.", others));
     return sentences;
 }
 

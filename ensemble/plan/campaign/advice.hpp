@@ -1,5 +1,5 @@
 #pragma once
-// What is allowed but not advisable.
+// What is allowed but odd.
 
 #include <string>
 #include <vector>
@@ -8,9 +8,10 @@
 
 namespace floes {
 
-/// Sentences, one for each case, up to a dozen, that goes against the paper's advice: elements no smaller than the
-/// characteristic length l_c = (E T³ / (12 (1 - ν²) ρ_w g))^(1/4) of the ice, within which it bends and breaks, with ν
-/// = 0.3.
+/// A sentence for each oddity, which names the first case that has it and counts the others:
+/// elements no smaller than the characteristic length l_c = (E T³ / (12 (1 - ν²) ρ_w g))^(1/4) of the ice, within which
+/// it bends and breaks (the paper's advice, with ν = 0.3); elements thicker than wide; hardly any ice; a strength that
+/// no ice has; ice that crushes more easily than it bends; few sweeps; and long steps.
 std::vector<std::string> advice(const Campaign& campaign);
 
 }  // namespace floes

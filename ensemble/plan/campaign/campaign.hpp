@@ -11,12 +11,20 @@
 
 namespace floes {
 
+/// What is to be done about E and Σ before the first member. Joints that follow Σ show an E that only a plate test
+/// tells; beam joints have E alone.
+enum class Pairing {
+    settled,       ///< nothing
+    find_cfm,      ///< E is stated: find the Σ that shows it; joint.cfm has no meaning until then
+    find_modulus,  ///< Σ is stated: find the E that it shows; ice.elastic_modulus_MPa has no meaning until then
+    check,         ///< both are stated: see whether they agree
+};
+
 /// One (E, Σ) pair, or any other set of scenario overrides, already applied.
 struct Case {
     std::string name;
     Scenario scenario;
-    /// The case states an elastic modulus and no Σ: joint.cfm has no meaning until a Σ is found that shows the modulus.
-    bool calibrate = false;
+    Pairing pairing = Pairing::settled;
     std::string base = {};  ///< the [[case]] that a point of the design was added to; empty where there is none
     int point = -1;         ///< of the campaign's design; -1 without a design
 };

@@ -45,15 +45,14 @@ constexpr const char* about_files =
     "\n";
 
 constexpr const char* about_cases =
-    "\n# Cases to compare, over the same arrangements. Each has a name and any keys of the tables above; cfm and\n"
-    "# elastic_modulus_MPa are short for joint.cfm and ice.elastic_modulus_MPa. A case with an elastic modulus and\n"
-    "# without Σ, here and in the tables above, is calibrated: the Σ that shows the modulus is found before the first\n"
-    "# member. Without any [[case]] there is one case, named from its elastic modulus.\n"
+    "\n# Cases to compare, over the same arrangements. Each has a name and any keys of the tables above;\n"
+    "# elastic_modulus_MPa is short for ice.elastic_modulus_MPa. Without any [[case]] there is one case, named from "
+    "its\n"
+    "# elastic modulus.\n"
     "#\n"
     "# [[case]]\n"
-    "# name = \"E30\"\n"
+    "# name = \"open\"\n"
     "# elastic_modulus_MPa = 30.0\n"
-    "# cfm = 0.03\n"
     "# field.far_end = \"open\"\n"
     "\n# Axes of a design, each along a key that a case takes: values for a grid or a list, from and to for\n"
     "# latin_hypercube and sobol; scale is \"linear\" or \"log\".\n"
@@ -148,6 +147,10 @@ Keys describe(RunRules& rules) {
     keys.push_back(number_key("run.member_memory_MiB", rules.member_memory, mebibyte, at_least(0),
                               "many times a large member",
                               "Memory limit of a member in an isolated process; 0: no limit."));
+    keys.push_back(
+        switch_key("run.nominal_modulus", rules.nominal_modulus, "E is the ice's",
+                   "With joint.model = \"cfm\", where a case states both E and joint.cfm: true takes E for a "
+                   "name, as in the paper, and does not compare them."));
     keys.push_back(integer_key("run.attempts", rules.attempts, 1, 100, "one retry",
                                "Number of attempts at a failing member before it is set aside as failed."));
     return keys;

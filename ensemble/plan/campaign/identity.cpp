@@ -7,6 +7,7 @@
 #include "campaign/campaign_keys.hpp"
 #include "campaign/name_list.hpp"
 #include "core/hash.hpp"
+#include "core/units.hpp"
 #include "scenario/keys.hpp"
 
 namespace floes {
@@ -24,20 +25,37 @@ std::vector<std::string> case_names(const Campaign& campaign) {
 }
 
 std::string cfm_text(const Case& one) {
-    return one.calibrate ? "to be calibrated" : fmt::format("{}", one.scenario.joint.cfm);
+    return one.pairing == Pairing::find_cfm ? "to be calibrated" : fmt::format("{}", one.scenario.joint.cfm);
+}
+
+std::string modulus_text(const Case& one) {
+    return one.pairing == Pairing::find_modulus
+               ? "as joint.cfm gives it"
+               : fmt::format("{:g}", one.scenario.ice.elastic_modulus / unit::megapascal);
+}
+
+/// Leaves what is still to be found out of the differences and says that it is.
+void replace(std::vector<std::string>& lines, std::string_view path, const std::string& there,
+             const std::string& here) {
+    std::erase_if(lines, [&](const std::string& line) { return line.starts_with(fmt::format("{}: ", path)); });
+    if (there != here) lines.push_back(fmt::format("{}: {} there, {} here", path, there, here));
 }
 
 std::vector<std::string> differences_of(const Case& there, const Case& here) {
     std::vector<std::string> lines = differences(there.scenario, here.scenario);
-    if (there.calibrate == here.calibrate) return lines;
-    std::erase_if(lines, [](const std::string& line) { return line.starts_with("joint.cfm: "); });
-    lines.push_back(fmt::format("joint.cfm: {} there, {} here", cfm_text(there), cfm_text(here)));
+    const auto either = [&](Pairing pairing) { return there.pairing == pairing || here.pairing == pairing; };
+    if (either(Pairing::find_cfm)) replace(lines, "joint.cfm", cfm_text(there), cfm_text(here));
+    if (either(Pairing::find_modulus))
+        replace(lines, "ice.elastic_modulus_MPa", modulus_text(there), modulus_text(here));
     return lines;
 }
 
 /// Everything that a member of the case depends on, except the seed.
 std::string case_text(const Case& one) {
-    return canonical_text(one.scenario) + (one.calibrate ? "joint.cfm is to be calibrated\n" : "");
+    std::string open;
+    if (one.pairing == Pairing::find_cfm) open = "joint.cfm is to be calibrated\n";
+    if (one.pairing == Pairing::find_modulus) open = "ice.elastic_modulus is to be measured\n";
+    return canonical_text(one.scenario) + open;
 }
 
 /// The differences of each case that both have; a line that is the same for all cases is given once, without a name.

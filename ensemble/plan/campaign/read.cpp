@@ -10,6 +10,7 @@
 #include "campaign/case_blocks.hpp"
 #include "campaign/given_poses.hpp"
 #include "campaign/held_numbers.hpp"
+#include "campaign/key_effects.hpp"
 #include "campaign/name_list.hpp"
 #include "campaign/read_design.hpp"
 #include "campaign/stop_quantity.hpp"
@@ -37,7 +38,7 @@ class Reader {
           spelling_(source.from_user ? Spelling::present : Spelling::stored),
           document_(parse_document(source.text, source.file)),
           poses_(source.file, load_file) {
-        if (!source.from_user) base_ = before_late_keys();  // a stored text lacks keys that came after it
+        if (!source.from_user) base_ = paper_scenario();  // where it is silent
         for (const std::string& text : source.overrides) overrides_.push_back(parse_override(text, "--set"));
     }
 
@@ -45,8 +46,7 @@ class Reader {
         read_tables();
         axes_ = read_axes(document_.blocks, origins_, source_.file, spelling_, design_);
         refuse_hidden();
-        std::vector<CaseBlock> given = given_cases(
-            document_, fmt::format("E{:.6g}", base_.ice.elastic_modulus / unit::megapascal), source_.file, design_);
+        std::vector<CaseBlock> given = given_cases(document_, name_of_ice(), source_.file, design_);
         find_case_overrides(given);
         if (head_.name.empty()) head_.name = name_of_file();
         Campaign campaign{.name = head_.name,
@@ -67,6 +67,7 @@ class Reader {
             held.add(one.scenario);
             campaign.cases.push_back(one);
         }
+        effects_.refuse_without();
         check_points(campaign, source_.file);
         if (const auto fault = stop_quantity_fault(campaign))
             throw InputError(
@@ -182,6 +183,12 @@ class Reader {
         }
     }
 
+    /// Of the only case, if it has no name: from its E, or from its Σ where that decides E.
+    std::string name_of_ice() const {
+        if (pairing(base_, origins_) == Pairing::find_modulus) return fmt::format("cfm{:.6g}", base_.joint.cfm);
+        return fmt::format("E{:.6g}", base_.ice.elastic_modulus / unit::megapascal);
+    }
+
     std::string name_of_file() const {
         const std::string stem = std::filesystem::path(source_.file).stem().string();
         if (is_utf8(stem)) return stem;
@@ -213,12 +220,20 @@ class Reader {
             one.point = block.point;
         }
         own.insert(origins_.begin(), origins_.end());  // what the case does not set comes from the tables
-        one.calibrate = one.scenario.joint.model == JointModel::cfm && own.contains("ice.elastic_modulus_MPa") &&
-                        !own.contains("joint.cfm");
+        one.pairing = pairing(one.scenario, own);
+        if (source_.from_user) effects_.note(keys, own);
         const std::string label = one_of_many ? fmt::format("case {}: ", one.name) : "";
         const std::optional<PoseFile> file = poses_.resolve(one.scenario, own, label);
         refuse_contradictions(one.scenario, own, label);
         if (source_.from_user) poses_.refuse_faults(one.scenario, file, own, label);
+    }
+
+    /// Of joints that follow Σ. Stored texts leave out what is to be found; where they have both, both are settled.
+    Pairing pairing(const Scenario& scenario, const Origins& own) const {
+        if (scenario.joint.model != JointModel::cfm) return Pairing::settled;
+        if (!own.contains("joint.cfm")) return Pairing::find_cfm;
+        if (!own.contains("ice.elastic_modulus_MPa")) return Pairing::find_modulus;
+        return source_.from_user && !rules_.nominal_modulus ? Pairing::check : Pairing::settled;
     }
 
     static void refuse_campaign_key(const Entry& entry) {
@@ -252,6 +267,7 @@ class Reader {
     Origins axes_;                                               ///< where each axis of the design is given
     std::vector<std::pair<std::size_t, Entry>> case_overrides_;  ///< for which [[case]], as if it stood there
     GivenPoses poses_;
+    KeyEffects effects_;
 };
 
 }  // namespace

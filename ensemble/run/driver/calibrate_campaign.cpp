@@ -24,17 +24,10 @@ struct Task {
     bool kept = false;
 };
 
-PlateTest plate_test(const Scenario& scenario) {
-    PlateTest test = plate_test_for(scenario);
-    // Slightly enlarged, so that rounding does not lose an element if the elements divide the sheet.
-    test.sheet = std::floor(test.sheet / scenario.floe.element * (1 + 1e-9)) * scenario.floe.element;
-    return test;
-}
-
 std::vector<Task> tasks_of(const Campaign& campaign, std::span<const CalibrationRecord> kept) {
     std::vector<Task> tasks;
     for (const Case& one : campaign.cases) {
-        if (!one.calibrate) continue;
+        if (one.pairing != Pairing::find_cfm) continue;
         const std::string key = calibration_key(one.scenario);
         const auto same = std::ranges::find(tasks, key, [](const Task& task) { return task.record.key; });
         if (same != tasks.end()) {
@@ -52,8 +45,8 @@ void calibrate(Task& task) {
     try {
         // Only the inputs of the calibration go into it; otherwise the same ice could get a different Σ in another
         // field.
-        task.record.found =
-            calibrate_cfm(plate_scenario(task.scenario), plate_test(task.scenario), task.scenario.ice.elastic_modulus);
+        task.record.found = calibrate_cfm(plate_scenario(task.scenario), whole_plate_test(task.scenario),
+                                          task.scenario.ice.elastic_modulus);
     } catch (const InputError& error) {
         task.refusal = error.what();
     }
@@ -61,7 +54,7 @@ void calibrate(Task& task) {
 
 std::string intention(const Task& task) {
     const double element = task.scenario.floe.element;
-    const double sheet = plate_test(task.scenario).sheet;
+    const double sheet = whole_plate_test(task.scenario).sheet;
     const double whole = plate_test_for(task.scenario).sheet;
     const bool divides = std::abs(sheet - whole) < 1e-6 * whole;
     return fmt::format("calibrating {}: searching for the Σ that gives {:.6g} MPa on a sheet of {:.6g} m{}", task.cases,
@@ -108,9 +101,9 @@ std::vector<CalibrationRecord> calibrate_campaign(Campaign& campaign, std::span<
         records.push_back(std::move(task.record));
     }
     for (Case& one : campaign.cases) {
-        if (!one.calibrate) continue;
+        if (one.pairing != Pairing::find_cfm) continue;
         one.scenario.joint.cfm = find_calibration(records, calibration_key(one.scenario))->found.cfm;
-        one.calibrate = false;
+        one.pairing = Pairing::settled;
     }
     return records;
 }

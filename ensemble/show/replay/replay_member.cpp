@@ -62,12 +62,13 @@ void add_last(const LoadHistory& of_run, LoadHistory& history) {
     history.heave.push_back(of_run.heave.back());
 }
 
-/// A campaign of the one case, whose Σ is what the file says it was found to be.
+/// A campaign of the one case, whose Σ and E are what the file says they were found to be.
 Campaign with_case(const Campaign& whole, int case_index, const CaseRow& stored) {
     Campaign campaign = whole;
     Case one = whole.cases.at(static_cast<std::size_t>(case_index));
-    if (one.calibrate) one.scenario.joint.cfm = stored.cfm;
-    one.calibrate = false;
+    if (one.pairing == Pairing::find_cfm) one.scenario.joint.cfm = stored.cfm;
+    if (one.pairing == Pairing::find_modulus) one.scenario.ice.elastic_modulus = stored.elastic_modulus;
+    one.pairing = Pairing::settled;
     one.base.clear();
     one.point = -1;
     campaign.cases = {std::move(one)};
