@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/units.hpp"
+#include "findings/printable.hpp"
 #include "scenario/keys.hpp"
 #include "tables/number_text.hpp"
 
@@ -23,10 +24,13 @@ bool of_the_case(const Key& key) {
     return key.path == "ice.elastic_modulus_MPa" || key.path == "joint.cfm";
 }
 
-Cell estimate_cell(const Estimate& estimate, double factor, int decimals) {
-    return {fixed(factor * estimate.estimate, decimals),
-            bracket(factor * estimate.low, factor * estimate.high, decimals),
-            bracket(factor * estimate.prediction_low, factor * estimate.prediction_high, decimals)};
+Cell estimate_cell(const CaseSummary& row, const Quantity& quantity, int decimals) {
+    const Estimate& found = row.of(quantity);
+    const auto range = [&](double low, double high) {
+        return printable_bracket(quantity, found.estimate, {low, high}, row.done, decimals);
+    };
+    return {fixed(quantity.factor() * found.estimate, decimals), range(found.low, found.high),
+            range(found.prediction_low, found.prediction_high)};
 }
 
 std::vector<Cell> paper_line(const PaperRow& paper) {
@@ -76,10 +80,9 @@ Table table3(const Campaign& campaign, const Summary& summary) {
     for (std::size_t k = 0; k < summary.cases.size(); ++k) {
         const CaseSummary& row = summary.cases[k];
         table.push_back(
-            {row.about.name, fmt::format("{}", row.done), estimate_cell(row.of(quantity("mean_load")), 1, 1),
-             estimate_cell(row.of(quantity("sd_load")), 1, 1), estimate_cell(row.of(quantity("mean_maximum")), 1, 0),
-             estimate_cell(row.of(quantity("sd_maximum")), 1, 0),
-             estimate_cell(row.of(quantity("failure_ratio")), 1 / unit::percent, 1)});
+            {summary.label_of(k), fmt::format("{}", row.done), estimate_cell(row, quantity("mean_load"), 1),
+             estimate_cell(row, quantity("sd_load"), 1), estimate_cell(row, quantity("mean_maximum"), 0),
+             estimate_cell(row, quantity("sd_maximum"), 0), estimate_cell(row, quantity("failure_ratio"), 1)});
         const PaperRow* paper = paper_row(campaign.cases.at(k));
         if (paper == nullptr) continue;
         const bool again =

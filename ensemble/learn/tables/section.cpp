@@ -2,6 +2,8 @@
 
 #include <fmt/ranges.h>
 
+#include "tables/prose.hpp"
+
 namespace floes {
 namespace {
 
@@ -22,10 +24,10 @@ std::string text(std::span<const Section> sections, int width) {
     std::vector<std::string> parts;
     for (const Section& one : sections) {
         std::string part = one.title.empty() ? "" : one.title + "\n\n";
-        part += one.before + table_text(one, width) + one.after;
+        part += wrapped(one.before, width) + table_text(one, width) + wrapped(one.after, width);
         if (!one.table.empty() && one.after.empty() && !one.notes.empty()) part += '\n';
-        for (const std::string& note : one.notes) part += note + "\n";
-        part += one.missing;
+        for (const std::string& note : one.notes) part += wrapped(note, width) + "\n";
+        part += wrapped(one.missing, width);
         if (!part.empty()) parts.push_back(std::move(part));
     }
     return joined(parts);

@@ -27,7 +27,8 @@ struct Section {
     std::vector<Figure> figures = {};  ///< below all this, on a page only
 };
 
-/// For people: the sections in order, separated by an empty line. No line is wider than `width` if possible.
+/// For people: the sections in order, separated by an empty line. No line is wider than `width` if possible, sentences
+/// and tables alike.
 std::string text(std::span<const Section> sections, int width);
 
 /// The records that are for CSV, each with its own header line, separated by an empty line.

@@ -39,13 +39,14 @@ std::string worst_moments(const ReportData& data) {
     return section(data.moments.size() > 1 ? "The worst moments" : "The worst moment", body);
 }
 
-/// Neighbours of one page_title share their section.
-std::vector<std::string> findings_html(Evidence& evidence) {
-    std::vector<std::string> parts;
+/// Neighbours of one page_title share their section; the appendix begins after the loads.
+std::string findings_html(Evidence& evidence) {
+    std::string parts;
     std::string title;
     std::string body;
     const auto finish = [&] {
-        if (!body.empty()) parts.push_back(section(title, std::exchange(body, "")));
+        if (!body.empty()) parts += section(title, std::exchange(body, ""));
+        if (title == loads_title) parts += "<h1 class=\"appendix\">Appendix</h1>\n";
     };
     for (const Finding& finding : findings()) {
         if (finding.page_title.empty() || !finding.on_page(evidence.campaign)) continue;
@@ -78,9 +79,7 @@ std::string report_page(ReportData data) {
     data.evidence.pictured = !data.moments.empty();
     std::string body = fmt::format("<h1>Loads of managed ice floes: {}</h1>\n", html_escaped(title));
     body += answer_html("The answer", find_answer(data.evidence)) + worst_moments(data);
-    const std::vector<std::string> parts = findings_html(data.evidence);
-    body += parts.front() + "<h1 class=\"appendix\">Appendix</h1>\n";  // the first are the loads
-    for (const std::string& part : std::span(parts).subspan(1)) body += part;
+    body += findings_html(data.evidence);
     return html_page(title + ": loads of managed ice floes", "", body + provenance(data));
 }
 
