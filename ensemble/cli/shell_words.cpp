@@ -16,7 +16,8 @@ std::string quoted(const std::string& word) {
 
 std::string typed_program(const std::string& program) {
     const char* launcher = std::getenv("FLOES_LAUNCHER");
-    return quoted(launcher != nullptr ? launcher : program);
+    if (launcher != nullptr) return quoted(launcher);
+    return program.empty() ? "floes" : quoted(program);
 }
 
 }  // namespace floes

@@ -35,6 +35,8 @@ struct SummarizeOptions {
 bool is_wanted(const Finding& finding, const SummarizeOptions& options, const Campaign& campaign) {
     if (!options.parts.empty()) return std::ranges::find(options.parts, finding.name) != options.parts.end();
     if (options.format == "table" && !options.full) return finding.name == overview_part;
+    if (options.format == "json" && finding.unasked_in_json != nullptr && finding.unasked_in_json(campaign))
+        return true;
     return options.format == "csv" ? finding.name == findings().front().name : finding.unasked(campaign);
 }
 
@@ -78,12 +80,14 @@ void add_summarize(CommandLine& line) {
     auto options = std::make_shared<SummarizeOptions>();
     Verb verb = line.verb("summarize", "Statistics of a campaign: one screen, or all of them");
     verb.option("campaign", options->file, "The campaign file (CAMPAIGN.h5)").required();
-    verb.flag("--full", options->full, "All statistics: cases with every interval, pairs, extremes; of a design its axes");
+    verb.flag("--full", options->full,
+              "All statistics: cases with every interval, pairs, extremes; of a design its axes");
     add_format(verb, options->format);
     verb.option("--reference", options->reference, "Reference case: the others are compared with it, in percent");
-    verb.option("--parts", options->parts,
-                "Parts to show, comma-separated: overview, cases, points and sensitivity (of a design), pairs, extremes, "
-                "exceedance, steady, control, design, members (CSV only)")
+    verb.option(
+            "--parts", options->parts,
+            "Parts to show, comma-separated: overview, cases, points and sensitivity (of a design), pairs, extremes, "
+            "exceedance, steady, control, design, members (CSV only)")
         .comma_separated()
         .one_of(part_names());
     verb.option("--resolve", options->resolve_percent,

@@ -10,6 +10,8 @@
 #include "core/wording.hpp"
 #include "findings/common_ground.hpp"
 #include "findings/conditions.hpp"
+#include "findings/load_columns.hpp"
+#include "findings/pairs.hpp"
 #include "findings/printable.hpp"
 #include "findings/sensitivity_section.hpp"
 #include "findings/warnings.hpp"
@@ -19,6 +21,7 @@ namespace floes {
 namespace {
 
 constexpr std::size_t most_changes = 3;
+constexpr std::size_t most_cases = 6;  // compared with the first
 
 /// "29.6 N (28.8 to 30.3)"; 95 % is said once, before. Limits that say nothing are left out.
 std::string load(double value, const Limits& limits, int runs) {
@@ -26,7 +29,8 @@ std::string load(double value, const Limits& limits, int runs) {
     const int decimals = std::abs(unit.factor * value) < 100 ? 1 : 0;
     const std::string text = fmt::format("{} {}", fixed(unit.factor * value, decimals), unit.name);
     if (!says_something(value, limits, runs)) return text;
-    return text + fmt::format(" ({1:.{0}f} to {2:.{0}f})", decimals, unit.factor * limits.low, unit.factor * limits.high);
+    return text +
+           fmt::format(" ({1:.{0}f} to {2:.{0}f})", decimals, unit.factor * limits.low, unit.factor * limits.high);
 }
 
 std::string load(const DesignLoadFigure& figure, int runs) {
@@ -54,8 +58,8 @@ std::string design_words(const DesignLoadRequest& asked, const DesignLoad& found
     const DesignLoadEstimate& made = found.estimates.front();
     return fmt::format(" Largest load averaged over {:g} s in {:g} h: expected {}, exceeded with {:.0f} %: {}{}.",
                        asked.averaging, asked.exposure / unit::hour, load(made.expected, found.arrangements),
-                       (1 - asked.quantiles.front()) / unit::percent,
-                       load(made.quantiles.front(), found.arrangements), doubt_words(asked, found));
+                       (1 - asked.quantiles.front()) / unit::percent, load(made.quantiles.front(), found.arrangements),
+                       doubt_words(asked, found));
 }
 
 /// "n = 2" or "3 of 8 not steady", beside the mean that it is about.
@@ -78,10 +82,9 @@ std::vector<std::string> design_sentences(const Summary& summary) {
     for (const auto& [words, k] : {std::pair{"Least", *least}, {"Largest", *most}}) {
         const CaseSummary& row = summary.cases[k];
         const Estimate& found = row.of(quantity("mean_load"));
-        sentences.push_back(fmt::format("{} mean load of the {}: {} at {}{}.", words,
-                                        counted(std::ssize(done), "point"),
-                                        load(found.estimate, {found.low, found.high}, row.done), summary.label_of(k),
-                                        mean_doubts(row)));
+        sentences.push_back(fmt::format(
+            "{} mean load of the {}: {} at {}{}.", words, counted(std::ssize(done), "point"),
+            load(found.estimate, {found.low, found.high}, row.done), summary.label_of(k), mean_doubts(row)));
     }
     return sentences;
 }
@@ -126,6 +129,26 @@ std::vector<std::string> basis_sentences(const Evidence& evidence, const DesignL
     return sentences;
 }
 
+/// "E60 instead of E30 changes the mean load by +0.1 N (-0.3 to +0.5)." Over the arrangements that both have.
+std::vector<std::string> case_sentences(const Evidence& evidence) {
+    std::vector<std::string> sentences;
+    const std::size_t reference = evidence.reference.value_or(0);
+    for (const PairRow& row : compare_with(evidence.table, reference, quantity("mean_load"))) {
+        const LoadUnit unit = load_unit(std::abs(row.first_mean));
+        const int decimals = few_decimals(unit.factor * std::abs(row.first_mean));
+        const Limits& limits = row.found.t_interval;
+        const bool said = row.found.arrangements >= fewest_for_interval && std::isfinite(limits.low);
+        sentences.push_back(fmt::format("{} instead of {} changes the mean load by {:+.{}f} {}{}.",
+                                        evidence.summary.label_of(row.second), evidence.summary.label_of(row.first),
+                                        unit.factor * row.found.difference, decimals, unit.name,
+                                        said ? fmt::format(" ({:+.{}f} to {:+.{}f})", unit.factor * limits.low,
+                                                           decimals, unit.factor * limits.high, decimals)
+                                             : fmt::format(" [n = {}]", row.found.arrangements)));
+        if (sentences.size() == most_cases) break;
+    }
+    return sentences;
+}
+
 std::vector<std::string> change_sentences(const Sensitivity& found) {
     struct Change {
         std::string told;
@@ -141,8 +164,14 @@ std::vector<std::string> change_sentences(const Sensitivity& found) {
     std::ranges::stable_sort(changes, std::ranges::greater{}, &Change::size);
     std::vector<std::string> sentences;
     for (std::size_t k = 0; k < std::min(changes.size(), most_changes); ++k) sentences.push_back(changes[k].told);
+    return sentences;
+}
+
+std::vector<std::string> changes(Evidence& evidence) {
+    std::vector<std::string> sentences =
+        evidence.campaign.design.active() ? change_sentences(sensitivity_of(evidence)) : case_sentences(evidence);
     if (sentences.empty())
-        sentences.push_back("No key was varied in a design, so this campaign does not say what would change the load.");
+        sentences.push_back("Nothing was varied, so this campaign does not say what would change the load.");
     return sentences;
 }
 
@@ -153,7 +182,7 @@ CampaignAnswer find_answer(Evidence& evidence) {
     return {warnings_of(evidence.table, evidence.summary),
             evidence.campaign.design.active() ? design_sentences(evidence.summary)
                                               : load_sentences(evidence.summary, designs),
-            basis_sentences(evidence, designs), change_sentences(sensitivity_of(evidence))};
+            basis_sentences(evidence, designs), changes(evidence)};
 }
 
 }  // namespace floes

@@ -18,6 +18,7 @@ struct Finding {
     std::string_view page_title = {};             ///< of its section of the report, which may go on in the next finding
     bool (*on_page)(const Campaign&) = nullptr;   ///< whether the report of this campaign has it; with a page_title
     bool for_csv_alone = false;
+    bool (*unasked_in_json)(const Campaign&) = nullptr;  ///< where JSON has it in further campaigns
 };
 
 /// The part that fits on one screen.

@@ -97,8 +97,8 @@ std::string design_line(const Campaign& campaign) {
             const std::string text = value_text(row.values[axis]);
             if (std::ranges::find(texts, text) == texts.end()) texts.push_back(text);
         }
-        parts.push_back(words[axis].with(numbers.empty() ? fmt::format("{}", fmt::join(texts, " or "))
-                                                         : range_text(numbers)));
+        parts.push_back(
+            words[axis].with(numbers.empty() ? fmt::format("{}", fmt::join(texts, " or ")) : range_text(numbers)));
     }
     return fmt::format("Varies over the {} of the design: {}.", counted(std::ssize(points.rows), "point"),
                        fmt::join(parts, ", "));

@@ -42,10 +42,14 @@ std::string three(double value) {
 
 /// "E30: too few peaks (3 of 20) to fit; about 27 arrangements would do."
 std::string too_few_text(const std::string& name, const DesignLoad& load) {
-    const double more = load.peaks > 0 ? std::ceil(static_cast<double>(fewest_peaks * load.arrangements) / static_cast<double>(load.peaks)) : 0;
+    const double more =
+        load.peaks > 0
+            ? std::ceil(static_cast<double>(fewest_peaks * load.arrangements) / static_cast<double>(load.peaks))
+            : 0;
     return fmt::format("{}: too few peaks ({} of {}) to fit; {}.", name, load.peaks, fewest_peaks,
-                       more > static_cast<double>(load.arrangements) ? fmt::format("about {:.0f} arrangements would do", more)
-                                                : std::string{"run more arrangements"});
+                       more > static_cast<double>(load.arrangements)
+                           ? fmt::format("about {:.0f} arrangements would do", more)
+                           : std::string{"run more arrangements"});
 }
 
 std::string percent(double share) {
@@ -118,9 +122,8 @@ Section basis_section(const Summary& summary, const std::vector<CaseDesignLoad>&
     };
     for (const CaseDesignLoad& one : designs) table.front().emplace_back(summary.label_of(one.case_index));
     row("arrangements", [](const CaseDesignLoad& one) { return fmt::format("{}", one.load.arrangements); });
-    row("time run, h", [&](const CaseDesignLoad& one) {
-        return three(one.load.time_run * std::sqrt(request.scale) / unit::hour);
-    });
+    row("time run, h",
+        [&](const CaseDesignLoad& one) { return three(one.load.time_run * std::sqrt(request.scale) / unit::hour); });
     row("exposure / time run",
         [&](const CaseDesignLoad& one) { return fmt::format("{:.2g}", request.model_exposure() / one.load.time_run); });
     row("not steady",
@@ -131,10 +134,8 @@ Section basis_section(const Summary& summary, const std::vector<CaseDesignLoad>&
         [&](const CaseDesignLoad& one) { return three(unit.factor * one.load.threshold); });
     row("peaks above", [](const CaseDesignLoad& one) { return fmt::format("{}", one.load.peaks); });
     row("ξ of the Pareto tail", [](const CaseDesignLoad& one) { return fixed(one.load.pareto.shape, 2); });
-    row("c of the Weibull tail",
-        [](const CaseDesignLoad& one) { return fixed(one.load.weibull.shape, 2); });
-    row("weight of the Weibull tail",
-        [](const CaseDesignLoad& one) { return fixed(one.load.weibull_weight, 2); });
+    row("c of the Weibull tail", [](const CaseDesignLoad& one) { return fixed(one.load.weibull.shape, 2); });
+    row("weight of the Weibull tail", [](const CaseDesignLoad& one) { return fixed(one.load.weibull_weight, 2); });
     for (std::size_t k = 0; k < std::size(threshold_shares); ++k)
         row(fmt::format("with the highest {} of the peaks, {}", percent(threshold_shares[k]), unit.name),
             [&](const CaseDesignLoad& one) { return three(unit.factor * one.over_shares[k]); });

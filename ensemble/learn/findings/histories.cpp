@@ -64,8 +64,8 @@ Figure history_figure(const Summary& summary, std::vector<DrawnHistory> historie
     const double count = static_cast<double>(histories.size());
     Figure figure{.description = "Surge load over time, one curve for each case",
                   .x = {count > 1 ? fmt::format("time since the tow began, s; each case shifted by {:g} N", shift)
-                                   : std::string{"time since the tow began, s"},
-                         0, std::max(end, 1e-3)},
+                                  : std::string{"time since the tow began, s"},
+                        0, std::max(end, 1e-3)},
                   .y = {"surge load, N", 0, shift * (count - 1) + std::max(1.05 * largest, 0.6 * shift)},
                   .size = {720, 160 + 90 * count}};
     double base = 0;
@@ -73,7 +73,8 @@ Figure history_figure(const Summary& summary, std::vector<DrawnHistory> historie
         for (auto& [time, load] : history.points) load += base;
         const CaseRow& about = summary.cases[history.case_index].about;
         figure.line(std::move(history.points), colour(history.case_index) + " thin");
-        figure.text(end * 0.01, base + 0.45 * shift, summary.label_of(history.case_index), "start", "key " + colour(history.case_index));
+        figure.text(end * 0.01, base + 0.45 * shift, summary.label_of(history.case_index), "start",
+                    "key " + colour(history.case_index));
         figure.upright(about.analysis.steady_start, "dashed");
         base += shift;
     }
@@ -94,9 +95,9 @@ Section histories_section(Evidence& evidence) {
     if (histories.empty())
         return {.before = "No figure: the file has no load histories of an arrangement that is done in every case.\n"};
     Figure figure = history_figure(evidence.summary, std::move(histories));
-    figure.caption =
-        std::string(evidence.summary.cases.size() > 1 ? "One arrangement, every case, shifted upwards" : "One arrangement") +
-        " (the paper's Fig. 6). Dashed: start of the analysis window." + undrawn_text(evidence.summary);
+    figure.caption = std::string(evidence.summary.cases.size() > 1 ? "One arrangement, every case, shifted upwards"
+                                                                   : "One arrangement") +
+                     " (the paper's Fig. 6). Dashed: start of the analysis window." + undrawn_text(evidence.summary);
     if (std::ranges::any_of(evidence.table.cases, [](const CaseRow& one) { return one.analysis.history_stride > 1; }))
         figure.caption += " The file holds means over several steps, whose peaks are lower than the measured ones.";
     return {.figures = {std::move(figure)}};

@@ -32,7 +32,8 @@ std::string LoadColumn::cell(const CaseSummary& row) const {
     if (!std::isfinite(found.estimate)) return "–";
     const double half = std::max(found.high - found.estimate, found.estimate - found.low);
     const bool said = says_something(quantity, found.estimate, {found.low, found.high}, row.done);
-    return fmt::format("{} ± {}", fixed(factor * found.estimate, decimals), said ? fixed(factor * half, decimals) : "–");
+    return fmt::format("{} ± {}", fixed(factor * found.estimate, decimals),
+                       said ? fixed(factor * half, decimals) : "–");
 }
 
 Quantity largest_load(const Summary& summary) {
@@ -73,8 +74,8 @@ std::string load_columns_text(const Summary& summary) {
         segments = row.about.analysis.segments;
     }
     const std::string parts = same && segments == 1 ? "the window"
-                              : same                ? fmt::format("each of the window's {}", counted(segments, "segment"))
-                                                    : std::string{"each of the window's segments"};
+                              : same ? fmt::format("each of the window's {}", counted(segments, "segment"))
+                                     : std::string{"each of the window's segments"};
     return fmt::format("±: 95 % interval of the mean over arrangements (t). Largest: of {}, {}; mean over them.", parts,
                        largest.averaging == 0 ? std::string{"in a single step, which depends on the time step"}
                                               : fmt::format("averaged over {:g} s", largest.averaging));

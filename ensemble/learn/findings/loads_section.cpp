@@ -105,11 +105,15 @@ Section table3_section(Evidence& evidence) {
                                  papers ? " The paper's figures are one run each, and the experiment's maximum is one "
                                           "value."
                                         : ""),
-            .figures = !each ? std::vector<Figure>{} : std::vector<Figure>{strips(evidence, quantity("mean_load"),
-                               "Each dot is one arrangement. Below the dots: mean, its 95 % confidence interval "
-                               "(thick), and the 95 % prediction interval of one further run (dashed)."),
-                        strips(evidence, quantity("mean_maximum"), "The same for the mean of the segments' maxima."),
-                        strips(evidence, quantity("failure_ratio"), "The same for the share of broken floes.")}};
+            .figures =
+                !each
+                    ? std::vector<Figure>{}
+                    : std::vector<Figure>{
+                          strips(evidence, quantity("mean_load"),
+                                 "Each dot is one arrangement. Below the dots: mean, its 95 % confidence interval "
+                                 "(thick), and the 95 % prediction interval of one further run (dashed)."),
+                          strips(evidence, quantity("mean_maximum"), "The same for the mean of the segments' maxima."),
+                          strips(evidence, quantity("failure_ratio"), "The same for the share of broken floes.")}};
 }
 
 }  // namespace floes

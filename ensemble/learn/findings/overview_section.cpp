@@ -80,7 +80,8 @@ Table case_table(const Evidence& evidence, const std::vector<LoadColumn>& loads)
 
 /// A row for each point, its values in columns.
 Table point_table(const DesignPoints& points, const Summary& summary, const std::vector<LoadColumn>& loads) {
-    const bool bases = std::ranges::any_of(points.rows, [](const PointRow& row) { return !row.base.empty(); });
+    const bool bases =
+        std::ranges::any_of(points.rows, [&](const PointRow& row) { return row.base != points.rows.front().base; });
     Table table{{}};
     if (bases) table.front().emplace_back("case");
     for (const KeyWords& words : axis_words(points)) table.front().emplace_back(words.heading());

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "findings/load_columns.hpp"
 #include "findings/points.hpp"
@@ -73,6 +74,12 @@ void draw_interval(Figure& figure, const LoadColumn& load, const CaseSummary& ro
     figure.dot(at, load.factor * found.estimate, colour(line));
 }
 
+/// A little to one side, so that the intervals of several lines do not cover each other.
+double beside(const Axis& axis, double value, std::size_t line, std::size_t lines) {
+    const double share = 0.006 * (static_cast<double>(line) - 0.5 * static_cast<double>(lines - 1));
+    return axis.logarithmic ? value * std::pow(axis.high / axis.low, share) : value + share * (axis.high - axis.low);
+}
+
 /// Estimates and the limits that say something: what a figure has to have room for.
 std::vector<double> extent(const Summary& summary, const LoadColumn& load) {
     std::vector<double> values;
@@ -99,7 +106,7 @@ Figure over_axis(const DesignPoints& points, const Summary& summary, std::size_t
     for (std::size_t k = 0; k < points.rows.size(); ++k) {
         const PointRow& row = points.rows[k];
         const std::size_t line = lines.empty() ? 0 : lines.at(line_of(points, row, axis));
-        draw_interval(figure, load, summary.cases[k], *number(row, axis), line);
+        draw_interval(figure, load, summary.cases[k], beside(figure.x, *number(row, axis), line, drawn.size()), line);
         drawn[line][*number(row, axis)] = load.factor * summary.cases[k].of(load.quantity).estimate;
     }
     if (lines.empty()) return figure;
@@ -196,6 +203,13 @@ std::pair<double, double> field_of(const std::vector<double>& values, const Axis
     return {value / factor, value * factor};
 }
 
+/// Different places of points on the two axes.
+std::size_t places_of(const DesignPoints& points, std::size_t across, std::size_t up) {
+    std::set<std::pair<double, double>> places;
+    for (const PointRow& row : points.rows) places.emplace(*number(row, across), *number(row, up));
+    return places.size();
+}
+
 Figure map_of(const DesignPoints& points, const Summary& summary, std::size_t across, std::size_t up,
               const LoadColumn& load) {
     const std::vector<KeyWords> words = axis_words(points);
@@ -203,9 +217,10 @@ Figure map_of(const DesignPoints& points, const Summary& summary, std::size_t ac
                   .x = axis_of(points, across),
                   .y = axis_of(points, up),
                   .size = {720, 420}};
-    const std::vector<double> columns = fields(points, across);
-    const std::vector<double> rows = fields(points, up);
     const std::vector<MapCell> cells = cells_of(points, summary, across, up, load);
+    std::vector<double> columns = fields(points, across);
+    std::vector<double> rows = fields(points, up);
+    if (columns.size() * rows.size() != places_of(points, across, up)) columns = rows = {};  // it is no board
     double largest = 0;
     bool averaged = false;
     for (const MapCell& cell : cells) {

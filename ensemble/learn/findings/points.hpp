@@ -19,9 +19,9 @@ struct PointRow {
 };
 
 struct DesignPoints {
-    std::vector<std::string> keys;        ///< of the axes
-    std::vector<AxisScale> scales = {};   ///< of the axes
-    std::vector<PointRow> rows;     ///< one for each case, in order
+    std::vector<std::string> keys;       ///< of the axes
+    std::vector<AxisScale> scales = {};  ///< of the axes
+    std::vector<PointRow> rows;          ///< one for each case, in order
 };
 
 /// A campaign without a design has no keys and no rows.

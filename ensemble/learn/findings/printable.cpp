@@ -13,12 +13,13 @@ bool says_something(double estimate, Limits limits, int runs) {
 }
 
 bool says_something(const Quantity& quantity, double estimate, Limits limits, int runs) {
+    if (limits.low <= quantity.least && limits.high >= quantity.most) return false;  // as wide as can be
     const bool has_a_sign = quantity.least < 0 && std::isfinite(quantity.least);
     return says_something(has_a_sign ? limits.high - limits.low : estimate, limits, runs);
 }
 
 std::string printable_bracket(const Quantity& quantity, double estimate, Limits limits, int runs, int decimals) {
-    if (!std::isfinite(limits.low) && !std::isfinite(limits.high) && runs >= fewest_for_interval) return "";
+    if (!std::isfinite(estimate)) return "";
     if (!says_something(quantity, estimate, limits, runs)) return "–";
     const double factor = quantity.factor();
     return bracket(factor * limits.low, factor * limits.high, decimals);

@@ -42,7 +42,8 @@ std::vector<Cell> line(const Sensitivity& found, const SensitivityRow& row, std:
     if (row.fit) {
         const Slope& slope = row.fit->slopes[axis];
         const double over_all = 2 * factor;  // a slope is over half the axis
-        cells.emplace_back(fixed(over_all * slope.estimate, decimals), limits_text(*row.fit, slope, over_all, decimals));
+        cells.emplace_back(fixed(over_all * slope.estimate, decimals),
+                           limits_text(*row.fit, slope, over_all, decimals));
     } else {
         cells.emplace_back("–", "");
     }
@@ -194,12 +195,12 @@ std::string change_sentence(const Sensitivity& found, const SensitivityRow& row,
     const double factor = 2 * unit.factor;  // a slope is over half the axis
     const int decimals = few_decimals(unit.factor * std::abs(row.fit->centre));
     const bool said = limits_text(*row.fit, slope, factor, decimals).starts_with('[');
-    return fmt::format("{}{} from {:g} to {:g}{} changes the mean load by {:+.{}f} {}{}.",
-                       row.base.empty() ? "" : row.base + ": ", name, about.from, about.to,
-                       words.unit.empty() ? "" : " " + words.unit, factor * slope.estimate, decimals, unit.name,
-                       said ? fmt::format(" ({:+.{}f} to {:+.{}f})", factor * slope.low, decimals,
-                                          factor * slope.high, decimals)
-                            : "");
+    return fmt::format(
+        "{}{} from {:g} to {:g}{} changes the mean load by {:+.{}f} {}{}.", row.base.empty() ? "" : row.base + ": ",
+        name, about.from, about.to, words.unit.empty() ? "" : " " + words.unit, factor * slope.estimate, decimals,
+        unit.name,
+        said ? fmt::format(" ({:+.{}f} to {:+.{}f})", factor * slope.low, decimals, factor * slope.high, decimals)
+             : "");
 }
 
 Section sensitivity_section(const Sensitivity& found) {

@@ -51,7 +51,7 @@ struct Summary {
     std::string title;  ///< of the campaign
     std::vector<CaseSummary> cases;
     std::vector<SetAside> failed;
-    std::vector<Quantity> quantities;  ///< all that are known of the members, in the order in which they are shown
+    std::vector<Quantity> quantities;      ///< all that are known of the members, in the order in which they are shown
     std::vector<std::string> labels = {};  ///< of the cases, for people; empty: their names
 
     bool complete() const;  ///< every planned member is done or set aside

@@ -32,8 +32,8 @@ void add_counts(const Summary& summary, Table& table) {
             summary, label, [&](Row row) { return Cell{fmt::format("{:g}", static_cast<double>(value(row)))}; }, table);
     };
     add_line(
-        summary, "case", [&](Row row) { return summary.label_of(static_cast<std::size_t>(&row - summary.cases.data())); },
-        table);
+        summary, "case",
+        [&](Row row) { return summary.label_of(static_cast<std::size_t>(&row - summary.cases.data())); }, table);
     add("E, MPa", [](Row row) { return row.about.elastic_modulus / unit::megapascal; });
     if (std::ranges::any_of(summary.cases, [](Row row) { return !std::isnan(row.about.cfm); }))
         add("Σ", [](Row row) { return row.about.cfm; });
@@ -76,12 +76,14 @@ void add_estimate(const Summary& summary, const Quantity& quantity, Table& table
                 return Cell{"", range(row, found.low, found.high)};
             },
             table);
-        if (std::ranges::none_of(table.back(), [](const Cell& cell) { return cell.range.value_or("").starts_with('['); }))
+        if (std::ranges::none_of(table.back(),
+                                 [](const Cell& cell) { return cell.range.value_or("").starts_with('['); }))
             table.pop_back();  // they say nothing of any case
     };
     add_range("  bootstrap", [](const Estimate& found) { return found.bca; });
-    add_range("  one further run",
-              [](const Estimate& found) { return Limits{found.prediction_low, found.prediction_high}; });
+    add_range("  one further run", [](const Estimate& found) {
+        return Limits{found.prediction_low, found.prediction_high};
+    });
 }
 
 /// Whether it counts what happened in no member, such as joints that fail in a mode without a criterion. The first of
@@ -128,7 +130,8 @@ std::string notes(const Summary& summary, const Totals& totals) {
     std::string text = fmt::format(
         "\nOne arrangement is one value. Brackets, all 95 %: confidence interval of the mean over all arrangements by "
         "Student's t; below it by BCa bootstrap, which assumes no distribution; then the prediction interval of one "
-        "further run; –: one that would say nothing, of fewer than {} arrangements or too wide. Failure ratio: broken floes "
+        "further run; –: one that would say nothing, of fewer than {} arrangements or too wide. Failure ratio: broken "
+        "floes "
         "/ floes. Joints failed: mean per run.\n",
         fewest_for_interval);
     text +=

@@ -41,8 +41,8 @@ struct Counts {
 };
 
 std::string untouched_text(const Counts& found, std::size_t cases) {
-    std::string text = fmt::format("Ice never touched the structure in {} of {}: their loads are 0",
-                                   found.untouched, counted(found.done, "member"));
+    std::string text = fmt::format("Ice never touched the structure in {} of {}: their loads are 0", found.untouched,
+                                   counted(found.done, "member"));
     if (!found.bare.empty() && found.bare.size() < cases) text += " (all of " + name_list(found.bare) + ")";
     return text + ". The field may be too open, or the measured window too early.";
 }
@@ -84,9 +84,9 @@ std::string few_text(const Summary& summary) {
     if (names.empty()) return "";
     const std::string where = names.size() == summary.cases.size() ? "" : " (" + name_list(names) + ")";
     const std::string count = least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most);
-    const std::string remedy =
-        needed > 0 ? fmt::format("about {} arrangements would give the mean load to 20 %", needed)
-                   : std::string{"8 arrangements or more are a beginning"};
+    const std::string remedy = needed > 0
+                                   ? fmt::format("about {} arrangements would give the mean load to 20 %", needed)
+                                   : std::string{"8 arrangements or more are a beginning"};
     return fmt::format("n = {}{}: no interval worth printing; {}.", count, where, remedy);
 }
 
@@ -106,10 +106,10 @@ std::vector<std::string> warnings_of(const CampaignTable& table, const Summary& 
     std::vector<std::string> sentences;
     if (found.failed > 0) sentences.push_back(failed_text(found, summary));
     if (found.missing > 0)
-        sentences.push_back(fmt::format(
-            "{} of {} {} no result yet{}", found.missing, counted(found.members, "member"),
-            found.missing == 1 ? "has" : "have",
-            found.done > 0 ? ". Short runs finish first, so the figures lean towards them." : "."));
+        sentences.push_back(
+            fmt::format("{} of {} {} no result yet{}", found.missing, counted(found.members, "member"),
+                        found.missing == 1 ? "has" : "have",
+                        found.done > 0 ? ". Short runs finish first, so the figures lean towards them." : "."));
     if (found.untouched > 0) sentences.push_back(untouched_text(found, summary.cases.size()));
     if (more_than_chance(found.rising + found.falling, found.done)) sentences.push_back(unsteady_text(found));
     if (std::string few = few_text(summary); !few.empty()) sentences.push_back(std::move(few));

@@ -29,7 +29,7 @@ Figure side_view(const Scenario& scenario, const std::string& names, double wide
     const double high = shape.top() + 0.08;
     Figure figure{.description = "Section of the structure with the water's surface and the ice",
                   .x = {names + "m", -reach, reach},
-                  .y = {"height above the water, m", low, high},
+                  .y = {"height, m", low, high},
                   .size = to_scale(2 * reach, high - low, widest)};
     figure.area({{-reach, low}, {reach, low}, {reach, 0}, {-reach, 0}}, "water");
     const double draught = scenario.floe.thickness * scenario.ice.density / scenario.water.density;
@@ -79,8 +79,9 @@ std::vector<Figure> hulls(const Campaign& campaign, const Summary& summary) {
         for (const Case& one : campaign.cases) values.push_back(one.scenario.floe.thickness);
         return range_text(values);
     }();
-    figures.back().caption = fmt::format("Section of the structure and the ice on the water, to scale; the ice is {} m thick{}.",
-                                         thickness, thickness.find("to") == std::string::npos ? "" : ", drawn as in the first case of each");
+    figures.back().caption =
+        fmt::format("Section of the structure and the ice on the water, to scale; the ice is {} m thick{}.", thickness,
+                    thickness.find("to") == std::string::npos ? "" : ", drawn as in the first case of each");
     if (drawn < groups.size())
         figures.back().caption += fmt::format(" {} of {} hulls are drawn.", drawn, groups.size());
     return figures;

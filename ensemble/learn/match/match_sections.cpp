@@ -92,8 +92,8 @@ Section target_section(const std::vector<EmulatedTarget>& targets, const Matchin
     for (const auto& [target, verdict] : rows) {
         const Target& about = target->target();
         const bool used = target->unused().empty();
-        section.table.push_back({about.name(), about.shown(about.value),
-                                 kind_word(*target), fixed(error_of_left_out(*target), 2), fixed(verdict->least, 2),
+        section.table.push_back({about.name(), about.shown(about.value), kind_word(*target),
+                                 fixed(error_of_left_out(*target), 2), fixed(verdict->least, 2),
                                  used ? percent(verdict->rules_out) : "-", used ? percent(verdict->alone) : "-"});
     }
     section.after =

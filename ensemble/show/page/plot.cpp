@@ -41,7 +41,9 @@ class Drawing {
 
     /// Drawn `above()` units lower than the figure's own coordinates say, which begin below the first rows of a legend
     /// of several.
-    std::string body() const { return above_ == 0 ? body_ : fmt::format("<g transform=\"translate(0 {:g})\">{}</g>", above_, body_); }
+    std::string body() const {
+        return above_ == 0 ? body_ : fmt::format("<g transform=\"translate(0 {:g})\">{}</g>", above_, body_);
+    }
     double above() const { return above_; }
 
     void operator()(const Figure::Line& mark) {
@@ -94,7 +96,7 @@ class Drawing {
     const Figure& figure_;
     double floor_ = figure_.size.height - bottom;
     double end_ = figure_.size.width - right;
-    double left_ = 64;   // wider if names need it
+    double left_ = 64;  // wider if names need it
     double above_ = 0;  // height of the legend's rows but the last
     std::string body_;
 };
