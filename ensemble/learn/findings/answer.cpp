@@ -26,7 +26,7 @@ constexpr std::size_t most_cases = 6;  // compared with the first
 /// "29.6 N (28.8 to 30.3)"; 95 % is said once, before. Limits that say nothing are left out.
 std::string load(double value, const Limits& limits, int runs) {
     const LoadUnit unit = load_unit(std::abs(value));
-    const int decimals = std::abs(unit.factor * value) < 100 ? 1 : 0;
+    const int decimals = few_decimals(unit.factor * std::abs(value));
     const std::string text = fmt::format("{} {}", fixed(unit.factor * value, decimals), unit.name);
     if (!says_something(value, limits, runs)) return text;
     return text +

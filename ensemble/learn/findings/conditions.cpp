@@ -10,6 +10,7 @@
 
 #include "campaign/name_list.hpp"
 #include "core/units.hpp"
+#include "core/wording.hpp"
 #include "scenario/contact_preset.hpp"
 
 namespace floes {
@@ -73,8 +74,8 @@ bool has_rigid_contacts(const Summary& summary) {
 }
 
 std::string window_words(const Analysis& analysis) {
-    return fmt::format("{} to {} s after the tow began, in {} segments", analysis.steady_start,
-                       analysis.steady_start + analysis.window, analysis.segments);
+    return fmt::format("{} to {} s after the tow began, in {}", analysis.steady_start,
+                       analysis.steady_start + analysis.window, counted(analysis.segments, "segment"));
 }
 
 std::string far_end_key(FarEnd far_end) {

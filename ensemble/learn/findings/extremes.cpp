@@ -30,6 +30,13 @@ std::string level_range(const ReturnLevel& level, int decimals) {
 }
 
 std::vector<Cell> line(const CaseExtremes& one, const FittedExtreme& fitted) {
+    constexpr double edge = 0.99;  // of the shapes that are looked at
+    const bool degenerate = &fitted == &one.gev && std::abs(fitted.fit.shape) > edge;
+    if (degenerate) {
+        std::vector<Cell> cells(5 + fitted.levels.size(), "–");
+        cells.front() = fmt::format("  {}: no fit", name_of(fitted.kind));
+        return cells;
+    }
     const int decimals = decimals_for(std::abs(fitted.fit.location));
     std::vector<Cell> cells{fmt::format("  {}", name_of(fitted.kind)), fixed(fitted.fit.location, decimals),
                             fixed(fitted.fit.scale, decimals), &fitted == &one.gev ? fixed(fitted.fit.shape, 2) : "",

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 
 #include "findings/conditions.hpp"
+#include "findings/load_columns.hpp"
 #include "findings/paper_table3.hpp"
 #include "findings/printable.hpp"
 #include "tables/number_text.hpp"
@@ -64,20 +66,32 @@ Figure strips(const Evidence& evidence, const Quantity& quantity, std::string ca
 }  // namespace
 
 Table averaged_table(const Summary& summary) {
-    Table table{{"case", "over, s", "SD, N", "mean maximum, N", "95 % interval", "one further run", "SD maximum, N"}};
+    auto shown = std::views::filter(summary.quantities, [](const Quantity& one) {
+        return one.averaging != 0 && one.averaged == quantity("mean_maximum").averaged;
+    });
+    double largest = 0;
+    for (const CaseSummary& row : summary.cases)
+        for (const Quantity& one : shown)
+            if (const double found = row.of(one).estimate; found > largest) largest = found;
+    const LoadUnit unit = load_unit(largest);
+    const int decimals = std::max(1, few_decimals(unit.factor * largest));
+    Table table{{"case", "over, s", fmt::format("SD, {}", unit.name), fmt::format("mean maximum, {}", unit.name),
+                 "95 % interval", "one further run", fmt::format("SD maximum, {}", unit.name)}};
     for (std::size_t k = 0; k < summary.cases.size(); ++k) {
         const CaseSummary& row = summary.cases[k];
-        for (const Quantity& one : summary.quantities) {
-            if (one.averaging == 0 || one.averaged != quantity("mean_maximum").averaged) continue;
+        for (const Quantity& one : shown) {
             const Estimate& found = row.of(one);
             const auto estimate = [&](const Quantity& other) {
-                return fixed(row.of(averaged_over(other, one.averaging)).estimate, 1);
+                return fixed(unit.factor * row.of(averaged_over(other, one.averaging)).estimate, decimals);
+            };
+            const auto range = [&](const Limits& limits) {
+                return says_something(one, found.estimate, limits, row.done)
+                           ? bracket(unit.factor * limits.low, unit.factor * limits.high, decimals)
+                           : "–";
             };
             table.push_back({summary.label_of(k), fmt::format("{}", one.averaging), estimate(quantity("sd_load")),
-                             fixed(found.estimate, 1),
-                             printable_bracket(one, found.estimate, mean_limits(found), row.done, 1),
-                             printable_bracket(one, found.estimate, run_limits(found), row.done, 1),
-                             estimate(quantity("sd_maximum"))});
+                             fixed(unit.factor * found.estimate, decimals), range(mean_limits(found)),
+                             range(run_limits(found)), estimate(quantity("sd_maximum"))});
         }
     }
     return table;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/units.hpp"
+#include "findings/load_columns.hpp"
 #include "findings/printable.hpp"
 #include "scenario/keys.hpp"
 #include "tables/number_text.hpp"
@@ -24,12 +25,18 @@ bool of_the_case(const Key& key) {
     return key.path == "ice.elastic_modulus_MPa" || key.path == "joint.cfm";
 }
 
-Cell estimate_cell(const CaseSummary& row, const Quantity& quantity, int decimals) {
+/// Loads in the unit that suits the largest of them, shares in percent.
+Cell estimate_cell(const CaseSummary& row, const Quantity& quantity, int decimals, const LoadUnit& unit) {
     const Estimate& found = row.of(quantity);
+    const double factor = quantity.percent ? quantity.factor() : unit.factor;
+    constexpr double few = 10;  // below it a whole number says too little
+    if (!quantity.percent && factor * found.estimate < few)
+        decimals = std::max(decimals, few_decimals(factor * found.estimate));
     const auto range = [&](double low, double high) {
-        return printable_bracket(quantity, found.estimate, {low, high}, row.done, decimals);
+        if (!says_something(quantity, found.estimate, {low, high}, row.done)) return std::string{"–"};
+        return bracket(factor * low, factor * high, decimals);
     };
-    return {fixed(quantity.factor() * found.estimate, decimals), range(found.low, found.high),
+    return {fixed(factor * found.estimate, decimals), range(found.low, found.high),
             range(found.prediction_low, found.prediction_high)};
 }
 
@@ -75,14 +82,21 @@ const PaperRow* paper_row(const Case& one) {
 }
 
 Table table3(const Campaign& campaign, const Summary& summary) {
-    Table table{{"case", "n", "mean, N", "SD, N", "mean maximum, N", "SD maximum, N", "broken floes, %"}};
+    double largest = 0;
+    for (const CaseSummary& row : summary.cases)
+        if (const double found = row.of(quantity("mean_maximum")).estimate; found > largest) largest = found;
+    const LoadUnit unit = load_unit(largest);
+    Table table{{"case", "n"}};
+    for (const char* name : {"mean", "SD", "mean maximum", "SD maximum"})
+        table.front().emplace_back(fmt::format("{}, {}", name, unit.name));
+    table.front().emplace_back("broken floes, %");
     bool experiment = false;
     for (std::size_t k = 0; k < summary.cases.size(); ++k) {
         const CaseSummary& row = summary.cases[k];
-        table.push_back({summary.label_of(k), fmt::format("{}", row.done), estimate_cell(row, quantity("mean_load"), 1),
-                         estimate_cell(row, quantity("sd_load"), 1), estimate_cell(row, quantity("mean_maximum"), 0),
-                         estimate_cell(row, quantity("sd_maximum"), 0),
-                         estimate_cell(row, quantity("failure_ratio"), 1)});
+        table.push_back({summary.label_of(k), fmt::format("{}", row.done), estimate_cell(row, quantity("mean_load"), 1, unit),
+                         estimate_cell(row, quantity("sd_load"), 1, unit), estimate_cell(row, quantity("mean_maximum"), 0, unit),
+                         estimate_cell(row, quantity("sd_maximum"), 0, unit),
+                         estimate_cell(row, quantity("failure_ratio"), 1, unit)});
         const PaperRow* paper = paper_row(campaign.cases.at(k));
         if (paper == nullptr) continue;
         const bool again =

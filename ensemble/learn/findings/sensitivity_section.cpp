@@ -144,18 +144,24 @@ DataRows axis_records(const Sensitivity& found) {
     return csv_only(make_rows<Line>("", lines, columns));
 }
 
-/// Slopes and indices by [[case]], quantity and axis; the heading first.
-Table sensitivity_table(const Sensitivity& found) {
+/// Of changes and indices by [[case]], quantity and axis.
+Table sensitivity_heading(const Sensitivity& found) {
     Table table{{"from one end to the other", {"change", "95 %"}}};
     if (has_indices(found)) {
         table.front().emplace_back("first order", "95 %");
         table.front().emplace_back("total", "95 %");
     }
+    return table;
+}
+
+/// Of the quantities that are asked for first, or of the others.
+void add_rows(const Sensitivity& found, bool headlines, const std::vector<Cell>& heading, Table& table) {
     for (const SensitivityRow& row : found.rows) {
-        table.emplace_back(table.front().size(), Cell{"", ""}).front() = heading_of(row);
+        const bool first = row.quantity.shown >= Shown::in_headlines || row.quantity.key.view() == "mean_maximum_1s";
+        if (first != headlines) continue;
+        table.emplace_back(heading.size(), Cell{"", ""}).front() = heading_of(row);
         for (std::size_t axis = 0; axis < found.axes.size(); ++axis) table.push_back(line(found, row, axis));
     }
-    return table;
 }
 
 /// The meaning of the columns, then the notes, as sentences.
@@ -213,7 +219,10 @@ Section sensitivity_section(const Sensitivity& found) {
                                      {"to", &SensitivityAxis::to},
                                      {"scale", [](const SensitivityAxis& axis) { return scale_word(axis); }}})),
                                 row_records(found), axis_records(found), make_list("sensitivity/notes", found.notes)}};
-    if (!found.rows.empty()) section.table = sensitivity_table(found);
+    if (found.rows.empty()) return section;
+    section.table = sensitivity_heading(found);
+    add_rows(found, false, section.table.front(), section.folded);
+    add_rows(found, true, Table(section.table).front(), section.table);
     return section;
 }
 

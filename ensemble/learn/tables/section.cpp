@@ -14,8 +14,9 @@ std::string joined(const std::vector<std::string>& parts) {
 
 std::string table_text(const Section& section, int width) {
     if (section.table.empty()) return "";
-    return section.layout == Section::Layout::panels ? text_panels(section.table, width)
-                                                     : text_columns(section.table, width);
+    Table all = section.table;
+    all.insert(all.end(), section.folded.begin(), section.folded.end());
+    return section.layout == Section::Layout::panels ? text_panels(all, width) : text_columns(all, width);
 }
 
 }  // namespace

@@ -37,7 +37,8 @@ table{border-collapse:collapse;font-size:.88rem;font-variant-numeric:tabular-num
 .wide{overflow-x:auto}th,td{padding:.2rem .45rem;text-align:right;border-bottom:1px solid var(--grid);vertical-align:top}
 th:first-child,td:first-child{text-align:left}td small{color:var(--soft)}td{white-space:nowrap}td.words{white-space:normal;text-align:left}
 pre{overflow-x:auto;background:var(--water);padding:.7rem;font-size:.8rem}code{font-size:.9em}
-@media print{.appendix{break-before:page}body{font-size:11px;margin:0;max-width:none}:root{--ink:#000;--ground:#fff}
+@media(max-width:600px){figure{overflow-x:auto}figure>svg{max-width:none;min-width:560px}}
+@media print{html{font-size:11px}body{font-size:1rem;margin:0;max-width:none}:root{--ink:#000;--ground:#fff}
 p,ul,h1,h2,h3,figcaption{max-width:none}h1,h2,h3,summary{break-after:avoid}figure,tr,.panels svg{break-inside:avoid}p,li{orphans:3;widows:3}
 h2{margin-top:1.2rem}figure{margin:.5rem 0}figure img{max-height:8cm;width:auto}figure svg{max-width:13cm}.panels svg{max-width:6cm}
 figure figcaption{break-before:avoid}table{font-size:.62rem}th,td{padding:.1rem .3rem}.wide{overflow-x:visible}}

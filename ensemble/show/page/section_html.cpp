@@ -36,9 +36,9 @@ std::string tables_html(const Section& told) {
     } else if (!told.table.empty()) {
         html = html_table(told.table);
     }
-    if (told.on_page.empty()) return html;
+    if (told.folded.empty() && told.on_page.empty()) return html;
     Table further{told.table.front()};
-    further.insert(further.end(), told.on_page.begin(), told.on_page.end());
+    for (const Table* rows : {&told.folded, &told.on_page}) further.insert(further.end(), rows->begin(), rows->end());
     return html + closed_table("Further rows", further);
 }
 
