@@ -29,8 +29,7 @@ std::string answer(const DesignOptions& options) {
     const Evidence evidence = read_evidence(CampaignFile(options.file), options.window == "auto");
     const std::vector<CaseDesignLoad> designs = find_design_loads(evidence.table, request);
     std::vector<Section> sections = design_load_sections(evidence.summary, designs, request);
-    sections.front().before =
-        warning_lines(warnings_of(evidence.table, evidence.summary)) + sections.front().before;
+    sections.front().before = warning_lines(warnings_of(evidence.table, evidence.summary)) + sections.front().before;
     return written(sections, options.format);
 }
 

@@ -7,8 +7,11 @@
 
 #include "campaign/read.hpp"
 #include "findings/answer.hpp"
+#include "findings/conditions.hpp"
 #include "findings/example.hpp"
 #include "findings/overview_section.hpp"
+#include "findings/report_sections.hpp"
+#include "scenario/contact_preset.hpp"
 
 namespace floes {
 namespace {
@@ -132,6 +135,69 @@ TEST(Answer, SaysWhatVariesBetweenCases) {
     EXPECT_THAT(answer.basis.at(1), HasSubstr(" x 0.02 to 0.04 m at 75 %"));
     EXPECT_THAT(answer.basis.at(2), HasSubstr("Varies: thickness 0.02 m (thin), 0.04 m (thick)."));
     EXPECT_THAT(answer.changes.at(0), HasSubstr("thick instead of thin changes the mean load by +8.0 N"));
+}
+
+// A doubt that matters stands beside the figure: the methods lie between 40 and 75 N, 70 % of 50 N apart, and 3 h are
+// 108 times the 100 s that were run.
+TEST(Answer, SaysDoubtsBesideTheFigure) {
+    Evidence evidence = evidence_with("[campaign]\narrangements = 3\n");
+    DesignLoad load;
+    load.arrangements = 3;
+    load.time_run = 100;
+    for (const double value : {50.0, 40.0, 75.0}) {
+        const DesignLoadFigure figure{value, {value - 5, value + 5}};
+        load.estimates.push_back({LargestBy::both_tails, figure, {figure}});
+    }
+    DesignLoads designs;
+    CaseDesignLoad& of_case = designs.of_cases.emplace_back();
+    of_case.load = load;
+    evidence.designs = designs;
+    evidence.table.members[0].load.steady = false;
+    evidence.summary = summarise(evidence.table);
+    const std::string told = find_answer(evidence).loads.at(0);
+    EXPECT_THAT(told, HasSubstr("[1 of 3 not steady]"));
+    EXPECT_THAT(told, HasSubstr("exceeded with 10 %: 50.0 N (45.0 to 55.0); doubtful: methods differ by 70 %, "
+                                "extrapolated to 1.1e+02 times the time run."));
+    evidence.designs->of_cases[0].load.arrangements = 2;
+    EXPECT_THAT(find_answer(evidence).loads.at(0), HasSubstr("exceeded with 10 %: 50.0 N; doubtful"));
+}
+
+TEST(WhatWasRun, DrawsEveryHullAndNotEveryCase) {
+    const std::string cases =
+        "[[case]]\nname = \"a\"\n[[case]]\nname = \"b\"\nstructure.profile_m = [[-0.4, 0.6], [0.1, 0.6]]\n"
+        "[[case]]\nname = \"c\"\nice.thickness_m = 0.02\n";
+    Evidence evidence = evidence_with("[campaign]\narrangements = 3\n" + cases);
+    const Section told = what_was_run(evidence);
+    ASSERT_EQ(told.figures.size(), 3u);
+    EXPECT_EQ(told.figures[0].x.label, "a, c: m");
+    EXPECT_EQ(told.figures[1].x.label, "b: m");
+    EXPECT_EQ(told.figures[2].x.label, "along the floe, m");  // all floes are of one size
+    EXPECT_THAT(told.figures[1].caption, HasSubstr("the ice is 0.02 to 0.033 m thick"));
+}
+
+TEST(Conditions, OfManyDifferentCasesAreCountedNotListed) {
+    std::string cases = "[campaign]\narrangements = 3\n";
+    for (int k = 0; k < 5; ++k)
+        cases += "[[case]]\nname = \"" + std::string(1, static_cast<char>('a' + k)) +
+                 "\"\nice.compressive_strength_kPa = " + std::to_string(100 + k) + ".0\n";
+    const Evidence evidence = evidence_with(cases);
+    Summary summary = evidence.summary;
+    for (std::size_t k = 0; k < summary.cases.size(); ++k)
+        summary.cases[k].about.contact =
+            with_preset({.crushing_pressure = 1e5 + 1e3 * static_cast<double>(k)}, ContactPreset::physical);
+    const std::vector<std::string> lines = condition_lines(summary);
+    EXPECT_THAT(lines, testing::Contains(testing::StartsWith("Contacts: 5 different ones, as preset physical")));
+}
+
+TEST(Convergence, FigureFollowsTheMeansNotTheWidestInterval) {
+    Evidence evidence = evidence_with("[campaign]\narrangements = 6\n");
+    for (MemberRow& row : evidence.table.members) row.load.mean = row.arrangement == 0 ? 100 : row.arrangement;
+    const Section told = convergence_section(evidence);
+    EXPECT_LT(told.figures[0].y.high, 120);  // of the first three the interval reaches to 178 N
+    for (const Figure::Mark& mark : told.figures[0].marks)
+        if (const auto* area = std::get_if<Figure::Area>(&mark)) {
+            for (const auto& [n, load] : area->outline) EXPECT_LE(load, told.figures[0].y.high);
+        }
 }
 
 }  // namespace

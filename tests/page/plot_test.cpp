@@ -67,10 +67,10 @@ TEST(Plot, BreaksALegendIntoRows) {
 }
 
 TEST(PlotAxis, HasTwosAndFivesWhereThereAreFewDecades) {
-    EXPECT_THAT(ticks({"", 0.015, 0.6, true}, 8),
-                ElementsAre(testing::DoubleNear(0.02, 1e-12), testing::DoubleNear(0.05, 1e-12),
-                            testing::DoubleNear(0.1, 1e-12), testing::DoubleNear(0.2, 1e-12),
-                            testing::DoubleNear(0.5, 1e-12)));
+    EXPECT_THAT(
+        ticks({"", 0.015, 0.6, true}, 8),
+        ElementsAre(testing::DoubleNear(0.02, 1e-12), testing::DoubleNear(0.05, 1e-12), testing::DoubleNear(0.1, 1e-12),
+                    testing::DoubleNear(0.2, 1e-12), testing::DoubleNear(0.5, 1e-12)));
 }
 
 TEST(Plot, EscapesWords) {

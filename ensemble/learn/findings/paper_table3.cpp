@@ -93,10 +93,11 @@ Table table3(const Campaign& campaign, const Summary& summary) {
     bool experiment = false;
     for (std::size_t k = 0; k < summary.cases.size(); ++k) {
         const CaseSummary& row = summary.cases[k];
-        table.push_back({summary.label_of(k), fmt::format("{}", row.done), estimate_cell(row, quantity("mean_load"), 1, unit),
-                         estimate_cell(row, quantity("sd_load"), 1, unit), estimate_cell(row, quantity("mean_maximum"), 0, unit),
-                         estimate_cell(row, quantity("sd_maximum"), 0, unit),
-                         estimate_cell(row, quantity("failure_ratio"), 1, unit)});
+        table.push_back(
+            {summary.label_of(k), fmt::format("{}", row.done), estimate_cell(row, quantity("mean_load"), 1, unit),
+             estimate_cell(row, quantity("sd_load"), 1, unit), estimate_cell(row, quantity("mean_maximum"), 0, unit),
+             estimate_cell(row, quantity("sd_maximum"), 0, unit),
+             estimate_cell(row, quantity("failure_ratio"), 1, unit)});
         const PaperRow* paper = paper_row(campaign.cases.at(k));
         if (paper == nullptr) continue;
         const bool again =
