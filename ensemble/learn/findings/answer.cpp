@@ -21,7 +21,7 @@ namespace floes {
 namespace {
 
 constexpr std::size_t most_changes = 3;
-constexpr std::size_t most_cases = 6;  // compared with the first
+constexpr std::size_t most_cases = 7;  // the first and those compared with it
 
 /// "29.6 N (28.8 to 30.3)"; 95 % is said once, before. Limits that say nothing are left out.
 std::string load(double value, const Limits& limits, int runs) {
@@ -133,7 +133,7 @@ std::vector<std::string> basis_sentences(const Evidence& evidence, const DesignL
 std::vector<std::string> case_sentences(const Evidence& evidence) {
     std::vector<std::string> sentences;
     const std::size_t reference = evidence.reference.value_or(0);
-    for (const PairRow& row : compare_with(evidence.table, reference, quantity("mean_load"))) {
+    for (const PairRow& row : compare_with(evidence.table, reference, quantity("mean_load"), most_cases)) {
         const LoadUnit unit = load_unit(std::abs(row.first_mean));
         const int decimals = few_decimals(unit.factor * std::abs(row.first_mean));
         const Limits& limits = row.found.t_interval;
@@ -144,7 +144,6 @@ std::vector<std::string> case_sentences(const Evidence& evidence) {
                                         said ? fmt::format(" ({:+.{}f} to {:+.{}f})", unit.factor * limits.low,
                                                            decimals, unit.factor * limits.high, decimals)
                                              : fmt::format(" [n = {}]", row.found.arrangements)));
-        if (sentences.size() == most_cases) break;
     }
     return sentences;
 }

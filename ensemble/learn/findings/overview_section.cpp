@@ -67,7 +67,7 @@ Table case_table(const Evidence& evidence, const std::vector<LoadColumn>& loads)
     Table table{{"case", "n"}};
     for (const LoadColumn& column : loads) table.front().emplace_back(column.heading);
     if (compared) {
-        pairs = compare_with(evidence.table, reference, loads.front().quantity);
+        pairs = compare_with(evidence.table, reference, loads.front().quantity, most_overview_rows);
         table.front().emplace_back(fmt::format("mean - {}, {}", summary.label_of(reference), load_unit_of(loads)));
     }
     for (std::size_t k = 0; k < std::min(summary.cases.size(), most_overview_rows); ++k) {

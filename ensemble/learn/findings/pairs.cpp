@@ -1,5 +1,6 @@
 #include "findings/pairs.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -105,10 +106,11 @@ std::vector<PairRow> compare_pairs(const CampaignTable& table, const PairOptions
     return all;
 }
 
-std::vector<PairRow> compare_with(const CampaignTable& table, std::size_t reference, const Quantity& quantity) {
+std::vector<PairRow> compare_with(const CampaignTable& table, std::size_t reference, const Quantity& quantity,
+                                  std::size_t most) {
     const std::vector<ByArrangement> rows = all_by_arrangement(table);
     std::vector<PairRow> all;
-    for (std::size_t other = 0; other < rows.size(); ++other) {
+    for (std::size_t other = 0; other < std::min(rows.size(), most); ++other) {
         if (other == reference) continue;
         const SharedMembers pair = shared(rows, reference, other);
         if (pair.members.size() < fewest_shared) continue;
