@@ -22,6 +22,8 @@ TEST(Prose, CountsLettersNotBytes) {
 
 TEST(Prose, LeavesCommandsAndLongWordsWhole) {
     EXPECT_EQ(wrapped("Next:\n  floes report smoke.h5\n", 8), "Next:\n  floes report smoke.h5\n");
+    EXPECT_EQ(wrapped("  floes report a.h5  one page\n", 30), "  floes report a.h5  one page\n");
+    EXPECT_EQ(wrapped("  floes report a.h5  one page\n", 20), "  floes report a.h5\n    one page\n");
     EXPECT_EQ(wrapped("a /very/long/path b", 5), "a\n/very/long/path\nb");
 }
 

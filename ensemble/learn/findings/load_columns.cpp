@@ -76,7 +76,7 @@ std::string load_columns_text(const Summary& summary) {
     const std::string parts = same && segments == 1 ? "the window"
                               : same ? fmt::format("each of the window's {}", counted(segments, "segment"))
                                      : std::string{"each of the window's segments"};
-    return fmt::format("±: 95 % interval of the mean over arrangements (t). Largest: of {}, {}; mean over them.", parts,
+    return fmt::format("±: 95 % interval of the mean over arrangements (t). Largest: of {}, {}; their mean.", parts,
                        largest.averaging == 0 ? std::string{"in a single step, which depends on the time step"}
                                               : fmt::format("averaged over {:g} s", largest.averaging));
 }

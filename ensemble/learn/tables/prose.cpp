@@ -29,6 +29,19 @@ void wrap_line(std::string_view line, std::size_t width, std::string& out) {
     }
 }
 
+/// A command, and behind two spaces or more what it does.
+void add_command(std::string_view line, std::size_t width, std::string& out) {
+    const std::size_t command = line.find_first_not_of(' ');
+    const std::size_t gap = command == std::string_view::npos ? command : line.find("  ", command);
+    if (text_width(line) <= width || gap == std::string_view::npos) {
+        out += line;
+        return;
+    }
+    out += line.substr(0, gap);
+    out += "\n" + std::string(command + 2, ' ');
+    out += line.substr(std::min(line.find_first_not_of(' ', gap), line.size()));
+}
+
 }  // namespace
 
 std::string wrapped(std::string_view text, int width) {
@@ -38,7 +51,7 @@ std::string wrapped(std::string_view text, int width) {
         const std::size_t end = text.find('\n');
         const std::string_view line = text.substr(0, end);
         if (line.starts_with(' ')) {
-            out += line;
+            add_command(line, room, out);
         } else {
             wrap_line(line, room, out);
         }
