@@ -3,12 +3,14 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "core/units.hpp"
 #include "findings/design_load_section.hpp"
 #include "findings/evidence.hpp"
+#include "findings/warnings.hpp"
 
 namespace floes {
 namespace {
@@ -26,7 +28,9 @@ std::string answer(const DesignOptions& options) {
     request.exposure = options.exposure_h * unit::hour;
     const Evidence evidence = read_evidence(CampaignFile(options.file), options.window == "auto");
     const std::vector<CaseDesignLoad> designs = find_design_loads(evidence.table, request);
-    return written(design_load_sections(evidence.summary, designs, request), options.format);
+    std::vector<Section> sections = design_load_sections(evidence.summary, designs, request);
+    sections.front().before = warning_lines(warnings_of(evidence.table, evidence.summary)) + sections.front().before;
+    return written(sections, options.format);
 }
 
 }  // namespace

@@ -22,6 +22,7 @@
 #include "cli/write_page.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "core/wording.hpp"
 #include "match/match_sections.hpp"
 #include "match/next_wave.hpp"
 #include "match/predict.hpp"
@@ -146,8 +147,8 @@ void run(const MatchOptions& options) {
     for (const std::string& file : options.files) waves.push_back(read_wave(file));
     const std::vector<Target> measured = read_targets(read_text(options.targets), options.targets);
     const MatchData data = match_data(waves, measured);
-    const WaitingNote patience(std::cerr,
-                               fmt::format("emulating {} targets at {} points", data.targets.size(), options.samples));
+    const WaitingNote patience(std::cerr, fmt::format("emulating {} at {} points",
+                                                      counted(std::ssize(data.targets), "target"), options.samples));
     const std::vector<EmulatedTarget> targets = emulate(data);
     const Matching found = match(data, targets, options.samples, waves.front().campaign.seed);
     std::vector<Section> sections = match_sections(data, targets, found);

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "campaign/advice.hpp"
-#include "campaign_file/read_campaign_file.hpp"
 #include "cli/commands.hpp"
 #include "cli/config_file.hpp"
 #include "cli/ranks.hpp"
+#include "cli/shell_words.hpp"
 #include "cli/terminal.hpp"
 #include "core/error.hpp"
 #include "core/wording.hpp"
@@ -24,7 +24,7 @@
 #include "driver/run_campaign.hpp"
 #include "driver/signals.hpp"
 #include "driver/worker.hpp"
-#include "findings/summary_section.hpp"
+#include "findings/overview_section.hpp"
 #include "wire/open_link.hpp"
 
 namespace floes {
@@ -45,17 +45,6 @@ struct RunVerb {
     std::vector<std::string> overrides;
 };
 
-/// The word quoted for a shell.
-std::string quoted(const std::string& word) {
-    const bool plain = !word.empty() && word.find_first_not_of(
-                                            "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                            "0123456789_-+=.,/:@%") == std::string::npos;
-    if (plain) return word;
-    std::string text = "'";
-    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return text + "'";
-}
-
 std::filesystem::path output_of(const RunVerb& verb) {
     if (!verb.output.empty()) return verb.output;
     return std::filesystem::path(verb.config).stem().string() + ".h5";
@@ -64,7 +53,7 @@ std::filesystem::path output_of(const RunVerb& verb) {
 std::string resume_command(const RunVerb& verb, const std::string& program, int ranks) {
     const char* launcher = std::getenv("FLOES_LAUNCHER");  // the script that starts the ranks, if any
     std::string command = ranks > 1 && launcher == nullptr ? fmt::format("mpirun -n {} ", ranks) : "";
-    command += fmt::format("{} run ", quoted(launcher != nullptr ? launcher : program));
+    command += fmt::format("{} run ", typed_program(program));
     if (ranks > 1 && launcher != nullptr) command += fmt::format("--ranks {} ", ranks);
     command += fmt::format("{} -o {} --resume", quoted(verb.config), quoted(output_of(verb).string()));
     if (verb.retry_failed) command += " --retry-failed";
@@ -119,8 +108,12 @@ int lead(const RunVerb& verb, const std::string& program, Link& link, Helper& he
         status = run_campaign(campaign, options, link, compute_member, progress, &helper);
     }
     if (status != exit_stopped) {
-        const Summary summary = summarise(read_campaign_file(options.places.campaign_file));
-        std::fputs(written({summary_section(summary)}, "table").c_str(), stdout);
+        Evidence evidence = read_evidence(options.places.campaign_file);
+        std::fputs(written({overview_section(evidence, sensitivity_of(evidence)),
+                            next_commands(evidence, typed_program(program))},
+                           "table")
+                       .c_str(),
+                   stdout);
     }
     return status;
 }

@@ -9,10 +9,12 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/shell_words.hpp"
 #include "cli/terminal.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "findings/catalogue.hpp"
+#include "findings/overview_section.hpp"
 
 namespace floes {
 
@@ -25,11 +27,16 @@ struct SummarizeOptions {
     std::vector<std::string> parts;
     double resolve_percent = 10;
     std::string window = "given";
+    bool full = false;
 };
 
-/// What is shown unless parts are named: the parts suited to the campaign as table or JSON, and the cases as CSV.
+/// What is shown unless parts are named: one screen as a table, with --full and as JSON the parts suited to the
+/// campaign, and the cases as CSV.
 bool is_wanted(const Finding& finding, const SummarizeOptions& options, const Campaign& campaign) {
     if (!options.parts.empty()) return std::ranges::find(options.parts, finding.name) != options.parts.end();
+    if (options.format == "table" && !options.full) return finding.name == overview_part;
+    if (options.format == "json" && finding.unasked_in_json != nullptr && finding.unasked_in_json(campaign))
+        return true;
     return options.format == "csv" ? finding.name == findings().front().name : finding.unasked(campaign);
 }
 
@@ -51,10 +58,13 @@ std::vector<Section> find(const SummarizeOptions& options, Evidence& evidence) {
     return sections;
 }
 
-std::string answer(const SummarizeOptions& options) {
+std::string answer(const SummarizeOptions& options, const std::string& program) {
     Evidence evidence = read_evidence(CampaignFile(options.file), options.window == "auto", options.reference);
     evidence.resolve = options.resolve_percent * unit::percent;
-    return written(find(options, evidence), options.format);
+    std::vector<Section> sections = find(options, evidence);
+    if (options.format == "table" && !options.full && options.parts.empty())
+        sections.push_back(next_commands(evidence, typed_program(program)));
+    return written(sections, options.format);
 }
 
 std::vector<std::string> part_names() {
@@ -68,13 +78,16 @@ std::vector<std::string> part_names() {
 
 void add_summarize(CommandLine& line) {
     auto options = std::make_shared<SummarizeOptions>();
-    Verb verb = line.verb("summarize", "Statistics of a campaign: cases, pairs of cases, extremes");
+    Verb verb = line.verb("summarize", "Statistics of a campaign: one screen, or all of them");
     verb.option("campaign", options->file, "The campaign file (CAMPAIGN.h5)").required();
+    verb.flag("--full", options->full,
+              "All statistics: cases with every interval, pairs, extremes; of a design its axes");
     add_format(verb, options->format);
     verb.option("--reference", options->reference, "Reference case: the others are compared with it, in percent");
-    verb.option("--parts", options->parts,
-                "Parts to show, comma-separated: cases, points and sensitivity (of a design), pairs, extremes, "
-                "exceedance, steady, control, design, members (CSV only)")
+    verb.option(
+            "--parts", options->parts,
+            "Parts to show, comma-separated: overview, cases, points and sensitivity (of a design), pairs, extremes, "
+            "exceedance, steady, control, design, members (CSV only)")
         .comma_separated()
         .one_of(part_names());
     verb.option("--resolve", options->resolve_percent,
@@ -83,8 +96,8 @@ void add_summarize(CommandLine& line) {
         .positive()
         .shows_default();
     add_window(verb, options->window);
-    verb.runs([options] {
-        std::fputs(answer(*options).c_str(), stdout);
+    verb.runs([options, &line] {
+        std::fputs(answer(*options, line.program_name()).c_str(), stdout);
         return 0;
     });
 }

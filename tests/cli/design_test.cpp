@@ -35,6 +35,9 @@ class Design : public testing::Test {
 // Members of the synthetic campaign have one to three peaks.
 TEST_F(Design, SaysWhereThereAreTooFewPeaks) {
     EXPECT_THAT(design("--averaging-s 0.4"), HasSubstr("soft: too few peaks ("));
+    EXPECT_THAT(design("--averaging-s 0.4"), HasSubstr(" arrangements would do."));
+    EXPECT_THAT(design("--averaging-s 0.4"), testing::StartsWith("! 1 of 12 members failed"));
+    EXPECT_THAT(design("--averaging-s 0.4"), testing::Not(HasSubstr("nan")));
     EXPECT_TRUE(nlohmann::json::parse(design("--averaging-s 0.4 --format json")).at("design").at("loads").empty());
 }
 

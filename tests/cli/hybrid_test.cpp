@@ -61,6 +61,10 @@ TEST(Hybrid, PrintsATable) {
               std::string::npos)
         << table;
     EXPECT_NE(table.find("floes break above 10 MPa"), std::string::npos);
+    // Loads of millions of N in kN, to whole numbers.
+    const std::string large = hybrid(std::string(FLOES_SOURCE_DIR) + "/configs/full_scale.toml --modulus-MPa 60");
+    EXPECT_NE(large.find("R_LS, kN"), std::string::npos) << large;
+    EXPECT_EQ(large.find(".0 "), std::string::npos) << large;
 }
 
 }  // namespace

@@ -53,6 +53,24 @@ TEST_F(Report, SaysWhenThereAreNoHistoriesAndDrawsTheLevelsCounted) {
     EXPECT_THAT(file_text(page_), HasSubstr("Share of the time with a surge load above a level"));
 }
 
+// Histories of the first arrangement reach up to 600 N, those of the second file to 0.6 N: shifts of 500 and 0.5 N.
+TEST_F(Report, DrawsLoadsOverTimeAsLargeAsTheyAre) {
+    const Campaign campaign = synthetic::campaign_with_design();
+    const std::vector<Session> sessions{synthetic::session()};
+    std::vector<MemberRecord> records;
+    for (int member = 0; member < member_count(campaign); ++member)
+        records.push_back(synthetic::record(campaign, member));
+    publish(file_, campaign, records, sessions);
+    run(file_.string() + " --no-plate-tests --pictures none -o " + page_.string());
+    EXPECT_THAT(file_text(page_), HasSubstr("each case shifted by 500 N"));
+    for (MemberRecord& record : records)
+        for (double& load : record.result.history.surge) load *= 1e-3;
+    publish(file_, campaign, records, sessions);
+    run(file_.string() + " --no-plate-tests --pictures none -o " + page_.string());
+    EXPECT_THAT(file_text(page_), HasSubstr("each case shifted by 0.5 N"));
+    EXPECT_THAT(file_text(page_), HasSubstr("soft: thickness 0.05 m, Σ 0.1"));  // the point by its keys
+}
+
 TEST_F(Report, TellsOfACampaignWithoutAnyResult) {
     const Campaign campaign = synthetic::campaign();
     const std::vector<Session> sessions{synthetic::session()};

@@ -17,6 +17,7 @@ namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
+using testing::Not;
 
 class Summarize : public testing::Test {
   protected:
@@ -62,12 +63,22 @@ TEST_F(Summarize, GivesJsonOfWhatTheFileHolds) {
 }
 
 TEST_F(Summarize, GivesATable) {
-    const std::string text = summarize("--reference soft");
+    const std::string text = summarize("--full --reference soft");
     EXPECT_THAT(text,
                 HasSubstr("Campaign synthetic: 12 members in 3 cases, 1 failed. INCOMPLETE: 1 without a result yet."));
     EXPECT_THAT(text, HasSubstr("Far end: an ice sheet (soft, stiff).\nFar end: open (open).\n"));
     EXPECT_THAT(text, HasSubstr("against soft"));
     EXPECT_THAT(text, HasSubstr("Member 4 failed: "));
+}
+
+TEST_F(Summarize, FitsAScreenUnlessAskedForAll) {
+    const std::string text = summarize("");
+    EXPECT_LT(std::ranges::count(text, '\n'), 24) << text;
+    EXPECT_THAT(text, HasSubstr("! 1 of 12 members failed"));
+    EXPECT_THAT(text, HasSubstr(" report " + file_.string()));
+    EXPECT_THAT(text, HasSubstr(" replay " + file_.string() + " --worst -o worst.html"));
+    EXPECT_THAT(summarize("--parts overview"), Not(HasSubstr(" report ")));
+    EXPECT_GT(std::ranges::count(summarize("--full"), '\n'), 60);
 }
 
 TEST_F(Summarize, GivesCsv) {
@@ -92,8 +103,11 @@ TEST_F(Summarize, SaysWhatDecidesTheLoad) {
     // Member m has a mean load of 100 (m + 1) and a tenth, and its case is m modulo 6: 2 to a thickness, 1 to a Σ.
     EXPECT_NEAR(found.at("rows").at(0).at("axes").at(0).at("slope").at("estimate").get<double>(), 200, 1e-9);
     EXPECT_NEAR(found.at("rows").at(0).at("axes").at(1).at("slope").at("high").get<double>(), 50, 1e-9);
+    EXPECT_TRUE(json::parse(summarize("--format json")).contains("pairs"));  // for programs as before
     EXPECT_THAT(summarize("--format csv --parts points"), HasSubstr("\nsoft+0.05_0.01,soft,4,0.05,0.01,4,"));
-    EXPECT_THAT(summarize(""), HasSubstr("What decides the load"));
+    EXPECT_THAT(summarize("--full"), HasSubstr("What decides the load"));
+    EXPECT_THAT(summarize("--full"), Not(HasSubstr("Pairs over the same arrangements")));  // nobody asked for them
+    EXPECT_THAT(summarize(""), HasSubstr("soft: thickness from 0.03 to 0.05 m changes the mean load by +400 N"));
 }
 
 TEST_F(Summarize, RefusesWhatItDoesNotKnow) {

@@ -116,6 +116,21 @@ TEST(Extremes, TakeTheSegmentsOfEveryDoneMember) {
     EXPECT_EQ(soft.exceedance.size(), 36u);
 }
 
+TEST(Extremes, PrintNoIntervalAndNoFitThatSaysNothing) {
+    const Evidence of = evidence();
+    std::vector<CaseExtremes> found = find_extremes(of.table);
+    found[0].gev.levels[0].level = 300;
+    found[0].gev.levels[0].interval = {17, 1666};
+    found[1].gev.fit.shape = 0.999;  // where the search for a shape ends
+    const std::string text = text_of(extremes_section(of.summary, found));
+    EXPECT_THAT(text, testing::ContainsRegex("\n  GEV .* 300\\.[0-9]* –"));
+    EXPECT_THAT(text, Not(HasSubstr("1666")));
+    EXPECT_THAT(text, HasSubstr("  GEV: no fit"));
+    found.resize(1);
+    found[0].gumbel.fit = {};
+    EXPECT_THAT(text_of(extremes_section(of.summary, found)), HasSubstr("Too few segment maxima to fit"));
+}
+
 TEST(Findings, HaveANameOrAPlaceInTheReport) {
     std::set<std::string_view> names;
     for (const Finding& finding : findings()) {

@@ -171,11 +171,11 @@ TEST(SummaryTable, SaysWhatIsMissing) {
 
 TEST(SummaryTable, ShowsTheFigures) {
     const std::string text = summary_table(summarise(example::campaign()), 150, 1);
-    EXPECT_THAT(text, testing::ContainsRegex("mean, N +27\\.00 \\[22\\.89, 31\\.11\\] +32\\.00 \\[6\\.59, 57\\.41\\]"));
+    EXPECT_THAT(text, testing::ContainsRegex("mean, N +27\\.00 \\[22\\.89, 31\\.11\\] +32\\.00 – +26\\.00 "));
     EXPECT_THAT(text, testing::ContainsRegex("against E60 +-15\\.6 % +– +-18\\.8 %"));
     EXPECT_THAT(text, testing::ContainsRegex("mean maximum, N +108\\.0 "));
     EXPECT_THAT(text, testing::ContainsRegex("failure ratio, % +2\\.0 "));
-    EXPECT_THAT(text, testing::ContainsRegex("joints failed in bending +2\\.5 \\[0\\.4, 4\\.6\\] +5\\.5 .* +8\\.5 "));
+    EXPECT_THAT(text, testing::ContainsRegex("joints failed in bending +2\\.5 \\[0\\.4, 4\\.6\\] +5\\.5 – +8\\.5 "));
 }
 
 // Without a criterion no joint can fail in tension; a file of before layout 1.9 does not know the mode.

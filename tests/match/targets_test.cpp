@@ -55,6 +55,12 @@ TEST(Targets, HaveWhatTheTextSays) {
     EXPECT_FALSE(targets[1].held_out);
 }
 
+TEST(Targets, AreShownWithTheirUnits) {
+    EXPECT_EQ(read(mean + "value = 24.25\n").front().shown(24.25), "24.25 N");
+    EXPECT_EQ(read("[[target]]\nquantity = \"failure_ratio\"\nvalue = 22.0\n").front().shown(0.0765, 2), "7.6 %");
+    EXPECT_EQ(read("[[target]]\nquantity = \"local_order\"\nvalue = 0.5\n").front().shown(0.5), "0.5");
+}
+
 TEST(Targets, OfARatioAreInPercent) {
     const Target ratio =
         read("[[target]]\nquantity = \"failure_ratio\"\nvalue = 22.0\nuncertainty = 0.5\ndiscrepancy = 3\n").front();

@@ -56,6 +56,23 @@ TEST(Plot, LeavesOutWhatIsNotFinite) {
     EXPECT_THAT(svg(figure), HasSubstr("M192"));  // the line begins anew behind the gap
 }
 
+// Names of 100 letters take 700 of the 720 units, so each has a row; the figure grows by the rows above its own.
+TEST(Plot, BreaksALegendIntoRows) {
+    Figure figure{.description = "test", .x = {"m", 0, 10}, .y = {"N", 0, 10}, .size = {720, 300}};
+    figure.legend = {{"c0", std::string(100, 'a')}, {"c1", std::string(100, 'b')}};
+    EXPECT_THAT(svg(figure), HasSubstr("viewBox=\"0 0 720 318\""));
+    EXPECT_THAT(svg(figure), HasSubstr("<g transform=\"translate(0 18)\">"));
+    figure.legend.pop_back();
+    EXPECT_THAT(svg(figure), HasSubstr("viewBox=\"0 0 720 300\""));
+}
+
+TEST(PlotAxis, HasTwosAndFivesWhereThereAreFewDecades) {
+    EXPECT_THAT(
+        ticks({"", 0.015, 0.6, true}, 8),
+        ElementsAre(testing::DoubleNear(0.02, 1e-12), testing::DoubleNear(0.05, 1e-12), testing::DoubleNear(0.1, 1e-12),
+                    testing::DoubleNear(0.2, 1e-12), testing::DoubleNear(0.5, 1e-12)));
+}
+
 TEST(Plot, EscapesWords) {
     const Figure figure{.description = "a < b & \"c\"", .x = {"<m>", 0, 1}, .y = {"N", 0, 1}};
     EXPECT_THAT(svg(figure), HasSubstr("aria-label=\"a &lt; b &amp; &quot;c&quot;\""));

@@ -39,6 +39,18 @@ TEST(SectionHtml, TellsWhatTheTextTellsAndShowsRowsAndFiguresOfThePageAlone) {
     EXPECT_EQ(section_html({}, "Loads"), "");
 }
 
+TEST(SectionHtml, FoldsRowsThatTheTextHas) {
+    const Section told{.table = {{"a", "b"}, {"x", "1"}}, .folded = {{"y", "2"}}};
+    EXPECT_THAT(section_html(told, ""), HasSubstr("<details><summary>Further rows</summary>"));
+    EXPECT_EQ(text(std::vector{told}, 20), "a  b\n----\nx  1\ny  2\n");
+}
+
+TEST(SectionHtml, SaysWhatIsWrongFirst) {
+    const std::string html = answer_html("The answer", {{"n = 2"}, {"E30: 20 N"}, {}, {}});
+    EXPECT_LT(html.find("<p class=\"warning\">n = 2</p>"), html.find("E30: 20 N"));
+    EXPECT_THAT(answer_html("The answer", {{"Nothing done"}, {}, {}, {}}), HasSubstr("No member is done yet."));
+}
+
 TEST(SectionHtml, ClosesLongTablesAtFirst) {
     Section told{.title = "Points", .table = Table(40, {"x"})};
     EXPECT_THAT(section_html(told, ""), Not(HasSubstr("<details>")));

@@ -8,22 +8,33 @@
 
 #include "core/units.hpp"
 #include "core/wording.hpp"
+#include "findings/common_ground.hpp"
 #include "findings/conditions.hpp"
+#include "findings/load_columns.hpp"
+#include "findings/pairs.hpp"
+#include "findings/printable.hpp"
+#include "findings/sensitivity_section.hpp"
+#include "findings/warnings.hpp"
+#include "tables/number_text.hpp"
 
 namespace floes {
 namespace {
 
 constexpr std::size_t most_changes = 3;
+constexpr std::size_t most_cases = 7;  // the first and those compared with it
 
-/// "29.6 N (28.8 to 30.3)"; 95 % is said once, before.
-std::string load(double value, double low, double high) {
-    const int decimals = std::abs(value) < 100 ? 1 : 0;
-    if (!std::isfinite(low)) return fmt::format("{:.{}f} N", value, decimals);
-    return fmt::format("{1:.{0}f} N ({2:.{0}f} to {3:.{0}f})", decimals, value, low, high);
+/// "29.6 N (28.8 to 30.3)"; 95 % is said once, before. Limits that say nothing are left out.
+std::string load(double value, const Limits& limits, int runs) {
+    const LoadUnit unit = load_unit(std::abs(value));
+    const int decimals = few_decimals(unit.factor * std::abs(value));
+    const std::string text = fmt::format("{} {}", fixed(unit.factor * value, decimals), unit.name);
+    if (!says_something(value, limits, runs)) return text;
+    return text +
+           fmt::format(" ({1:.{0}f} to {2:.{0}f})", decimals, unit.factor * limits.low, unit.factor * limits.high);
 }
 
-std::string load(const DesignLoadFigure& figure) {
-    return load(figure.value, figure.interval.low, figure.interval.high);
+std::string load(const DesignLoadFigure& figure, int runs) {
+    return load(figure.value, figure.interval, runs);
 }
 
 /// nullptr where there is none.
@@ -32,32 +43,50 @@ const CaseDesignLoad* design_of(const DesignLoads& designs, std::size_t index) {
     return found == designs.of_cases.end() || !found->load.valid() ? nullptr : &*found;
 }
 
+/// What a reader has to know with the figure, not after it: " (methods differ by 70 %, extrapolated 40 times)".
+std::string doubt_words(const DesignLoadRequest& asked, const DesignLoad& found) {
+    constexpr double far = 10;  // times the time that was run
+    std::vector<std::string> doubts;
+    if (const double apart = disagreement(found); apart > much_disagreement)
+        doubts.push_back(fmt::format("methods differ by {:.0f} %", apart / unit::percent));
+    if (const double times = asked.model_exposure() / found.time_run; times > far)
+        doubts.push_back(fmt::format("extrapolated to {:.2g} times the time run", times));
+    return doubts.empty() ? "" : fmt::format("; doubtful: {}", fmt::join(doubts, ", "));
+}
+
 std::string design_words(const DesignLoadRequest& asked, const DesignLoad& found) {
     const DesignLoadEstimate& made = found.estimates.front();
-    return fmt::format(" Largest load averaged over {:g} s in {:g} h: expected {}, exceeded with {:.0f} %: {}.",
-                       asked.averaging, asked.exposure / unit::hour, load(made.expected),
-                       (1 - asked.quantiles.front()) / unit::percent, load(made.quantiles.front()));
+    return fmt::format(" Largest load averaged over {:g} s in {:g} h: expected {}, exceeded with {:.0f} %: {}{}.",
+                       asked.averaging, asked.exposure / unit::hour, load(made.expected, found.arrangements),
+                       (1 - asked.quantiles.front()) / unit::percent, load(made.quantiles.front(), found.arrangements),
+                       doubt_words(asked, found));
 }
 
-const char* placing_words(ArrangementMethod method) {
-    switch (method) {
-        case ArrangementMethod::monte_carlo:
-            return "in equilibrium";
-        case ArrangementMethod::lattice:
-            return "on a jittered lattice";
-        case ArrangementMethod::file:
-            return "as given in a file";
-        case ArrangementMethod::scattered:
-            break;
+/// "n = 2" or "3 of 8 not steady", beside the mean that it is about.
+std::string mean_doubts(const CaseSummary& row) {
+    std::vector<std::string> doubts;
+    if (row.done < fewest_for_interval) doubts.push_back(fmt::format("n = {}", row.done));
+    if (row.not_steady > 0) doubts.push_back(fmt::format("{} of {} not steady", row.not_steady, row.done));
+    return doubts.empty() ? "" : fmt::format(" [{}]", fmt::join(doubts, ", "));
+}
+
+/// A design's points in two sentences; the table of them has the rest.
+std::vector<std::string> design_sentences(const Summary& summary) {
+    std::vector<std::size_t> done;
+    for (std::size_t k = 0; k < summary.cases.size(); ++k)
+        if (summary.cases[k].done > 0) done.push_back(k);
+    if (done.empty()) return {};
+    const auto mean = [&](std::size_t k) { return summary.cases[k].of(quantity("mean_load")).estimate; };
+    const auto [least, most] = std::ranges::minmax_element(done, {}, mean);
+    std::vector<std::string> sentences;
+    for (const auto& [words, k] : {std::pair{"Least", *least}, {"Largest", *most}}) {
+        const CaseSummary& row = summary.cases[k];
+        const Estimate& found = row.of(quantity("mean_load"));
+        sentences.push_back(fmt::format(
+            "{} mean load of the {}: {} at {}{}.", words, counted(std::ssize(done), "point"),
+            load(found.estimate, {found.low, found.high}, row.done), summary.label_of(k), mean_doubts(row)));
     }
-    return "scattered at random";
-}
-
-std::string field_words(const Scenario& scenario) {
-    return fmt::format("{} of {:g} m x {:g} m x {:g} m at {:g} %, {}; structure towed at {:g} m/s.",
-                       counted(scenario.field.floes, "floe"), scenario.floe.length, scenario.floe.breadth,
-                       scenario.floe.thickness, scenario.field.concentration / unit::percent,
-                       placing_words(scenario.arrangement.method), scenario.structure.speed);
+    return sentences;
 }
 
 std::vector<std::string> load_sentences(const Summary& summary, const DesignLoads& designs) {
@@ -67,7 +96,8 @@ std::vector<std::string> load_sentences(const Summary& summary, const DesignLoad
         if (row.done == 0) continue;
         const Estimate& mean = row.of(quantity("mean_load"));
         const Estimate& broken = row.of(quantity("failure_ratio"));
-        std::string told = fmt::format("{}: mean load {}.", row.about.name, load(mean.estimate, mean.low, mean.high));
+        std::string told = fmt::format("{}: mean load {}{}.", summary.label_of(k),
+                                       load(mean.estimate, {mean.low, mean.high}, row.done), mean_doubts(row));
         if (const CaseDesignLoad* design = design_of(designs, k)) told += design_words(designs.asked, design->load);
         told += fmt::format(" Broken floes {:.1f} %.", broken.estimate / unit::percent);
         sentences.push_back(std::move(told));
@@ -76,8 +106,9 @@ std::vector<std::string> load_sentences(const Summary& summary, const DesignLoad
 }
 
 std::vector<std::string> basis_sentences(const Evidence& evidence, const DesignLoads& designs) {
-    const Scenario& first = evidence.campaign.cases.front().scenario;
-    std::vector<std::string> sentences{"Brackets are 95 % confidence intervals over arrangements.", field_words(first)};
+    std::vector<std::string> sentences{"Brackets are 95 % confidence intervals over arrangements.",
+                                       field_words(evidence.campaign)};
+    for (std::string& line : variation_lines(evidence.campaign, evidence.summary)) sentences.push_back(std::move(line));
     for (std::string& line : condition_lines(evidence.summary)) sentences.push_back(std::move(line));
     int done = 0;
     int unsteady = 0;
@@ -98,6 +129,25 @@ std::vector<std::string> basis_sentences(const Evidence& evidence, const DesignL
     return sentences;
 }
 
+/// "E60 instead of E30 changes the mean load by +0.1 N (-0.3 to +0.5)." Over the arrangements that both have.
+std::vector<std::string> case_sentences(const Evidence& evidence) {
+    std::vector<std::string> sentences;
+    const std::size_t reference = evidence.reference.value_or(0);
+    for (const PairRow& row : compare_with(evidence.table, reference, quantity("mean_load"), most_cases)) {
+        const LoadUnit unit = load_unit(std::abs(row.first_mean));
+        const int decimals = few_decimals(unit.factor * std::abs(row.first_mean));
+        const Limits& limits = row.found.t_interval;
+        const bool said = row.found.arrangements >= fewest_for_interval && std::isfinite(limits.low);
+        sentences.push_back(fmt::format("{} instead of {} changes the mean load by {:+.{}f} {}{}.",
+                                        evidence.summary.label_of(row.second), evidence.summary.label_of(row.first),
+                                        unit.factor * row.found.difference, decimals, unit.name,
+                                        said ? fmt::format(" ({:+.{}f} to {:+.{}f})", unit.factor * limits.low,
+                                                           decimals, unit.factor * limits.high, decimals)
+                                             : fmt::format(" [n = {}]", row.found.arrangements)));
+    }
+    return sentences;
+}
+
 std::vector<std::string> change_sentences(const Sensitivity& found) {
     struct Change {
         std::string told;
@@ -107,29 +157,31 @@ std::vector<std::string> change_sentences(const Sensitivity& found) {
     for (const SensitivityRow& row : found.rows) {
         if (row.quantity.key.view() != "mean_load" || !row.fit) continue;
         for (std::size_t axis = 0; axis < found.axes.size(); ++axis) {
-            const Slope& slope = row.fit->slopes[axis];
-            const SensitivityAxis& about = found.axes[axis];
-            changes.push_back({fmt::format("{}{} from {:g} to {:g} changes the mean load by {:+.1f} N ({:+.1f} to "
-                                           "{:+.1f}).",
-                                           row.base.empty() ? "" : row.base + ": ", about.key, about.from, about.to,
-                                           2 * slope.estimate, 2 * slope.low, 2 * slope.high),
-                               std::abs(slope.estimate)});
+            changes.push_back({change_sentence(found, row, axis), std::abs(row.fit->slopes[axis].estimate)});
         }
     }
     std::ranges::stable_sort(changes, std::ranges::greater{}, &Change::size);
     std::vector<std::string> sentences;
     for (std::size_t k = 0; k < std::min(changes.size(), most_changes); ++k) sentences.push_back(changes[k].told);
+    return sentences;
+}
+
+std::vector<std::string> changes(Evidence& evidence) {
+    std::vector<std::string> sentences =
+        evidence.campaign.design.active() ? change_sentences(sensitivity_of(evidence)) : case_sentences(evidence);
     if (sentences.empty())
-        sentences.push_back("No key was varied in a design, so this campaign does not say what would change the load.");
+        sentences.push_back("Nothing was varied, so this campaign does not say what would change the load.");
     return sentences;
 }
 
 }  // namespace
 
 CampaignAnswer find_answer(Evidence& evidence) {
-    const DesignLoads designs = in_detail(evidence.campaign) ? designs_of(evidence) : DesignLoads{};
-    return {load_sentences(evidence.summary, designs), basis_sentences(evidence, designs),
-            change_sentences(sensitivity_of(evidence))};
+    const DesignLoads designs = evidence.campaign.design.active() ? DesignLoads{} : designs_of(evidence);
+    return {warnings_of(evidence.table, evidence.summary),
+            evidence.campaign.design.active() ? design_sentences(evidence.summary)
+                                              : load_sentences(evidence.summary, designs),
+            basis_sentences(evidence, designs), changes(evidence)};
 }
 
 }  // namespace floes

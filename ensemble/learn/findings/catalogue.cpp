@@ -7,11 +7,13 @@
 #include "findings/design_load_section.hpp"
 #include "findings/levels.hpp"
 #include "findings/members.hpp"
+#include "findings/overview_section.hpp"
 #include "findings/pairs_section.hpp"
 #include "findings/points.hpp"
 #include "findings/report_sections.hpp"
 #include "findings/sensitivity_section.hpp"
 #include "findings/summary_section.hpp"
+#include "findings/warnings.hpp"
 
 namespace floes {
 namespace {
@@ -28,8 +30,9 @@ bool of_a_design(const Campaign& campaign) {
     return campaign.design.active();
 }
 
-bool of_few_cases(const Campaign& campaign) {
-    return campaign.cases.size() > 1 && in_detail(campaign);
+/// Cases that somebody wrote down to compare them; the points of a design are told by their axes.
+bool to_be_compared(const Campaign& campaign) {
+    return campaign.cases.size() > 1 && !campaign.design.active();
 }
 
 bool with_levels(const Campaign& campaign) {
@@ -37,8 +40,8 @@ bool with_levels(const Campaign& campaign) {
                                [](const Case& one) { return !one.scenario.analysis.exceedance_levels.empty(); });
 }
 
-bool of_many_cases(const Campaign& campaign) {
-    return !in_detail(campaign);
+bool without_design(const Campaign& campaign) {
+    return !campaign.design.active();
 }
 
 /// A finding of one section.
@@ -48,7 +51,13 @@ std::vector<Section> one(Evidence& evidence) {
 }
 
 Section cases(Evidence& evidence) {
-    return summary_section(evidence.summary, evidence.reference);
+    Section section = summary_section(evidence.summary, evidence.reference);
+    section.before = warning_lines(warnings_of(evidence.table, evidence.summary)) + section.before;
+    return section;
+}
+
+Section overview(Evidence& evidence) {
+    return overview_section(evidence, sensitivity_of(evidence));
 }
 
 Section points(Evidence& evidence) {
@@ -104,13 +113,19 @@ Section members(Evidence& evidence) {
 
 constexpr std::array all{
     Finding{"cases", one<cases>, always},
-    Finding{"", one<averaged_section>, never, "Loads", always},
-    Finding{"", one<table3_section>, never, "Loads", always},
-    Finding{"", one<what_was_run>, never, "What was run", always},
+    Finding{overview_part, one<overview>, never},
+    Finding{"points", one<points>, of_a_design, "What decides the load?", of_a_design},
     Finding{"sensitivity", one<sensitivity>, of_a_design, "What decides the load?", of_a_design},
-    Finding{"points", one<points>, never, "What decides the load?", of_a_design},
-    Finding{"pairs", one<pairs>, in_detail, "Do the cases differ?", of_few_cases},
-    Finding{"", one<pairs_left_out>, of_many_cases, "Do the cases differ?", of_many_cases},
+    Finding{"", one<pairs_left_out>, of_a_design, "What decides the load?", of_a_design},
+    Finding{"", one<averaged_section>, never, loads_title, always},
+    Finding{"", one<table3_section>, never, loads_title, always},
+    Finding{"", one<what_was_run>, never, "What was run", always},
+    Finding{.name = "pairs",
+            .sections = one<pairs>,
+            .unasked = without_design,
+            .page_title = "Do the cases differ?",
+            .on_page = to_be_compared,
+            .unasked_in_json = in_detail},
     Finding{"", one<histories_section>, never, "Load over time", always},
     Finding{"", one<load_map_section>, never, "Where the load acts", always},
     Finding{"design", design, never, "Design load", in_detail},

@@ -18,7 +18,14 @@ struct Finding {
     std::string_view page_title = {};             ///< of its section of the report, which may go on in the next finding
     bool (*on_page)(const Campaign&) = nullptr;   ///< whether the report of this campaign has it; with a page_title
     bool for_csv_alone = false;
+    bool (*unasked_in_json)(const Campaign&) = nullptr;  ///< where JSON has it in further campaigns
 };
+
+/// The part that fits on one screen.
+inline constexpr std::string_view overview_part = "overview";
+
+/// Of the report: what stands before it is for everybody, what comes after it is its appendix.
+inline constexpr std::string_view loads_title = "Loads";
 
 /// In order of output. The first one, the cases, is always part of the JSON.
 std::span<const Finding> findings();

@@ -101,6 +101,11 @@ Section closed_formulas_section(Evidence& evidence) {
     const Scenario& first = evidence.campaign.cases.front().scenario;
     const bool papers = is_the_papers(first);
     Section section;
+    if (evidence.campaign.cases.size() > 1)
+        section.before = fmt::format(
+            "The formulas and the plate tests are of the ice and the structure of {}; the other cases stand beside "
+            "them with their own.\n",
+            evidence.summary.label_of(0));
     if (const std::optional<HybridCurve> curve = hybrid_of(first))
         section.figures.push_back(hybrid_figure(*curve, evidence.summary, papers));
     if (!evidence.plate_tests.empty()) section.figures.push_back(modulus_figure(evidence.plate_tests, papers));

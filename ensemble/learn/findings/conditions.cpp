@@ -1,7 +1,6 @@
 #include "findings/conditions.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -9,7 +8,9 @@
 #include <functional>
 #include <utility>
 
+#include "campaign/name_list.hpp"
 #include "core/units.hpp"
+#include "core/wording.hpp"
 #include "scenario/contact_preset.hpp"
 
 namespace floes {
@@ -21,15 +22,21 @@ namespace {
 void add_condition(const Summary& summary, std::string_view name,
                    const std::function<std::string(const CaseRow&)>& words, std::vector<std::string>& lines) {
     std::vector<std::pair<std::string, std::vector<std::string>>> wordings;
-    for (const CaseSummary& row : summary.cases) {
-        const std::string wording = words(row.about);
+    for (std::size_t k = 0; k < summary.cases.size(); ++k) {
+        const std::string wording = words(summary.cases[k].about);
         auto found = std::ranges::find(wordings, wording, &decltype(wordings)::value_type::first);
         if (found == wordings.end()) found = wordings.insert(found, {wording, {}});
-        found->second.push_back(row.about.name);
+        found->second.push_back(summary.label_of(k));
+    }
+    constexpr std::size_t most_wordings = 4;
+    if (wordings.size() > most_wordings) {
+        lines.push_back(fmt::format("{}: {} different ones, as {} ({}).", name, wordings.size(), wordings.front().first,
+                                    name_list(wordings.front().second)));
+        return;
     }
     for (const auto& [wording, cases] : wordings) {
         lines.push_back(wordings.size() == 1 ? fmt::format("{}: {}.", name, wording)
-                                             : fmt::format("{}: {} ({}).", name, wording, fmt::join(cases, ", ")));
+                                             : fmt::format("{}: {} ({}).", name, wording, name_list(cases)));
     }
 }
 
@@ -67,8 +74,8 @@ bool has_rigid_contacts(const Summary& summary) {
 }
 
 std::string window_words(const Analysis& analysis) {
-    return fmt::format("{} to {} s after the tow began, in {} segments", analysis.steady_start,
-                       analysis.steady_start + analysis.window, analysis.segments);
+    return fmt::format("{} to {} s after the tow began, in {}", analysis.steady_start,
+                       analysis.steady_start + analysis.window, counted(analysis.segments, "segment"));
 }
 
 std::string far_end_key(FarEnd far_end) {

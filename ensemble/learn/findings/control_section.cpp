@@ -31,7 +31,7 @@ std::vector<Cell> line(const Summary& summary, const ControlRow& row) {
     const auto cell = [&](const Interval& mean) {
         return Cell{fixed(factor * mean.estimate, decimals), bracket(factor * mean.low, factor * mean.high, decimals)};
     };
-    return {fmt::format("{}, {}", summary.name_of(row.case_index), row.quantity.label), cell(found.plain),
+    return {fmt::format("{}, {}", summary.label_of(row.case_index), row.quantity.label), cell(found.plain),
             fixed(found.left_out, 2), found.used ? cell(found.corrected) : Cell{"off", ""},
             found.used ? fmt::format("{:.0f}", found.saved) : ""};
 }
@@ -69,8 +69,8 @@ Section control_section(const Summary& summary, const std::vector<ControlRow>& r
     return {
         .table = std::move(table),
         .after = fmt::format(
-            "\nMeans corrected for the local order and the coverage ahead of the arrangements that were run, against\n"
-            "{} that were only drawn. R² left out: share of the variance that these predict of arrangements which the\n"
+            "\nMeans corrected for the local order and the coverage ahead of the arrangements that were run, against "
+            "{} that were only drawn. R² left out: share of the variance that these predict of arrangements which the "
             "fit has not seen; at 0 or below, and where the interval is no shorter, the correction is off.\n",
             control_draws),
         .records = {

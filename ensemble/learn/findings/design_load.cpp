@@ -34,6 +34,18 @@ double averaging_time(const CampaignTable& table, const DesignLoadRequest& reque
                     request.averaging, request.scale == 1 ? "" : " at full scale", fmt::join(there, ", ")));
 }
 
+double disagreement(const DesignLoad& load) {
+    double least = load.estimates.front().quantiles.front().value;
+    double most = least;
+    for (const DesignLoadEstimate& made : load.estimates) {
+        const double value = made.quantiles.front().value;
+        if (!std::isfinite(value)) continue;
+        least = std::min(least, value);
+        most = std::max(most, value);
+    }
+    return (most - least) / load.estimates.front().quantiles.front().value;
+}
+
 std::vector<CaseDesignLoad> find_design_loads(const CampaignTable& table, const DesignLoadRequest& request) {
     const double time = averaging_time(table, request);
     const Exposure exposure{request.model_exposure(), request.quantiles, request.share};

@@ -33,6 +33,12 @@ struct CaseDesignLoad {
     std::vector<double> over_shares;  ///< the first quantile with each of threshold_shares of the peaks
 };
 
+/// How far the methods lie apart, relative to the load by both tails; of the first quantile. `load` is valid.
+double disagreement(const DesignLoad& load);
+
+/// A disagreement that is said beside the load.
+inline constexpr double much_disagreement = 0.25;
+
 /// Shares of the peaks for which the first quantile is shown, to defend the threshold.
 inline constexpr double threshold_shares[]{0.5, 0.35, 0.25, 0.15, 0.1};
 

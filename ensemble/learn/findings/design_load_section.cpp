@@ -8,6 +8,7 @@
 
 #include "core/units.hpp"
 #include "findings/conditions.hpp"
+#include "findings/printable.hpp"
 #include "tables/number_text.hpp"
 
 namespace floes {
@@ -24,10 +25,31 @@ LoadUnit unit_for(const std::vector<CaseDesignLoad>& designs, const DesignLoadRe
     return {unit.name, unit.factor * request.force_factor()};
 }
 
-Cell load_cell(const DesignLoadFigure& figure, double factor) {
+Cell range_cell(const DesignLoadFigure& figure, double factor, bool said) {
     const int decimals = std::abs(factor * figure.value) < 100 ? 1 : 0;
     return {fixed(factor * figure.value, decimals),
-            bracket(factor * figure.interval.low, factor * figure.interval.high, decimals)};
+            said ? bracket(factor * figure.interval.low, factor * figure.interval.high, decimals) : "–"};
+}
+
+Cell load_cell(const DesignLoadFigure& figure, double factor, std::size_t arrangements) {
+    return range_cell(figure, factor, says_something(figure.value, figure.interval, static_cast<int>(arrangements)));
+}
+
+/// Three digits, "–" where undefined.
+std::string three(double value) {
+    return std::isfinite(value) ? fmt::format("{:.3g}", value) : "–";
+}
+
+/// "E30: too few peaks (3 of 20) to fit; about 27 arrangements would do."
+std::string too_few_text(const std::string& name, const DesignLoad& load) {
+    const double more =
+        load.peaks > 0
+            ? std::ceil(static_cast<double>(fewest_peaks * load.arrangements) / static_cast<double>(load.peaks))
+            : 0;
+    return fmt::format("{}: too few peaks ({} of {}) to fit; {}.", name, load.peaks, fewest_peaks,
+                       more > static_cast<double>(load.arrangements)
+                           ? fmt::format("about {:.0f} arrangements would do", more)
+                           : std::string{"run more arrangements"});
 }
 
 std::string percent(double share) {
@@ -38,9 +60,20 @@ std::string scale_words(const DesignLoadRequest& request) {
     if (request.scale == 1) return "";
     return fmt::format(
         "\nFull scale by Froude, 1 : {0:g}: lengths x {0:g}, times x {1:.3g}, loads x {2:.3g}. The strength of the ice "
-        "and\n"
+        "and "
         "its modulus are then {0:g} times those of the campaign.\n",
         request.scale, std::sqrt(request.scale), request.force_factor());
+}
+
+std::string design_title(const DesignLoadRequest& request) {
+    return fmt::format("Design load: the largest load averaged over {:g} s in {:g} h", request.averaging,
+                       request.exposure / unit::hour);
+}
+
+/// Beside the figure that it is about; empty where the methods agree.
+std::string doubt_text(const DesignLoad& load) {
+    const double apart = disagreement(load);
+    return apart > much_disagreement ? fmt::format(" (methods differ by {:.0f} %)", apart / unit::percent) : "";
 }
 
 Section loads_section(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
@@ -48,44 +81,34 @@ Section loads_section(const Summary& summary, const std::vector<CaseDesignLoad>&
     Table table{{"case", {fmt::format("expected, {}", unit.name), ""}}};
     for (const double p : request.quantiles)
         table.front().push_back({fmt::format("exceeded with {}, {}", percent(1 - p), unit.name), ""});
+    std::vector<std::string> too_few;
     for (const CaseDesignLoad& one : designs) {
-        const std::string& name = summary.name_of(one.case_index);
+        const std::string& name = summary.label_of(one.case_index);
         if (!one.load.valid()) {
-            table.emplace_back(table.front().size(), "").front() = fmt::format(
-                "{}: too few peaks ({} of {}) to fit; run more arrangements", name, one.load.peaks, fewest_peaks);
+            too_few.push_back(too_few_text(name, one.load));
             continue;
         }
         for (const DesignLoadEstimate& made : one.load.estimates) {
             std::vector<Cell>& line = table.emplace_back();
             const bool first = made.method == LargestBy::both_tails;
-            line.emplace_back(first ? fmt::format("{}, {}", name, name_of(made.method))
+            line.emplace_back(first ? fmt::format("{}, {}{}", name, name_of(made.method), doubt_text(one.load))
                                     : fmt::format("  {}", name_of(made.method)));
-            line.push_back(load_cell(made.expected, unit.factor));
-            for (const DesignLoadFigure& figure : made.quantiles) line.push_back(load_cell(figure, unit.factor));
+            line.push_back(load_cell(made.expected, unit.factor, one.load.arrangements));
+            for (const DesignLoadFigure& figure : made.quantiles)
+                line.push_back(load_cell(figure, unit.factor, one.load.arrangements));
         }
     }
+    if (too_few.size() == designs.size())
+        return {.title = design_title(request), .before = fmt::format("{}\n", fmt::join(too_few, "\n"))};
     return {
-        .title = fmt::format("Design load: the largest load averaged over {:g} s in {:g} h", request.averaging,
-                             request.exposure / unit::hour),
+        .title = design_title(request),
         .table = std::move(table),
         .after =
-            "\nBrackets: 95 % by bootstrap over arrangements. Both tails: Pareto and Weibull tail, weighted by how\n"
-            "likely each makes the peaks; its interval includes which of them it is. Gumbel and GEV: of the segment\n"
+            "\nBrackets: 95 % by bootstrap over arrangements. Both tails: Pareto and Weibull tail, weighted by how "
+            "likely each makes the peaks; its interval includes which of them it is. Gumbel and GEV: of the segment "
             "maxima. docs/design_load.md\n" +
-            scale_words(request)};
-}
-
-/// How far the methods lie apart, relative to the load by both tails; of the first quantile.
-double disagreement(const DesignLoad& load) {
-    double least = load.estimates.front().quantiles.front().value;
-    double most = least;
-    for (const DesignLoadEstimate& made : load.estimates) {
-        const double value = made.quantiles.front().value;
-        if (!std::isfinite(value)) continue;
-        least = std::min(least, value);
-        most = std::max(most, value);
-    }
-    return (most - least) / load.estimates.front().quantiles.front().value;
+            scale_words(request),
+        .notes = std::move(too_few)};
 }
 
 Section basis_section(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
@@ -97,37 +120,34 @@ Section basis_section(const Summary& summary, const std::vector<CaseDesignLoad>&
         line.emplace_back(std::move(label));
         for (const CaseDesignLoad& one : designs) line.push_back(one.load.valid() ? Cell{cell(one)} : Cell{"–"});
     };
-    for (const CaseDesignLoad& one : designs) table.front().emplace_back(summary.name_of(one.case_index));
+    for (const CaseDesignLoad& one : designs) table.front().emplace_back(summary.label_of(one.case_index));
     row("arrangements", [](const CaseDesignLoad& one) { return fmt::format("{}", one.load.arrangements); });
-    row("time run, h", [&](const CaseDesignLoad& one) {
-        return fmt::format("{:.3g}", one.load.time_run * std::sqrt(request.scale) / unit::hour);
-    });
+    row("time run, h",
+        [&](const CaseDesignLoad& one) { return three(one.load.time_run * std::sqrt(request.scale) / unit::hour); });
     row("exposure / time run",
         [&](const CaseDesignLoad& one) { return fmt::format("{:.2g}", request.model_exposure() / one.load.time_run); });
     row("not steady",
         [&](const CaseDesignLoad& one) { return fmt::format("{}", summary.cases[one.case_index].not_steady); });
     row("peaks at least apart, s",
-        [&](const CaseDesignLoad& one) { return fmt::format("{:.3g}", one.separation * std::sqrt(request.scale)); });
+        [&](const CaseDesignLoad& one) { return three(one.separation * std::sqrt(request.scale)); });
     row(fmt::format("threshold, {}", unit.name),
-        [&](const CaseDesignLoad& one) { return fmt::format("{:.3g}", unit.factor * one.load.threshold); });
+        [&](const CaseDesignLoad& one) { return three(unit.factor * one.load.threshold); });
     row("peaks above", [](const CaseDesignLoad& one) { return fmt::format("{}", one.load.peaks); });
-    row("ξ of the Pareto tail", [](const CaseDesignLoad& one) { return fmt::format("{:.2f}", one.load.pareto.shape); });
-    row("c of the Weibull tail",
-        [](const CaseDesignLoad& one) { return fmt::format("{:.2f}", one.load.weibull.shape); });
-    row("weight of the Weibull tail",
-        [](const CaseDesignLoad& one) { return fmt::format("{:.2f}", one.load.weibull_weight); });
+    row("ξ of the Pareto tail", [](const CaseDesignLoad& one) { return fixed(one.load.pareto.shape, 2); });
+    row("c of the Weibull tail", [](const CaseDesignLoad& one) { return fixed(one.load.weibull.shape, 2); });
+    row("weight of the Weibull tail", [](const CaseDesignLoad& one) { return fixed(one.load.weibull_weight, 2); });
     for (std::size_t k = 0; k < std::size(threshold_shares); ++k)
         row(fmt::format("with the highest {} of the peaks, {}", percent(threshold_shares[k]), unit.name),
-            [&](const CaseDesignLoad& one) { return fmt::format("{:.3g}", unit.factor * one.over_shares[k]); });
+            [&](const CaseDesignLoad& one) { return three(unit.factor * one.over_shares[k]); });
     row("methods differ by",
-        [](const CaseDesignLoad& one) { return fmt::format("{:.0f} %", 100 * disagreement(one.load)); });
+        [](const CaseDesignLoad& one) { return fixed(disagreement(one.load) / unit::percent, 0) + " %"; });
     row("more arrangements for half the interval",
         [](const CaseDesignLoad& one) { return fmt::format("{}", 3 * one.load.arrangements); });
     return {.table = std::move(table),
             .after = fmt::format(
                 "\nThe tails are fitted to the highest {} of the peaks. ξ below 0: the load is bounded; above "
-                "0: its tail is\nheavy. c: 1 exponential, 2 Gaussian. The load with other shares of the "
-                "peaks, and the methods' difference,\nare of the load exceeded with {}.\n",
+                "0: its tail is heavy. c: 1 exponential, 2 Gaussian. The load with other shares of the "
+                "peaks, and the methods' difference, are of the load exceeded with {}.\n",
                 percent(request.share), percent(1 - request.quantiles.front()))};
 }
 
@@ -164,8 +184,8 @@ Section pairs_section(const Summary& summary, const std::vector<CaseDesignLoad>&
     Table table{{"pair", {fmt::format("difference, {}", unit.name), ""}}};
     for (const Paired& one : pairs)
         table.push_back(
-            {fmt::format("{} - {}", summary.name_of(one.second->case_index), summary.name_of(one.first->case_index)),
-             load_cell(one.difference, unit.factor)});
+            {fmt::format("{} - {}", summary.label_of(one.second->case_index), summary.label_of(one.first->case_index)),
+             range_cell(one.difference, unit.factor, one.first->load.arrangements >= fewest_for_interval)});
     std::vector<DataColumn<Paired>> columns{
         {"first", [&](const Paired& one) { return summary.name_of(one.first->case_index); }},
         {"second", [&](const Paired& one) { return summary.name_of(one.second->case_index); }},

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "campaign_file/read_campaign_file.hpp"
+#include "findings/points.hpp"
 
 namespace floes {
 namespace {
@@ -24,6 +25,7 @@ Evidence read_evidence(const CampaignFile& file, bool automatic_window, std::str
         evidence.table = with_automatic_window(file, std::move(evidence.table), *evidence.steady);
     }
     evidence.summary = summarise(evidence.table);
+    evidence.summary.labels = point_labels(find_points(evidence.campaign));
     if (!reference.empty()) evidence.reference = case_index(evidence.summary, reference);
     return evidence;
 }
@@ -33,6 +35,7 @@ Evidence evidence_of(Campaign campaign, CampaignTable table) {
     evidence.campaign = std::move(campaign);
     evidence.table = std::move(table);
     evidence.summary = summarise(evidence.table);
+    evidence.summary.labels = point_labels(find_points(evidence.campaign));
     return evidence;
 }
 

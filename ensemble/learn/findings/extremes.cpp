@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/units.hpp"
+#include "findings/printable.hpp"
 #include "tables/number_text.hpp"
 
 namespace floes {
@@ -21,13 +22,27 @@ std::string hours(double seconds) {
                                 : fmt::format("{:.3g} h", seconds / unit::hour);
 }
 
+/// "–" where the bootstrap says no more than that nothing is known.
+std::string level_range(const ReturnLevel& level, int decimals) {
+    return says_something(level.level, level.interval, fewest_for_interval)
+               ? bracket(level.interval.low, level.interval.high, decimals)
+               : "–";
+}
+
 std::vector<Cell> line(const CaseExtremes& one, const FittedExtreme& fitted) {
+    constexpr double edge = 0.99;  // of the shapes that are looked at
+    const bool degenerate = &fitted == &one.gev && std::abs(fitted.fit.shape) > edge;
+    if (degenerate) {
+        std::vector<Cell> cells(5 + fitted.levels.size(), "–");
+        cells.front() = fmt::format("  {}: no fit", name_of(fitted.kind));
+        return cells;
+    }
     const int decimals = decimals_for(std::abs(fitted.fit.location));
     std::vector<Cell> cells{fmt::format("  {}", name_of(fitted.kind)), fixed(fitted.fit.location, decimals),
                             fixed(fitted.fit.scale, decimals), &fitted == &one.gev ? fixed(fitted.fit.shape, 2) : "",
                             p_text(fitted.goodness.anderson_darling_p)};
     for (const ReturnLevel& level : fitted.levels)
-        cells.emplace_back(fixed(level.level, decimals), bracket(level.interval.low, level.interval.high, decimals));
+        cells.emplace_back(fixed(level.level, decimals), level_range(level, decimals));
     return cells;
 }
 
@@ -137,8 +152,8 @@ Section extremes_section(const Summary& summary, const std::vector<CaseExtremes>
     std::string lengths;
     for (const CaseExtremes& one : extremes) {
         table.emplace_back(table.front().size(), "").front() =
-            fmt::format("{}, {} maxima{}", summary.name_of(one.case_index), one.maxima,
-                        one.gumbel.fit.valid() ? "" : ": too few to fit");
+            fmt::format("{}, {} maxima{}", summary.label_of(one.case_index), one.maxima,
+                        one.gumbel.fit.valid() ? "" : fmt::format(": too few to fit ({} or more)", fewest_maxima));
         if (!one.gumbel.fit.valid()) continue;
         for (const FittedExtreme* fitted : fits_of(one)) table.push_back(line(one, *fitted));
         if (lengths.empty()) {
@@ -146,10 +161,15 @@ Section extremes_section(const Summary& summary, const std::vector<CaseExtremes>
                 fmt::format(" (a segment: {:g} s; 1 in 1000: once in {})", one.segment, hours(1000 * one.segment));
         }
     }
+    if (lengths.empty())
+        return {.title = "Extremes",
+                .before = fmt::format("Too few segment maxima to fit in every case; {} would do.\n", fewest_maxima),
+                .records = {case_records(summary, extremes), fit_records(summary, extremes)},
+                .figures = {exceedance_figure(summary, extremes)}};
     return {.title = "Extremes",
             .table = std::move(table),
             .after = fmt::format(
-                "\nMaximum likelihood; 1 in N: the load that one segment in N exceeds{}, interval by bootstrap over\n"
+                "\nMaximum likelihood; 1 in N: the load that one segment in N exceeds{}, interval by bootstrap over "
                 "arrangements. ξ: shape, below 0 with an upper bound. p A²: Anderson-Darling; small: poor fit of the "
                 "distribution.\nFor exposures longer than the one simulated, a return level is an extrapolation.\n",
                 lengths),

@@ -65,7 +65,8 @@ std::optional<CaseFailures> failures_of(Evidence& evidence, std::size_t of_case)
     if (floes.shapes.size() != 1) return std::nullopt;
     const CaseSummary& row = evidence.summary.cases[of_case];
     const FloeShape& floe = floes.shapes.front();
-    CaseFailures found{row.about.name, floe, static_cast<int>(floes.size()), grid_of(floe), {}, {}, {}};
+    CaseFailures found{
+        evidence.summary.label_of(of_case), floe, static_cast<int>(floes.size()), grid_of(floe), {}, {}, {}};
     found.joints = joint_order(found.grid);
     found.of_joint.resize(found.joints.size(), 0.0);
     const double share = 1.0 / row.done / found.floes;

@@ -43,27 +43,38 @@ int common_arrangement(const CampaignTable& table) {
     return found == done.end() ? -1 : static_cast<int>(found - done.begin());
 }
 
-Figure history_figure(const CampaignTable& table, std::vector<DrawnHistory> histories) {
+/// The next larger of 1, 2 and 5 times a power of ten.
+double round_above(double value) {
+    const double power = std::pow(10.0, std::floor(std::log10(value)));
+    for (const double digit : {1.0, 2.0, 5.0})
+        if (digit * power >= value) return digit * power;
+    return 10 * power;
+}
+
+Figure history_figure(const Summary& summary, std::vector<DrawnHistory> histories) {
     double largest = 0;
-    double end = 1;
+    double end = 0;
     for (const DrawnHistory& history : histories) {
         for (const auto& [time, load] : history.points) {
             largest = std::max(largest, load);
             end = std::max(end, time);
         }
     }
-    const double shift = std::max(100.0, 100 * std::ceil(0.7 * largest / 100));
+    const double shift = largest > 0 ? round_above(0.7 * largest) : 1;
     const double count = static_cast<double>(histories.size());
     Figure figure{.description = "Surge load over time, one curve for each case",
-                  .x = {fmt::format("time since the tow began, s; each case shifted by {:g} N", shift), 0, end},
-                  .y = {"surge load, N", 0, std::max(1.0, shift * (count - 1) + 1.05 * largest)},
+                  .x = {count > 1 ? fmt::format("time since the tow began, s; each case shifted by {:g} N", shift)
+                                  : std::string{"time since the tow began, s"},
+                        0, std::max(end, 1e-3)},
+                  .y = {"surge load, N", 0, shift * (count - 1) + std::max(1.05 * largest, 0.6 * shift)},
                   .size = {720, 160 + 90 * count}};
     double base = 0;
     for (DrawnHistory& history : histories) {
         for (auto& [time, load] : history.points) load += base;
-        const CaseRow& about = table.cases[history.case_index];
+        const CaseRow& about = summary.cases[history.case_index].about;
         figure.line(std::move(history.points), colour(history.case_index) + " thin");
-        figure.text(end * 0.01, base + 0.45 * shift, about.name, "start", "key " + colour(history.case_index));
+        figure.text(end * 0.01, base + 0.45 * shift, summary.label_of(history.case_index), "start",
+                    "key " + colour(history.case_index));
         figure.upright(about.analysis.steady_start, "dashed");
         base += shift;
     }
@@ -75,16 +86,18 @@ Figure history_figure(const CampaignTable& table, std::vector<DrawnHistory> hist
 Section histories_section(Evidence& evidence) {
     std::vector<DrawnHistory> histories;
     const int arrangement = common_arrangement(evidence.table);
+    const std::vector<std::size_t> drawn = drawn_cases(evidence.summary);
     for_each_history(evidence.file, [&](const SurgeHistory& history) {
         const MemberRow& member = evidence.table.members[static_cast<std::size_t>(history.member)];
-        if (member.arrangement == arrangement)
+        if (member.arrangement == arrangement && std::ranges::count(drawn, static_cast<std::size_t>(member.case_index)))
             histories.push_back({static_cast<std::size_t>(member.case_index), thinned(history)});
     });
     if (histories.empty())
         return {.before = "No figure: the file has no load histories of an arrangement that is done in every case.\n"};
-    Figure figure = history_figure(evidence.table, std::move(histories));
-    figure.caption =
-        "One arrangement, every case, shifted upwards (the paper's Fig. 6). Dashed: start of the analysis window.";
+    Figure figure = history_figure(evidence.summary, std::move(histories));
+    figure.caption = std::string(evidence.summary.cases.size() > 1 ? "One arrangement, every case, shifted upwards"
+                                                                   : "One arrangement") +
+                     " (the paper's Fig. 6). Dashed: start of the analysis window." + undrawn_text(evidence.summary);
     if (std::ranges::any_of(evidence.table.cases, [](const CaseRow& one) { return one.analysis.history_stride > 1; }))
         figure.caption += " The file holds means over several steps, whose peaks are lower than the measured ones.";
     return {.figures = {std::move(figure)}};

@@ -2,13 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "core/units.hpp"
+#include "tables/number_text.hpp"
 
 namespace floes {
 
 namespace {
+
+/// Three digits or, of a larger number, its whole part.
+std::string three_digits(double value) {
+    return fixed(value, value >= 100 ? 0 : value >= 10 ? 1 : value >= 1 ? 2 : 3);
+}
 
 std::string crossing_text(const HybridCurve& curve) {
     return curve.crossing ? fmt::format("floes break above {:.4g} MPa and are pushed aside below it\n",
@@ -43,9 +50,14 @@ std::vector<DataRows> records_of(const HybridCurve& curve) {
 }  // namespace
 
 Section hybrid_section(const HybridCurve& curve) {
-    Table table{{"E, MPa", "l_c, m", "R_LS, N", "= crushing", "+ bending", "+ submergence", "R_LM, N", "R_F, N"}};
+    double largest = 0;
+    for (const HybridPoint& p : curve.points) largest = std::max(largest, p.load);
+    const LoadUnit unit = load_unit(largest);
+    const auto in_unit = [&](const char* name) { return fmt::format("{}, {}", name, unit.name); };
+    Table table{{"E, MPa", "l_c, m", in_unit("R_LS"), "= crushing", "+ bending", "+ submergence", in_unit("R_LM"),
+                 in_unit("R_F")}};
     for (const HybridPoint& p : curve.points) {
-        const auto newtons = [](double force) { return fmt::format("{:.1f}", force); };
+        const auto newtons = [&](double force) { return three_digits(unit.factor * force); };
         table.push_back({fmt::format("{:.4g}", p.elastic_modulus / unit::megapascal),
                          fmt::format("{:.3f}", p.characteristic_length), newtons(p.limit_stress.total()),
                          newtons(p.limit_stress.crushing), newtons(p.limit_stress.bending),

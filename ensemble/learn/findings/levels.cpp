@@ -90,14 +90,14 @@ Section levels_section(const Summary& summary, const std::vector<LevelRow>& rows
     if (rows.empty())
         return {.before =
                     "Load levels: no member counted any (analysis.exceedance_levels_N). For the exceedance curve of "
-                    "the segment\nmaxima use --format csv or json.\n",
+                    "the segment maxima use --format csv or json.\n",
                 .records = {json_only(records)}};
     Table table{{"case", "load, N", "runs", "time above, %", "95 %", "rises per minute", "95 %"}};
     for (const LevelRow& row : rows) {
         const auto range = [](const Interval& found, double factor, int decimals) {
             return bracket(factor * found.low, factor * found.high, decimals);
         };
-        table.push_back({summary.name_of(row.case_index), fmt::format("{:g}", row.level), fmt::format("{}", row.runs),
+        table.push_back({summary.label_of(row.case_index), fmt::format("{:g}", row.level), fmt::format("{}", row.runs),
                          fixed(row.time_above.estimate / unit::percent, 3), range(row.time_above, 1 / unit::percent, 3),
                          fixed(row.upcrossings.estimate * minute, 2), range(row.upcrossings, minute, 2)});
     }

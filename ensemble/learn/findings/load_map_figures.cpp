@@ -57,7 +57,7 @@ std::vector<std::pair<std::string, std::string>> legend_of(const Evidence& evide
                                                            const std::vector<CaseLoadMap>& maps) {
     std::vector<std::pair<std::string, std::string>> legend;
     for (const CaseLoadMap& found : maps)
-        legend.emplace_back(colour(found.case_index), evidence.summary.name_of(found.case_index));
+        legend.emplace_back(colour(found.case_index), evidence.summary.label_of(found.case_index));
     return legend;
 }
 
@@ -70,7 +70,7 @@ std::vector<Figure> wall_figures(const Evidence& evidence, const std::vector<Cas
     std::vector<Figure> figures;
     for (const CaseLoadMap& found : maps) {
         const Shape& shape = scenario_of(evidence, found.case_index).structure.shape;
-        const std::string name = evidence.summary.name_of(found.case_index);
+        const std::string name = evidence.summary.label_of(found.case_index);
         Figure figure{.description = fmt::format("Case {}: mean load by angle and height on the structure", name),
                       .x = {fmt::format("{}: degrees from straight ahead", name), -reach, reach, false, {}, 30},
                       .y = {"height above the water, m", shape.bottom(), shape.top()},

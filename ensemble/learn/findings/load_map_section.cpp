@@ -24,7 +24,7 @@ Table shares(const Evidence& evidence, const std::vector<CaseLoadMap>& maps) {
         const double water = waterline(evidence.campaign.cases[found.case_index].scenario.structure.shape);
         const auto percent = [](double share) { return fixed(share / unit::percent, 0); };
         const double normal = std::accumulate(found.mean.normal.begin(), found.mean.normal.end(), 0.0);
-        table.push_back({evidence.summary.name_of(found.case_index), percent(found.share_within(30)),
+        table.push_back({evidence.summary.label_of(found.case_index), percent(found.share_within(30)),
                          percent(found.share_within(60)), percent(found.share_between(0, water / 2)),
                          percent(found.share_between(water / 2, water)), percent(found.share_between(water, 1)),
                          fixed(normal, 1)});

@@ -1,5 +1,6 @@
 #include "findings/pairs.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -26,18 +27,29 @@ struct SharedMembers {
     std::vector<std::pair<const MemberRow*, const MemberRow*>> members;
 };
 
-std::vector<SharedMembers> find_pairs(const CampaignTable& table, std::optional<std::size_t> reference) {
-    std::vector<std::map<int, const MemberRow*>> rows;
+using ByArrangement = std::map<int, const MemberRow*>;
+
+std::vector<ByArrangement> all_by_arrangement(const CampaignTable& table) {
+    std::vector<ByArrangement> rows;
     for (std::size_t one = 0; one < table.cases.size(); ++one) rows.push_back(by_arrangement(table, one));
+    return rows;
+}
+
+SharedMembers shared(const std::vector<ByArrangement>& rows, std::size_t first, std::size_t second) {
+    SharedMembers pair{first, second, {}};
+    for (const auto& [arrangement, member] : rows[first]) {
+        const auto partner = rows[second].find(arrangement);
+        if (partner != rows[second].end()) pair.members.emplace_back(member, partner->second);
+    }
+    return pair;
+}
+
+std::vector<SharedMembers> find_pairs(const CampaignTable& table, std::optional<std::size_t> reference) {
+    const std::vector<ByArrangement> rows = all_by_arrangement(table);
     std::vector<SharedMembers> pairs;
     for (std::size_t one = 0; one < rows.size(); ++one) {
         for (std::size_t other = one + 1; other < rows.size(); ++other) {
-            SharedMembers pair{one, other, {}};
-            if (reference == other) std::swap(pair.first, pair.second);
-            for (const auto& [arrangement, member] : rows[pair.first]) {
-                const auto partner = rows[pair.second].find(arrangement);
-                if (partner != rows[pair.second].end()) pair.members.emplace_back(member, partner->second);
-            }
+            SharedMembers pair = reference == other ? shared(rows, other, one) : shared(rows, one, other);
             if (pair.members.size() >= fewest_shared) pairs.push_back(std::move(pair));
         }
     }
@@ -90,6 +102,21 @@ std::vector<PairRow> compare_pairs(const CampaignTable& table, const PairOptions
             rows[i].wilcoxon_p_holm = wilcoxon_p[i];
             all.push_back(std::move(rows[i]));
         }
+    }
+    return all;
+}
+
+std::vector<PairRow> compare_with(const CampaignTable& table, std::size_t reference, const Quantity& quantity,
+                                  std::size_t most) {
+    const std::vector<ByArrangement> rows = all_by_arrangement(table);
+    std::vector<PairRow> all;
+    for (std::size_t other = 0; other < std::min(rows.size(), most); ++other) {
+        if (other == reference) continue;
+        const SharedMembers pair = shared(rows, reference, other);
+        if (pair.members.size() < fewest_shared) continue;
+        all.push_back(compare(pair, quantity, {}));
+        all.back().t_p_holm = all.back().found.t_p;
+        all.back().wilcoxon_p_holm = all.back().found.wilcoxon_p;
     }
     return all;
 }

@@ -34,4 +34,9 @@ struct PairOptions {
 /// in order; pairs in file order.
 std::vector<PairRow> compare_pairs(const CampaignTable& table, const PairOptions& options = {});
 
+/// One quantity of each of the first `most` cases less that of `reference`, in file order; p is of each pair alone.
+/// Cases that share fewer than two done arrangements with it are left out.
+std::vector<PairRow> compare_with(const CampaignTable& table, std::size_t reference, const Quantity& quantity,
+                                  std::size_t most);
+
 }  // namespace floes

@@ -7,6 +7,7 @@
 #include <ranges>
 
 #include "core/units.hpp"
+#include "findings/printable.hpp"
 #include "tables/number_text.hpp"
 
 namespace floes {
@@ -26,10 +27,12 @@ std::vector<Cell> line(const Summary& summary, const PairRow& row) {
     const double factor = row.quantity.factor();
     const int decimals = row.quantity.percent ? 1 : decimals_for(std::abs(row.first_mean));
     const PairedComparison& found = row.found;
-    return {fmt::format("  {} - {}", summary.name_of(row.second), summary.name_of(row.first)),
+    return {fmt::format("  {} - {}", summary.label_of(row.second), summary.label_of(row.first)),
             fmt::format("{}", found.arrangements),
             fixed(found.difference * factor, decimals),
-            bracket(factor * found.t_interval.low, factor * found.t_interval.high, decimals),
+            found.arrangements < fewest_for_interval
+                ? "–"
+                : bracket(factor * found.t_interval.low, factor * found.t_interval.high, decimals),
             percent(found.difference / row.first_mean),
             p_text(row.t_p_holm),
             p_text(row.wilcoxon_p_holm),
@@ -76,10 +79,13 @@ Figure differences(const Summary& summary, const std::vector<PairRow>& rows, con
         if (!(row.quantity.key == quantity.key)) continue;
         const Limits& limits = row.found.t_interval;
         const double at = static_cast<double>(labels.size()) + 0.5;
-        figure.line({{factor * limits.low, at}, {factor * limits.high, at}}, "thick");
         figure.dot(factor * row.found.difference, at, "ink", 4.5);
-        values.insert(values.end(), {factor * limits.low, factor * limits.high, factor * row.found.difference});
-        labels.push_back(summary.name_of(row.second) + " − " + summary.name_of(row.first));
+        values.push_back(factor * row.found.difference);
+        if (row.found.arrangements >= fewest_for_interval) {
+            figure.line({{factor * limits.low, at}, {factor * limits.high, at}}, "thick");
+            values.insert(values.end(), {factor * limits.low, factor * limits.high});
+        }
+        labels.push_back(summary.label_of(row.second) + " − " + summary.label_of(row.first));
     }
     const double count = static_cast<double>(labels.size());
     figure.size = {720, 70 + 34 * count};
@@ -94,8 +100,8 @@ std::string notes(const std::vector<PairRow>& rows, const PairOptions& options) 
     const std::size_t pairs = pairs_in(rows);
     return fmt::format(
         "\np: two-sided, paired t test and Wilcoxon signed-rank test, Holm-adjusted over the {} of a quantity.\n"
-        "Reduction: share of the variance of the difference that pairing removes. n needed: arrangements needed to\n"
-        "find a true difference as large as the observed one, or of {:g} % of the first case, with a probability of\n"
+        "Reduction: share of the variance of the difference that pairing removes. n needed: arrangements needed to "
+        "find a true difference as large as the observed one, or of {:g} % of the first case, with a probability of "
         "{:g} %.\nThe other quantities of Table 3: --format csv --parts pairs.\n",
         pairs == 1 ? std::string{"one pair"} : fmt::format("{} pairs", pairs), options.resolve / unit::percent,
         options.power / unit::percent);
@@ -149,7 +155,7 @@ std::string left_out_text(const Summary& summary, const std::vector<PairRow>& ro
 
 std::string unasked_text(const Summary& summary) {
     return fmt::format(
-        "To show the {} pairs of these {} cases and the extremes of each: floes summarize --parts pairs,extremes.",
+        "The {} pairs of the design's {} points are compared where they are asked for: floes summarize --parts pairs.",
         all_pairs(summary), summary.cases.size());
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "core/units.hpp"
+#include "findings/load_columns.hpp"
+#include "findings/printable.hpp"
 #include "scenario/keys.hpp"
 #include "tables/number_text.hpp"
 
@@ -23,10 +25,19 @@ bool of_the_case(const Key& key) {
     return key.path == "ice.elastic_modulus_MPa" || key.path == "joint.cfm";
 }
 
-Cell estimate_cell(const Estimate& estimate, double factor, int decimals) {
-    return {fixed(factor * estimate.estimate, decimals),
-            bracket(factor * estimate.low, factor * estimate.high, decimals),
-            bracket(factor * estimate.prediction_low, factor * estimate.prediction_high, decimals)};
+/// Loads in the unit that suits the largest of them, shares in percent.
+Cell estimate_cell(const CaseSummary& row, const Quantity& quantity, int decimals, const LoadUnit& unit) {
+    const Estimate& found = row.of(quantity);
+    const double factor = quantity.percent ? quantity.factor() : unit.factor;
+    constexpr double few = 10;  // below it a whole number says too little
+    if (!quantity.percent && factor * found.estimate < few)
+        decimals = std::max(decimals, few_decimals(factor * found.estimate));
+    const auto range = [&](double low, double high) {
+        if (!says_something(quantity, found.estimate, {low, high}, row.done)) return std::string{"–"};
+        return bracket(factor * low, factor * high, decimals);
+    };
+    return {fixed(factor * found.estimate, decimals), range(found.low, found.high),
+            range(found.prediction_low, found.prediction_high)};
 }
 
 std::vector<Cell> paper_line(const PaperRow& paper) {
@@ -71,15 +82,22 @@ const PaperRow* paper_row(const Case& one) {
 }
 
 Table table3(const Campaign& campaign, const Summary& summary) {
-    Table table{{"case", "n", "mean, N", "SD, N", "mean maximum, N", "SD maximum, N", "broken floes, %"}};
+    double largest = 0;
+    for (const CaseSummary& row : summary.cases)
+        if (const double found = row.of(quantity("mean_maximum")).estimate; found > largest) largest = found;
+    const LoadUnit unit = load_unit(largest);
+    Table table{{"case", "n"}};
+    for (const char* name : {"mean", "SD", "mean maximum", "SD maximum"})
+        table.front().emplace_back(fmt::format("{}, {}", name, unit.name));
+    table.front().emplace_back("broken floes, %");
     bool experiment = false;
     for (std::size_t k = 0; k < summary.cases.size(); ++k) {
         const CaseSummary& row = summary.cases[k];
         table.push_back(
-            {row.about.name, fmt::format("{}", row.done), estimate_cell(row.of(quantity("mean_load")), 1, 1),
-             estimate_cell(row.of(quantity("sd_load")), 1, 1), estimate_cell(row.of(quantity("mean_maximum")), 1, 0),
-             estimate_cell(row.of(quantity("sd_maximum")), 1, 0),
-             estimate_cell(row.of(quantity("failure_ratio")), 1 / unit::percent, 1)});
+            {summary.label_of(k), fmt::format("{}", row.done), estimate_cell(row, quantity("mean_load"), 1, unit),
+             estimate_cell(row, quantity("sd_load"), 1, unit), estimate_cell(row, quantity("mean_maximum"), 0, unit),
+             estimate_cell(row, quantity("sd_maximum"), 0, unit),
+             estimate_cell(row, quantity("failure_ratio"), 1, unit)});
         const PaperRow* paper = paper_row(campaign.cases.at(k));
         if (paper == nullptr) continue;
         const bool again =

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "campaign/campaign.hpp"
+#include "findings/key_words.hpp"
 #include "findings/summary.hpp"
 
 namespace floes {
@@ -18,17 +19,29 @@ struct PointRow {
 };
 
 struct DesignPoints {
-    std::vector<std::string> keys;  ///< of the axes
-    std::vector<PointRow> rows;     ///< one for each case, in order
+    std::vector<std::string> keys;       ///< of the axes
+    std::vector<AxisScale> scales = {};  ///< of the axes
+    std::vector<PointRow> rows;          ///< one for each case, in order
 };
 
 /// A campaign without a design has no keys and no rows.
 DesignPoints find_points(const Campaign& campaign);
 
-/// Case and values.
-Table points_table(const DesignPoints& points);
+/// "0.03", "open": the value as people read it.
+std::string value_text(const std::variant<double, std::string>& value);
 
-/// The same; CSV also has the number of done members and the estimate of each quantity of the summary.
+/// What people call the points: "thickness 0.02 m, speed 0.05 m/s", after the name of the [[case]] if there is one.
+/// Empty for a campaign without a design.
+std::vector<std::string> point_labels(const DesignPoints& points);
+
+/// Words of each axis; two that would read the same have the names of their tables before them.
+std::vector<KeyWords> axis_words(const DesignPoints& points);
+
+/// Where each point lies, its loads with their intervals, and pictures of them: over each axis, and over two. CSV also
+/// has the number of done members and the estimate of each quantity of the summary.
 Section points_section(const DesignPoints& points, const Summary& summary);
+
+/// The load over each axis, and a map over the two that move it most. None without a result.
+std::vector<Figure> point_figures(const DesignPoints& points, const Summary& summary);
 
 }  // namespace floes

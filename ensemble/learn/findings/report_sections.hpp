@@ -15,7 +15,7 @@ Section averaged_section(Evidence& evidence);
 /// Table 3 beside the paper's figures, and every arrangement with the mean of its case.
 Section table3_section(Evidence& evidence);
 
-/// How many simulations, and structure and floe of the first case to scale.
+/// How many simulations, and every hull and every size of floe to scale.
 Section what_was_run(Evidence& evidence);
 
 /// The load over time of the first arrangement that every case has done (the paper's Fig. 6). Reads the file.

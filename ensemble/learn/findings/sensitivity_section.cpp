@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "findings/key_words.hpp"
+#include "findings/load_columns.hpp"
+#include "findings/printable.hpp"
 #include "tables/number_text.hpp"
 
 namespace floes {
@@ -22,7 +25,14 @@ const char* scale_word(const SensitivityAxis& axis) {
 }
 
 std::string axis_text(const SensitivityAxis& axis) {
-    return fmt::format("{} {:g} … {:g}{}", axis.key, axis.from, axis.to, axis.scale == AxisScale::log ? ", log" : "");
+    const KeyWords words = key_words(axis.key);
+    return words.with(fmt::format("{:g} to {:g}", axis.from, axis.to)) + (axis.scale == AxisScale::log ? ", log" : "");
+}
+
+/// The interval from two arrangements says nothing.
+std::string limits_text(const LinearFit& fit, const Slope& slope, double factor, int decimals) {
+    if (fit.repetitions > 0 && fit.repetitions < fewest_for_interval) return "–";
+    return bracket(factor * slope.low, factor * slope.high, decimals);
 }
 
 std::vector<Cell> line(const Sensitivity& found, const SensitivityRow& row, std::size_t axis) {
@@ -31,8 +41,9 @@ std::vector<Cell> line(const Sensitivity& found, const SensitivityRow& row, std:
     std::vector<Cell> cells{"  " + axis_text(found.axes[axis])};
     if (row.fit) {
         const Slope& slope = row.fit->slopes[axis];
-        cells.emplace_back(fixed(slope.estimate * factor, decimals),
-                           bracket(factor * slope.low, factor * slope.high, decimals));
+        const double over_all = 2 * factor;  // a slope is over half the axis
+        cells.emplace_back(fixed(over_all * slope.estimate, decimals),
+                           limits_text(*row.fit, slope, over_all, decimals));
     } else {
         cells.emplace_back("–", "");
     }
@@ -79,6 +90,9 @@ void add_axis(const std::string& place, const std::function<const SensitivityRow
     of_fit("slope", "slope/estimate", [](const LinearFit&, const Slope& slope) { return slope.estimate; });
     of_fit("slope_low", "slope/low", [](const LinearFit&, const Slope& slope) { return slope.low; });
     of_fit("slope_high", "slope/high", [](const LinearFit&, const Slope& slope) { return slope.high; });
+    of_fit("change", "change/estimate", [](const LinearFit&, const Slope& slope) { return 2 * slope.estimate; });
+    of_fit("change_low", "change/low", [](const LinearFit&, const Slope& slope) { return 2 * slope.low; });
+    of_fit("change_high", "change/high", [](const LinearFit&, const Slope& slope) { return 2 * slope.high; });
     of_fit("r_squared", "", [](const LinearFit& fit, const Slope&) { return fit.r_squared; });
     of_fit("arrangements_fitted", "", [](const LinearFit& fit, const Slope&) { return fit.repetitions; });
     add("base_points", "",
@@ -130,18 +144,24 @@ DataRows axis_records(const Sensitivity& found) {
     return csv_only(make_rows<Line>("", lines, columns));
 }
 
-/// Slopes and indices by [[case]], quantity and axis; the heading first.
-Table sensitivity_table(const Sensitivity& found) {
-    Table table{{"along", {"slope", "95 %"}}};
+/// Of changes and indices by [[case]], quantity and axis.
+Table sensitivity_heading(const Sensitivity& found) {
+    Table table{{"from one end to the other", {"change", "95 %"}}};
     if (has_indices(found)) {
         table.front().emplace_back("first order", "95 %");
         table.front().emplace_back("total", "95 %");
     }
+    return table;
+}
+
+/// Of the quantities that are asked for first, or of the others.
+void add_rows(const Sensitivity& found, bool headlines, const std::vector<Cell>& heading, Table& table) {
     for (const SensitivityRow& row : found.rows) {
-        table.emplace_back(table.front().size(), Cell{"", ""}).front() = heading_of(row);
+        const bool first = row.quantity.shown >= Shown::in_headlines || row.quantity.key.view() == "mean_maximum_1s";
+        if (first != headlines) continue;
+        table.emplace_back(heading.size(), Cell{"", ""}).front() = heading_of(row);
         for (std::size_t axis = 0; axis < found.axes.size(); ++axis) table.push_back(line(found, row, axis));
     }
-    return table;
 }
 
 /// The meaning of the columns, then the notes, as sentences.
@@ -151,7 +171,8 @@ std::vector<std::string> sensitivity_notes(const Sensitivity& found) {
         const auto fitted =
             std::ranges::find_if(found.rows, [](const SensitivityRow& row) { return row.fit.has_value(); });
         notes.push_back(
-            "Slope: change of the plane fitted to all points over half the axis, from its middle to its end.");
+            "Change: of the plane fitted to all points, from one end of the axis to the other. (The slopes of --format "
+            "csv and json are over half of it, from its middle to its end.)");
         if (fitted != found.rows.end())
             notes.push_back(fitted->fit->repetitions > 0
                                 ? fmt::format("Its interval: Student's t over {} arrangements, each fitted separately.",
@@ -170,6 +191,24 @@ std::vector<std::string> sensitivity_notes(const Sensitivity& found) {
 
 }  // namespace
 
+std::string change_sentence(const Sensitivity& found, const SensitivityRow& row, std::size_t axis) {
+    const Slope& slope = row.fit->slopes[axis];
+    const SensitivityAxis& about = found.axes[axis];
+    const KeyWords words = key_words(about.key);
+    std::string name = words.name;
+    if (row.base.empty() && name.front() >= 'a' && name.front() <= 'z') name.front() += 'A' - 'a';
+    const LoadUnit unit = load_unit(std::abs(row.fit->centre));
+    const double factor = 2 * unit.factor;  // a slope is over half the axis
+    const int decimals = few_decimals(unit.factor * std::abs(row.fit->centre));
+    const bool said = limits_text(*row.fit, slope, factor, decimals).starts_with('[');
+    return fmt::format(
+        "{}{} from {:g} to {:g}{} changes the mean load by {:+.{}f} {}{}.", row.base.empty() ? "" : row.base + ": ",
+        name, about.from, about.to, words.unit.empty() ? "" : " " + words.unit, factor * slope.estimate, decimals,
+        unit.name,
+        said ? fmt::format(" ({:+.{}f} to {:+.{}f})", factor * slope.low, decimals, factor * slope.high, decimals)
+             : "");
+}
+
 Section sensitivity_section(const Sensitivity& found) {
     Section section{.title = "What decides the load",
                     .notes = sensitivity_notes(found),
@@ -180,7 +219,10 @@ Section sensitivity_section(const Sensitivity& found) {
                                      {"to", &SensitivityAxis::to},
                                      {"scale", [](const SensitivityAxis& axis) { return scale_word(axis); }}})),
                                 row_records(found), axis_records(found), make_list("sensitivity/notes", found.notes)}};
-    if (!found.rows.empty()) section.table = sensitivity_table(found);
+    if (found.rows.empty()) return section;
+    section.table = sensitivity_heading(found);
+    add_rows(found, false, section.table.front(), section.folded);
+    add_rows(found, true, Table(section.table).front(), section.table);
     return section;
 }
 

@@ -142,13 +142,14 @@ Section steady_section(const Summary& summary, const CampaignTable& table, const
                       "effective samples"}};
     for (const CaseSteady& one : steady.cases) {
         const CaseRow& about = summary.cases[static_cast<std::size_t>(&one - steady.cases.data())].about;
-        section.table.push_back({about.name, fixed(about.analysis.steady_start, 1), seconds(one.start),
-                                 seconds(one.median_start), fmt::format("{}", one.without_start),
-                                 fixed(one.median_decorrelation_time, 2), fixed(one.median_effective_samples, 0)});
+        section.table.push_back({summary.label_of(static_cast<std::size_t>(&one - steady.cases.data())),
+                                 fixed(about.analysis.steady_start, 1), seconds(one.start), seconds(one.median_start),
+                                 fmt::format("{}", one.without_start), fixed(one.median_decorrelation_time, 2),
+                                 fixed(one.median_effective_samples, 0)});
     }
     section.after =
-        "\nSteady from: MSER of the mean history of the case; single runs: median over its members' own histories;\n"
-        "without: members in which no steady part was found. Decorrelation: duration of load that counts as one\n"
+        "\nSteady from: MSER of the mean history of the case; single runs: median over its members' own histories; "
+        "without: members in which no steady part was found. Decorrelation: duration of load that counts as one "
         "independent value; effective samples: of the window. Both are medians over the members.\n";
     return section;
 }

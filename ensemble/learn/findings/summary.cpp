@@ -80,8 +80,10 @@ std::vector<const MemberRow*> done_members(const CampaignTable& table, std::size
 }
 
 std::vector<std::pair<std::string, std::string>> case_legend(const Summary& summary) {
+    constexpr std::size_t most = 12;  // more could not be told apart
     std::vector<std::pair<std::string, std::string>> legend;
-    for (const CaseSummary& row : summary.cases) legend.emplace_back(colour(legend.size()), row.about.name);
+    if (summary.cases.size() > most) return legend;
+    for (std::size_t k = 0; k < summary.cases.size(); ++k) legend.emplace_back(colour(k), summary.label_of(k));
     return legend;
 }
 

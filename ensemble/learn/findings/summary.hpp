@@ -51,10 +51,15 @@ struct Summary {
     std::string title;  ///< of the campaign
     std::vector<CaseSummary> cases;
     std::vector<SetAside> failed;
-    std::vector<Quantity> quantities;  ///< all that are known of the members, in the order in which they are shown
+    std::vector<Quantity> quantities;      ///< all that are known of the members, in the order in which they are shown
+    std::vector<std::string> labels = {};  ///< of the cases, for people; empty: their names
 
     bool complete() const;  ///< every planned member is done or set aside
     const std::string& name_of(std::size_t of_case) const { return cases.at(of_case).about.name; }
+    /// What people call the case: of a design's point its keys, "thickness 0.02 m, speed 0.05 m/s".
+    const std::string& label_of(std::size_t of_case) const {
+        return labels.empty() ? name_of(of_case) : labels.at(of_case);
+    }
 };
 
 /// Statistics of every case, in the order of the file.
@@ -63,7 +68,7 @@ Summary summarise(const CampaignTable& table);
 /// Done members of a case in order of arrangement.
 std::vector<const MemberRow*> done_members(const CampaignTable& table, std::size_t of_case);
 
-/// Colour and name of every case.
+/// Colour and name of every case; none of more than twelve, which could not be told apart.
 std::vector<std::pair<std::string, std::string>> case_legend(const Summary& summary);
 
 /// Index of the case named `name`. Throws InputError that lists the names of all cases.

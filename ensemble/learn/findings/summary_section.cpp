@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "core/units.hpp"
+#include "core/wording.hpp"
 #include "findings/conditions.hpp"
+#include "findings/printable.hpp"
 #include "tables/number_text.hpp"
 
 namespace floes {
@@ -30,7 +32,8 @@ void add_counts(const Summary& summary, Table& table) {
             summary, label, [&](Row row) { return Cell{fmt::format("{:g}", static_cast<double>(value(row)))}; }, table);
     };
     add_line(
-        summary, "case", [](Row row) { return Cell{row.about.name}; }, table);
+        summary, "case",
+        [&](Row row) { return summary.label_of(static_cast<std::size_t>(&row - summary.cases.data())); }, table);
     add("E, MPa", [](Row row) { return row.about.elastic_modulus / unit::megapascal; });
     if (std::ranges::any_of(summary.cases, [](Row row) { return !std::isnan(row.about.cfm); }))
         add("Σ", [](Row row) { return row.about.cfm; });
@@ -53,32 +56,34 @@ int decimals_of(const Summary& summary, const Quantity& quantity) {
 
 void add_estimate(const Summary& summary, const Quantity& quantity, Table& table) {
     const int decimals = decimals_of(summary, quantity);
-    const auto range = [&, factor = quantity.factor()](double low, double high) {
-        return bracket(factor * low, factor * high, decimals);
+    const auto range = [&](const CaseSummary& row, double low, double high) {
+        return printable_bracket(quantity, row.of(quantity).estimate, {low, high}, row.done, decimals);
     };
     add_line(
         summary, std::string{quantity.label.view()},
         [&](const CaseSummary& row) {
             const Estimate& found = row.of(quantity);
-            return Cell{fixed(quantity.factor() * found.estimate, decimals), range(found.low, found.high)};
+            return Cell{fixed(quantity.factor() * found.estimate, decimals), range(row, found.low, found.high)};
         },
         table);
     // Failures by mode are not in Table 3, so the estimate is enough here; JSON and CSV have the rest.
     if (quantity.shown < Shown::in_table3) return;
-    add_line(
-        summary, "  bootstrap",
-        [&](const CaseSummary& row) {
-            const Limits& bca = row.of(quantity).bca;
-            return Cell{"", range(bca.low, bca.high)};
-        },
-        table);
-    add_line(
-        summary, "  one further run",
-        [&](const CaseSummary& row) {
-            const Estimate& found = row.of(quantity);
-            return Cell{"", range(found.prediction_low, found.prediction_high)};
-        },
-        table);
+    const auto add_range = [&](const char* label, auto limits) {
+        add_line(
+            summary, label,
+            [&](const CaseSummary& row) {
+                const Limits found = limits(row.of(quantity));
+                return Cell{"", range(row, found.low, found.high)};
+            },
+            table);
+        if (std::ranges::none_of(table.back(),
+                                 [](const Cell& cell) { return cell.range.value_or("").starts_with('['); }))
+            table.pop_back();  // they say nothing of any case
+    };
+    add_range("  bootstrap", [](const Estimate& found) { return found.bca; });
+    add_range("  one further run", [](const Estimate& found) {
+        return Limits{found.prediction_low, found.prediction_high};
+    });
 }
 
 /// Whether it counts what happened in no member, such as joints that fail in a mode without a criterion. The first of
@@ -113,8 +118,8 @@ struct Totals {
 };
 
 std::string heading(const Summary& summary, const Totals& totals) {
-    std::string text = fmt::format("Campaign {}: {} members in {} case{}", summary.title, totals.members,
-                                   summary.cases.size(), summary.cases.size() == 1 ? "" : "s");
+    std::string text = fmt::format("Campaign {}: {} in {}", summary.title, counted(totals.members, "member"),
+                                   counted(std::ssize(summary.cases), "case"));
     if (totals.failed > 0) text += fmt::format(", {} failed", totals.failed);
     text += totals.missing > 0 ? fmt::format(". INCOMPLETE: {} without a result yet.\n", totals.missing) : ".\n";
     for (const std::string& condition : condition_lines(summary)) text += condition + "\n";
@@ -122,24 +127,26 @@ std::string heading(const Summary& summary, const Totals& totals) {
 }
 
 std::string notes(const Summary& summary, const Totals& totals) {
-    std::string text =
-        "\nOne arrangement is one value. Brackets, all 95 %: confidence interval of the mean over all arrangements by\n"
-        "Student's t; below it by BCa bootstrap, which assumes no distribution; then the prediction interval of one\n"
-        "further run. Failure ratio: broken floes / floes. Joints failed: mean per run.\n";
+    std::string text = fmt::format(
+        "\nOne arrangement is one value. Brackets, all 95 %: confidence interval of the mean over all arrangements by "
+        "Student's t; below it by BCa bootstrap, which assumes no distribution; then the prediction interval of one "
+        "further run; –: one that would say nothing, of fewer than {} arrangements or too wide. Failure ratio: broken "
+        "floes "
+        "/ floes. Joints failed: mean per run.\n",
+        fewest_for_interval);
     text +=
         has_rigid_contacts(summary)
-            ? "Maxima without an averaging time are maxima of single steps: a rigid contact gives its impulse within\n"
+            ? "Maxima without an averaging time are maxima of single steps: a rigid contact gives its impulse within "
               "one step, so they depend on the time step. Quote averaged maxima, with their averaging time.\n"
             : "Maxima without an averaging time are maxima of single steps. Quote averaged maxima, with their "
-              "averaging\ntime.\n";
+              "averaging time.\n";
     if (totals.missing > 0 && totals.done > 0) {
         text += "Short runs finish first: until the campaign is complete, the figures are biased towards them.\n";
     }
     if (totals.not_steady > 0) {
         text += fmt::format(
-            "Not steady: in {} of {} members the load still had a trend in the window; the figures above include "
-            "them.\n",
-            totals.not_steady, totals.done);
+            "Not steady: in {} of {} the load still had a trend in the window; the figures above include them.\n",
+            totals.not_steady, counted(totals.done, "member"));
     }
     for (std::size_t index = 0; index < std::min(summary.failed.size(), most_reasons); ++index) {
         text += fmt::format("Member {} failed: {}\n", summary.failed[index].member, summary.failed[index].reason);

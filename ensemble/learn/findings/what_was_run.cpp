@@ -3,22 +3,34 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
+#include "campaign/name_list.hpp"
 #include "core/wording.hpp"
+#include "findings/common_ground.hpp"
 
 namespace floes {
 namespace {
 
-Figure side_view(const Scenario& scenario) {
+constexpr std::size_t most_drawn = 12;  // hulls, or floes
+
+/// "E30, E60", for the label of one drawing among others; empty of the only one.
+std::string names_of(const std::vector<std::size_t>& cases, std::size_t drawings, const Summary& summary) {
+    if (drawings < 2) return "";
+    std::vector<std::string> names;
+    for (const std::size_t k : cases) names.push_back(summary.label_of(k));
+    return name_list(names) + ": ";
+}
+
+Figure side_view(const Scenario& scenario, const std::string& names, double widest) {
     const Shape& shape = scenario.structure.shape;
     const double reach = 1.6 * shape.largest_radius();
     const double low = shape.bottom() - 0.08;
     const double high = shape.top() + 0.08;
     Figure figure{.description = "Section of the structure with the water's surface and the ice",
-                  .x = {"m", -reach, reach},
-                  .y = {"height above the water, m", low, high},
-                  .size = to_scale(2 * reach, high - low, 720),
-                  .caption = "Section of the structure (first case) and the ice on the water, to scale."};
+                  .x = {names + "m", -reach, reach},
+                  .y = {"height, m", low, high},
+                  .size = to_scale(2 * reach, high - low, widest)};
     figure.area({{-reach, low}, {reach, low}, {reach, 0}, {-reach, 0}}, "water");
     const double draught = scenario.floe.thickness * scenario.ice.density / scenario.water.density;
     const double freeboard = scenario.floe.thickness - draught;
@@ -33,17 +45,14 @@ Figure side_view(const Scenario& scenario) {
     return figure;
 }
 
-Figure floe_and_joints(const Scenario& scenario) {
+Figure floe_and_joints(const Scenario& scenario, const std::string& names) {
     const FloeShape& floe = scenario.floe;
     const double margin = 0.15 * std::max(floe.length, floe.breadth);
     Figure figure{
         .description = "One floe seen from above: square elements and the joints at the middle of their edges",
-        .x = {"along the floe, m", -margin, floe.length + margin},
+        .x = {names + "along the floe, m", -margin, floe.length + margin},
         .y = {"across, m", -margin, floe.breadth + margin},
-        .size = to_scale(floe.length + 2 * margin, floe.breadth + 2 * margin, 420),
-        .caption =
-            fmt::format("A floe of {:g} m × {:g} m: elements of {:g} m, {:g} m thick; dots are breakable joints.",
-                        floe.length, floe.breadth, floe.element, scenario.floe.thickness)};
+        .size = to_scale(floe.length + 2 * margin, floe.breadth + 2 * margin, 360)};
     const double side = floe.element;
     for (int i = 0; i < floe.elements_long(); ++i)
         for (int k = 0; k < floe.elements_broad(); ++k)
@@ -57,6 +66,45 @@ Figure floe_and_joints(const Scenario& scenario) {
     return figure;
 }
 
+/// Every hull once, with the names of its cases.
+std::vector<Figure> hulls(const Campaign& campaign, const Summary& summary) {
+    const auto groups = alike(campaign, [](const Scenario& one) -> const Shape& { return one.structure.shape; });
+    const std::size_t drawn = std::min(groups.size(), most_drawn);
+    std::vector<Figure> figures;
+    for (std::size_t k = 0; k < drawn; ++k)
+        figures.push_back(side_view(campaign.cases[groups[k].front()].scenario, names_of(groups[k], drawn, summary),
+                                    drawn == 1 ? 720 : 400));
+    const std::string thickness = [&] {
+        std::vector<double> values;
+        for (const Case& one : campaign.cases) values.push_back(one.scenario.floe.thickness);
+        return range_text(values);
+    }();
+    figures.back().caption =
+        fmt::format("Section of the structure and the ice on the water, to scale; the ice is {} m thick{}.", thickness,
+                    thickness.find("to") == std::string::npos ? "" : ", drawn as in the first case of each");
+    if (drawn < groups.size())
+        figures.back().caption += fmt::format(" {} of {} hulls are drawn.", drawn, groups.size());
+    return figures;
+}
+
+/// Every size of floe and element once.
+std::vector<Figure> floes(const Campaign& campaign, const Summary& summary) {
+    const auto groups = alike(campaign, [](const Scenario& one) {
+        return std::array{one.floe.length, one.floe.breadth, one.floe.element};
+    });
+    const std::size_t drawn = std::min(groups.size(), most_drawn);
+    std::vector<Figure> figures;
+    for (std::size_t k = 0; k < drawn; ++k)
+        figures.push_back(
+            floe_and_joints(campaign.cases[groups[k].front()].scenario, names_of(groups[k], drawn, summary)));
+    const FloeShape& floe = campaign.cases.front().scenario.floe;
+    figures.back().caption =
+        drawn == 1 ? fmt::format("A floe of {:g} m × {:g} m: elements of {:g} m; dots are breakable joints.",
+                                 floe.length, floe.breadth, floe.element)
+                   : "Floes and their elements; dots are breakable joints.";
+    return figures;
+}
+
 }  // namespace
 
 Section what_was_run(Evidence& evidence) {
@@ -68,12 +116,14 @@ Section what_was_run(Evidence& evidence) {
         failed += row.failed_members;
         missing += row.missing_members;
     }
-    const Scenario& first = evidence.campaign.cases.front().scenario;
-    return {.before = fmt::format("{}, each over up to {} of {}: {} done, {} set aside as failed, {} not computed.\n",
+    std::vector<Figure> figures = hulls(evidence.campaign, evidence.summary);
+    for (Figure& figure : floes(evidence.campaign, evidence.summary)) figures.push_back(std::move(figure));
+    return {.before = fmt::format("{}, each over up to {}: {} done, {} set aside as failed, {} not computed.\n",
                                   counted(std::ssize(evidence.summary.cases), "case"),
                                   counted(evidence.campaign.arrangements, "random arrangement"),
-                                  counted(first.field.floes, "floe"), counted(done, "simulation"), failed, missing),
-            .figures = {side_view(first), floe_and_joints(first)}};
+                                  counted(done, "simulation"), failed, missing) +
+                      field_words(evidence.campaign) + "\n",
+            .figures = std::move(figures)};
 }
 
 }  // namespace floes

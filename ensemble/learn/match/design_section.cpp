@@ -70,9 +70,9 @@ Section design_section(const std::vector<PredictedDesignLoad>& designs, const De
         .after = fmt::format(
             "\nIn brackets 95 %, of the inputs, the emulator and the tail together; weighed: by the likelihood of the "
             "targets.\n"
-            "The emulated mean of the segment maxima times a growth: that to the load {}, from both tails of all runs\n"
+            "The emulated mean of the segment maxima times a growth: that to the load {}, from both tails of all runs "
             "at inputs that are left, each divided by its mean maximum. The halves have the runs with the smaller and "
-            "the\n"
+            "the "
             "larger mean maxima; where they differ by more than the interval, the growth depends on the inputs.\n{}",
             exceeded_words(request),
             all_left

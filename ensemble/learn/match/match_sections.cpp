@@ -92,14 +92,14 @@ Section target_section(const std::vector<EmulatedTarget>& targets, const Matchin
     for (const auto& [target, verdict] : rows) {
         const Target& about = target->target();
         const bool used = target->unused().empty();
-        section.table.push_back({about.name(), fmt::format("{:.4g}", about.value * about.quantity.factor()),
-                                 kind_word(*target), fixed(error_of_left_out(*target), 2), fixed(verdict->least, 2),
+        section.table.push_back({about.name(), about.shown(about.value), kind_word(*target),
+                                 fixed(error_of_left_out(*target), 2), fixed(verdict->least, 2),
                                  used ? percent(verdict->rules_out) : "-", used ? percent(verdict->alone) : "-"});
     }
     section.after =
         "\nLeft-out error: of points predicted from the others, in standard deviations; 1 is right. Least "
-        "implausibility:\n"
-        "how far the target is from its prediction at the best point for it, in standard deviations. Rules out: share\n"
+        "implausibility: "
+        "how far the target is from its prediction at the best point for it, in standard deviations. Rules out: share "
         "of the inputs' ranges where that is above 3; alone: that no other target rules out.\n";
     for (const auto& [reason, names] : unused_by_reason(targets))
         section.notes.push_back(fmt::format("Not used: {}: {}", fmt::join(names, ", "), reason));
@@ -224,11 +224,9 @@ Section point_section(const MatchData& data, const std::vector<EmulatedTarget>& 
                                               : fmt::format("Ruled out by {}.\n\n", fmt::join(against, ", "))};
     section.table = {{"target", "measured", "predicted", "expected to differ by", "implausibility"}};
     for (const Row& row : rows) {
-        const double factor = row.target->target().quantity.factor();
-        section.table.push_back({row.target->target().name(),
-                                 fmt::format("{:.4g}", factor * row.target->target().value),
-                                 fmt::format("{:.4g}", factor * row.predicted),
-                                 fmt::format("{:.3g}", factor * row.difference), fixed(row.implausibility, 2)});
+        const Target& about = row.target->target();
+        section.table.push_back({about.name(), about.shown(about.value), about.shown(row.predicted),
+                                 about.shown(row.difference, 3), fixed(row.implausibility, 2)});
     }
     section.after =
         "\nExpected to differ by: one standard deviation, of the emulator, single runs, measurement and model.\n";

@@ -50,7 +50,7 @@ Section predicted_section(const std::vector<Predicted>& predicted) {
              range_cell(one.mean, factor), range_cell(one.weighted, factor), range_cell(one.run, factor)});
     }
     section.after =
-        "\nIn brackets 95 %. Mean of runs: every combination of inputs that is left counts the same; weighed: by the\n"
+        "\nIn brackets 95 %. Mean of runs: every combination of inputs that is left counts the same; weighed: by the "
         "likelihood of the targets, normal and independent of each other. A single run adds the scatter.\n";
     const auto of = [](PredictedRange Predicted::*range, double PredictedRange::*field) {
         return [range, field](const Predicted& one) { return one.*range.*field; };

@@ -110,6 +110,11 @@ std::string Target::name() const {
     return case_name.empty() ? std::string{quantity.key.view()} : fmt::format("{} {}", case_name, quantity.key);
 }
 
+std::string Target::shown(double stored, int digits) const {
+    const std::string_view unit = quantity.percent ? "%" : quantity.unit == "1" ? "" : quantity.unit;
+    return fmt::format("{:.{}g}{}{}", stored * quantity.factor(), digits, unit.empty() ? "" : " ", unit);
+}
+
 std::vector<Target> read_targets(std::string_view text, const std::string& file) {
     const Document document = parse_document(text, file);
     if (!document.entries.empty()) refuse_stranger(document.entries.front());

@@ -19,6 +19,8 @@ struct Target {
     double discrepancy = 0;    ///< standard deviation by which the model itself may miss it
     bool held_out = false;     ///< rules nothing out; kept for a check
     std::string name() const;  ///< "E60 mean_load"; without a case "mean_load"
+    /// "24 N", "7.5 %": a value of the quantity as it is shown.
+    std::string shown(double stored, int digits = 4) const;
 };
 
 /// Reads the [[target]] tables of a TOML text; `file` names it in messages.

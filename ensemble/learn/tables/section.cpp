@@ -2,6 +2,8 @@
 
 #include <fmt/ranges.h>
 
+#include "tables/prose.hpp"
+
 namespace floes {
 namespace {
 
@@ -12,8 +14,9 @@ std::string joined(const std::vector<std::string>& parts) {
 
 std::string table_text(const Section& section, int width) {
     if (section.table.empty()) return "";
-    return section.layout == Section::Layout::panels ? text_panels(section.table, width)
-                                                     : text_columns(section.table, width);
+    Table all = section.table;
+    all.insert(all.end(), section.folded.begin(), section.folded.end());
+    return section.layout == Section::Layout::panels ? text_panels(all, width) : text_columns(all, width);
 }
 
 }  // namespace
@@ -22,10 +25,10 @@ std::string text(std::span<const Section> sections, int width) {
     std::vector<std::string> parts;
     for (const Section& one : sections) {
         std::string part = one.title.empty() ? "" : one.title + "\n\n";
-        part += one.before + table_text(one, width) + one.after;
+        part += wrapped(one.before, width) + table_text(one, width) + wrapped(one.after, width);
         if (!one.table.empty() && one.after.empty() && !one.notes.empty()) part += '\n';
-        for (const std::string& note : one.notes) part += note + "\n";
-        part += one.missing;
+        for (const std::string& note : one.notes) part += wrapped(note, width) + "\n";
+        part += wrapped(one.missing, width);
         if (!part.empty()) parts.push_back(std::move(part));
     }
     return joined(parts);

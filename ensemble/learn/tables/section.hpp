@@ -18,7 +18,8 @@ struct Section {
     std::string title = {};   ///< a line of its own; empty: the section belongs to the one before
     std::string before = {};  ///< between title and table; where there is no table, it says why
     Table table = {};
-    Table on_page = {};                   ///< further rows of the table, closed at first; only a page has room for them
+    Table folded = {};                    ///< further rows of the table, closed at first on a page
+    Table on_page = {};                   ///< as folded, but only a page has room for them
     std::string after = {};               ///< below the table: the meaning of its columns
     std::vector<std::string> notes = {};  ///< below that, sentences, each on a line of its own
     std::vector<DataRows> records = {};
@@ -27,7 +28,8 @@ struct Section {
     std::vector<Figure> figures = {};  ///< below all this, on a page only
 };
 
-/// For people: the sections in order, separated by an empty line. No line is wider than `width` if possible.
+/// For people: the sections in order, separated by an empty line. No line is wider than `width` if possible, sentences
+/// and tables alike.
 std::string text(std::span<const Section> sections, int width);
 
 /// The records that are for CSV, each with its own header line, separated by an empty line.

@@ -62,8 +62,8 @@ int conclude(const Campaign& campaign, const RunOptions& options, Recorder& reco
     } else if (!stopped_by.empty()) {
         recorder.sync();  // before anything slow, because the batch system may kill the run soon
         if (resumed) progress.say(harvest(tally));
-        progress.say(fmt::format("stopped by {} with {} of {} members done and on the disk; to resume: {}", stopped_by,
-                                 tally.done() + tally.failed(), total, options.resume_command));
+        progress.say(fmt::format("stopped by {} with {} of {} done and on the disk; to resume: {}", stopped_by,
+                                 tally.done() + tally.failed(), counted(total, "member"), options.resume_command));
         recorder.finish("stopped");
         return exit_stopped;
     }

@@ -39,13 +39,14 @@ std::string worst_moments(const ReportData& data) {
     return section(data.moments.size() > 1 ? "The worst moments" : "The worst moment", body);
 }
 
-/// Neighbours of one page_title share their section.
-std::vector<std::string> findings_html(Evidence& evidence) {
-    std::vector<std::string> parts;
+/// Neighbours of one page_title share their section; the appendix begins after the loads and what follows them.
+std::string findings_html(Evidence& evidence, const std::string& after_loads) {
+    std::string parts;
     std::string title;
     std::string body;
     const auto finish = [&] {
-        if (!body.empty()) parts.push_back(section(title, std::exchange(body, "")));
+        if (!body.empty()) parts += section(title, std::exchange(body, ""));
+        if (title == loads_title) parts += after_loads + "<h1 class=\"appendix\">Appendix</h1>\n";
     };
     for (const Finding& finding : findings()) {
         if (finding.page_title.empty() || !finding.on_page(evidence.campaign)) continue;
@@ -77,10 +78,11 @@ std::string report_page(ReportData data) {
     const std::string& title = data.evidence.summary.title;
     data.evidence.pictured = !data.moments.empty();
     std::string body = fmt::format("<h1>Loads of managed ice floes: {}</h1>\n", html_escaped(title));
-    body += answer_html("The answer", find_answer(data.evidence)) + worst_moments(data);
-    const std::vector<std::string> parts = findings_html(data.evidence);
-    body += parts.front() + "<h1 class=\"appendix\">Appendix</h1>\n";  // the first are the loads
-    for (const std::string& part : std::span(parts).subspan(1)) body += part;
+    body += answer_html("The answer", find_answer(data.evidence));
+    // Of a design the points come first: one of its members is no picture of it.
+    const bool design = data.evidence.campaign.design.active();
+    if (!design) body += worst_moments(data);
+    body += findings_html(data.evidence, design ? worst_moments(data) : "");
     return html_page(title + ": loads of managed ice floes", "", body + provenance(data));
 }
 

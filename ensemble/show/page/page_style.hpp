@@ -9,10 +9,11 @@ inline constexpr const char* page_style = R"(
 --c0:#0072b2;--c1:#d55e00;--c2:#009e73;--c3:#cc79a7;--c4:#b58900;--c5:#56b4e9}
 @media(prefers-color-scheme:dark){:root{--ink:#e6e9ec;--soft:#9aa4ae;--ground:#14181c;--grid:#2b3239;--ice:#31485c;
 --water:#1b2935;--c0:#4ba3dc;--c1:#f08a4b;--c2:#3cc79d;--c3:#e3a3c4;--c4:#d9b13b;--c5:#8fd0f5}}
-body{font:16px/1.5 system-ui,sans-serif;color:var(--ink);background:var(--ground);max-width:52rem;margin:2rem auto;
-padding:0 1rem}
+body{font:16px/1.5 system-ui,sans-serif;color:var(--ink);background:var(--ground);max-width:76rem;margin:2rem auto;
+padding:0 1rem}p,ul,h1,h2,h3,figcaption{max-width:52rem}
 h1{font-size:1.7rem;line-height:1.2}h2{font-size:1.2rem;margin-top:2.4rem;border-bottom:1px solid var(--grid)}
 h3{font-size:1rem;margin-bottom:.2rem}ul{margin-top:.2rem;padding-left:1.2rem}.answer{font-weight:600}
+.warning{border-left:.3rem solid var(--c1);padding-left:.6rem;margin:.4rem 0}
 .appendix{margin-top:3rem;font-size:1.4rem}
 figure{margin:1rem 0}figcaption,.note{color:var(--soft);font-size:.9rem}
 img,svg{max-width:100%;height:auto;font:12px system-ui,sans-serif}
@@ -36,8 +37,11 @@ table{border-collapse:collapse;font-size:.88rem;font-variant-numeric:tabular-num
 .wide{overflow-x:auto}th,td{padding:.2rem .45rem;text-align:right;border-bottom:1px solid var(--grid);vertical-align:top}
 th:first-child,td:first-child{text-align:left}td small{color:var(--soft)}td{white-space:nowrap}td.words{white-space:normal;text-align:left}
 pre{overflow-x:auto;background:var(--water);padding:.7rem;font-size:.8rem}code{font-size:.9em}
-@media print{.appendix{break-before:page}body{font-size:12px;margin:0;max-width:none}:root{--ink:#000;--ground:#fff}figure,table{break-inside:avoid}
-table{font-size:.68rem}.wide{overflow-x:visible}}
+@media(max-width:600px){figure{overflow-x:auto}figure>svg{max-width:none;min-width:560px}}
+@media print{html{font-size:11px}body{font-size:1rem;margin:0;max-width:none}:root{--ink:#000;--ground:#fff}
+p,ul,h1,h2,h3,figcaption{max-width:none}h1,h2,h3,summary{break-after:avoid}figure,tr,.panels svg{break-inside:avoid}p,li{orphans:3;widows:3}
+h2{margin-top:1.2rem}figure{margin:.5rem 0}figure img{max-height:8cm;width:auto}figure svg{max-width:13cm}.panels svg{max-width:6cm}
+figure figcaption{break-before:avoid}table{font-size:.62rem}th,td{padding:.1rem .3rem}.wide{overflow-x:visible}}
 )";
 
 }  // namespace floes

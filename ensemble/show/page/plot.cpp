@@ -39,7 +39,12 @@ class Drawing {
         figure.heat_scale.empty() ? draw_legend() : draw_heat_scale();
     }
 
-    const std::string& body() const { return body_; }
+    /// Drawn `above()` units lower than the figure's own coordinates say, which begin below the first rows of a legend
+    /// of several.
+    std::string body() const {
+        return above_ == 0 ? body_ : fmt::format("<g transform=\"translate(0 {:g})\">{}</g>", above_, body_);
+    }
+    double above() const { return above_; }
 
     void operator()(const Figure::Line& mark) {
         body_ += fmt::format("<path class=\"line {}\" d=\"{}\"/>", mark.style, path(mark.points, false));
@@ -92,6 +97,7 @@ class Drawing {
     double floor_ = figure_.size.height - bottom;
     double end_ = figure_.size.width - right;
     double left_ = 64;  // wider if names need it
+    double above_ = 0;  // height of the legend's rows but the last
     std::string body_;
 };
 
@@ -134,10 +140,22 @@ std::string Drawing::path(const Figure::Points& points, bool closed) const {
 }
 
 void Drawing::draw_legend() {
+    constexpr double row = 18;
     double x = left_ + 4;
+    std::vector<std::pair<double, double>> places;  // x, and the row
+    double rows = 0;
     for (const auto& [style, name] : figure_.legend) {
-        write(x, top - 12, name, "start", "key " + style);
+        if (x > left_ + 4 && x + width_of(name) > figure_.size.width) {
+            x = left_ + 4;
+            ++rows;
+        }
+        places.emplace_back(x, rows);
         x += width_of(name) + 3 * letter;
+    }
+    above_ = rows * row;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const auto& [style, name] = figure_.legend[k];
+        write(places[k].first, top - 12 - (rows - places[k].second) * row, name, "start", "key " + style);
     }
 }
 
@@ -159,6 +177,13 @@ std::vector<double> ticks(const Axis& axis, int most) {
         const double last = std::floor(std::log10(axis.high) + 1e-9);
         const double step = std::max(1.0, std::ceil((last - first) / most));
         for (double decade = first; decade <= last; decade += step) found.push_back(std::pow(10.0, decade));
+        if (last - first >= 2) return found;
+        // Too few decades to read a value: 2 and 5 times each as well.
+        for (double decade = first - 1; decade <= last; ++decade)
+            for (const double digit : {2.0, 5.0})
+                if (const double value = digit * std::pow(10.0, decade); value >= axis.low && value <= axis.high)
+                    found.push_back(value);
+        std::ranges::sort(found);
         return found;
     }
     const double rough = (axis.high - axis.low) / most;
@@ -177,9 +202,10 @@ std::vector<double> ticks(const Axis& axis, int most) {
 }
 
 std::string svg(const Figure& figure) {
+    const Drawing drawing(figure);
     return fmt::format(
         "<svg viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" role=\"img\" aria-label=\"{2}\">{3}</svg>\n",
-        figure.size.width, figure.size.height, html_escaped(figure.description), Drawing(figure).body());
+        figure.size.width, figure.size.height + drawing.above(), html_escaped(figure.description), drawing.body());
 }
 
 }  // namespace floes

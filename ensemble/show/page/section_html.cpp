@@ -36,9 +36,9 @@ std::string tables_html(const Section& told) {
     } else if (!told.table.empty()) {
         html = html_table(told.table);
     }
-    if (told.on_page.empty()) return html;
+    if (told.folded.empty() && told.on_page.empty()) return html;
     Table further{told.table.front()};
-    further.insert(further.end(), told.on_page.begin(), told.on_page.end());
+    for (const Table* rows : {&told.folded, &told.on_page}) further.insert(further.end(), rows->begin(), rows->end());
     return html + closed_table("Further rows", further);
 }
 
@@ -68,8 +68,11 @@ std::string section_html(const Section& told, std::string_view heading) {
 
 std::string answer_html(const std::string& heading, const CampaignAnswer& answer) {
     std::string body;
+    for (const std::string& one : answer.warnings)
+        body += fmt::format("<p class=\"warning\">{}</p>\n", html_escaped(one));
+    const std::size_t before = body.size();
     for (const std::string& one : answer.loads) body += fmt::format("<p class=\"answer\">{}</p>\n", html_escaped(one));
-    if (body.empty()) body = paragraph("No member is done yet.");
+    if (body.size() == before) body += paragraph("No member is done yet.");
     return section(heading, body + "<h3>What it rests on</h3>\n" + listed(answer.basis) +
                                 "<h3>What would change it</h3>\n" + listed(answer.changes));
 }

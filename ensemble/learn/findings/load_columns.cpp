@@ -1,0 +1,84 @@
+#include "findings/load_columns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/wording.hpp"
+#include "findings/printable.hpp"
+#include "tables/number_text.hpp"
+
+namespace floes {
+namespace {
+
+double largest_estimate(const Summary& summary, const Quantity& quantity) {
+    double largest = 0;
+    for (const CaseSummary& row : summary.cases) {
+        const double found = std::abs(row.of(quantity).estimate);
+        if (found > largest) largest = found;  // false for NaN
+    }
+    return largest;
+}
+
+}  // namespace
+
+int few_decimals(double largest) {
+    return largest >= 100 ? 0 : largest >= 1 ? 1 : largest >= 0.1 ? 2 : largest > 0 ? 3 : 1;
+}
+
+std::string LoadColumn::cell(const CaseSummary& row) const {
+    const Estimate& found = row.of(quantity);
+    if (!std::isfinite(found.estimate)) return "–";
+    const double half = std::max(found.high - found.estimate, found.estimate - found.low);
+    const bool said = says_something(quantity, found.estimate, {found.low, found.high}, row.done);
+    return fmt::format("{} ± {}", fixed(factor * found.estimate, decimals),
+                       said ? fixed(factor * half, decimals) : "–");
+}
+
+Quantity largest_load(const Summary& summary) {
+    Quantity largest = quantity("mean_maximum");
+    for (const Quantity& one : summary.quantities) {
+        if (one.averaging == 0 || one.averaged != quantity("mean_maximum").averaged) continue;
+        largest = one;
+        if (one.averaging == 1) break;
+    }
+    return largest;
+}
+
+std::string largest_words(const Quantity& largest) {
+    return largest.averaging == 0 ? "largest of a step" : fmt::format("largest over {:g} s", largest.averaging);
+}
+
+std::vector<LoadColumn> load_columns(const Summary& summary) {
+    std::vector<LoadColumn> columns;
+    const auto add = [&](const Quantity& quantity, const std::string& words) {
+        const double largest = largest_estimate(summary, quantity);
+        const LoadUnit unit = load_unit(largest);
+        columns.push_back(
+            {quantity, fmt::format("{}, {}", words, unit.name), unit.factor, few_decimals(unit.factor * largest)});
+    };
+    add(quantity("mean_load"), "mean load");
+    add(largest_load(summary), largest_words(largest_load(summary)));
+    const Quantity& broken = quantity("failure_ratio");
+    columns.push_back({broken, "broken floes, %", broken.factor(), 1});
+    return columns;
+}
+
+std::string load_columns_text(const Summary& summary) {
+    const Quantity largest = largest_load(summary);
+    int segments = 0;
+    bool same = true;
+    for (const CaseSummary& row : summary.cases) {
+        same = same && (segments == 0 || segments == row.about.analysis.segments);
+        segments = row.about.analysis.segments;
+    }
+    const std::string parts = same && segments == 1 ? "the window"
+                              : same ? fmt::format("each of the window's {}", counted(segments, "segment"))
+                                     : std::string{"each of the window's segments"};
+    return fmt::format("±: 95 % interval of the mean over arrangements (t). Largest: of {}, {}; their mean.", parts,
+                       largest.averaging == 0 ? std::string{"in a single step, which depends on the time step"}
+                                              : fmt::format("averaged over {:g} s", largest.averaging));
+}
+
+}  // namespace floes

@@ -1,0 +1,204 @@
+// The points of a design: what people call them, their loads, and pictures of them.
+
+#include "findings/points.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "campaign/read.hpp"
+#include "findings/answer.hpp"
+#include "findings/conditions.hpp"
+#include "findings/example.hpp"
+#include "findings/overview_section.hpp"
+#include "findings/report_sections.hpp"
+#include "scenario/contact_preset.hpp"
+
+namespace floes {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+const char* const grid = R"([campaign]
+arrangements = 3
+[design]
+method = "grid"
+[[design.axis]]
+key = "ice.thickness_m"
+values = [0.02, 0.03, 0.04]
+[[design.axis]]
+key = "structure.speed_m_s"
+values = [0.02, 0.07]
+)";
+
+/// Loads of 10 N, 4 N more for each 0.01 m and 2 N more at the higher speed; and 1 N to and fro.
+Evidence evidence_with(const std::string& text) {
+    const Campaign campaign = read_campaign({text, "a.toml", {}}, nullptr);
+    CampaignTable table;
+    table.title = "a";
+    for (const Case& one : campaign.cases) {
+        CaseRow row;
+        row.name = one.name;
+        row.shape = one.scenario.structure.shape;
+        table.cases.push_back(row);
+    }
+    for (int arrangement = 0; arrangement < campaign.arrangements; ++arrangement)
+        for (std::size_t k = 0; k < campaign.cases.size(); ++k) {
+            const Scenario& scenario = campaign.cases[k].scenario;
+            const double load = 10 + 400 * (scenario.floe.thickness - 0.02) + 40 * (scenario.structure.speed - 0.02);
+            table.members.push_back(example::done(static_cast<int>(k), arrangement, load + arrangement - 1, 0.1, 1));
+        }
+    return evidence_of(campaign, table);
+}
+
+TEST(KeyWords, SayUnits) {
+    EXPECT_EQ(key_words("ice.thickness_m").heading(), "thickness, m");
+    EXPECT_EQ(key_words("structure.speed_m_s").with("0.1"), "speed 0.1 m/s");
+    EXPECT_EQ(key_words("ice.bending_strength_kPa").heading(), "bending strength, kPa");
+    EXPECT_EQ(key_words("field.concentration_percent").unit, "%");
+    EXPECT_EQ(key_words("contact.ice_ice_friction").heading(), "ice-ice friction");
+    EXPECT_EQ(key_words("cfm").heading(), "Σ");
+}
+
+TEST(Points, AreCalledByTheirKeys) {
+    const Evidence evidence = evidence_with(grid);
+    EXPECT_EQ(evidence.summary.label_of(0), "thickness 0.02 m, speed 0.02 m/s");
+    EXPECT_EQ(evidence.summary.name_of(0), "0.02_0.02");
+    const Evidence based = evidence_with(std::string(grid) + "[[case]]\nname = \"A\"\n");
+    EXPECT_EQ(based.summary.label_of(5), "A: thickness 0.04 m, speed 0.07 m/s");
+}
+
+TEST(Points, HaveTheirLoadsBesideTheirPlaces) {
+    const Evidence evidence = evidence_with(grid);
+    const Section told = points_section(find_points(evidence.campaign), evidence.summary);
+    ASSERT_EQ(told.table.size(), 7u);
+    EXPECT_EQ(told.table[0][1].value, "thickness, m");
+    EXPECT_EQ(told.table[6][0].value, "0.04_0.07");
+    EXPECT_EQ(told.table[6][4].value, "20.0 ± 2.5");  // 19, 20, 21 N: t(2) / √3
+}
+
+TEST(Points, AreDrawnOverEachAxisAndOverTwo) {
+    const Evidence evidence = evidence_with(grid);
+    const std::vector<Figure> figures = point_figures(find_points(evidence.campaign), evidence.summary);
+    ASSERT_EQ(figures.size(), 3u);
+    EXPECT_EQ(figures[0].x.label, "thickness, m");
+    EXPECT_THAT(figures[0].legend, ElementsAre(std::pair("c0", "speed 0.02 m/s"), std::pair("c1", "speed 0.07 m/s")));
+    EXPECT_EQ(figures[1].legend.size(), 3u);
+    // The thickness moves the load most. Six fields, each with its load.
+    const Figure& map = figures[2];
+    EXPECT_EQ(map.x.label, "thickness, m");
+    EXPECT_EQ(std::ranges::count_if(map.marks,
+                                    [](const Figure::Mark& one) { return std::holds_alternative<Figure::Cell>(one); }),
+              6);
+    EXPECT_EQ(std::get<Figure::Words>(map.marks.back()).words, "20.0");
+    EXPECT_THAT(map.heat_scale, HasSubstr("20.0"));
+}
+
+TEST(Points, OfAnAxisOfWordsHaveARowForEach) {
+    const Evidence evidence = evidence_with(
+        "[campaign]\narrangements = 3\n[design]\nmethod = \"grid\"\n[[design.axis]]\nkey = \"field.far_end\"\n"
+        "values = [\"open\", \"ice_sheet\"]\n");
+    const std::vector<Figure> figures = point_figures(find_points(evidence.campaign), evidence.summary);
+    ASSERT_EQ(figures.size(), 1u);
+    EXPECT_THAT(figures[0].y.names, ElementsAre("ice_sheet", "open"));
+}
+
+TEST(Points, WithoutAResultAreNotDrawn) {
+    Evidence evidence = evidence_with(grid);
+    for (MemberRow& row : evidence.table.members)
+        row = example::without_result(row.case_index, row.arrangement, RowStatus::missing);
+    EXPECT_THAT(point_figures(find_points(evidence.campaign), summarise(evidence.table)), IsEmpty());
+}
+
+// The headline, the table and the page give one number for one range.
+TEST(Points, ChangeByTheSameFromOneEndToTheOther) {
+    Evidence evidence = evidence_with(grid);
+    const std::string overview =
+        text(std::vector{overview_section(evidence, find_sensitivity(evidence.campaign, evidence.table))}, 100);
+    const char* const change = "Thickness from 0.02 to 0.04 m changes the mean load by +8.0 N";
+    EXPECT_THAT(overview, HasSubstr(change));
+    EXPECT_THAT(overview, Not(HasSubstr("mean - ")));
+    EXPECT_THAT(find_answer(evidence).changes.at(0), HasSubstr(change));
+    EXPECT_THAT(find_answer(evidence).loads.at(1),
+                HasSubstr("20.0 N (17.5 to 22.5) at thickness 0.04 m, speed 0.07 m/s"));
+    EXPECT_THAT(find_answer(evidence).basis.at(2),
+                HasSubstr("Varies over the 6 points of the design: thickness 0.02 to 0.04 m, speed 0.02 to 0.07 m/s."));
+}
+
+TEST(Answer, SaysWhatVariesBetweenCases) {
+    Evidence evidence = evidence_with(
+        "[campaign]\narrangements = 3\n[[case]]\nname = \"thin\"\nice.thickness_m = 0.02\n[[case]]\nname = \"thick\"\n"
+        "ice.thickness_m = 0.04\nstructure.profile_m = [[-0.4, 0.6], [0.1, 0.6]]\n");
+    const CampaignAnswer answer = find_answer(evidence);
+    EXPECT_THAT(answer.basis.at(1), HasSubstr(" x 0.02 to 0.04 m at 75 %"));
+    EXPECT_THAT(answer.basis.at(2), HasSubstr("Varies: thickness 0.02 m (thin), 0.04 m (thick)."));
+    EXPECT_THAT(answer.changes.at(0), HasSubstr("thick instead of thin changes the mean load by +8.0 N"));
+}
+
+// A doubt that matters stands beside the figure: the methods lie between 40 and 75 N, 70 % of 50 N apart, and 3 h are
+// 108 times the 100 s that were run.
+TEST(Answer, SaysDoubtsBesideTheFigure) {
+    Evidence evidence = evidence_with("[campaign]\narrangements = 3\n");
+    DesignLoad load;
+    load.arrangements = 3;
+    load.time_run = 100;
+    for (const double value : {50.0, 40.0, 75.0}) {
+        const DesignLoadFigure figure{value, {value - 5, value + 5}};
+        load.estimates.push_back({LargestBy::both_tails, figure, {figure}});
+    }
+    DesignLoads designs;
+    CaseDesignLoad& of_case = designs.of_cases.emplace_back();
+    of_case.load = load;
+    evidence.designs = designs;
+    evidence.table.members[0].load.steady = false;
+    evidence.summary = summarise(evidence.table);
+    const std::string told = find_answer(evidence).loads.at(0);
+    EXPECT_THAT(told, HasSubstr("[1 of 3 not steady]"));
+    EXPECT_THAT(told, HasSubstr("exceeded with 10 %: 50.0 N (45.0 to 55.0); doubtful: methods differ by 70 %, "
+                                "extrapolated to 1.1e+02 times the time run."));
+    evidence.designs->of_cases[0].load.arrangements = 2;
+    EXPECT_THAT(find_answer(evidence).loads.at(0), HasSubstr("exceeded with 10 %: 50.0 N; doubtful"));
+}
+
+TEST(WhatWasRun, DrawsEveryHullAndNotEveryCase) {
+    const std::string cases =
+        "[[case]]\nname = \"a\"\n[[case]]\nname = \"b\"\nstructure.profile_m = [[-0.4, 0.6], [0.1, 0.6]]\n"
+        "[[case]]\nname = \"c\"\nice.thickness_m = 0.02\n";
+    Evidence evidence = evidence_with("[campaign]\narrangements = 3\n" + cases);
+    const Section told = what_was_run(evidence);
+    ASSERT_EQ(told.figures.size(), 3u);
+    EXPECT_EQ(told.figures[0].x.label, "a, c: m");
+    EXPECT_EQ(told.figures[1].x.label, "b: m");
+    EXPECT_EQ(told.figures[2].x.label, "along the floe, m");  // all floes are of one size
+    EXPECT_THAT(told.figures[1].caption, HasSubstr("the ice is 0.02 to 0.033 m thick"));
+}
+
+TEST(Conditions, OfManyDifferentCasesAreCountedNotListed) {
+    std::string cases = "[campaign]\narrangements = 3\n";
+    for (int k = 0; k < 5; ++k)
+        cases += "[[case]]\nname = \"" + std::string(1, static_cast<char>('a' + k)) +
+                 "\"\nice.compressive_strength_kPa = " + std::to_string(100 + k) + ".0\n";
+    const Evidence evidence = evidence_with(cases);
+    Summary summary = evidence.summary;
+    for (std::size_t k = 0; k < summary.cases.size(); ++k)
+        summary.cases[k].about.contact =
+            with_preset({.crushing_pressure = 1e5 + 1e3 * static_cast<double>(k)}, ContactPreset::physical);
+    const std::vector<std::string> lines = condition_lines(summary);
+    EXPECT_THAT(lines, testing::Contains(testing::StartsWith("Contacts: 5 different ones, as preset physical")));
+}
+
+TEST(Convergence, FigureFollowsTheMeansNotTheWidestInterval) {
+    Evidence evidence = evidence_with("[campaign]\narrangements = 6\n");
+    for (MemberRow& row : evidence.table.members) row.load.mean = row.arrangement == 0 ? 100 : row.arrangement;
+    const Section told = convergence_section(evidence);
+    EXPECT_LT(told.figures[0].y.high, 120);  // of the first three the interval reaches to 178 N
+    for (const Figure::Mark& mark : told.figures[0].marks)
+        if (const auto* area = std::get_if<Figure::Area>(&mark)) {
+            for (const auto& [n, load] : area->outline) EXPECT_LE(load, told.figures[0].y.high);
+        }
+}
+
+}  // namespace
+}  // namespace floes
