@@ -114,6 +114,12 @@ void check(const ReplayLook& look) {
     style_of(look);
 }
 
+void check_time(const ReplayLook& look, double from, double to, double every) {
+    if (!look.at || (*look.at >= from - every && *look.at <= to + every)) return;
+    throw InputError(fmt::format("--at {:g}: there is no frame at that time; the frames go from {:g} s to {:g} s.",
+                                 *look.at, from, to));
+}
+
 void write_replay_output(const std::filesystem::path& path, const Recording& recording, const ReplayLook& look,
                          const std::function<void()>& go_on) {
     if (kind_of(path) == ReplayOutput::vtk)

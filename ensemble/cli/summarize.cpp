@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/given_file.hpp"
 #include "cli/terminal.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
@@ -52,6 +53,7 @@ std::vector<Section> find(const SummarizeOptions& options, Evidence& evidence) {
 }
 
 std::string answer(const SummarizeOptions& options) {
+    expect_campaign_file(options.file);
     Evidence evidence = read_evidence(CampaignFile(options.file), options.window == "auto", options.reference);
     evidence.resolve = options.resolve_percent * unit::percent;
     return written(find(options, evidence), options.format);
