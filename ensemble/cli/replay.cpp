@@ -162,10 +162,11 @@ void add_looks(Verb& verb, ReplayOptions& options) {
                 "the recording")
         .one_each()
         .required();
-    verb.option("--at", options.look.at, "Time of pictures, s; default: the largest load among the frames");
+    verb.option("--at", options.look.at,
+                "Time of pictures, and at which pages open, s; default: the largest load among the frames");
     verb.option("--view", options.look.view,
-                "Of pictures and films: perspective (Fig. 5), above, below the water, or plan (Fig. 3)")
-        .one_of({"perspective", "above", "below", "plan"})
+                "Of pictures and films: perspective (Fig. 5), above, side, below the water, or plan (Fig. 3)")
+        .one_of({"perspective", "above", "side", "below", "plan"})
         .shows_default();
     verb.option("--colours", options.look.colours,
                 "What they tell of the floes: ice (broken ones are marked), piece, speed or utilisation")
@@ -197,7 +198,7 @@ void add_replay(CommandLine& line) {
         "  floes replay e60.h5 -o e60.pvd                          for ParaView, with a state: paraview "
         "--state=e60.py");
     verb.runs([options] {
-        options->times.worst = options->member.worst;
+        options->times.worst = options->look.worst = options->member.worst;
         return exit_status_of(*options);
     });
 }

@@ -17,6 +17,7 @@ ReplayOutput kind_of(const std::filesystem::path& path);
 
 struct ReplayLook {
     std::optional<double> at = {};  ///< s, of pictures; not given: the largest load among the frames
+    bool worst = false;             ///< pages open at the largest load too; of part of a run they do anyway
     std::string view = "perspective";
     std::string colours = "ice";
     std::string size = "1280x800";
