@@ -7,7 +7,7 @@ namespace floes {
 
 enum class Starter {
     tank,        ///< 24 floes of model ice, two thicknesses: done within a minute on two cores
-    full_scale,  ///< a floater of 70 m in floes of 20 m
+    full_scale,  ///< a floater of 70 m in floes of 20 m (configs/full_scale.toml) with fewer arrangements
     design,      ///< the tank over thickness and speed
     paper        ///< the paper's Table 3 (configs/table3.toml) with few arrangements
 };

@@ -1,5 +1,6 @@
 // floes new: what it writes is accepted, says units and ranges, and is the case that it says it is.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -78,14 +79,16 @@ TEST_F(New, SaysUnitAndRangeOfEveryKey) {
     }
 }
 
-TEST_F(New, ThePapersCaseIsThatOfItsConfiguration) {
-    const Campaign paper = load_campaign(make("--paper"), {});
-    const Campaign whole = load_campaign(FLOES_SOURCE_DIR "/configs/table3.toml", {});
-    ASSERT_EQ(paper.cases.size(), whole.cases.size());
-    EXPECT_LT(paper.arrangements, whole.arrangements);
-    EXPECT_EQ(arrangement_seed(paper, 0), arrangement_seed(whole, 0));
-    for (int k = 0; k < static_cast<int>(paper.cases.size()); ++k)
-        EXPECT_EQ(case_fingerprint(paper, k), case_fingerprint(whole, k)) << k;
+TEST_F(New, ThePapersCaseAndTheFloaterAreThoseOfTheirConfigurations) {
+    for (const auto& [options, file] : {std::pair{"--paper", "table3"}, {"--full-scale", "full_scale"}}) {
+        const Campaign made = load_campaign(make(options), {});
+        const Campaign whole = load_campaign(fmt::format("{}/configs/{}.toml", FLOES_SOURCE_DIR, file), {});
+        ASSERT_EQ(made.cases.size(), whole.cases.size());
+        EXPECT_LT(made.arrangements, whole.arrangements);
+        EXPECT_EQ(arrangement_seed(made, 0), arrangement_seed(whole, 0));
+        for (int k = 0; k < static_cast<int>(made.cases.size()); ++k)
+            EXPECT_EQ(case_fingerprint(made, k), case_fingerprint(whole, k)) << file << " " << k;
+    }
 }
 
 TEST_F(New, TouchesNoFileThatExists) {
