@@ -8,6 +8,12 @@ file(MAKE_DIRECTORY ${share}/zsh/vendor-completions)
 file(RENAME ${share}/zsh/site-functions/_floes ${share}/zsh/vendor-completions/_floes)
 file(REMOVE ${share}/zsh/site-functions)
 
+# /usr/bin/python3 imports it without further ado, if its packages are there (CPACK_DEBIAN_PACKAGE_SUGGESTS).
+set(modules ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/usr/lib/python3/dist-packages)
+file(MAKE_DIRECTORY ${modules})
+file(RENAME ${share}/floes/python/floes_reader ${modules}/floes_reader)
+file(REMOVE ${share}/floes/python/pyproject.toml)
+
 execute_process(COMMAND date -u -R -d ${CPACK_FLOES_RELEASE_DATE} OUTPUT_VARIABLE date OUTPUT_STRIP_TRAILING_WHITESPACE
                 COMMAND_ERROR_IS_FATAL ANY)
 file(WRITE ${share}/doc/floes/changelog

@@ -1,13 +1,26 @@
 #include "cli/command_line.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <optional>
 #include <sstream>
 #include <utility>
 
+#include "keys/edit_distance.hpp"
+
 namespace floes {
+namespace {
+
+/// The verb below `app`; nullptr if there is none.
+CLI::App* inner_of(CLI::App& app, const std::string& verb) {
+    const auto named = app.get_subcommands([&](const CLI::App* one) { return one->get_name() == verb; });
+    return named.empty() ? nullptr : named.front();
+}
+
+}  // namespace
 
 Option& Option::required() {
     option_->required();
@@ -142,6 +155,47 @@ void CommandLine::moved(const std::string& former, const std::string& now) {
 
 void CommandLine::version(const std::function<std::string()>& text, const std::string& help) {
     app_->set_version_flag("--version", text, help);
+    app_->add_subcommand("version", help)->callback([text] { throw CommandLineEnd(0, text() + "\n", {}); });
+}
+
+void CommandLine::help_verb() {
+    const auto words = std::make_shared<std::vector<std::string>>();
+    CLI::App* help = app_->add_subcommand("help", "Say of a verb what its --help says");
+    help->add_option("verb", *words, "The verb, as run or laboratory plate; none: all verbs in a line each");
+    help->callback([this, words] {
+        // help() of the program itself would show the verb that was chosen, which is this one.
+        const CLI::App* asked = find(*words);
+        std::string before;
+        for (const CLI::App* app = asked->get_parent(); app != nullptr; app = app->get_parent())
+            before = app->get_name() + (before.empty() ? "" : " ") + before;
+        throw CommandLineEnd(0, asked == app_.get() ? whole_help_ : asked->help(before), {});
+    });
+}
+
+/// The verb of these words; none: the program.
+CLI::App* CommandLine::find(const std::vector<std::string>& verb) const {
+    CLI::App* app = app_.get();
+    for (const std::string& word : verb) {
+        CLI::App* inner = inner_of(*app, word);
+        if (inner == nullptr && app == app_.get()) refuse_unknown(word);
+        if (inner == nullptr) break;
+        app = inner;
+    }
+    return app;
+}
+
+void CommandLine::refuse_unknown(const std::string& verb) const {
+    if (verb.empty() || verb.front() == '-' || inner_of(*app_, verb) != nullptr) return;
+    std::vector<std::string> verbs;
+    for (const CLI::App* one : app_->get_subcommands({}))
+        if (!one->get_group().empty()) verbs.push_back(one->get_name());
+    if (verbs.empty()) return;
+    const auto distance = [&](const std::string& one) { return edit_distance(one, verb); };
+    const std::string nearest = *std::ranges::min_element(verbs, {}, distance);
+    const std::string hint = distance(nearest) <= 1 + nearest.size() / 3
+                                 ? fmt::format("did you mean {}?", nearest)
+                                 : fmt::format("the verbs are {}", fmt::join(verbs, ", "));
+    throw CommandLineEnd(2, {}, fmt::format("floes: there is no verb {}; {}\n", verb, hint));
 }
 
 void CommandLine::footer(const std::string& text) {
@@ -162,10 +216,15 @@ int CommandLine::run_parsed(const Parse& parse) {
 }
 
 int CommandLine::run(std::span<char* const> words) {
+    if (words.size() > 1) refuse_unknown(words[1]);
+    if (!words.empty()) app_->name(words[0]);
+    whole_help_ = app_->help();
     return run_parsed([&] { app_->parse(static_cast<int>(words.size()), words.data()); });
 }
 
 int CommandLine::run(const std::vector<std::string>& words) {
+    if (!words.empty()) refuse_unknown(words.front());
+    whole_help_ = app_->help();
     return run_parsed([&] { app_->parse(std::vector<std::string>(words.rbegin(), words.rend())); });
 }
 

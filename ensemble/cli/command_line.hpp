@@ -105,9 +105,11 @@ class CommandLine {
     Verb verb(const std::string& name, const std::string& description);
     /// Refuses the verb of an earlier version with a sentence that names what it is called now.
     void moved(const std::string& former, const std::string& now);
-    /// The flag --version, which prints what `text` returns.
+    /// The flag --version and the verb version, which print what `text` returns.
     void version(const std::function<std::string()>& text, const std::string& help);
     void footer(const std::string& text);
+    /// The verb help, which says of another verb what its --help says.
+    void help_verb();
 
     /// Runs the verb of a command line whose first word is the program, and returns its exit status. Throws
     /// CommandLineEnd, and what the verb throws.
@@ -121,11 +123,15 @@ class CommandLine {
     const CLI::App& app() const { return *app_; }
 
   private:
+    CLI::App* find(const std::vector<std::string>& verb) const;
+    void refuse_unknown(const std::string& verb) const;
+
     template <class Parse>
     int run_parsed(const Parse& parse);
 
     std::unique_ptr<CLI::App> app_;
     std::shared_ptr<int> exit_status_;
+    std::string whole_help_;  ///< of the program, before a verb is chosen
 };
 
 }  // namespace floes

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "campaign/read.hpp"
+#include "cli/given_file.hpp"
 #include "core/error.hpp"
 
 namespace floes {
@@ -18,6 +19,9 @@ std::string read_text(const std::string& path) {
     if (std::filesystem::is_directory(path)) {
         throw InputError(fmt::format("{}: this is a folder; name a file in it", path));
     }
+    if (const GivenFile kind = given_file(path); kind == GivenFile::hdf5 || kind == GivenFile::journal)
+        throw InputError(fmt::format("{}: this is {}, not a configuration; give the CONFIG.toml", path,
+                                     kind == GivenFile::hdf5 ? "an HDF5 file" : "the journal of a campaign"));
     std::ifstream file(path, std::ios::binary);
     if (!file) throw InputError(fmt::format("{}: this file cannot be read ({})", path, std::strerror(errno)));
     std::string text;

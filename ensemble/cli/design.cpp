@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/given_file.hpp"
 #include "cli/terminal.hpp"
 #include "core/units.hpp"
 #include "findings/design_load_section.hpp"
@@ -26,6 +27,7 @@ struct DesignOptions {
 std::string answer(const DesignOptions& options) {
     DesignLoadRequest request = options.request;
     request.exposure = options.exposure_h * unit::hour;
+    expect_campaign_file(options.file);
     const Evidence evidence = read_evidence(CampaignFile(options.file), options.window == "auto");
     const std::vector<CaseDesignLoad> designs = find_design_loads(evidence.table, request);
     std::vector<Section> sections = design_load_sections(evidence.summary, designs, request);

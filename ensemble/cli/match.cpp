@@ -17,6 +17,7 @@
 #include "campaign/write.hpp"
 #include "cli/commands.hpp"
 #include "cli/config_file.hpp"
+#include "cli/given_file.hpp"
 #include "cli/terminal.hpp"
 #include "cli/waiting_note.hpp"
 #include "cli/write_page.hpp"
@@ -144,6 +145,7 @@ std::string command_of(const MatchOptions& options) {
 
 void run(const MatchOptions& options) {
     std::vector<MatchWave> waves;
+    for (const std::string& file : options.files) expect_campaign_file(file);
     for (const std::string& file : options.files) waves.push_back(read_wave(file));
     const std::vector<Target> measured = read_targets(read_text(options.targets), options.targets);
     const MatchData data = match_data(waves, measured);

@@ -79,7 +79,10 @@ int run_ranks(int ranks, std::span<char* const> command) {
     prepare_environment(command[0]);
     sigset_t signals;
     sigemptyset(&signals);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGCHLD}) sigaddset(&signals, signal);
+    for (const int signal : {SIGINT, SIGTERM, SIGUSR1, SIGCHLD}) sigaddset(&signals, signal);
+    struct sigaction hangup {};
+    sigaction(SIGHUP, nullptr, &hangup);
+    if (hangup.sa_handler != SIG_IGN) sigaddset(&signals, SIGHUP);  // which nohup sets
     sigprocmask(SIG_BLOCK, &signals, nullptr);
     const pid_t child = fork();
     if (child == 0) {

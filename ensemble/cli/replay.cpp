@@ -13,6 +13,7 @@
 
 #include "campaign_file/read_campaign_file.hpp"
 #include "cli/commands.hpp"
+#include "cli/given_file.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/replay_outputs.hpp"
 #include "core/error.hpp"
@@ -61,10 +62,13 @@ MemberResult compute(const ReplaySubject& subject, const FrameSteps& steps, cons
 
 /// Computes the member and writes its recording. Returns whether it equals the member of the file; prints what differs.
 bool record_member(const ReplayOptions& options, const std::filesystem::path& path, const StopSignals& signals) {
+    expect_campaign_file(options.file);
     const CampaignFile file(options.file);
     const CampaignTable table = read_campaign_file(file);
     const ReplaySubject subject = replay_subject(file, table, chosen_member(table, options.member));
     const FrameSteps steps = frame_steps(chosen_times(subject, options.times), subject.about.scenario);
+    const double step = subject.about.scenario.general.time_step;
+    check_time(options.look, step * steps.first, step * steps.last, step * steps.stride);
     const MemberResult result = compute(subject, steps, path, signals);
     if (result.status == MemberStatus::failed) std::fprintf(stderr, "floes: %s\n", result.reason.c_str());
     const std::vector<std::string> found = differences(subject, result);
@@ -79,6 +83,8 @@ bool record_member(const ReplayOptions& options, const std::filesystem::path& pa
 
 void write_outputs(const std::filesystem::path& record_path, const ReplayOptions& options, const StopSignals& signals) {
     const Recording recording(record_path);
+    const double last = recording.time(recording.frames() - 1);
+    check_time(options.look, recording.time(0), last, (last - recording.time(0)) / std::max(1, recording.frames() - 1));
     const auto go_on = [&signals] {
         if (signals.received() != 0) throw Interrupted("stopped on request");
     };
@@ -156,10 +162,11 @@ void add_looks(Verb& verb, ReplayOptions& options) {
                 "the recording")
         .one_each()
         .required();
-    verb.option("--at", options.look.at, "Time of pictures, s; default: the largest load among the frames");
+    verb.option("--at", options.look.at,
+                "Time of pictures, and at which pages open, s; default: the largest load among the frames");
     verb.option("--view", options.look.view,
-                "Of pictures and films: perspective (Fig. 5), above, below the water, or plan (Fig. 3)")
-        .one_of({"perspective", "above", "below", "plan"})
+                "Of pictures and films: perspective (Fig. 5), above, side, below the water, or plan (Fig. 3)")
+        .one_of({"perspective", "above", "side", "below", "plan"})
         .shows_default();
     verb.option("--colours", options.look.colours,
                 "What they tell of the floes: ice (broken ones are marked), piece, speed or utilisation")
@@ -191,7 +198,7 @@ void add_replay(CommandLine& line) {
         "  floes replay e60.h5 -o e60.pvd                          for ParaView, with a state: paraview "
         "--state=e60.py");
     verb.runs([options] {
-        options->times.worst = options->member.worst;
+        options->times.worst = options->look.worst = options->member.worst;
         return exit_status_of(*options);
     });
 }

@@ -74,11 +74,21 @@ void write_picture(const std::filesystem::path& path, const Recording& recording
     }
 }
 
+/// Where a page opens: what was asked for or, of part of a run, its largest load, for which such parts are kept.
+std::optional<double> start_of_page(const Recording& recording, const ReplayLook& look) {
+    if (look.at) return look.at;
+    const Scenario& scenario = recording.subject().scenario;
+    const double run = scenario.general.time_step * scenario.step_count();
+    const double span = recording.time(recording.frames() - 1) - recording.time(0);
+    if (!look.worst && span > 0.999 * run) return {};
+    return recording.time(frame_of_largest_load(recording));
+}
+
 void write(const std::filesystem::path& path, const Recording& recording, const ReplayLook& look,
            const std::function<void()>& go_on) {
     switch (kind_of(path)) {
         case ReplayOutput::page:
-            return write_replay_page(path, recording);
+            return write_replay_page(path, recording, {.start = start_of_page(recording, look)});
         case ReplayOutput::picture:
             return write_picture(path, recording, look);
         case ReplayOutput::film: {
@@ -112,6 +122,12 @@ ReplayOutput kind_of(const std::filesystem::path& path) {
 
 void check(const ReplayLook& look) {
     style_of(look);
+}
+
+void check_time(const ReplayLook& look, double from, double to, double every) {
+    if (!look.at || (*look.at >= from - every && *look.at <= to + every)) return;
+    throw InputError(fmt::format("--at {:g}: there is no frame at that time; the frames go from {:g} s to {:g} s.",
+                                 *look.at, from, to));
 }
 
 void write_replay_output(const std::filesystem::path& path, const Recording& recording, const ReplayLook& look,

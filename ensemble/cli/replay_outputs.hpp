@@ -17,6 +17,7 @@ ReplayOutput kind_of(const std::filesystem::path& path);
 
 struct ReplayLook {
     std::optional<double> at = {};  ///< s, of pictures; not given: the largest load among the frames
+    bool worst = false;             ///< pages open at the largest load too; of part of a run they do anyway
     std::string view = "perspective";
     std::string colours = "ice";
     std::string size = "1280x800";
@@ -25,6 +26,9 @@ struct ReplayLook {
 
 /// Throws InputError if something in it cannot be drawn.
 void check(const ReplayLook& look);
+
+/// Throws InputError if its time is more than `every` beyond the frames, which go from `from` to `to` s.
+void check_time(const ReplayLook& look, double from, double to, double every);
 
 /// Makes the file, with progress on standard error; if that fails, an earlier file stays as it was. `go_on` is called
 /// repeatedly during long work and throws to stop it. Not for ReplayOutput::recording.

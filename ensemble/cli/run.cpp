@@ -47,7 +47,9 @@ struct RunVerb {
 
 std::filesystem::path output_of(const RunVerb& verb) {
     if (!verb.output.empty()) return verb.output;
-    return std::filesystem::path(verb.config).stem().string() + ".h5";
+    const std::string name = std::filesystem::path(verb.config).stem().string();
+    const std::string part = verb.part.substr(0, verb.part.find('/'));
+    return verb.part.empty() ? name + ".h5" : fmt::format("{}.part{}.h5", name, part);
 }
 
 std::string resume_command(const RunVerb& verb, const std::string& program, int ranks) {
@@ -119,6 +121,7 @@ int lead(const RunVerb& verb, const std::string& program, Link& link, Helper& he
 }
 
 int run(const RunVerb& verb, const std::string& program) {
+    outlive_readers();
     Helper helper(compute_member);  // before MPI and the first thread
     const std::unique_ptr<Link> link = open_link();
     if (link->rank() != 0) return serve_campaign(*link, verb.threads, compute_member, &helper);
@@ -132,7 +135,8 @@ void add_run(CommandLine& line, std::span<char* const> command) {
     Verb verb = line.verb("run", "Run a campaign on every core, alone or under mpirun");
     verb.option("config", options->config, "The configuration (CONFIG.toml), or the name of an installed one, as smoke")
         .required();
-    verb.option("-o,--output", options->output, "The campaign file; default: CONFIG.h5 in this folder");
+    verb.option("-o,--output", options->output,
+                "The campaign file; default: CONFIG.h5 in this folder, of a part CONFIG.partK.h5");
     Option resume = verb.flag("--resume", options->resume, "Resume an existing campaign, or start if there is none");
     verb.flag("--retry-failed", options->retry_failed, "With --resume: retry members that were set aside as failed")
         .needs(resume);

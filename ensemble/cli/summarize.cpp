@@ -9,12 +9,16 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/given_file.hpp"
 #include "cli/shell_words.hpp"
 #include "cli/terminal.hpp"
+#include "cli/workbook_sheets.hpp"
+#include "cli/write_page.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "findings/catalogue.hpp"
 #include "findings/overview_section.hpp"
+#include "records/file_calls.hpp"
 
 namespace floes {
 
@@ -23,6 +27,8 @@ namespace {
 struct SummarizeOptions {
     std::string file;
     std::string format = "table";
+    std::string output;
+    bool long_lines = false;
     std::string reference;
     std::vector<std::string> parts;
     double resolve_percent = 10;
@@ -46,7 +52,7 @@ std::vector<Section> find(const SummarizeOptions& options, Evidence& evidence) {
         const bool wanted = is_wanted(finding, options, evidence.campaign);
         if (wanted && finding.for_csv_alone && options.format != "csv")
             throw InputError(
-                fmt::format("--parts {0} has a line for each member and needs --format csv.", finding.name));
+                fmt::format("--parts {0} has lines for each member and needs --format csv, or xlsx.", finding.name));
         const bool always = options.format == "json" && finding.name == findings().front().name;
         if (!wanted && !always) continue;
         for (Section& section : finding.sections(evidence)) {
@@ -58,13 +64,39 @@ std::vector<Section> find(const SummarizeOptions& options, Evidence& evidence) {
     return sections;
 }
 
-std::string answer(const SummarizeOptions& options, const std::string& program) {
+void write(const SummarizeOptions& options, Evidence& evidence, const std::string& program) {
+    if (options.format != "xlsx") {
+        std::vector<Section> sections = find(options, evidence);
+        if (options.format == "table" && !options.full && options.parts.empty())
+            sections.push_back(next_commands(evidence, typed_program(program)));
+        const std::string text = written(sections, options.format);
+        if (options.output.empty()) {
+            std::fputs(text.c_str(), stdout);
+        } else {
+            write_page(options.output, text);
+        }
+        return;
+    }
+    const std::string aside = options.output + ".tmp";
+    write_workbook(aside, workbook_sheets(evidence, options.parts));
+    rename_into_place(aside, options.output);
+}
+
+int answer(SummarizeOptions options, const std::string& program) {
+    const bool workbook = options.output.ends_with(".xlsx");
+    if (options.format == "xlsx" && !workbook)
+        throw InputError("A workbook is a file: give its name, which ends with .xlsx, with -o.");
+    if (workbook && options.format == "table") options.format = "xlsx";
+    if (workbook && options.format != "xlsx")
+        throw InputError(fmt::format("{} would be a workbook, and --format {} is a text; give another name.",
+                                     options.output, options.format));
+    if (options.long_lines) options.parts = {"long"};
+    expect_campaign_file(options.file);
     Evidence evidence = read_evidence(CampaignFile(options.file), options.window == "auto", options.reference);
     evidence.resolve = options.resolve_percent * unit::percent;
-    std::vector<Section> sections = find(options, evidence);
-    if (options.format == "table" && !options.full && options.parts.empty())
-        sections.push_back(next_commands(evidence, typed_program(program)));
-    return written(sections, options.format);
+    write(options, evidence, program);
+    if (!options.output.empty()) std::printf("%s\n", options.output.c_str());
+    return 0;
 }
 
 std::vector<std::string> part_names() {
@@ -82,24 +114,27 @@ void add_summarize(CommandLine& line) {
     verb.option("campaign", options->file, "The campaign file (CAMPAIGN.h5)").required();
     verb.flag("--full", options->full,
               "All statistics: cases with every interval, pairs, extremes; of a design its axes");
-    add_format(verb, options->format);
+    verb.option("--format", options->format,
+                "table, json, csv, or xlsx: a workbook with sheets for cases, members, pairs and the design, with -o")
+        .one_of({"table", "json", "csv", "xlsx"})
+        .shows_default();
+    verb.option("-o,--output", options->output, "Write a file instead; a name that ends with .xlsx makes a workbook");
     verb.option("--reference", options->reference, "Reference case: the others are compared with it, in percent");
-    verb.option(
-            "--parts", options->parts,
-            "Parts to show, comma-separated: overview, cases, points and sensitivity (of a design), pairs, extremes, "
-            "exceedance, steady, control, design, members (CSV only)")
-        .comma_separated()
-        .one_of(part_names());
+    Option parts =
+        verb.option("--parts", options->parts,
+                    "Parts to show, comma-separated: overview, cases, points and sensitivity (of a design), pairs, "
+                    "extremes, exceedance, steady, control, design, members and long (CSV and xlsx only)");
+    parts.comma_separated().one_of(part_names());
+    verb.flag("--long", options->long_lines,
+              "With --format csv: a line for each value of each simulation: case, arrangement, quantity, unit, value")
+        .excludes(parts);
     verb.option("--resolve", options->resolve_percent,
                 "Report the number of arrangements needed to resolve this difference of a pair, in percent of the "
                 "first case")
         .positive()
         .shows_default();
     add_window(verb, options->window);
-    verb.runs([options, &line] {
-        std::fputs(answer(*options, line.program_name()).c_str(), stdout);
-        return 0;
-    });
+    verb.runs([options, &line] { return answer(*options, line.program_name()); });
 }
 
 }  // namespace floes

@@ -5,7 +5,7 @@
 namespace floes {
 
 void add_verbs(CommandLine& line, std::span<char* const> command) {
-    line.version(version_text, "Print version, revision, libraries and the lane widths of this processor");
+    add_new(line);
     add_run(line, command);
     add_merge(line);
     add_status(line);
@@ -19,10 +19,12 @@ void add_verbs(CommandLine& line, std::span<char* const> command) {
     add_replay(line);
     add_match(line);
     add_verify(line);
+    line.help_verb();
+    line.version(version_text, "Print version, revision, libraries and the lane widths of this processor");
     line.footer(
         "Exit status: 0 done, 1 a member was set aside as failed or the run failed, 2 wrong input, 85 stopped, to be\n"
         "resumed with --resume.\n\n"
-        "  floes config --defaults > my.toml\n"
+        "  floes new my.toml\n"
         "  floes run my.toml -o my.h5\n"
         "  floes summarize my.h5");
 }

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "campaign_file/campaign_kind.hpp"
+#include "cli/given_file.hpp"
 #include "core/error.hpp"
 #include "core/wording.hpp"
 #include "hdf5/verify.hpp"
@@ -151,6 +152,11 @@ FileVerdict judge_journal(const std::filesystem::path& path, const JournalConten
 FileVerdict verify_file(const std::filesystem::path& path) {
     if (first_bytes(path, journal_format::magic.size()) == journal_format::magic) return verify_journal(path);
     FileVerdict verdict = verdict_on(path, "");
+    if (const GivenFile kind = given_file(path); kind == GivenFile::text || kind == GivenFile::other) {
+        verdict.state = FileState::not_of_floes;
+        verdict.faults.emplace_back("It is neither a campaign file, nor a recording, nor a journal of floes.");
+        return verdict;
+    }
     try {
         verify_hdf5(path, verdict);
     } catch (const InputError& error) {

@@ -29,6 +29,7 @@ class Floes(CMakePackage):
     depends_on("cli11@2.1:")
     depends_on("fmt@9:")
     depends_on("cairo")
+    depends_on("libxlsxwriter")
 
     # three.js, which pages of replays contain, is no package of Spack: a file three.min.js of release 111.
     variant("three", default="", values=str, description="Where three.min.js lies")

@@ -1,5 +1,6 @@
 """A campaign file as tables and labelled arrays. Which dataset holds what: docs/campaign_file.md."""
 
+import html
 import os
 from functools import cached_property
 from typing import Any
@@ -46,6 +47,11 @@ class Campaign:
         done, failed = ((status == word).sum() for word in ("done", "failed"))
         return (f"<campaign {self.title}: {len(status)} members in {len(self._cases)} cases, "
                 f"{done} done, {failed} failed>")
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows of it: how many members there are, and a line for each case."""
+        about = f"<p>{html.escape(repr(self).strip('<>'))}</p>"
+        return about if self._stored.closed else about + self._headlines().to_html()
 
     # -- members and cases
 
@@ -210,6 +216,24 @@ class Campaign:
                                        "n": int(numpy.isfinite(done[one.key]).sum()), **found._asdict()}
         index = pandas.MultiIndex.from_tuples(list(rows), names=["case", "quantity"])
         return pandas.DataFrame(list(rows.values()), index)
+
+    def _headlines(self) -> pandas.DataFrame:
+        """Means over arrangements with their 95 % intervals, as words: a row for each case."""
+        largest = [key for key in ("mean_maximum_1s", "mean_maximum") if key in self._quantities.index][:1]
+        summary, lines = self.summary(), {}
+        for case in self._cases.index:
+            line = {"done": int((self._members.status[self._members.case == case] == "done").sum())}
+            for key in ["mean_load", *largest, "failure_ratio"]:
+                one = summary.loc[(case, key)]
+                percent = key == "failure_ratio"
+                values = [value * (100 if percent else 1) for value in (one.estimate, one.low, one.high)]
+                unit = "%" if percent else one.units
+                words = "–" if numpy.isnan(values[0]) else f"{values[0]:.2f}"
+                if not numpy.isnan(values[1]):
+                    words += f" [{values[1]:.2f}, {values[2]:.2f}]"
+                line[f"{self._quantities.long_name[key]}, {unit}"] = words
+            lines[case] = line
+        return pandas.DataFrame.from_dict(lines, orient="index").rename_axis("case")
 
     # -- read once
 

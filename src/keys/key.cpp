@@ -176,7 +176,9 @@ const Key* find_key(std::span<const Key> keys, std::string_view path) {
 
 std::string nearest_path(std::span<const Key> keys, std::string_view path) {
     const std::string_view name = path.substr(path.rfind('.') + 1);  // the whole path without a dot
-    const auto distance = [&](const Key& key) {
+    const auto distance = [&](const Key& key) -> std::size_t {
+        if (key.path.starts_with(std::string(path) + '_')) return 0;  // a name without its unit
+        if (key.name().starts_with(std::string(name) + '_')) return 1;
         return std::min(edit_distance(key.path, path), edit_distance(key.name(), name) + 1);
     };
     return std::string(std::ranges::min_element(keys, {}, distance)->path);

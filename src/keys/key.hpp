@@ -137,7 +137,7 @@ std::vector<Entry> in_order_of_reading(std::span<const Key> keys, std::vector<En
 const Key* find_key(std::span<const Key> keys, std::string_view path);
 
 /// The key with the path nearest to a mistyped one: fewest edits, where a correct name in a wrong table counts as one
-/// edit. `keys` is not empty.
+/// edit, and a name that lacks its unit (field.concentration) as none. `keys` is not empty.
 std::string nearest_path(std::span<const Key> keys, std::string_view path);
 
 }  // namespace floes

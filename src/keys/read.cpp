@@ -71,12 +71,17 @@ struct Assigner {
         if (text == nullptr) throw wrong("is not a word in quotes");
         const auto found = std::ranges::find(field.words, *text);
         if (found == field.words.end()) {
-            const auto near = std::ranges::min_element(
-                field.words, {}, [&](std::string_view word) { return edit_distance(word, *text); });
-            throw InputError(
-                fmt::format("{}; did you mean {}?", wrong("is not a word of this key").what(), text_literal(*near)));
+            throw InputError(wrong("is not a word of this key").what() + hint(field, *text));
         }
         field.set(static_cast<std::size_t>(found - field.words.begin()));
+    }
+
+    /// The word that was mistyped, or else what the words mean.
+    std::string hint(const WordField& field, const std::string& text) const {
+        const auto distance = [&](std::string_view word) { return edit_distance(word, text); };
+        const std::string_view near = *std::ranges::min_element(field.words, {}, distance);
+        if (2 * distance(near) <= near.size()) return fmt::format("; did you mean {}?", text_literal(near));
+        return fmt::format(" ({})", key.doc.substr(0, key.doc.find('.')));
     }
 
     void operator()(const TextField& field) const {

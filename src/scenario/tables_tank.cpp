@@ -102,7 +102,7 @@ void add_field(Keys& keys, Field& field) {
                               "edge, the member ends as failed."));
     keys.push_back(word_key(
         "field.far_end", field.far_end, {"ice_sheet", "open"}, "design decision; the paper names the walls only",
-        "Far end boundary of the field: a fixed ice sheet that confines it, or open water. With an open far end, the "
+        "Far end of the field: closed by a fixed ice sheet, or open water. With an open far end, the "
         "load on a straight 45° wall is half as large and that on a 76° wall a fifth, and hardly any floe breaks."));
     keys.push_back(
         number_key("field.wake_radius_m", field.wake_radius, unit::one, at_least(0).at_most(farthest),

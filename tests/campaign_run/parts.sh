@@ -26,6 +26,12 @@ expect 1 damaged "$FLOES" merge first.h5 damaged.h5 third.h5 -o four.h5
 said damaged "damaged.journal: "
 said damaged "1 missing from all parts"
 
+# Parts without -o do not get into each other's way.
+expect 0 one "$FLOES" run campaign.toml --part 1/2 "${SHORT[@]}"
+expect 0 other_one "$FLOES" run campaign.toml --part 2/2 "${SHORT[@]}"
+expect 0 both "$FLOES" merge campaign.part1.h5 campaign.part2.h5 -o campaign.h5
+same whole.h5 campaign.h5
+
 before=$(sha256sum three.h5 three.journal)
 expect 2 exists "$FLOES" merge first.h5 second.h5 -o three.h5
 expect 2 itself "$FLOES" merge first.h5 three.h5 -o three.h5 --overwrite

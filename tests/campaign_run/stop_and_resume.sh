@@ -23,6 +23,18 @@ expect 0 alone_resumed bash -c "$command"
 said alone_resumed "resumed: "
 same whole.h5 alone.h5
 
+# The terminal is closed.
+"$FLOES" run campaign.toml -o closed.h5 --threads 1 > closed.log 2>&1 &
+wait_for_a_member closed.journal
+stopped closed HUP $!
+said closed "stopped by SIGHUP"
+expect 0 closed_resumed "$FLOES" run campaign.toml -o closed.h5 --resume
+same whole.h5 closed.h5
+
+# Nobody reads what it prints any more, and it goes on.
+"$FLOES" run campaign.toml -o piped.h5 --threads 1 2>&1 | head -c 20 > piped.log || fail "a run ended with its reader"
+same whole.h5 piped.h5
+
 # The same command serves for the first start and every later one.
 for attempt in 1 2; do
     "$FLOES" run campaign.toml -o again.h5 --threads 1 --resume > again.log 2>&1 &

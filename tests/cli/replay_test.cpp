@@ -46,6 +46,21 @@ TEST(ReplayOutput, ThatCannotHaveItsNameLeavesNothingBehind) {
     EXPECT_FALSE(std::filesystem::exists(folder / "a.part.html"));
 }
 
+TEST(ReplayVerb, RefusesATimeWithoutAFrame) {
+    const TemporaryFolder folder;
+    const std::string recording = folder / "recording.h5";
+    synthetic::write_recording(recording, 3);
+    const std::string picture = folder / "a.png";
+    EXPECT_THAT(refusal([&] {
+                    run({"replay", recording, "-o", picture, "--at", "99"});
+                }),
+                HasSubstr("--at 99: there is no frame at that time; the frames go from "));
+    EXPECT_FALSE(std::filesystem::exists(picture));
+    check_time({.at = 9.99}, 10, 20, 0.1);
+    check_time({}, 10, 20, 0.1);
+    EXPECT_THROW(check_time({.at = 9.8}, 10, 20, 0.1), InputError);
+}
+
 TEST(ReplayVerb, RefusesBeforeItComputes) {
     const TemporaryFolder folder;
     const std::string none = folder / "none.h5";

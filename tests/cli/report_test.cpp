@@ -18,6 +18,14 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
+/// The letters of a picture may be any word.
+std::string without_pictures(std::string page) {
+    const std::string begin = "base64,";
+    for (std::size_t at = 0; (at = page.find(begin, at)) != std::string::npos; at += begin.size())
+        page.erase(at + begin.size(), page.find_first_of("\"')", at) - at - begin.size());
+    return page;
+}
+
 class Report : public testing::Test {
   protected:
     void run(const std::string& arguments) {
@@ -38,7 +46,7 @@ TEST_F(Report, TellsOfEveryCaseAndHowToRepeatIt) {
     for (const Case& one : campaign.cases) EXPECT_THAT(page, HasSubstr("<td>" + one.name + "</td>"));
     EXPECT_THAT(page, HasSubstr("./floes run synthetic.toml -o synthetic.h5"));
     EXPECT_THAT(page, HasSubstr("name = &quot;stiff&quot;"));  // the configuration
-    EXPECT_THAT(page, Not(HasSubstr("nan")));
+    EXPECT_THAT(without_pictures(page), Not(HasSubstr("nan")));
     EXPECT_THAT(page, HasSubstr("1 set aside as failed"));
 }
 

@@ -73,7 +73,7 @@ TEST(Status, TellsFromTheHeartbeatWhatIsUnderWay) {
     heartbeat.finished = 6;
     heartbeat.finished_cost = 10;
     heartbeat.remaining_cost = 30;
-    heartbeat.under_way = {{5, 2, 33.0}};
+    heartbeat.under_way = {{7, 2, 33.0}, {5, 2, 20.0}};  // 5 was done since
     write_heartbeat(folder / "a.alive", heartbeat);
     {
         Journal journal = open_journal(journal_path(folder / "a.h5"), campaign, Existing::refuse);
@@ -85,11 +85,13 @@ TEST(Status, TellsFromTheHeartbeatWhatIsUnderWay) {
         EXPECT_DOUBLE_EQ(*live.seconds_left, 180);
         const std::string text = status_table(live);
         EXPECT_THAT(text, HasSubstr(", 6.0 members/min, about 3 min left"));
-        EXPECT_THAT(text, HasSubstr("running\n  member 5 (case open, arrangement 1, attempt 2): 33 s\n"));
+        EXPECT_THAT(text, HasSubstr("running\n  member 7 (case stiff, arrangement 2, attempt 2): 33 s\n"));
+        EXPECT_EQ(live.under_way.size(), 1u) << "a member that is done is not running";
         EXPECT_THAT(text, HasSubstr("slowest\n  member 9 (case soft, arrangement 3, attempt 2): 22 s\n"));
         const auto json = nlohmann::json::parse(status_json(live));
         EXPECT_EQ(json["heartbeat"]["stale"], false);
-        EXPECT_EQ(json["under_way"][0]["member"], 5);
+        EXPECT_EQ(json["under_way"].size(), 1u);
+        EXPECT_EQ(json["under_way"][0]["member"], 7);
         EXPECT_EQ(json["slowest"].size(), 5u);
         EXPECT_EQ(json["sessions"][0]["computed"], 8);
     }

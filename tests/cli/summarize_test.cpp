@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "campaign_file/publish.hpp"
+#include "campaign_file/read_campaign_file.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
+#include "support/file_bytes.hpp"
 #include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -151,6 +154,37 @@ TEST_F(Summarize, CountsLevelsInTheWindowThatItMeasures) {
     // Counted anew in the histories: sines of 100 (number + 1), over the same window.
     const json anew = json::parse(summarize("--parts exceedance --format json --window auto")).at("load_levels");
     EXPECT_NE(anew[0].at("time_above").at("estimate"), given[0].at("time_above").at("estimate"));
+}
+
+TEST_F(Summarize, GivesAValueALineForProgramsThatWantItSo) {
+    std::istringstream lines(summarize("--format csv --long"));
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_EQ(line, "case,arrangement,quantity,unit,value");
+    std::getline(lines, line);
+    EXPECT_THAT(line, testing::MatchesRegex("soft,0,mean_load,N,[0-9.e+-]+"));
+    const CampaignTable table = read_campaign_file(CampaignFile(file_));
+    std::size_t expected = 0;
+    for (const MemberRow& row : table.members)
+        for (const Quantity& one : table.quantities()) expected += row.done() && std::isfinite(row.value(one)) ? 1 : 0;
+    std::size_t count = 1;
+    while (std::getline(lines, line)) ++count;
+    EXPECT_EQ(count, expected);
+    EXPECT_THROW(summarize("--format csv --long --parts pairs"), CommandLineEnd);
+    EXPECT_THROW(summarize("--long"), InputError);
+}
+
+TEST_F(Summarize, WritesFilesOnRequest) {
+    const std::string csv = folder_ / "a.csv";
+    EXPECT_EQ(summarize("--format csv -o " + csv), csv + "\n");
+    EXPECT_EQ(file_text(csv), summarize("--format csv"));
+    const std::string book = folder_ / "a.xlsx";
+    EXPECT_EQ(summarize("-o " + book), book + "\n");
+    EXPECT_THAT(file_text(book), testing::StartsWith("PK"));
+    EXPECT_FALSE(std::filesystem::exists(book + ".tmp"));
+    EXPECT_THROW(summarize("--format xlsx"), InputError);
+    EXPECT_THROW(summarize("--format csv -o " + book), InputError);
+    EXPECT_THROW(summarize("-o " + (folder_ / "no/a.xlsx").string()), RunError);
 }
 
 }  // namespace

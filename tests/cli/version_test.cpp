@@ -20,16 +20,44 @@ TEST(Version, NamesProgramRevisionLibrariesAndLanes) {
         EXPECT_THAT(text, HasSubstr(library));
 }
 
-TEST(Version, IsAskedForWithoutAVerbAndEndsWell) {
+/// How a command line ends that is no order to do something.
+CommandLineEnd end_of(const std::vector<std::string>& words) {
     CommandLine line;
     add_verbs(line, {});
     try {
-        line.run({"--version"});
-        FAIL() << "went on";
-    } catch (const CommandLineEnd& asked) {
+        line.run(words);
+    } catch (const CommandLineEnd& end) {
+        return end;
+    }
+    ADD_FAILURE() << "went on";
+    return {-1, "", ""};
+}
+
+TEST(Version, IsAskedForWithOrWithoutAVerbAndEndsWell) {
+    for (const char* word : {"--version", "version"}) {
+        const CommandLineEnd asked = end_of({word});
         EXPECT_EQ(asked.status(), 0);
         EXPECT_EQ(asked.output(), version_text() + "\n");
     }
+}
+
+TEST(Help, IsThatOfTheVerb) {
+    const CommandLineEnd asked = end_of({"help", "summarize"});
+    EXPECT_EQ(asked.status(), 0);
+    EXPECT_EQ(asked.output(), end_of({"summarize", "--help"}).output());
+    EXPECT_EQ(end_of({"help"}).output(), end_of({"--help"}).output());
+    EXPECT_THAT(end_of({"help", "laboratory", "plate"}).output(), HasSubstr(" laboratory plate [OPTIONS] [config]"));
+}
+
+TEST(Help, NamesTheVerbThatWasMeant) {
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"sumarize", "my.h5"}, {"help", "sumarize"}}) {
+        const CommandLineEnd refused = end_of(words);
+        EXPECT_EQ(refused.status(), 2);
+        EXPECT_EQ(std::string(refused.what()), "floes: there is no verb sumarize; did you mean summarize?\n");
+    }
+    EXPECT_THAT(end_of({"xyzzy"}).what(), HasSubstr("there is no verb xyzzy; the verbs are new, run, "));
+    EXPECT_THAT(end_of({"calibrate"}).what(), HasSubstr("floes laboratory plate")) << "a former verb";
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace floes {
 namespace {
 
 TEST(StopSignals, RememberTheFirst) {
-    for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1}) {
         const StopSignals signals;
         EXPECT_EQ(signals.received(), 0);
         std::raise(signal);
@@ -31,6 +31,16 @@ TEST(StopSignals, GiveBackWhatWasThere) {
     struct sigaction after {};
     ::sigaction(SIGTERM, nullptr, &after);
     EXPECT_EQ(after.sa_handler, before.sa_handler);
+}
+
+TEST(StopSignals, LeaveAHangupThatIsToBeIgnored) {
+    std::signal(SIGHUP, SIG_IGN);  // as nohup does
+    {
+        const StopSignals signals;
+        std::raise(SIGHUP);
+        EXPECT_EQ(signals.received(), 0);
+    }
+    std::signal(SIGHUP, SIG_DFL);
 }
 
 TEST(StopSignalsDeathTest, LeaveAtOnceOnTheSecond) {

@@ -105,6 +105,8 @@ TEST(Keys, EveryMessageIsOneSentence) {
         {"thickness_m = 0.03\n", "a.toml:1: thickness_m = 0.03 is not a key; did you mean ice.thickness_m?"},
         {"[floe]\nstrength_kPa = 1.0\n",
          "a.toml:2: floe.strength_kPa = 1.0 is not a key; did you mean ice.strength_kPa?"},
+        {"ice.strength = 1.0\n", "a.toml:1: ice.strength = 1.0 is not a key; did you mean ice.strength_kPa?"},
+        {"floe.strength = 1.0\n", "a.toml:1: floe.strength = 1.0 is not a key; did you mean ice.strength_kPa?"},
         {"[icee]\n", "a.toml:1: [icee] is not a table of keys; did you mean [ice]?"},
         {"ice = 3\n", "a.toml:1: ice = 3 is a table of keys, not a key; write [ice] with its keys below"},
         {"ice.thickness_m = \"thin\"\n",
@@ -124,6 +126,8 @@ TEST(Keys, EveryMessageIsOneSentence) {
         {"floe.colour = \"whit\"\n",
          "a.toml:1: floe.colour = \"whit\" is not a word of this key; allowed: \"blue\" or \"white\"; did you mean "
          "\"white\"?"},
+        {"floe.colour = \"transparent\"\n",
+         "a.toml:1: floe.colour = \"transparent\" is not a word of this key; allowed: \"blue\" or \"white\" (Colour)"},
         {"floe.colour = true\n",
          "a.toml:1: floe.colour = true is not a word in quotes; allowed: \"blue\" or \"white\""},
         {"floe.label = 5\n", "a.toml:1: floe.label = 5 is not text; allowed: text in quotes"},

@@ -30,14 +30,17 @@ def main(floes, config, page):
         summary = json.loads(subprocess.run([floes, "summarize", "smoke.h5", "--format", "json"], cwd=folder, check=True,
                                             capture_output=True, text=True).stdout)
         means = [case["mean_N"]["estimate"] for case in summary["cases"]]
+        by_name = dict(sorted((case["name"], case["mean_N"]["estimate"]) for case in summary["cases"]))
         said = []
         for kind, block in blocks:
             run = subprocess.run(COMMANDS[kind] + [block], cwd=folder, env=environment, capture_output=True, text=True)
             if run.returncode != 0:
                 sys.exit(f"this {kind} block failed:\n{block}\n{run.stdout}{run.stderr}")
+            if not said and [line.split()[0] for line in run.stdout.splitlines() if line[:1] == "E"] != list(by_name):
+                sys.exit(f"xarray names other cases than {list(by_name)}:\n{run.stdout}")
             said.append(numbers(run.stdout))
     xarray_means, _, h5py_numbers, octave_numbers, shell_numbers = said
-    for expected, found, who in [(means, xarray_means[-3:], "xarray"), ([means[2] - means[1]], h5py_numbers[-1:], "h5py"),
+    for expected, found, who in [(list(by_name.values()), xarray_means[-3:], "xarray"), ([means[2] - means[1]], h5py_numbers[-1:], "h5py"),
                                  ([sum(means) / 3], octave_numbers[-1:], "Octave"),
                                  (means, shell_numbers[-3:], "the shell")]:
         if len(expected) != len(found) or any(abs(e - f) > 6e-3 for e, f in zip(expected, found)):

@@ -69,7 +69,7 @@ void expect_colour(const Colour& found, const Colour& wanted) {
 }
 
 TEST(Projection, PutsTheTargetInTheMiddleAndAMetreToScale) {
-    for (const View view : {View::perspective, View::above, View::below, View::plan}) {
+    for (const View view : {View::perspective, View::above, View::side, View::below, View::plan}) {
         const Camera seen = camera(view, subject(), 2);
         const Projection projection(seen, 800, 600);
         EXPECT_LT((projection.at(seen.target) - Vec2(400, 300)).norm(), 1e-9);
@@ -96,6 +96,45 @@ TEST(Plan, ShowsTheChannelToScaleWithTheTowToTheRight) {
     EXPECT_NEAR(b.x() - a.x(), projection.scale(), 1e-9);
     EXPECT_NEAR(b.y() - a.y(), projection.scale(), 1e-9);
     EXPECT_NEAR(projection.scale(), 200 / (2 * channel.outer_edge), 1e-9);
+}
+
+// What lies between the eye and the structure would hide it: ice sheets and floes alongside.
+TEST(Side, ShowsTheTowToTheRightAndCutsAwayWhatIsNearer) {
+    const Camera seen = camera(View::side, subject(), 2);
+    const Projection projection(seen, 1000, 500);
+    EXPECT_GT(projection.at({3, 0, 0}).x(), projection.at({2, 0, 0}).x());
+    EXPECT_GT(projection.at({2, -0.4, 0}).y(), projection.at({2, 0, 0}).y());
+    const double radius = subject().scenario.structure.shape.largest_radius();
+    EXPECT_TRUE(projection.before({2, 0, radius}));
+    EXPECT_FALSE(projection.before({2, 0, 1.1 * radius}));
+    PictureStyle style{.view = View::side, .width = 800, .height = 600};
+    Canvas canvas(style.width, picture_height(style, subject()));
+    draw_picture(canvas, Stage(subject(), outcome()), frame(1), style);
+    const Projection drawn(seen, style.width, canvas.height() - std::round(0.17 * style.height));
+    const Colour hull = pixel(canvas, drawn.at({2, -0.2, 0}));
+    EXPECT_GT(hull.red, 2 * hull.blue) << "an ice sheet hides the structure";
+}
+
+TEST(Picture, ShowsTheTowAndTheScalesOfLengthsAndForces) {
+    const PictureStyle style{.view = View::above, .width = 1280, .height = 800};
+    Canvas canvas(style.width, picture_height(style, subject()));
+    draw_picture(canvas, Stage(subject(), outcome()), frame(1), style);
+    const double bottom = canvas.height() - std::round(0.17 * style.height);
+    const Projection projection(camera(style.view, subject(), 2), style.width, bottom);
+    const double radius = subject().scenario.structure.shape.largest_radius();
+    expect_colour(pixel(canvas, projection.at({2 + 1.4 * radius, subject().scenario.structure.shape.top(), 0})),
+                  tow_orange);
+    // From the first bar's left end to its right one there are 60 pixels and more, a round number of metres.
+    const auto is_bright = [&](double x) { return pixel(canvas, {x, bottom - 42}).blue > 0.9; };
+    double x = 1280 - 480;
+    while (!is_bright(x) && x < 1279) ++x;
+    const double from = x;
+    while (is_bright(x) && x < 1279) ++x;
+    const double metres = (x - from) / projection.scale();
+    EXPECT_GE(x - from, 60);
+    const double power = std::pow(10, std::floor(std::log10(metres * 1.02)));
+    EXPECT_THAT(std::round(metres / power), testing::AnyOf(1.0, 2.0, 5.0)) << metres;
+    EXPECT_NEAR(metres / power, std::round(metres / power), 0.15) << "the bar is not as long as it says";
 }
 
 TEST(Picture, HasIceStructureAndSeaInTheirColours) {

@@ -118,14 +118,18 @@ TEST_F(PackedReplay, KeepsLoadsUtilisationAndPieces) {
     EXPECT_EQ(change, page.pieces.size());
 }
 
-TEST_F(PackedReplay, KeepsContactsOfTheStructureAlone) {
+TEST_F(PackedReplay, KeepsContactsWhoseForceIsToBeSeen) {
     const Unpacked page(packed_, record_.layout().elements.size());
     std::size_t at = 0;
+    int of_the_structure = 0;
+    int among_ice = 0;
     for (int i = 0; i < frames; ++i) {
         int kept = 0;
         for (const FrameContact& contact : record_.read(i).contacts) {
-            if (contact.other != touches_structure) continue;
+            const bool of_structure = contact.other == touches_structure;
+            if (!of_structure && (contact.normal + contact.friction).norm() < quanta_.least_force) continue;
             ++kept;
+            ++(of_structure ? of_the_structure : among_ice);
             for (int axis = 0; axis < 3; ++axis, ++at) {
                 EXPECT_NEAR(quanta_.middle[axis] + quanta_.length * page.contacts.at(at), contact.point[axis],
                             0.501 * quanta_.length);
@@ -133,10 +137,14 @@ TEST_F(PackedReplay, KeepsContactsOfTheStructureAlone) {
                 EXPECT_NEAR(quanta_.force * page.contacts.at(at + 6), contact.friction[axis], 0.501 * quanta_.force);
             }
             at += 6;
+            EXPECT_EQ(page.contacts.at(at++), of_structure ? 1 : 0);
         }
         EXPECT_EQ(page.numbers.at(5 * static_cast<std::size_t>(i) + 4), kept);
     }
     EXPECT_EQ(at, page.contacts.size());
+    EXPECT_GT(of_the_structure, 0);
+    EXPECT_GT(among_ice, 0);
+    EXPECT_NEAR(quanta_.least_force, 0.002 * 10 * (frames - 1), 0.01) << "of the largest load";
 }
 
 }  // namespace

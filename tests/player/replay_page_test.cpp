@@ -49,10 +49,17 @@ TEST_F(ReplayPage, SaysWhatIsReplayed) {
     EXPECT_EQ(b / 9, 2);
     EXPECT_TRUE(b == a + 1 ? failure[4] == 1 && failure[6] == 2 : b == a + 3 && failure[4] == 4 && failure[6] == 8);
     EXPECT_EQ(about["histories"][0]["surge"]["values"].size(), 110U);
-    const nlohmann::json plan = about["views"][3];
+    const nlohmann::json plan = about["views"][4];
     EXPECT_EQ(plan["name"], "plan");
     EXPECT_FALSE(plan["follows"]);
     EXPECT_TRUE(about["views"][0]["follows"]);
+    const nlohmann::json side = about["views"][2];
+    EXPECT_EQ(side["name"], "side");
+    EXPECT_GT(side["cut"], 0.7) << "in front of the structure";
+    EXPECT_LT(side["cut"], 1.0);
+    EXPECT_EQ(about["views"][0]["cut"], 0);
+    EXPECT_EQ(about["start"], 0) << "the first frame, unless another is asked for";
+    EXPECT_EQ(header(page(20, {.start = 1.2}))["start"], 1.2);
 }
 
 TEST_F(ReplayPage, AsksNothingOfTheNetworkAndHasThreesLicence) {

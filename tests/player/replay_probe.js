@@ -63,7 +63,7 @@ async function probe() {
   notes.places = [0, 1, 2].map(k => player.replay.header.quanta.middle[k] + player.replay.header.quanta.length *
     player.replay.places[3 * player.replay.nearestFrame(player.time) * player.replay.elements + 3 * ELEMENT + k]);
   notes.views = {};
-  for (const [number, name] of ['perspective', 'above', 'below', 'plan'].entries()) {
+  for (const [number, name] of ['perspective', 'above', 'side', 'below', 'plan'].entries()) {
     key(String(number + 1));
     notes.views[name] = [player.view, counts(picture())];
   }

@@ -4,5 +4,13 @@ if(TARGET floes)
   add_test(NAME python.reader
            COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/python/reader_test.py $<TARGET_FILE:floes>
                    $<TARGET_FILE:synthetic_file> ${PROJECT_SOURCE_DIR})
+  add_test(NAME python.notebook
+           COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/python/notebook.py $<TARGET_FILE:floes>
+                   ${PROJECT_SOURCE_DIR})
+  set_tests_properties(python.notebook PROPERTIES LABELS default TIMEOUT 300 PROCESSORS 2)
+  add_test(NAME tables.workbook
+           COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/python/workbook.py $<TARGET_FILE:floes>
+                   $<TARGET_FILE:synthetic_file>)
+  set_tests_properties(tables.workbook PROPERTIES LABELS default TIMEOUT 120 PROCESSORS 2)
   set_tests_properties(python.reader PROPERTIES LABELS default TIMEOUT 300 PROCESSORS 2)
 endif()

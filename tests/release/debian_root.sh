@@ -47,6 +47,7 @@ here sh -c 'cd /root && floes run smoke >/dev/null' || fail "floes run smoke end
 h5diff --exclude-path /provenance "$stage/root/root/smoke.h5" "$stage/smoke.h5" || fail "the members differ"
 here floes run smoke -o /root/two.h5 --ranks 2 >"$stage/log" 2>&1 && fail "mpirun is there unasked"
 [[ $(<"$stage/log") == *"could not be started"* ]] || fail "without mpirun it says $(<"$stage/log")"
+[[ -e $stage/root/usr/lib/python3/dist-packages/floes_reader/__init__.py ]] || fail "the Python reader is missing"
 # The tarball, from a folder of its own.
 tar -C "$stage/root/opt" -xf "$stage"/floes-*.tar.gz
 # shellcheck disable=SC2016

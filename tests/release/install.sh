@@ -21,6 +21,7 @@ root="$stage/a folder/moved"
 for path in bin/floes share/floes/configs/smoke.toml share/floes/configs/validation share/floes/slurm/job.sh \
     share/floes/pbs/campaign.pbs share/floes/lsf/campaign.lsf share/man/man1/floes.1.gz share/man/man1/floes-run.1.gz \
     share/bash-completion/completions/floes share/zsh/site-functions/_floes share/fish/vendor_completions.d/floes.fish \
+    share/floes/python/first_look.ipynb share/floes/python/pyproject.toml \
     share/doc/floes/LICENSE share/doc/floes/docs/THIRD_PARTY.md share/doc/floes/docs/install.md; do
     [[ -e $root/$path ]] || fail "$path is not installed"
 done
@@ -39,6 +40,11 @@ floes config --check smoke | grep -q '^ok: ' || fail "the installed configuratio
 status=0
 floes config --check nowhere >log 2>&1 || status=$?
 [[ $status == 2 && $(<log) == *nowhere* ]] || fail "an unknown name ends with $status: $(<log)"
+
+# The Python reader is there.
+PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$root/share/floes/python /usr/bin/python3 -c \
+    'import floes_reader, floes_reader.plots; assert floes_reader.__file__.startswith("'"$root"'")' ||
+    fail "the Python reader is not installed"
 
 # The scripts of Slurm find the installed program.
 mkdir job

@@ -1,15 +1,20 @@
 """Manual pages and completions say what --help says, in the form that their readers want.
 
-    pages.py PROGRAM FOLDER_OF_PAGES [--shells]    --shells: zsh and fish as well, and lint by mandoc
+    pages.py PROGRAM FOLDER_OF_PAGES [--synthetic=PROGRAM] [--shells]
+
+--synthetic: what makes a campaign file, for the names of its cases; --shells: zsh and fish as well, and lint by mandoc.
 """
 
 import gzip
+import json
 import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 
 PROGRAM, FOLDER, SHELLS = sys.argv[1], pathlib.Path(sys.argv[2]), "--shells" in sys.argv
+MAKE_FILE = next((word.removeprefix("--synthetic=") for word in sys.argv if word.startswith("--synthetic=")), None)
 FAULTS = []
 
 
@@ -91,7 +96,31 @@ def check_bash():
         check(not missing, f"bash does not offer {missing} of {verb}")
     check(complete_in_bash("floes", "run", "--isolation", "") == ["none", "process"],
           "bash does not know the isolations")
-    check(complete_in_bash("floes", "run", str(FOLDER / "_fl")) == [str(FOLDER / "_floes")], "bash completes no files")
+    check(complete_in_bash("floes", "config", str(FOLDER / "_fl")) == [str(FOLDER / "_floes")], "bash completes no files")
+    check(complete_in_bash("floes", "run", "--set", "field.con") == ["field.concentration_percent="],
+          "bash does not know the keys")
+    with tempfile.TemporaryDirectory() as folder:
+        for name in ("a.toml", "a.h5", "a.journal", "a.txt"):
+            pathlib.Path(folder, name).touch()
+        pathlib.Path(folder, "inner").mkdir()
+        start = folder + "/"
+        for words_before, expected in {("run",): ["a.toml", "inner"], ("summarize",): ["a.h5", "inner"],
+                                       ("config", "--check"): ["a.toml", "inner"],
+                                       ("verify",): ["a.h5", "a.journal", "inner"]}.items():
+            offered = sorted(complete_in_bash("floes", *words_before, start))
+            check(offered == [start + name for name in expected], f"bash offers {offered} after {words_before}")
+
+
+def check_cases():
+    """Names of cases, which come from the campaign file on the line."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = folder + "/small.h5"
+        subprocess.run([MAKE_FILE, file], check=True)
+        status = json.loads(output(PROGRAM, "status", file, "--format", "json"))
+        names = [case["name"] for case in status["cases"]]
+        offered = complete_in_bash(PROGRAM, "replay", file, "--case", "")
+        check(len(names) > 1 and offered == names, f"bash offers {offered}, and the cases are {names}")
+        check(complete_in_bash(PROGRAM, "replay", file, "--case", names[1][:2]) == [names[1]], "or not by their start")
 
 
 def check_zsh():
@@ -120,11 +149,14 @@ def check_fish():
         missing = options_of(verb) - offered(f"floes {' '.join(verb)} --") - {"--help"}
         check(not missing, f"fish does not offer {missing} of {verb}")
     check({"none", "process"} <= offered("floes run --isolation "), "fish does not know the isolations")
+    check(offered("floes run --set field.con") == {"field.concentration_percent="}, "fish does not know the keys")
 
 
 check(len(verbs()) > 10, f"--help lists only {verbs()}")
 check_manual()
 check_bash()
+if MAKE_FILE:
+    check_cases()
 if SHELLS:
     check_zsh()
     check_fish()

@@ -15,7 +15,8 @@ if(TARGET floes)
   endforeach()
   if(TARGET floes_manual)
     floes_release_test(pages LABELS default TIMEOUT 120
-      COMMAND /usr/bin/python3 ${release_tests}/pages.py $<TARGET_FILE:floes> ${PROJECT_BINARY_DIR}/manual)
+      COMMAND /usr/bin/python3 ${release_tests}/pages.py $<TARGET_FILE:floes> ${PROJECT_BINARY_DIR}/manual
+              --synthetic=$<TARGET_FILE:synthetic_file>)
     floes_release_test(shells LABELS slow TIMEOUT 300
       COMMAND /usr/bin/python3 ${release_tests}/pages.py $<TARGET_FILE:floes> ${PROJECT_BINARY_DIR}/manual --shells)
     floes_release_test(install LABELS default TIMEOUT 120

@@ -111,6 +111,10 @@ Section members(Evidence& evidence) {
     return members_section(evidence.table);
 }
 
+Section one_value_a_line(Evidence& evidence) {
+    return long_section(evidence.table);
+}
+
 constexpr std::array all{
     Finding{"cases", one<cases>, always},
     Finding{overview_part, one<overview>, never},
@@ -140,6 +144,7 @@ constexpr std::array all{
     Finding{"", one<largest_load_section>, never, "The arrangement with the largest load", always},
     Finding{"", one<closed_formulas_section>, never, "Elastic modulus and closed formulas", always},
     Finding{.name = "members", .sections = one<members>, .unasked = never, .for_csv_alone = true},
+    Finding{.name = "long", .sections = one<one_value_a_line>, .unasked = never, .for_csv_alone = true},
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace floes {
 namespace {
@@ -42,6 +43,26 @@ Section members_section(const CampaignTable& table) {
                            }});
     add(quantity("trend_p"), "trend_p");
     return {.records = {csv_only(make_rows<MemberRow>("", table.members, columns))}};
+}
+
+Section long_section(const CampaignTable& table) {
+    struct Line {
+        const MemberRow* member;
+        const Quantity* quantity;
+    };
+    using Row = const Line&;
+    const std::vector<Quantity> known = table.quantities();
+    std::vector<Line> values;
+    for (const MemberRow& row : table.members)
+        for (const Quantity& one : known)
+            if (row.done() && std::isfinite(row.value(one))) values.push_back({&row, &one});
+    const std::vector<DataColumn<Line>> columns{
+        {"case", [&](Row row) { return table.cases.at(static_cast<std::size_t>(row.member->case_index)).name; }},
+        {"arrangement", [](Row row) { return row.member->arrangement; }},
+        {"quantity", [](Row row) { return row.quantity->key.view(); }},
+        {"unit", [](Row row) { return row.quantity->unit; }},
+        {"value", [](Row row) { return row.member->value(*row.quantity); }}};
+    return {.records = {csv_only(make_rows<Line>("", values, columns))}};
 }
 
 }  // namespace floes

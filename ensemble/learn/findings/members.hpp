@@ -10,4 +10,7 @@ namespace floes {
 /// each segment, and whether the load was steady. Fields are empty where a member failed or is missing.
 Section members_section(const CampaignTable& table);
 
+/// In CSV: case,arrangement,quantity,unit,value: a line for each quantity of each done member, as far as it is known.
+Section long_section(const CampaignTable& table);
+
 }  // namespace floes

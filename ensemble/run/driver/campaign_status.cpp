@@ -110,17 +110,29 @@ std::vector<TimedMember> slowest(const Campaign& campaign, const MemberNotes& no
     return members;
 }
 
+/// The members that a heartbeat names and that have not ended since: it is some seconds older than the journal.
+std::vector<TimedMember> under_way(const Campaign& campaign, const Heartbeat& heartbeat, const MemberNotes& notes,
+                                   const Matched& records) {
+    std::vector<TimedMember> members;
+    for (const Heartbeat::UnderWay& one : heartbeat.under_way) {
+        if (one.number < 0 || one.number >= std::ssize(records)) continue;
+        const auto record = records[static_cast<std::size_t>(one.number)];
+        if (record && notes[*record].attempt >= one.attempt) continue;
+        members.push_back(timed(campaign, one.number, one.attempt, one.seconds));
+    }
+    return members;
+}
+
 /// The lock on the journal may be invisible from another machine; a fresh heartbeat is not.
-void add_heartbeat(CampaignStatus& status, const Campaign& campaign, std::optional<Heartbeat> heartbeat) {
+void add_heartbeat(CampaignStatus& status, const Campaign& campaign, const MemberNotes& notes, const Matched& records,
+                   std::optional<Heartbeat> heartbeat) {
     if (!heartbeat || (status.at_work && is_stale(*heartbeat))) return;  // of an earlier run
     if (!is_stale(*heartbeat)) status.at_work = true;
     if (status.at_work && heartbeat->elapsed > 0 && heartbeat->finished > 0) {
         status.rate = heartbeat->finished / heartbeat->elapsed;
         status.seconds_left = heartbeat->remaining_cost / (heartbeat->finished_cost / heartbeat->elapsed);
     }
-    for (const Heartbeat::UnderWay& one : heartbeat->under_way)
-        if (status.at_work && one.number >= 0 && one.number < member_count(campaign))
-            status.under_way.push_back(timed(campaign, one.number, one.attempt, one.seconds));
+    if (status.at_work) status.under_way = under_way(campaign, *heartbeat, notes, records);
     status.heartbeat = std::move(heartbeat);
 }
 
@@ -148,7 +160,7 @@ JournalStatus status_of_journal(const std::filesystem::path& path) {
     status.slowest = slowest(campaign, contents.members, records);
     status.at_work = is_being_written(path);
     const int threads = contents.sessions.empty() ? 0 : contents.sessions.back().threads;
-    add_heartbeat(status, campaign, read_heartbeat(heartbeat_path(path)));
+    add_heartbeat(status, campaign, contents.members, records, read_heartbeat(heartbeat_path(path)));
     if (!status.seconds_left) status.seconds_left = seconds_left(campaign, status, contents.members, records, threads);
     return {std::move(contents), std::move(status), std::move(campaign)};
 }

@@ -1,5 +1,9 @@
 #include "driver/recorder.hpp"
 
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
 #include <utility>
 
 #include <fmt/format.h>
@@ -43,6 +47,10 @@ void Recorder::check(const Places& places) {
                         "--overwrite starts afresh and replaces it, -o names another file.",
                         file, journal.string()));
     }
+    const fs::path folder = journal.has_parent_path() ? journal.parent_path() : fs::path(".");
+    if (!has_journal && ::access(folder.c_str(), W_OK) != 0)
+        throw InputError(fmt::format("{} cannot be written: {}. The folder must exist and permit it.", journal.string(),
+                                     std::strerror(errno)));
 }
 
 Recorder::Recorder(const Campaign& campaign, Places places)

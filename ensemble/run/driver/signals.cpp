@@ -52,7 +52,11 @@ void catch_all(void (*handler)(int), Former& former) {
     action.sa_handler = handler;
     ::sigemptyset(&action.sa_mask);
     action.sa_flags = SA_RESTART;
-    for (std::size_t i = 0; i < stop_signals.size(); ++i) ::sigaction(stop_signals[i], &action, &former[i]);
+    for (std::size_t i = 0; i < stop_signals.size(); ++i) {
+        ::sigaction(stop_signals[i], nullptr, &former[i]);
+        const bool by_nohup = stop_signals[i] == SIGHUP && former[i].sa_handler == SIG_IGN;
+        if (!by_nohup) ::sigaction(stop_signals[i], &action, nullptr);
+    }
 }
 
 void give_back(const Former& former) {
@@ -83,12 +87,18 @@ int StopSignals::received() const {
     return first_signal;
 }
 
+void outlive_readers() {
+    std::signal(SIGPIPE, SIG_IGN);
+}
+
 const char* signal_name(int signal) {
     switch (signal) {
         case SIGINT:
             return "SIGINT";
         case SIGTERM:
             return "SIGTERM";
+        case SIGHUP:
+            return "SIGHUP";
         case SIGUSR1:
             return "SIGUSR1";
         default:

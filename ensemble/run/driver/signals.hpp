@@ -1,6 +1,6 @@
 #pragma once
-// SIGINT, SIGTERM and SIGUSR1 as a request to stop. The first signal is stored to be queried. A second one ends the
-// process immediately with the exit status "stopped and resumable", which the journal makes true at any moment.
+// SIGINT, SIGTERM, SIGHUP and SIGUSR1 as a request to stop. The first signal is stored to be queried. A second one ends
+// the process immediately with the exit status "stopped and resumable", which the journal makes true at any moment.
 
 #include <csignal>
 
@@ -11,7 +11,7 @@ namespace floes {
 /// Exit status of a run that was stopped on request and can be resumed.
 inline constexpr int exit_stopped = 85;
 
-inline constexpr std::array stop_signals{SIGINT, SIGTERM, SIGUSR1};
+inline constexpr std::array stop_signals{SIGINT, SIGTERM, SIGHUP, SIGUSR1};
 
 /// Catches the signals during its lifetime; at most one in a process.
 class StopSignals {
@@ -40,6 +40,10 @@ class LeaveOnSignals {
   private:
     std::array<struct sigaction, stop_signals.size()> former_{};
 };
+
+/// Nobody may be left to read what a run prints, as behind `| head` or after a lost connection. It goes on then: from
+/// now on such a write fails, and ends nothing.
+void outlive_readers();
 
 /// "SIGTERM" and so on.
 const char* signal_name(int signal);

@@ -7,13 +7,12 @@
 #include <cmath>
 
 #include "picture/depth_buffer.hpp"
+#include "picture/forces.hpp"
 
 namespace floes {
 namespace {
 
-constexpr double strip_share = 0.17;   // of the height, for the load over time
-constexpr double least_shown = 0.004;  // of the largest load: smaller contact forces are not drawn
-constexpr double contact_stretch = 2;  // arrows of contacts are so much longer than those of the load
+constexpr double strip_share = 0.17;  // of the height, for the load over time
 
 double strip_height(const PictureStyle& style) {
     return std::round(strip_share * (style.view == View::plan ? 0.6 * style.width : style.height));
@@ -38,44 +37,11 @@ void draw_faces(Canvas& canvas, const std::vector<Face>& faces, const Vec2& size
     canvas.image(Vec2::Zero(), drawn.width(), drawn.height(), drawn.pixels());
 }
 
-/// Forces as lines of Fig. 5: the load in the middle of the structure, normal and friction forces where floes touch.
-void draw_forces(Canvas& canvas, const Stage& stage, const Frame& frame, const Projection& projection, double unit) {
-    const double largest = stage.largest_load();
-    if (!(largest > 0)) return;
-    const double metres = 2.2 * stage.subject().scenario.structure.shape.largest_radius() / largest;  // a newton
-    const auto draw = [&](const Vec3& from, const Vec3& force, const Colour& colour, double width, bool head) {
-        const Vec3 to = from + metres * force;
-        if (!projection.before(from) || !projection.before(to)) return;
-        if (head) {
-            canvas.arrow(projection.at(from), projection.at(to), colour, width);
-        } else {
-            canvas.line(projection.at(from), projection.at(to), colour, width);
-        }
-    };
-    for (const FrameContact& contact : frame.contacts) {
-        if ((contact.normal + contact.friction).norm() < least_shown * largest) continue;
-        draw(contact.point, contact_stretch * contact.normal, surge_red, 1.6 * unit, false);
-        draw(contact.point, contact_stretch * contact.friction, heave_green, 1.6 * unit, false);
-    }
-    const Vec3 middle(frame.structure, stage.subject().scenario.structure.shape.top(), 0);
-    draw(middle, frame.load, ink.faded(0.55), 7 * unit, true);
-    draw(middle, frame.load, sum_white, 4 * unit, true);
-    draw(middle, {frame.load.x(), 0, 0}, surge_red, 4 * unit, true);
-    draw(middle, {0, frame.load.y(), 0}, heave_green, 4 * unit, true);
-    draw(middle, {0, 0, frame.load.z()}, sway_blue, 4 * unit, true);
-}
-
-/// A dark ground for words, from the left or the right edge on.
-void draw_ground(Canvas& canvas, double from, double to, double height) {
-    canvas.fill(std::array<Vec2, 4>{Vec2(from, 0), Vec2(to, 0), Vec2(to, height), Vec2(from, height)},
-                {0.04, 0.10, 0.16, 0.62});
-}
-
 void draw_words(Canvas& canvas, const Stage& stage, const Frame& frame, const PictureStyle& style) {
     const double unit = unit_of(style);
     const RecordingSubject& subject = stage.subject();
     const double left = 16 * unit;
-    draw_ground(canvas, 0, 440 * unit, 84 * unit);
+    draw_ground(canvas, {0, 0}, {440 * unit, 84 * unit});
     canvas.text({left, 28 * unit}, fmt::format("t = {:.2f} s", frame.time), bright, 20 * unit, Align::left, true);
     canvas.text({left, 51 * unit},
                 fmt::format("{}, case {}, arrangement {} (member {})", subject.campaign, subject.case_name,
@@ -86,7 +52,7 @@ void draw_words(Canvas& canvas, const Stage& stage, const Frame& frame, const Pi
                 bright, 14 * unit);
     if (style.view == View::plan) return;
     const double right = style.width - 16 * unit;
-    draw_ground(canvas, style.width - 290 * unit, style.width, 122 * unit);
+    draw_ground(canvas, {style.width - 290 * unit, 0}, {style.width, 100 * unit});
     double y = 28 * unit;
     const auto load = [&](const char* name, double value, const Colour& colour) {
         canvas.text({right - 84 * unit, y}, name, colour, 16 * unit, Align::right, true);
@@ -97,7 +63,6 @@ void draw_words(Canvas& canvas, const Stage& stage, const Frame& frame, const Pi
     load("sway", frame.load.z(), between(sway_blue, bright, 0.35));
     load("heave", frame.load.y(), between(heave_green, bright, 0.35));
     load("sum", frame.load.norm(), sum_white);
-    canvas.text({right, y}, "on floes: normal red, friction green", bright, 13 * unit, Align::right);
 }
 
 /// What the colours of the floes say.
@@ -111,9 +76,7 @@ void draw_legend(Canvas& canvas, const PictureStyle& style, double bottom, doubl
                                         Vec2(x + width, bottom - 10 * unit), Vec2(x, bottom - 10 * unit)},
                     colour);
     };
-    canvas.fill(std::array<Vec2, 4>{Vec2(0, bottom - 36 * unit), Vec2(440 * unit, bottom - 36 * unit),
-                                    Vec2(440 * unit, bottom), Vec2(0, bottom)},
-                {0.04, 0.10, 0.16, 0.62});
+    draw_ground(canvas, {0, bottom - 36 * unit}, {440 * unit, bottom});
     const auto word = [&](double x, const std::string& text) {
         return x + canvas.text({x, bottom - 12 * unit}, text, bright, size);
     };
@@ -171,7 +134,7 @@ void draw_history(Canvas& canvas, const Stage& stage, const Frame& frame, const 
     }
     canvas.line(at(from, 0), at(to, 0), ink.faded(0.35), unit);
     canvas.path(line, {0.10, 0.35, 0.62}, 1.3 * unit);
-    canvas.line(at(frame.time, low), at(frame.time, up), surge_red, 2 * unit);
+    canvas.line(at(frame.time, low), at(frame.time, up), ink, 2 * unit);
     const double size = 13 * unit;
     canvas.text({left - 8 * unit, ceiling + size / 2}, fmt::format("{:.0f} N", up), ink, size, Align::right);
     canvas.text({left - 8 * unit, at(from, 0).y() + size / 3}, "0", ink, size, Align::right);
@@ -194,9 +157,12 @@ void draw_picture(Canvas& canvas, const Stage& stage, const Frame& frame, const 
     const Vec2 size(canvas.width(), canvas.height() - strip_height(style));
     const Projection projection(camera(style.view, stage.subject(), frame.structure), size.x(), size.y());
     draw_faces(canvas, stage.faces(frame, projection, size, style.colouring), size, unit_of(style));
-    if (style.view != View::plan) draw_forces(canvas, stage, frame, projection, unit_of(style));
+    const bool forces = style.view != View::plan;
+    draw_tow(canvas, stage, frame, projection, unit_of(style));
+    if (forces) draw_forces(canvas, stage, frame, projection, unit_of(style));
     draw_words(canvas, stage, frame, style);
     draw_legend(canvas, style, size.y(), stage.subject().scenario.structure.speed);
+    draw_scales(canvas, stage, projection, size, unit_of(style), forces);
     draw_history(canvas, stage, frame, style);
 }
 

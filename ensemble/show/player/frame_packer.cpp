@@ -27,17 +27,21 @@ bool of_structure(const FrameContact& contact) {
     return contact.other == touches_structure;
 }
 
+/// Forces among the ice below this share of the largest load would be arrows of a few pixels, and are most of them.
+constexpr double least_share = 0.002;
+
 }  // namespace
 
 Quanta quanta_of(const Recording& recording) {
     Eigen::AlignedBox3d box;
     double force = 0;
+    double load = 0;
     Frame frame;
     for (int i = 0; i < recording.frames(); ++i) {
         recording.read(i, frame);
         for (const BodyState& one : frame.elements) box.extend(one.position);
+        load = std::max(load, frame.load.norm());
         for (const FrameContact& contact : frame.contacts) {
-            if (!of_structure(contact)) continue;
             box.extend(contact.point);
             force = std::max({force, contact.normal.cwiseAbs().maxCoeff(), contact.friction.cwiseAbs().maxCoeff()});
         }
@@ -47,6 +51,7 @@ Quanta quanta_of(const Recording& recording) {
     quanta.middle = box.center();
     quanta.length = std::max(0.5 * box.sizes().maxCoeff(), 1e-6) / most;
     quanta.force = std::max(force, 1e-6) / most;
+    quanta.least_force = least_share * load;
     return quanta;
 }
 
@@ -109,11 +114,12 @@ void FramePacker::add_contacts(const Frame& frame) {
     Bytes bytes;
     float count = 0;
     for (const FrameContact& contact : frame.contacts) {
-        if (!of_structure(contact)) continue;
+        if (!of_structure(contact) && (contact.normal + contact.friction).norm() < quanta_.least_force) continue;
         ++count;
         for (int axis = 0; axis < 3; ++axis) put(bytes, part_of_position(contact.point[axis], axis));
         for (const Vec3& force : {contact.normal, contact.friction})
             for (int axis = 0; axis < 3; ++axis) put(bytes, rounded(force[axis] / quanta_.force));
+        put(bytes, static_cast<std::int16_t>(of_structure(contact) ? 1 : 0));
     }
     packed_contacts_.add(bytes);
     Bytes numbers;

@@ -9,7 +9,8 @@
 //                their unit quaternions, whose signs are such that neighbouring frames are near each other
 //   utilisation  a frame: e bytes of differences, %
 //   numbers      a frame: 5 float32: time (s), load x, y, z (N), number of its contacts
-//   contacts     a contact of the structure: 9 int16: point, normal force, friction on the ice
+//   contacts     a contact: 10 int16: point, normal force and friction on the ice, and 1 if it is one of the structure;
+//                those among the ice only where their force is not too small to be seen
 //   pieces       a change: 3 int32: frame, element, the piece that it then belongs to; frame 0 sets all
 
 #include <array>
@@ -30,9 +31,10 @@ struct Quanta {
     double length = 1;                ///< m
     double force = 1;                 ///< N
     double orientation = 1.0 / 4096;  ///< of a quaternion's part
+    double least_force = 0;           ///< N: smaller ones among the ice are left out
 };
 
-/// Such that every position and every force of the structure's contacts fits into an int16. Reads all frames.
+/// Such that every position and every force fits into an int16. Reads all frames.
 Quanta quanta_of(const Recording& recording);
 
 struct PackedFrames {

@@ -55,6 +55,7 @@ json views(const RecordingSubject& subject) {
                        {"up", list(one.up)},
                        {"angle", one.angle},
                        {"height", one.height},
+                       {"cut", one.angle > 0 ? 0 : (one.eye - one.target).norm()},
                        {"follows", follows}});
     }
     return all;
@@ -131,7 +132,8 @@ json history(const Recording& recording, double from, double to) {
 
 }  // namespace
 
-std::string page_header(const Recording& recording, const Quanta& quanta, const PackedFrames& frames) {
+std::string page_header(const Recording& recording, const Quanta& quanta, const PackedFrames& frames,
+                        std::optional<double> start) {
     const RecordingSubject& subject = recording.subject();
     const Scenario& scenario = subject.scenario;
     const Channel channel = subject.channel();
@@ -156,6 +158,7 @@ std::string page_header(const Recording& recording, const Quanta& quanta, const 
         {"window", {scenario.analysis.steady_start, run}},
         {"views", views(subject)},
         {"frames", frames.frames},
+        {"start", start.value_or(begin)},
         {"quanta",
          {{"middle", list(quanta.middle)},
           {"length", quanta.length},

@@ -98,7 +98,7 @@ std::size_t size_without_frames() {
 
 void write_replay_page(std::ostream& page, const Recording& recording, const PageOptions& options) {
     const Quanta quanta = quanta_of(recording);
-    const std::size_t header_size = page_header(recording, quanta, {}).size();
+    const std::size_t header_size = page_header(recording, quanta, {}, options.start).size();
     const std::size_t fixed = size_without_frames() + header_size + 1000;
     const std::size_t most = options.most_bytes > fixed ? (options.most_bytes - fixed) / 4 * 3 : 0;
     const PackedFrames frames = pack_within(recording, quanta, most);
@@ -110,7 +110,7 @@ void write_replay_page(std::ostream& page, const Recording& recording, const Pag
                 page << html_escaped(
                     fmt::format("{}: case {}, member {}", subject.campaign, subject.case_name, subject.member));
             else if (name == "header")
-                page << in_a_script(page_header(recording, quanta, frames));
+                page << in_a_script(page_header(recording, quanta, frames, options.start));
             else if (name == "frames")
                 write_frames(page, frames);
             else

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <iosfwd>
+#include <optional>
 
 #include "replay/recording.hpp"
 
@@ -14,6 +15,7 @@ struct PageOptions {
     /// The page is at most this large. Where all frames would take more, only every second, third, ... is in it; the
     /// page moves the ice smoothly from one to the next and says how far apart they are.
     std::size_t most_bytes = 15'000'000;
+    std::optional<double> start = {};  ///< s, that the page opens at; not given: its first frame
 };
 
 /// Frames are read one at a time, twice or oftener; what is kept of them is compressed, so memory is bounded by the

@@ -12,14 +12,15 @@ namespace floes {
 enum class View {
     perspective,  ///< Fig. 5: from above and astern, round the structure
     above,        ///< straight down on the structure
+    side,         ///< level with the water, the tow to the right; what lies nearer than the structure is cut away
     below,        ///< from under the water, where floes slide along the wall
     plan          ///< the whole channel from above, to scale: Fig. 3
 };
 
-inline constexpr std::array<std::string_view, 4> view_names{"perspective", "above", "below", "plan"};
+inline constexpr std::array<std::string_view, 5> view_names{"perspective", "above", "side", "below", "plan"};
 
 struct Camera {
-    Vec3 eye = Vec3::Zero();     ///< m
+    Vec3 eye = Vec3::Zero();     ///< m; of a parallel projection nothing behind it is seen
     Vec3 target = Vec3::Zero();  ///< m, in the middle of the picture
     Vec3 up = Vec3::UnitY();     ///< up in the picture; not along the line of sight
     double angle = 0;            ///< vertical angle of view, rad; 0: parallel projection

@@ -38,11 +38,14 @@ inline constexpr Colour sea{0.13, 0.31, 0.43};
 inline constexpr Colour ink{0.10, 0.15, 0.20};
 inline constexpr Colour bright{1, 1, 1};
 
-// Fig. 5: components of the load on the structure, and forces at contacts.
+// Fig. 5: components of the load on the structure. Forces on floes at contacts have colours of their own.
 inline constexpr Colour surge_red{0.90, 0.16, 0.16};
 inline constexpr Colour heave_green{0.16, 0.70, 0.30};
 inline constexpr Colour sway_blue{0.25, 0.50, 1.0};
 inline constexpr Colour sum_white{1, 1, 1};
+inline constexpr Colour normal_magenta{0.80, 0.10, 0.62};
+inline constexpr Colour tow_orange{0.95, 0.50, 0.02};
+inline constexpr Colour friction_teal{0.00, 0.62, 0.66};
 
 /// Of a number from 0 to 1: dark blue, green, yellow.
 Colour scale_colour(double share);

@@ -16,7 +16,7 @@ class Projection {
     /// The same with how near the point is: larger is nearer, and it is linear along lines of the picture.
     Vec3 seen(const Vec3& point) const;
     /// Whether it lies before the eye.
-    bool before(const Vec3& point) const { return parallel_ || (point - eye_).dot(forward_) > 0.01 * depth_; }
+    bool before(const Vec3& point) const { return (point - eye_).dot(forward_) > (parallel_ ? 0 : 0.01 * depth_); }
     /// From the point to the eye, of length 1.
     Vec3 to_eye(const Vec3& point) const { return parallel_ ? -forward_ : Vec3((eye_ - point).normalized()); }
     /// Pixels a metre at the target.

@@ -19,7 +19,7 @@ constexpr const char* opening = R"PY(# A run of floes as Fig. 5 shows it. Writte
 #                                                   draws it; without a display: xvfb-run -a -s -noreset pvpython ...
 #
 # White: floes, warm those with a failed joint. Yellow: the structure. From its deck: the ice load along x (red),
-# y (green) and z (blue), and their sum (white). At contacts: normal force (red) and friction (green) on the ice. All
+# y (green) and z (blue), and their sum (white). At contacts: normal force (magenta) and friction (teal) on the ice. All
 # forces to the same scale.
 
 collection = {collection}
@@ -32,6 +32,7 @@ water = {water}  # x and z of its corners, m
 time_shown = {time_shown}  # s: the frame with the largest load, {largest_load} N
 white, warm, sheet, yellow = {white}, {warm}, {sheet}, {yellow}
 red, green, blue, sea, ink = {red}, {green}, {blue}, {sea}, {ink}
+magenta, teal = {magenta}, {teal}
 )PY";
 
 constexpr const char* body = R"PY(
@@ -92,8 +93,8 @@ show(Plane(registrationName='water', Origin=[x_low, 0, z_low], Point1=[x_high, 0
      sea, Opacity=0.55)
 
 contacts = part('contacts')
-forces('normal forces', contacts, 'normal', red, 3)
-forces('friction', contacts, 'friction', green, 3)
+forces('normal forces', contacts, 'normal', magenta, 3)
+forces('friction', contacts, 'friction', teal, 3)
 
 load = Transform(registrationName='load, from the deck', Input=part('load'))
 load.Transform.Translate = [0, deck + 0.02, 0]
@@ -169,7 +170,8 @@ std::string vtk_state(const VtkStateOf& series, const RecordingSubject& subject)
                        fmt::arg("white", python(white_ice)), fmt::arg("warm", python(broken_ice)),
                        fmt::arg("sheet", python(sheet_ice)), fmt::arg("yellow", python(structure_yellow)),
                        fmt::arg("sea", python(sea)), fmt::arg("red", python(surge_red)),
-                       fmt::arg("green", python(heave_green)), fmt::arg("blue", python(sway_blue)),
+                       fmt::arg("green", python(heave_green)), fmt::arg("magenta", python(normal_magenta)),
+                       fmt::arg("teal", python(friction_teal)), fmt::arg("blue", python(sway_blue)),
                        fmt::arg("ink", python(ink)),
                        fmt::arg("water", fmt::format("[{:.6g}, {:.6g}, {:.6g}, {:.6g}]", channel.begin, channel.end,
                                                      -channel.outer_edge, channel.outer_edge))) +

@@ -1,12 +1,18 @@
 #include "hdf5/write.hpp"
 
+#include <fcntl.h>
+#include <fmt/format.h>
 #include <hdf5_hl.h>
 
 #include <array>
+#include <cerrno>
+#include <cstring>
 #include <limits>
 #include <numeric>
 #include <optional>
 
+#include "core/descriptor.hpp"
+#include "core/error.hpp"
 #include "hdf5/dataset.hpp"
 #include "hdf5/digest.hpp"
 
@@ -52,14 +58,24 @@ Scale as_scale(Handle dataset, hsize_t size, const std::string& name) {
     return Scale(std::move(dataset), size);
 }
 
+/// Why a file cannot be made there, in the words of the operating system rather than those of HDF5.
+[[noreturn]] void refuse_place(const std::filesystem::path& path) {
+    const std::string reason = last_reason();
+    const Descriptor tried(::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666));
+    if (tried.get() >= 0) throw RunError(fmt::format("H5Fcreate of {} failed: {}", path.string(), reason));
+    throw RunError(fmt::format("{} cannot be written: {}. The folder must exist and permit it.", path.string(),
+                               std::strerror(errno)));
+}
+
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
 Handle create_file(const std::filesystem::path& path) {
     const Handle access = access_for_writing();
-    return Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation_properties(H5P_FILE_CREATE).id(), access.id()),
-                  H5Fclose, "H5Fcreate", path.string());
+    const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation_properties(H5P_FILE_CREATE).id(), access.id());
+    if (file < 0) refuse_place(path);
+    return Handle(file, H5Fclose, "H5Fcreate", path.string());
 }
 
 Handle create_group(hid_t parent, const std::string& name) {

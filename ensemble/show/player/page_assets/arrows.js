@@ -83,8 +83,16 @@ class Arrows {
   }
 }
 
+// Where the tow goes, ahead of the structure.
+function towArrow(replay, time) {
+  const {structure: {radius, top}, tow} = replay.header;
+  const ahead = Math.sign(tow.speed) || 1;
+  return {start: [replay.structureAt(time) + 1.08 * ahead * radius, top, 0], along: [0.75 * ahead * radius, 0, 0],
+    colour: new THREE.Color(styled('tow')).toArray(), thick: 0.03 * radius};
+}
+
 // The arrows of the paper's Fig. 5 at a frame. `metres` is the length of 1 N.
-function forceArrows(replay, frame, time, metres, {load, contacts}) {
+function forceArrows(replay, frame, time, metres, {load, contacts, ice}) {
   const {radius, top} = replay.header.structure;
   const colour = name => new THREE.Color(styled(name)).toArray();
   const arrows = [];
@@ -92,8 +100,9 @@ function forceArrows(replay, frame, time, metres, {load, contacts}) {
     const along = force.map(part => part * metres);
     if (Math.hypot(...along) > 0.02 * radius) arrows.push({start, along, colour: colour(name), thick});
   };
-  if (contacts)
-    for (const [point, normal, friction] of replay.contactsAt(frame)) {
+  if (contacts || ice)
+    for (const [point, normal, friction, isOfStructure] of replay.contactsAt(frame)) {
+      if (!(isOfStructure ? contacts : ice)) continue;
       add(point, friction, 'friction', 0.012 * radius);
       add(point, normal, 'normal', 0.012 * radius);
     }

@@ -30,7 +30,7 @@ class Controls {
       player.redraw();
     });
     on('colouring', 'change', () => player.setColour($('colouring').value));
-    for (const id of ['load-arrows', 'contact-arrows', 'arrow-scale']) on(id, 'change', () => player.setArrows());
+    for (const id of ['load-arrows', 'contact-arrows', 'ice-arrows', 'arrow-scale']) on(id, 'change', () => player.setArrows());
     on('ask', 'click', () => $('help').showModal());
     window.addEventListener('keydown', event => this.key(event));
     window.addEventListener('hashchange', () => player.readHash());
@@ -79,8 +79,9 @@ class Controls {
       s: () => flip('follow'),
       x: () => flip('see-through'),
       f: () => {
-        const both = !($('load-arrows').checked || $('contact-arrows').checked);
-        $('load-arrows').checked = $('contact-arrows').checked = both;
+        const ids = ['load-arrows', 'contact-arrows', 'ice-arrows'];
+        const all = !ids.some(id => $(id).checked);
+        for (const id of ids) $(id).checked = all;
         player.setArrows();
       },
       '?': () => $('help').showModal(),

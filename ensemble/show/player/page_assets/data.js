@@ -98,6 +98,7 @@ class Replay {
     this.begin = this.times[0];
     this.end = this.times[this.frames - 1];
     this.sums = Array.from(this.times, (_, f) => this.loadAt(f).sum);
+    this.surges = Array.from(this.times, (_, f) => this.loadAt(f).surge);
     this.unit = forceUnit(Math.max(...this.sums));
   }
 
@@ -131,7 +132,7 @@ class Replay {
   }
 
   frameOfLargestLoad() {
-    return this.sums.indexOf(Math.max(...this.sums));
+    return this.surges.indexOf(Math.max(...this.surges));
   }
 
   // The piece of each element, by the number of its first element.
@@ -145,16 +146,22 @@ class Replay {
     return this.header.failures.filter(failure => failure[0] <= time + 1e-9);
   }
 
-  // Contact forces on the ice: [point, normal, friction], m and N.
+  // Contact forces on the ice: [point, normal, friction, whether it is one of the structure], m and N.
   contactsAt(frame) {
     const {length, force, middle} = this.header.quanta;
     const found = [];
     for (let i = this.firstContact[frame]; i < this.firstContact[frame + 1]; ++i) {
-      const raw = this.contacts.subarray(9 * i, 9 * i + 9);
+      const raw = this.contacts.subarray(10 * i, 10 * i + 10);
       const three = (at, scale, shift) => [0, 1, 2].map(k => raw[at + k] * scale + shift[k]);
-      found.push([three(0, length, middle), three(3, force, [0, 0, 0]), three(6, force, [0, 0, 0])]);
+      found.push([three(0, length, middle), three(3, force, [0, 0, 0]), three(6, force, [0, 0, 0]), raw[9] === 1]);
     }
     return found;
+  }
+
+  contactsOfStructure(frame) {
+    let count = 0;
+    for (let i = this.firstContact[frame]; i < this.firstContact[frame + 1]; ++i) count += this.contacts[10 * i + 9];
+    return count;
   }
 
   // m/s, from places at least 0.15 s apart: between near frames a quantum would count too much.

@@ -9,6 +9,7 @@ class Orbit {
     this.turn = new THREE.Quaternion(); // camera -> world
     this.height = 1; // m that the picture is high at the target
     this.angle = 0; // vertical angle of view; 0: parallel
+    this.cut = 0; // m before the target, nearer than which nothing is seen; 0: all is
     this.follows = true;
     this.moved = false; // by hand since the last view was chosen
     this.perspective = new THREE.PerspectiveCamera();
@@ -22,14 +23,15 @@ class Orbit {
     on('contextmenu', event => event.preventDefault());
   }
 
-  // A view of the header, in a picture of this aspect. `length` m of a parallel view must fit its width.
+  // A view of the header, in a picture of this aspect. `length` m of a view that stays where it is must fit its width.
   look(view, aspect, length) {
     const eye = new THREE.Vector3(...view.eye);
     this.target.set(...view.target);
     const matrix = new THREE.Matrix4().lookAt(eye, this.target, new THREE.Vector3(...view.up));
     this.turn.setFromRotationMatrix(matrix);
     this.angle = view.angle;
-    this.height = view.angle > 0 ? view.height / Math.min(1, 1.1 * aspect) : Math.max(view.height, length / aspect);
+    this.cut = view.cut;
+    this.height = view.follows ? view.height / Math.min(1, 1.1 * aspect) : Math.max(view.height, length / aspect);
     this.moved = false;
   }
 
@@ -49,8 +51,8 @@ class Orbit {
     camera.quaternion.copy(this.turn);
     camera.position.set(0, 0, distance).applyQuaternion(this.turn).add(this.target);
     if (this.follows) camera.position.x += structure;
-    camera.near = isParallel ? 0.01 * distance : 0.04 * distance;
-    camera.far = isParallel ? 3 * distance : 60 * distance;
+    camera.near = !isParallel ? 0.04 * distance : this.cut > 0 ? distance - this.cut : 0.01 * distance;
+    camera.far = isParallel ? distance + Math.max(2 * distance, 50 * this.cut) : 60 * distance;
     if (isParallel) {
       camera.top = this.height / 2;
       camera.bottom = -camera.top;
@@ -92,6 +94,7 @@ class Orbit {
 
   // About the vertical and about the picture's horizontal, never over the head.
   rotate(dx, dy) {
+    this.cut = 0;
     const radians = 2.5 / this.canvas.clientHeight;
     const about = (axis, angle) => new THREE.Quaternion().setFromAxisAngle(axis, angle);
     this.turn.premultiply(about(new THREE.Vector3(0, 1, 0), -dx * radians));

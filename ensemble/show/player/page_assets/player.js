@@ -1,10 +1,13 @@
 'use strict';
 // What is shown at which time. Every picture begins here.
 
+// What the buttons call the program's views.
+const viewLabels = {perspective: '3D', above: 'top', side: 'side', below: 'below', plan: 'plan'};
+
 class Player {
   constructor(replay) {
     this.replay = replay;
-    this.time = replay.begin;
+    this.time = replay.header.start; // the largest load, if that was asked for
     this.speed = 1;
     this.playing = false;
     this.view = '';
@@ -34,7 +37,8 @@ class Player {
     $('scrub').max = end;
     header.views.forEach((view, i) => {
       const button = document.createElement('button');
-      button.textContent = view.name;
+      button.textContent = viewLabels[view.name];
+      button.dataset.view = view.name;
       button.title = `View ${view.name} (${i + 1})`;
       button.addEventListener('click', () => this.setView(view.name));
       $('views').append(button);
@@ -43,16 +47,31 @@ class Player {
   }
 
   showLegend() {
-    const {shows, newtons, longer, colouring} = this.stage;
+    const {shows, colouring} = this.stage;
+    const {speed} = this.replay.header.tow;
     const line = (colour, words) => `<li><span class="line" style="background:var(--${colour})"></span>${words}</li>`;
+    const load = shows.load ? '<li>load on the structure:</li>' + line('surge', 'surge') + line('sway', 'sway') +
+      line('heave', 'heave') + line('ink', 'sum') : '';
+    const contacts = shows.contacts || shows.ice ? '<li>forces on floes:</li>' + line('normal', 'normal') +
+      line('friction', 'friction') : '';
+    const tow = line('tow', `tow, ${+Math.abs(speed).toPrecision(3)} m/s`);
+    const grid = `<li>water: lines ${cellSize(this.replay.header)} m apart</li>`;
+    $('legend').innerHTML = colouring.legend() + `<ul>${load}${contacts}</ul><ul>${tow}${grid}</ul>`;
+  }
+
+  // Bars for a length and a force, both round numbers; they hold at the structure.
+  showScales() {
+    const {shows, newtons, longer, pixelsPerMetre} = this.stage;
     const {unit} = this.replay;
-    const scale = `<li>1 m of arrow: ${+(newtons / longer / unit.newtons).toPrecision(3)} ${unit.name}</li>`;
-    const load = shows.load ? line('surge', 'surge') + line('sway', 'sway') + line('heave', 'heave') +
-      line('ink', 'sum') : '';
-    const contacts = shows.contacts ? line('normal', 'normal force on ice') + line('friction', 'friction') : '';
-    const grid = `<li>water: lines ${cellSize(this.replay.header)} m apart</li><li>▸ on the structure: tow</li>`;
-    $('legend').innerHTML = colouring.legend() +
-      `<ul>${load}${contacts}${load || contacts ? scale : ''}${grid}</ul>`;
+    const show = (id, pixelsEach, words) => {
+      const amount = roundNumber(60 / pixelsEach);
+      $(id).style.width = `${amount * pixelsEach}px`;
+      $(id).textContent = words(amount);
+    };
+    show('length-scale', pixelsPerMetre, metres => `${+metres.toPrecision(1)} m`);
+    show('force-scale', pixelsPerMetre * longer / newtons,
+      force => `${+(force / unit.newtons).toPrecision(1)} ${unit.name}`);
+    $('force-scale').hidden = !(shows.load || shows.contacts || shows.ice);
   }
 
   showValues(frame) {
@@ -64,7 +83,7 @@ class Player {
     $('failed').textContent = failures.length;
     $('failed').title = replay.header.modes.map((mode, i) => [failures.filter(one => one[1] === i).length, mode])
       .filter(([count]) => count > 0).map(([count, mode]) => `${count} by ${mode.replace(/_/g, ' ')}`).join(', ');
-    $('touching').textContent = replay.firstContact[frame + 1] - replay.firstContact[frame];
+    $('touching').textContent = replay.contactsOfStructure(frame);
     $('time').textContent = `${time.toFixed(2)} s`;
     $('scrub').value = time;
     $('scrub').setAttribute('aria-valuetext', `${time.toFixed(2)} seconds`);
@@ -84,6 +103,7 @@ class Player {
 
   draw() {
     this.stage.draw(this.time);
+    this.showScales();
     this.chart.draw(this.time);
     this.showValues(this.replay.nearestFrame(this.time));
   }
@@ -130,7 +150,7 @@ class Player {
     if (!this.stage.look(name)) return;
     this.view = name;
     $('follow').checked = this.stage.orbit.follows;
-    for (const button of $('views').children) button.setAttribute('aria-pressed', button.textContent === name);
+    for (const button of $('views').children) button.setAttribute('aria-pressed', button.dataset.view === name);
     this.redraw();
   }
 
@@ -152,7 +172,8 @@ class Player {
   }
 
   setArrows() {
-    this.stage.shows = {load: $('load-arrows').checked, contacts: $('contact-arrows').checked};
+    this.stage.shows = {load: $('load-arrows').checked, contacts: $('contact-arrows').checked,
+      ice: $('ice-arrows').checked};
     this.stage.longer = Number($('arrow-scale').value);
     this.showLegend();
     this.redraw();

@@ -15,12 +15,12 @@ class Stage {
     this.water = makeWater(header);
     const contacts = Math.max(...Array.from({length: replay.frames},
       (_, f) => replay.firstContact[f + 1] - replay.firstContact[f]));
-    this.arrows = new Arrows(2 * contacts + 4);
+    this.arrows = new Arrows(2 * contacts + 5);
     this.scene.add(makeLights(), this.ice.mesh, this.structure, this.sheets, this.water);
     this.overlay = new THREE.Scene().add(this.arrows.mesh);
     this.renderer.autoClear = false;
     this.orbit = new Orbit(canvas, changed);
-    this.shows = {load: true, contacts: true};
+    this.shows = {load: true, contacts: true, ice: true};
     const {radius} = header.structure;
     this.newtons = roundNumber(replay.strongLoad() / (2.2 * radius)); // that an arrow of 1 m stands for
     this.longer = 1;
@@ -30,6 +30,11 @@ class Stage {
   useTheme() {
     for (const part of [this.ice, this.structure, this.sheets, this.water]) part.useTheme();
     this.coloured = null;
+  }
+
+  // Pixels of the page that a metre takes at the structure.
+  get pixelsPerMetre() {
+    return this.canvas.clientHeight / this.orbit.height;
   }
 
   get aspect() {
@@ -74,7 +79,7 @@ class Stage {
     this.colour(frame, broken);
     const structure = replay.structureAt(time);
     this.structure.position.x = structure;
-    this.arrows.show(forceArrows(replay, frame, time, this.longer / this.newtons, this.shows));
+    this.arrows.show([towArrow(replay, time), ...forceArrows(replay, frame, time, this.longer / this.newtons, this.shows)]);
     const camera = this.orbit.camera(this.aspect, structure);
     this.ice.lookFrom(camera);
     renderer.setClearColor(styled(camera.position.y < 0 ? 'deep' : 'far'));

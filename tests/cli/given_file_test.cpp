@@ -1,0 +1,78 @@
+// What verbs say of a file that is not the one they need.
+
+#include "cli/given_file.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "campaign_file/publish.hpp"
+#include "cli/config_file.hpp"
+#include "cli/verb_output.hpp"
+#include "core/error.hpp"
+#include "journal/journal.hpp"
+#include "support/refusal.hpp"
+#include "support/synthetic.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace floes {
+namespace {
+
+using testing::HasSubstr;
+
+class GivenFiles : public testing::Test {
+  protected:
+    std::string path(const std::string& name) const { return folder_ / name; }
+
+    std::string summarized(const std::string& name) const {
+        return refusal([&] { verb_output(add_summarize, "summarize " + path(name)); });
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(GivenFiles, OfWhichOnlyTheJournalIsThereCanBeMade) {
+    const Campaign campaign = synthetic::campaign();
+    {
+        Journal journal = open_journal(path("my.journal"), campaign, Existing::refuse);
+        for (const MemberRecord& record : synthetic::records(campaign)) journal.append(record);
+    }
+    const std::string said = summarized("my.h5");
+    EXPECT_THAT(said, HasSubstr("my.journal has the members that are done"));
+    EXPECT_THAT(said, HasSubstr("floes run CONFIG.toml -o " + path("my.h5") + " --resume"));
+    const std::string merge = "merge " + path("my.h5") + " -o " + path("my_so_far.h5");
+    EXPECT_THAT(said, HasSubstr("floes " + merge));
+    EXPECT_EQ(verb_answer(add_merge, words_of(merge)).second, 1) << "some members are missing";
+    EXPECT_THAT(verb_output(add_summarize, "summarize " + path("my_so_far.h5")), HasSubstr("soft"));
+    EXPECT_THAT(summarized("my.journal"),
+                HasSubstr("is the journal of a campaign; give its campaign file, " + path("my.h5")));
+}
+
+TEST_F(GivenFiles, ThatAreNoCampaignAreCalledWhatTheyAre) {
+    std::ofstream(path("my.toml")) << "[campaign]\nseed = 1\n";
+    std::ofstream(path("my.csv")) << "case,mean\n";
+    std::ofstream(path("my.png"), std::ios::binary) << "\x89PNG\r\n\x1a\n";
+    EXPECT_THAT(summarized("my.toml"), HasSubstr("is a configuration, not a campaign file; floes run "));
+    EXPECT_THAT(summarized("my.csv"), HasSubstr("is a text, not a campaign file"));
+    EXPECT_THAT(summarized("my.png"), HasSubstr("is no campaign file"));
+    EXPECT_THAT(summarized("no.h5"), HasSubstr("there is no file"));
+    EXPECT_THAT(refusal([&] { expect_campaign_file(path(".")); }), HasSubstr("is a folder"));
+}
+
+TEST_F(GivenFiles, ThatAreNoConfigurationAreCalledWhatTheyAre) {
+    const Campaign campaign = synthetic::campaign();
+    publish(path("a.h5"), campaign, synthetic::records(campaign), {});
+    open_journal(path("a.journal"), campaign, Existing::refuse);
+    EXPECT_THAT(refusal([&] { load_campaign(path("a.h5"), {}); }), HasSubstr("an HDF5 file, not a configuration"));
+    EXPECT_THAT(refusal([&] { load_campaign(path("a.journal"), {}); }), HasSubstr("the journal of a campaign, not"));
+}
+
+TEST_F(GivenFiles, ThatFloesDidNotWriteAreNotVerified) {
+    std::ofstream(path("my.csv")) << "case,mean\n";
+    const auto [said, status] = verb_answer(add_verify, {"verify", path("my.csv")});
+    EXPECT_THAT(said, HasSubstr("neither a campaign file, nor a recording, nor a journal of floes"));
+    EXPECT_NE(status, 0);
+}
+
+}  // namespace
+}  // namespace floes
