@@ -117,8 +117,8 @@ TEST(ReadCampaign, WhatIsNotStatedOfEAndSigmaIsToBeFound) {
     const auto compared = [&](const std::string& text, const std::vector<std::string>& overrides = {}) {
         return with(Pairing::check, text, overrides);
     };
-    const std::string modulus = "[ice]\nelastic_modulus_MPa = 45.0\n";
-    const std::string cfm = "[joint]\ncfm = 0.02\n";
+    const std::string modulus = "ice.elastic_modulus_MPa = 45.0\n";
+    const std::string cfm = "joint.cfm = 0.02\n";
     const std::string cases =
         "[[case]]\nname = \"plain\"\n"
         "[[case]]\nname = \"short\"\nelastic_modulus_MPa = 30.0\n"

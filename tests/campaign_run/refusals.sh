@@ -28,8 +28,8 @@ expect 2 exists "$FLOES" run campaign.toml "${SMALL[@]}"
 said exists "--resume"
 said exists "--overwrite"
 expect 2 exists_ranks "${MPIRUN[@]}" -n 2 "$FLOES" run campaign.toml "${SMALL[@]}"
-expect 2 other "$FLOES" run campaign.toml "${SMALL[@]}" --set general.iterations=20 --resume
+expect 2 other "$FLOES" run campaign.toml "${SMALL[@]}" --set general.iterations=21 --resume
 said other "general.iterations"
 [ "$before" = "$(sha256sum campaign.h5 campaign.journal)" ] || fail "a refused run changed the files"
-expect 0 overwritten "$FLOES" run campaign.toml "${SMALL[@]}" --set general.iterations=20 --overwrite
+expect 0 overwritten "$FLOES" run campaign.toml "${SMALL[@]}" --set general.iterations=21 --overwrite
 

@@ -100,6 +100,10 @@ class Design(unittest.TestCase):
             return -np.dot(weights, frozen.logpdf(threshold - origin + excess) - frozen.logsf(threshold - origin))
 
         pareto = fitted(pareto_cost, [np.log(excess.mean()), 0.0])
+        edge = optimize.minimize_scalar(lambda scale: pareto_cost([scale, -0.5]), tol=1e-12,
+                                        bracket=(pareto.x[0] - 0.1, pareto.x[0] + 0.1))
+        if edge.fun < pareto.fun:  # a simplex collapses at the bound before it finds the best there
+            pareto.x, pareto.fun = np.array([edge.x, -0.5]), edge.fun
         weibull = fitted(weibull_cost, [np.log(threshold - origin + excess.mean()), 0.0])
         weight = 1 / (1 + np.exp(weibull.fun - pareto.fun))
         rarer = -np.log(P) / (3600 * EXPOSURE_H) / rate

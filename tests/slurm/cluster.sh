@@ -202,12 +202,10 @@ window_s = 12.0
 [[case]]
 name = "E30"
 elastic_modulus_MPa = 30.0
-cfm = 0.03
 
 [[case]]
 name = "E200"
 elastic_modulus_MPa = 200.0
-cfm = 1e-10
 TOML
 
 # submit ARGUMENT…: prints the job's number.

@@ -67,6 +67,18 @@ double place_of(double value, Function rising, double low, double high) {
     return 0.5 * (low + high);
 }
 
+/// The likeliest scale where the shape is given, and below 0: a largest excess is possible.
+Fitted fit_pareto_scale(const Excesses& excesses, double shape, double largest) {
+    const auto cost = [&](double log_scale) {
+        const double slope = shape / std::exp(log_scale);
+        return excesses.count *
+               (log_scale + (1 + 1 / shape) * excesses.mean([&](double excess) { return std::log1p(slope * excess); }));
+    };
+    const double least_scale = std::log(-shape * largest) + small_shape;
+    const double best = least(cost, least_scale, least_scale + std::log(100));
+    return {std::exp(best), shape, cost(best)};
+}
+
 /// Grimshaw's profile (Technometrics 35 (1993) 185-191): given θ = ξ/σ the likeliest ξ is the mean of log(1 + θ e),
 /// which rises with θ. The search is over w with θ = (e^w - 1) / largest excess, so w = 0 is the exponential.
 Fitted fit_pareto(const Excesses& excesses) {
@@ -84,7 +96,11 @@ Fitted fit_pareto(const Excesses& excesses) {
     };
     const double low = place_of(lowest_pareto_shape, shape_at, -30, 0);
     const double high = place_of(highest_pareto_shape, shape_at, 0, 30);
-    return at(least([&](double w) { return at(w).cost; }, low, high));
+    const Fitted found = at(least([&](double w) { return at(w).cost; }, low, high));
+    constexpr double near = 1e-6;
+    if (found.shape > lowest_pareto_shape + near) return found;
+    // On the profile ξ is the likeliest for its θ; at the bound it is not, and the scale is to be found by itself.
+    return fit_pareto_scale(excesses, lowest_pareto_shape, largest);
 }
 
 /// Given c the likeliest a^c is the mean of (d + e)^c - d^c, where d = u - b.

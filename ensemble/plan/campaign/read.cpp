@@ -231,8 +231,10 @@ class Reader {
     /// Of joints that follow Σ. Stored texts leave out what is to be found; where they have both, both are settled.
     Pairing pairing(const Scenario& scenario, const Origins& own) const {
         if (scenario.joint.model != JointModel::cfm) return Pairing::settled;
-        if (!own.contains("joint.cfm")) return Pairing::find_cfm;
-        if (!own.contains("ice.elastic_modulus_MPa")) return Pairing::find_modulus;
+        const bool modulus = own.contains("ice.elastic_modulus_MPa");
+        if (!own.contains("joint.cfm"))
+            return source_.from_user || modulus ? Pairing::find_cfm : Pairing::settled;
+        if (!modulus) return Pairing::find_modulus;
         return source_.from_user && !rules_.nominal_modulus ? Pairing::check : Pairing::settled;
     }
 
