@@ -5,7 +5,8 @@ Usage:
     ice.py                    writes the tables and the picture docs/ice/resolution.svg
     ice.py --check            writes nothing; fails if a table differs from the data
     ice.py --measure FLOES    first bends strips and sheets with the program FLOES, half a minute
-    ice.py --collect FOLDER   first takes the members of the finished campaigns resolution.h5 and full_scale.h5 in FOLDER
+    ice.py --collect FOLDER   first takes the members of the campaigns resolution.h5, full_scale.h5, joints_channel.h5 and
+                              joints_tank.h5 in FOLDER
 
 The costs in docs/ice.md are measured by bench/direct.py.
 """
@@ -21,7 +22,7 @@ import pandas as pd
 from contact import collected
 from page_blocks import fill_or_check
 from validation_data import half_width, interval
-from validation_tables import bracketed, number, table, with_interval
+from validation_tables import bracketed, difference, number, table, with_interval
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 DOCS = ROOT / "docs"
@@ -112,6 +113,28 @@ def resolution():
     return table(heading, lines)
 
 
+WAYS = {"sweeps": "sweeps over joints that follow Σ", "exact": "the same joints, solved exactly",
+        "beams": "beams, solved exactly (the default)"}
+
+
+def joints(name):
+    """Ways of computing joints, in pairs over arrangements beside the first."""
+    rows = members(name)
+    quantities = {"mean_N": "mean, N", "maximum_1s_N": "maxima, 1 s, N", "broken_percent": "broken floes, %"}
+    own = {way: rows[rows.way == way].set_index("arrangement") for way in WAYS}
+    common = sorted(set.intersection(*(set(one.index) for one in own.values())))
+    lines = []
+    for way, words in WAYS.items():
+        cells = [words, f"{len(common)}"]
+        for quantity in quantities:
+            values = own[way].loc[common, quantity].to_numpy()
+            apart = values - own["sweeps"].loc[common, quantity].to_numpy()
+            cells += [with_interval(values), "" if way == "sweeps" else difference(apart.mean(), half_width(apart))]
+        lines.append(cells)
+    return table(["joints", "arrangements"] + [cell for one in quantities.values() for cell in (one, "beside sweeps")],
+                 lines)
+
+
 def draw(path):
     """Loads and broken floes over element size, iterations and time step."""
     import matplotlib
@@ -182,9 +205,14 @@ def main():
             path = pathlib.Path(arguments[1]) / f"{name}.h5"
             if path.exists():
                 collected(path, KEYS, FAILURES).to_csv(DATA / f"{name}.csv", index=False)
+        for name in ["joints_channel", "joints_tank"]:
+            path = pathlib.Path(arguments[1]) / f"{name}.h5"
+            if path.exists():
+                collected(path, {"way": "joint.name"}).to_csv(DATA / f"{name}.csv", index=False)
     elif arguments not in ([], ["--check"]):
         sys.exit(__doc__)
-    fill_or_check({DOCS / "ice.md": {"strip": strip, "sheet": sheet},
+    fill_or_check({DOCS / "ice.md": {"strip": strip, "sheet": sheet, "channel": lambda: joints("joints_channel"),
+                                      "tank": lambda: joints("joints_tank")},
                    DOCS / "convergence.md": {"resolution": resolution},
                    DOCS / "full_scale.md": {"loads": full_scale, "breaks": full_scale_breaks, "lindqvist": lindqvist}},
                   arguments == ["--check"], "ice.py")

@@ -164,6 +164,17 @@ TEST(Validate, EveryContradictionIsOneSentence) {
          "18.9 m x 4.8 m has room for 5 rows of 23; lower the concentration or the clearance, or change the width so "
          "that whole "
          "rows fit"},
+        {[](Scenario& s) { s.floe.thickness = 5; },
+         "ice.thickness_m = 5.0 is more than the floe's side of 0.6 m, so that it would lie on its edge; a floe is a "
+         "sheet. Take thinner ice or larger floes"},
+        {[](Scenario& s) { s.ice.elastic_modulus = 0.3e6; },
+         "ice.bending_strength_kPa = 36.4 is more than a tenth of ice.elastic_modulus_MPa = 0.3: such ice is rubber, "
+         "and joints are elastic only as long as they turn little. Sea ice has some 500 kPa and 5000 MPa, model ice "
+         "some 40 kPa and 60 MPa; mind that one is in kPa and the other in MPa"},
+        {[](Scenario& s) { s.field.concentration = 0.0075; },
+         "field.concentration_percent = 0.75 is less than 1 percent, a field of 1890 m almost without ice; write 75 "
+         "for "
+         "three quarters. For single floes in open water give their places: arrangement.method = \"file\""},
         {[](Scenario& s) { s.arrangement.clearance = 9; },
          "field.concentration_percent = 75.0 cannot hold field.floes = 189 with arrangement.clearance_m = 9.0: the "
          "field of "
