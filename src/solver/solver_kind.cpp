@@ -30,7 +30,7 @@ std::vector<Refusal> refused_contacts(SolverKind solver, const ContactLaw& law) 
     if (solver == SolverKind::direct && law.friction != Friction::cone) {
         refused.push_back({"contact.friction", solver_key,
                            "the direct solver has friction in the whole contact plane only",
-                           "contact.friction = \"cone\", or contact.preset = \"physical\""});
+                           "contact.friction = \"cone\", or general.solver = \"lanes\" with joint.model = \"cfm\""});
     }
     if (solver == SolverKind::direct && law.normal == NormalLaw::rigid && law.split_impulse) {
         refused.push_back({"paper.split_impulse_depth_m", solver_key,

@@ -209,8 +209,8 @@ TEST(Validate, EveryContradictionIsOneSentence) {
              s.general.solver = SolverKind::direct;
          },
          "contact.friction = \"one_direction\" is not possible with general.solver = \"direct\": the direct solver has "
-         "friction in the whole contact plane only; take contact.friction = \"cone\", or contact.preset = "
-         "\"physical\""},
+         "friction in the whole contact plane only; take contact.friction = \"cone\", or general.solver = "
+         "\"lanes\" with joint.model = \"cfm\""},
         {[](Scenario& s) {
              s.contact.normal = NormalLaw::rigid;
              s.general.solver = SolverKind::direct;

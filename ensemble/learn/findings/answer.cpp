@@ -117,7 +117,7 @@ std::vector<std::string> basis_sentences(const Evidence& evidence, const DesignL
         unsteady += row.not_steady;
     }
     sentences.push_back(fmt::format("{}, one for each case and arrangement; in {} of them the load still had a trend.",
-                                    counted(done, "simulation"), unsteady));
+                                    counted(done, "simulation"), unsteady == 0 ? "none" : fmt::format("{}", unsteady)));
     double times = 0;
     for (const CaseDesignLoad& one : designs.of_cases)
         if (one.load.valid()) times = std::max(times, designs.asked.model_exposure() / one.load.time_run);
