@@ -1,7 +1,9 @@
 #include "match/matching.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <boost/math/special_functions/digamma.hpp>
+#include <boost/math/special_functions/polygamma.hpp>
 #include <boost/math/special_functions/trigamma.hpp>
 #include <cmath>
 #include <limits>
@@ -59,6 +61,28 @@ std::shared_ptr<const Emulator> scatter_emulator(const MatchData& data, const Ta
     if (points.size() < 2) return nullptr;
     auto made = std::make_shared<const Emulator>(data_of(data, points, logs, noise));
     return made->fault().empty() ? made : nullptr;
+}
+
+/// Degrees of freedom of a sample variance whose logarithm has this variance. Newton's method on 1/ψ', which is convex
+/// and nearly a straight line.
+double freedom_of(double variance_of_log) {
+    constexpr double as_good_as_known = 1e-6;
+    if (variance_of_log < as_good_as_known) return 2 / as_good_as_known;
+    double half = 0.5 + 1 / variance_of_log;
+    for (int k = 0; k < 50; ++k) {
+        const double value = boost::math::trigamma(half);
+        const double step = value * (1 - value / variance_of_log) / boost::math::polygamma(2, half);
+        half += step;
+        if (std::abs(step) < 1e-10 * half) break;
+    }
+    return 2 * half;
+}
+
+/// By how much Student's quantile that 1 % exceed lies beyond three standard deviations; 1 where it does not.
+double student_factor(double freedom) {
+    constexpr double tail = 0.005;
+    const boost::math::students_t student(std::max(1.0, freedom));
+    return std::max(1.0, boost::math::quantile(boost::math::complement(student, tail)) / ruled_out_above);
 }
 
 double quantile(std::vector<double> values, double share) {
@@ -145,18 +169,20 @@ Eigen::VectorXd coordinates_of(const MatchPoint& point) {
 
 EmulatedTarget::EmulatedTarget(const MatchData& data, const TargetData& target)
     : target_(target.target), log_scatter_(scatter_emulator(data, target)) {
-    double sum = 0;
     double weight = 0;
+    for (std::size_t k = 0; k < target.point.size(); ++k) {
+        pooled_scatter_.variance += target.variance[k] * target.runs[k];
+        pooled_scatter_.freedom += target.runs[k] - 1;
+        weight += target.runs[k];
+    }
+    if (weight > 0) pooled_scatter_.variance /= weight;
     std::vector<double> noise;
     for (std::size_t k = 0; k < target.point.size(); ++k) {
-        sum += target.variance[k] * target.runs[k];
-        weight += target.runs[k];
         const double variance = log_scatter_
                                     ? scatter(coordinates_of(data.points[static_cast<std::size_t>(target.point[k])]))
                                     : target.variance[k];
         noise.push_back((1 - target.shared) * variance / target.runs[k]);
     }
-    pooled_scatter_ = weight > 0 ? sum / weight : 0;
     if (target.point.empty()) {
         unused_ = "no wave has it";
         return;
@@ -166,8 +192,12 @@ EmulatedTarget::EmulatedTarget(const MatchData& data, const TargetData& target)
     unused_ = target_.held_out ? "held out" : mean_->fault();
 }
 
-double EmulatedTarget::scatter(const Eigen::VectorXd& x) const {
-    return log_scatter_ ? std::exp(log_scatter_->at(x).mean) : pooled_scatter_;
+EmulatedTarget::ScatterAt EmulatedTarget::scatter_at(const Eigen::VectorXd& x) const {
+    constexpr double least_share = 0.1;
+    if (!log_scatter_) return pooled_scatter_;
+    const Emulated log = log_scatter_->at(x);
+    return {std::max(std::exp(log.mean + 0.5 * log.variance), least_share * pooled_scatter_.variance),
+            freedom_of(log.variance)};
 }
 
 double EmulatedTarget::expected_difference(const Eigen::VectorXd& x) const {
@@ -176,7 +206,12 @@ double EmulatedTarget::expected_difference(const Eigen::VectorXd& x) const {
 }
 
 double EmulatedTarget::implausibility(const Eigen::VectorXd& x) const {
-    return std::abs(target_.value - mean_->at(x).mean) / expected_difference(x);
+    const ScatterAt scatter = scatter_at(x);
+    const double difference = expected_difference(x);
+    const double by_scatter = scatter.variance * (common_part_ + 1.0 / target_.runs);
+    const double share = by_scatter / (difference * difference);
+    const double factor = share > 0 ? student_factor(scatter.freedom / (share * share)) : 1;
+    return std::abs(target_.value - mean_->at(x).mean) / (difference * factor);
 }
 
 std::vector<EmulatedTarget> emulate(const MatchData& data) {

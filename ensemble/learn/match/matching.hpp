@@ -10,6 +10,12 @@
 // begin from the same n arrangements: the emulator cannot see that all its data err together. A point is ruled out
 // where I > 3 for any target: whatever the distribution, if it has one peak, 95 % of it lies within three standard
 // deviations (F. Pukelsheim, The American Statistician 48 (1994) 88-91).
+//
+// s² is itself an estimate, of ln s² with a variance τ². Its expectation is e^(τ²/2) times the emulated one; it has the
+// degrees of freedom f of a sample variance whose logarithm has that variance, ψ'(f/2) = τ² (G. K. Smyth, Statistical
+// Applications in Genetics and Molecular Biology 3 (2004) 3, section 6.2); and I is divided by how far Student's
+// quantile that 1 % exceed lies beyond three, with Satterthwaite's degrees of freedom of the whole sum. No s² is taken
+// to be below a tenth of that of all points: a few runs that agree by chance do not show that runs agree.
 
 #include <Eigen/Core>
 
@@ -38,22 +44,28 @@ class EmulatedTarget {
     /// Of the mean over arrangements.
     const Emulator& mean() const { return *mean_; }
     /// Variance of a single run there.
-    double scatter(const Eigen::VectorXd& x) const;
+    double scatter(const Eigen::VectorXd& x) const { return scatter_at(x).variance; }
     /// Variance of the error that all points have in common.
     double common_variance(const Eigen::VectorXd& x) const { return common_part_ * scatter(x); }
     /// The difference from the target that is expected there, as one standard deviation.
     double expected_difference(const Eigen::VectorXd& x) const;
-    double implausibility(const Eigen::VectorXd& x) const;
+    double implausibility(const Eigen::VectorXd& x) const;  ///< I, by Student's quantile where s² is uncertain
     /// Whether it is used and rules the point out.
     bool rules_out(const Eigen::VectorXd& x) const { return unused_.empty() && implausibility(x) > ruled_out_above; }
     /// Why it is not used: its emulator fails its check, or it is held out; empty when it is used.
     const std::string& unused() const { return unused_; }
 
   private:
+    struct ScatterAt {
+        double variance = 0;
+        double freedom = 0;  ///< of an estimate from so many differences between runs
+    };
+    ScatterAt scatter_at(const Eigen::VectorXd& x) const;
+
     Target target_;
     std::shared_ptr<const Emulator> mean_;
     std::shared_ptr<const Emulator> log_scatter_;  ///< none where no point has two runs
-    double pooled_scatter_ = 0;
+    ScatterAt pooled_scatter_;
     double common_part_ = 0;  ///< c / n
     std::string unused_;
 };
