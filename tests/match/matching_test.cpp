@@ -96,7 +96,8 @@ double exact_share(double first, double second) {
 }
 
 // With one measured run of two quantities, the truth is ruled out with the probability that one of two deviations is
-// above three standard ones, 0.5 %. What is left is what the truth leaves and a little more: emulators are not sure.
+// above three standard ones, 0.5 %. What is left is what the truth leaves and half as much again at most: emulators are
+// not sure, least of all of the scatter.
 TEST(Matching, HoldsTheTruthAndLittleElse) {
     int held = 0;
     double share = 0;
@@ -116,9 +117,9 @@ TEST(Matching, HoldsTheTruthAndLittleElse) {
         share += match(tank.data(), targets, 256, k).share() / repetitions;
         exact += exact_share(first, second) / repetitions;
     }
-    EXPECT_GE(held, 95);
+    EXPECT_GE(held, 98);
     EXPECT_GT(share, 0.97 * exact);
-    EXPECT_LT(share, 1.25 * exact);
+    EXPECT_LT(share, 1.5 * exact);
 }
 
 TEST(Matching, LeavesLessTheMoreIsMeasured) {
@@ -225,8 +226,8 @@ TEST(Matching, KnowsThatTheScatterDependsOnTheInputs) {
         double off = 0;
         for (unsigned seed = 1; seed <= repetitions; ++seed)
             off += std::log(std::sqrt(uneven(seed).scatter(at(x))) / (2 + 1.5 * x)) / repetitions;
-        EXPECT_GT(std::exp(off), 0.8) << x;
-        EXPECT_LT(std::exp(off), 1.4) << x << ": pooled over all points it would be 2.7 at -0.8";
+        EXPECT_GT(std::exp(off), 1.0) << x << ": the expectation of the variance is above the likeliest one";
+        EXPECT_LT(std::exp(off), 1.8) << x << ": pooled over all points it would be 2.7 at -0.8";
     }
     EXPECT_LT(uneven(1).mean().at(at(-0.7)).variance, 0.4 * uneven(1).mean().at(at(0.7)).variance);
 }
