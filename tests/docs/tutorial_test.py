@@ -32,7 +32,7 @@ def lines_of(text):
 
 def anchor(line):
     """What a line begins with, up to its first number."""
-    return re.split(r"\d", line)[0].strip()
+    return " ".join(re.split(r"\d", line)[0].split())
 
 
 def parts_of(shown):
@@ -102,7 +102,7 @@ def size_of(png):
 
 def photograph(folder):
     subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", f"--screenshot={folder}/{REPORT}",
-                    "--window-size=900,1010", f"file://{folder}/my.html"], check=True, capture_output=True)
+                    "--window-size=900,730", f"file://{folder}/my.html"], check=True, capture_output=True)
 
 
 def main(floes, page_path, update):
