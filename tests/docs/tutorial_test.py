@@ -72,7 +72,8 @@ class Session:
         self.environment = dict(os.environ, COLUMNS="112")
 
     def printed_by(self, command):
-        run = subprocess.run(["sh", "-ec", command], cwd=self.folder, env=self.environment, capture_output=True, text=True)
+        run = subprocess.run(["sh", "-ec", command], cwd=self.folder, env=self.environment, capture_output=True,
+                             text=True)
         if run.returncode != 0:
             sys.exit(f"`{command}` ends with {run.returncode}:\n{run.stdout}{run.stderr}")
         self.said += run.stdout
