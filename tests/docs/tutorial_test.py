@@ -102,8 +102,9 @@ def size_of(png):
 
 
 def photograph(folder):
-    subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", f"--screenshot={folder}/{REPORT}",
-                    "--window-size=900,730", f"file://{folder}/my.html"], check=True, capture_output=True)
+    subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars",
+                    f"--screenshot={folder}/{REPORT}", "--window-size=900,730", f"file://{folder}/my.html"],
+                   check=True, capture_output=True)
 
 
 def main(floes, page_path, update):
