@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Pages lead where they say: relative links and their headings exist, every page of docs/ says for whom it is and stands
-in the README's tables, and what the README shows of a summary is what the tutorial shows.
+"""Pages lead where they say: relative links and their headings exist, every page of docs/ says for whom it is and is
+listed by the README, and what the README shows of a summary is what the tutorial shows.
 
 Usage: pages_test.py PROJECT_FOLDER
 """
@@ -21,7 +21,8 @@ def prose(text):
 def anchors(page):
     """Headings of a page as the ends of links, by GitHub's rule."""
     found = []
-    for heading in re.findall(r"^#+ (.*)$", re.sub(r"^```.*?^```$", "", page.read_text(encoding="utf-8"), flags=re.S | re.M), re.M):
+    text = re.sub(r"^```.*?^```$", "", page.read_text(encoding="utf-8"), flags=re.S | re.M)
+    for heading in re.findall(r"^#+ (.*)$", text, re.M):
         words = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading).lower()
         slug = re.sub(r"[^\w\- ]", "", words).replace(" ", "-")
         found.append(slug if slug not in found else f"{slug}-{found.count(slug)}")

@@ -32,7 +32,7 @@ def lines_of(text):
 
 def anchor(line):
     """What a line begins with, up to its first number."""
-    return re.split(r"\d", line)[0].strip()
+    return " ".join(re.split(r"\d", line)[0].split())
 
 
 def parts_of(shown):
@@ -72,7 +72,8 @@ class Session:
         self.environment = dict(os.environ, COLUMNS="112")
 
     def printed_by(self, command):
-        run = subprocess.run(["sh", "-ec", command], cwd=self.folder, env=self.environment, capture_output=True, text=True)
+        run = subprocess.run(["sh", "-ec", command], cwd=self.folder, env=self.environment, capture_output=True,
+                             text=True)
         if run.returncode != 0:
             sys.exit(f"`{command}` ends with {run.returncode}:\n{run.stdout}{run.stderr}")
         self.said += run.stdout
@@ -101,8 +102,9 @@ def size_of(png):
 
 
 def photograph(folder):
-    subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", f"--screenshot={folder}/{REPORT}",
-                    "--window-size=900,1010", f"file://{folder}/my.html"], check=True, capture_output=True)
+    subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars",
+                    f"--screenshot={folder}/{REPORT}", "--window-size=900,730", f"file://{folder}/my.html"],
+                   check=True, capture_output=True)
 
 
 def main(floes, page_path, update):
