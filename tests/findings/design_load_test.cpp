@@ -30,6 +30,7 @@ CampaignTable campaign() {
         row.analysis.steady_start = 10;
         row.analysis.window = 100;
         row.analysis.segments = 4;
+        row.analysis.peak_separation = 0.01;  // peaks hide none
         table.cases.push_back(row);
     }
     for (int arrangement = 0; arrangement < 40; ++arrangement) {
@@ -127,6 +128,30 @@ TEST(DesignFinding, SaysWhatItRestsOn) {
     EXPECT_THAT(told, HasSubstr("weak, both tails"));
     EXPECT_THAT(told, HasSubstr("exposure / time run"));
     EXPECT_THAT(told, HasSubstr("Far end: an ice sheet."));
+}
+
+TEST(DesignFinding, NamesMembersThatStandOutBeforeAnyFigure) {
+    CampaignTable table = campaign();
+    for (MemberRow& row : table.members)
+        if (row.case_index == 1 && (row.arrangement == 3 || row.arrangement == 5))
+            for (double& peak : row.averaged[0].peaks) peak *= 10;
+    const std::vector<CaseDesignLoad> designs = find_design_loads(table, {});
+    EXPECT_EQ(standing_out_text(designs[0]), "");
+    EXPECT_EQ(standing_out_text(designs[1]),
+              "2 of 40 members carry the 40 highest peaks: replay 7 and 11. Both tails have them as a kind of member "
+              "whose share is uncertain; methods that take all members as alike are left out. About 100 arrangements "
+              "would have 5 of this kind.");
+    const std::string told = text(design_load_sections(summarise(table), designs, {}), 100);
+    EXPECT_THAT(told, testing::StartsWith("! strong: 2 of 40 members carry"));
+    EXPECT_THAT(told, testing::Not(HasSubstr("strong - weak")));
+    EXPECT_THAT(told, testing::Not(HasSubstr("! weak")));
+}
+
+TEST(DesignFinding, SaysNothingOfThreeMembers) {
+    CampaignTable table = campaign();
+    std::erase_if(table.members, [](const MemberRow& row) { return row.arrangement > 2; });
+    const std::string told = text(design_load_sections(summarise(table), find_design_loads(table, {}), {}), 400);
+    EXPECT_THAT(told, HasSubstr("weak: 3 of the 4 arrangements that a design load needs; 8 or more are a beginning."));
 }
 
 TEST(DesignFinding, RefusesAnAveragingTimeThatIsNotThere) {

@@ -60,15 +60,31 @@ TEST(DesignLoad, OfExponentialPeaksIsWhatTheirTailSays) {
     }
 }
 
-TEST(DesignLoad, OfBothTailsLiesBetweenThem) {
-    const DesignLoad load = design_load(exponential_rows(50), measured, three_times);
-    const double one = load.estimates[1].quantiles[1].value;
-    const double other = load.estimates[2].quantiles[1].value;
-    EXPECT_NEAR(load.estimates[0].quantiles[1].value, (1 - load.weibull_weight) * one + load.weibull_weight * other,
-                1e-9);
-    EXPECT_LE(
-        load.estimates[0].quantiles[1].interval.low,
-        std::max(load.estimates[1].quantiles[1].interval.low, load.estimates[2].quantiles[1].interval.low) + 1e-9);
+TEST(DesignLoad, OfMembersThatStandOutHasThemAsAClass) {
+    std::vector<PeakRow> rows = exponential_rows(40);
+    for (const std::size_t out : {7u, 23u})
+        for (double& peak : rows[out].peaks) peak *= 5;
+    const DesignLoad load = design_load(rows, measured, three_times);
+    EXPECT_EQ(load.unlike.out, (std::vector<std::size_t>{7, 23}));
+    // 300 windows have about 15 such members, each with 20 peaks.
+    const double high = 5 * (30 + 20 * std::log(15 * 20 / -std::log(0.9)));
+    const DesignLoadFigure& figure = load.estimates.front().quantiles[1];
+    EXPECT_LT(figure.interval.low, high);
+    EXPECT_GT(figure.interval.high, high);
+    EXPECT_LT(figure.interval.high, 5 * figure.interval.low);
+    EXPECT_LT(load.estimates.front().expected.value, figure.value);
+}
+
+// A tail so heavy that the mean of the largest is infinite, or nearly, has no expected load.
+TEST(DesignLoad, ExpectsNothingOfTailsWithoutAMean) {
+    std::vector<PeakRow> rows = exponential_rows(40);
+    for (PeakRow& row : rows)
+        for (double& peak : row.peaks) peak = 30 * std::exp((peak - 30) / 20);  // shape 1
+    const DesignLoad load = design_load(rows, measured, three_times);
+    ASSERT_GE(load.pareto.shape, 0.9);
+    EXPECT_TRUE(std::isnan(load.estimates[1].expected.value));
+    EXPECT_TRUE(std::isfinite(load.estimates[1].quantiles[1].value));
+    EXPECT_LT(load.estimates[0].expected.value, load.estimates[0].quantiles[1].value);
 }
 
 TEST(DesignLoad, OfLoadsTwiceAsHighIsTwiceAsHigh) {
@@ -84,7 +100,7 @@ TEST(DesignLoad, OfLoadsTwiceAsHighIsTwiceAsHigh) {
         const DesignLoadFigure& low = one.estimates[method].quantiles[1];
         const DesignLoadFigure& high = other.estimates[method].quantiles[1];
         EXPECT_NEAR(high.value / low.value, 2, 1e-3) << name_of(one.estimates[method].method);
-        EXPECT_NEAR(high.interval.high / low.interval.high, 2, 1e-2) << name_of(one.estimates[method].method);
+        EXPECT_NEAR(high.interval.high / low.interval.high, 2, 2e-2) << name_of(one.estimates[method].method);
     }
 }
 
@@ -106,7 +122,7 @@ TEST(DesignLoad, OverThresholdsAgreesWithItself) {
     const std::vector<PeakRow> rows = exponential_rows(50);
     const DesignLoad load = design_load(rows, measured, three_times);
     const auto found = over_thresholds(rows, measured, three_times, {0.5, 0.25, 1e-3});
-    EXPECT_NEAR(found[1][1], load.estimates[0].quantiles[1].value, 1e-9);
+    EXPECT_NEAR(found[1][1] / load.estimates[0].quantiles[1].value, 1, 0.2);
     EXPECT_NEAR(found[0][1] / found[1][1], 1, 0.2);
     EXPECT_TRUE(std::isnan(found[2][1]));  // a single peak
 }

@@ -46,9 +46,42 @@ double disagreement(const DesignLoad& load) {
     return (most - least) / load.estimates.front().quantiles.front().value;
 }
 
+namespace {
+
+/// "17", "17 and 31", "3, 17 and 31".
+std::string listed(const std::vector<int>& numbers) {
+    if (numbers.size() == 1) return fmt::format("{}", numbers.front());
+    return fmt::format("{} and {}", fmt::join(numbers.begin(), numbers.end() - 1, ", "), numbers.back());
+}
+
+}  // namespace
+
+std::string standing_out_text(const CaseDesignLoad& one) {
+    constexpr std::size_t enough = 5;  // of a kind, to say how much it varies
+    const UnlikeMembers& unlike = one.load.unlike;
+    const std::size_t count = unlike.out.size();
+    if (count == 0) return "";
+    std::vector<int> numbers;
+    for (const std::size_t row : unlike.out) numbers.push_back(one.members[row]);
+    const bool single = count == 1;
+    const std::string does = unlike.carried == 0 ? fmt::format("{} far above the others", single ? "lies" : "lie")
+                             : unlike.carried == 1
+                                 ? fmt::format("{} the highest peak", single ? "carries" : "carry")
+                                 : fmt::format("{} the {} highest peaks", single ? "carries" : "carry", unlike.carried);
+    std::string text = fmt::format(
+        "{} of {} members {}: replay {}. Both tails have {} as a kind of member whose share is uncertain; methods that "
+        "take all members as alike are left out.",
+        count, one.members.size(), does, listed(numbers), single ? "it" : "them");
+    if (count < enough)
+        text += fmt::format(" About {} arrangements would have {} of this kind.",
+                            (enough * one.members.size() + count - 1) / count, enough);
+    return text;
+}
+
 std::vector<CaseDesignLoad> find_design_loads(const CampaignTable& table, const DesignLoadRequest& request) {
     const double time = averaging_time(table, request);
-    const Exposure exposure{request.model_exposure(), request.quantiles, request.share};
+    const Exposure exposure{request.model_exposure(), request.quantiles, request.share,
+                            table.cases.size() > most_averaged_cases};
     std::vector<CaseDesignLoad> designs;
     for (std::size_t index = 0; index < table.cases.size(); ++index) {
         const CaseRow& about = table.cases[index];
@@ -62,6 +95,7 @@ std::vector<CaseDesignLoad> find_design_loads(const CampaignTable& table, const 
             if (row.case_index != static_cast<int>(index) || averaged == nullptr) continue;
             rows.push_back({averaged->peaks, averaged->segment_maximum});
             one.arrangements.push_back(row.arrangement);
+            one.members.push_back(static_cast<int>(&row - table.members.data()));
             one.peaks.insert(one.peaks.end(), averaged->peaks.begin(), averaged->peaks.end());
             mean += row.load.mean;
         }

@@ -26,12 +26,19 @@ struct DesignLoadRequest {
 
 struct CaseDesignLoad {
     std::size_t case_index = 0;
-    double separation = 0;            ///< s, between peaks
-    std::vector<int> arrangements;    ///< of the rows, in their order
-    std::vector<double> peaks;        ///< of all rows, falling, N
-    DesignLoad load;                  ///< at the scale of the campaign
+    double separation = 0;          ///< s, between peaks
+    std::vector<int> arrangements;  ///< of the rows, in their order
+    std::vector<int> members;       ///< the same
+    std::vector<double> peaks;      ///< of all rows, falling, N
+    DesignLoad load;                ///< at the scale of the campaign
+    /// Whether all members are of one kind, which the other methods and pairs take for granted.
+    bool of_one_kind() const { return load.unlike.out.empty(); }
+
     std::vector<double> over_shares;  ///< the first quantile with each of threshold_shares of the peaks
 };
+
+/// "2 of 50 members carry the 14 highest peaks: replay 17 and 31.", and what follows from it; empty if none stands out.
+std::string standing_out_text(const CaseDesignLoad& one);
 
 /// How far the methods lie apart, relative to the load by both tails; of the first quantile. `load` is valid.
 double disagreement(const DesignLoad& load);
@@ -45,6 +52,9 @@ inline constexpr double threshold_shares[]{0.5, 0.35, 0.25, 0.15, 0.1};
 /// The campaign's own averaging time that the request means, s at the campaign's scale. Throws InputError if there is
 /// none.
 double averaging_time(const CampaignTable& table, const DesignLoadRequest& request);
+
+/// More cases than these have one threshold each.
+inline constexpr std::size_t most_averaged_cases = 12;
 
 /// One for each case. Throws InputError if the members did not average over that time.
 std::vector<CaseDesignLoad> find_design_loads(const CampaignTable& table, const DesignLoadRequest& request);

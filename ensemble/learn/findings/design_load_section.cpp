@@ -5,19 +5,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/units.hpp"
 #include "findings/conditions.hpp"
+#include "findings/design_load_records.hpp"
 #include "findings/printable.hpp"
 #include "tables/number_text.hpp"
 
 namespace floes {
 namespace {
 
+/// The methods that hold for such members.
+std::span<const DesignLoadEstimate> shown(const CaseDesignLoad& one) {
+    const std::span<const DesignLoadEstimate> all = one.load.estimates;
+    return one.of_one_kind() ? all : all.first(std::min<std::size_t>(1, all.size()));
+}
+
 LoadUnit unit_for(const std::vector<CaseDesignLoad>& designs, const DesignLoadRequest& request) {
     double largest = 0;
     for (const CaseDesignLoad& one : designs)
-        for (const DesignLoadEstimate& made : one.load.estimates)
+        for (const DesignLoadEstimate& made : shown(one))
             for (const DesignLoadFigure& figure : made.quantiles)
                 if (figure.value > largest) largest = figure.value;
     largest *= request.force_factor();
@@ -40,8 +48,20 @@ std::string three(double value) {
     return std::isfinite(value) ? fmt::format("{:.3g}", value) : "–";
 }
 
+/// Sentences about members that stand out, before any figure.
+std::string standing_out_lines(const Summary& summary, const std::vector<CaseDesignLoad>& designs) {
+    std::string lines;
+    for (const CaseDesignLoad& one : designs)
+        if (const std::string text = standing_out_text(one); !text.empty())
+            lines += fmt::format("! {}: {}\n", summary.label_of(one.case_index), text);
+    return lines;
+}
+
 /// "E30: too few peaks (3 of 20) to fit; about 27 arrangements would do."
 std::string too_few_text(const std::string& name, const DesignLoad& load) {
+    if (load.arrangements < fewest_members)
+        return fmt::format("{}: {} of the {} arrangements that a design load needs; 8 or more are a beginning.", name,
+                           load.arrangements, fewest_members);
     const double more =
         load.peaks > 0
             ? std::ceil(static_cast<double>(fewest_peaks * load.arrangements) / static_cast<double>(load.peaks))
@@ -54,6 +74,11 @@ std::string too_few_text(const std::string& name, const DesignLoad& load) {
 
 std::string percent(double share) {
     return fmt::format("{:.3g} %", share / unit::percent);
+}
+
+/// Of whole percent.
+std::string percent_of(double share) {
+    return fixed(share / unit::percent, 0) + " %";
 }
 
 std::string scale_words(const DesignLoadRequest& request) {
@@ -71,8 +96,9 @@ std::string design_title(const DesignLoadRequest& request) {
 }
 
 /// Beside the figure that it is about; empty where the methods agree.
-std::string doubt_text(const DesignLoad& load) {
-    const double apart = disagreement(load);
+std::string doubt_text(const CaseDesignLoad& one) {
+    if (!one.of_one_kind()) return "";
+    const double apart = disagreement(one.load);
     return apart > much_disagreement ? fmt::format(" (methods differ by {:.0f} %)", apart / unit::percent) : "";
 }
 
@@ -88,10 +114,10 @@ Section loads_section(const Summary& summary, const std::vector<CaseDesignLoad>&
             too_few.push_back(too_few_text(name, one.load));
             continue;
         }
-        for (const DesignLoadEstimate& made : one.load.estimates) {
+        for (const DesignLoadEstimate& made : shown(one)) {
             std::vector<Cell>& line = table.emplace_back();
             const bool first = made.method == LargestBy::both_tails;
-            line.emplace_back(first ? fmt::format("{}, {}{}", name, name_of(made.method), doubt_text(one.load))
+            line.emplace_back(first ? fmt::format("{}, {}{}", name, name_of(made.method), doubt_text(one))
                                     : fmt::format("  {}", name_of(made.method)));
             line.push_back(load_cell(made.expected, unit.factor, one.load.arrangements));
             for (const DesignLoadFigure& figure : made.quantiles)
@@ -104,9 +130,10 @@ Section loads_section(const Summary& summary, const std::vector<CaseDesignLoad>&
         .title = design_title(request),
         .table = std::move(table),
         .after =
-            "\nBrackets: 95 % by bootstrap over arrangements. Both tails: Pareto and Weibull tail, weighted by how "
-            "likely each makes the peaks; its interval includes which of them it is. Gumbel and GEV: of the segment "
-            "maxima. docs/design_load.md\n" +
+            "\nBrackets: 95 %. Both tails: Pareto and Weibull tail of members that may differ, above several "
+            "thresholds; "
+            "its interval includes which of these it is. The others, by bootstrap over arrangements, take members as "
+            "alike; Gumbel and GEV: of the segment maxima. docs/design_load.md\n" +
             scale_words(request),
         .notes = std::move(too_few)};
 }
@@ -120,12 +147,24 @@ Section basis_section(const Summary& summary, const std::vector<CaseDesignLoad>&
         line.emplace_back(std::move(label));
         for (const CaseDesignLoad& one : designs) line.push_back(one.load.valid() ? Cell{cell(one)} : Cell{"–"});
     };
+    // A single tail through two kinds of member is that of neither.
+    const auto of_one_kind = [](auto cell) {
+        return [cell](const CaseDesignLoad& one) { return one.of_one_kind() ? cell(one) : std::string{"–"}; };
+    };
     for (const CaseDesignLoad& one : designs) table.front().emplace_back(summary.label_of(one.case_index));
     row("arrangements", [](const CaseDesignLoad& one) { return fmt::format("{}", one.load.arrangements); });
     row("time run, h",
         [&](const CaseDesignLoad& one) { return three(one.load.time_run * std::sqrt(request.scale) / unit::hour); });
     row("exposure / time run",
         [&](const CaseDesignLoad& one) { return fmt::format("{:.2g}", request.model_exposure() / one.load.time_run); });
+    row("members that stand out",
+        [](const CaseDesignLoad& one) { return fmt::format("{}", one.load.unlike.out.size()); });
+    row("a kind of member may be unseen, up to",
+        [](const CaseDesignLoad& one) { return percent_of(unseen_share(one.load.arrangements)); });
+    row("the others' scales differ by (SD)", [](const CaseDesignLoad& one) { return percent_of(one.load.scatter); });
+    row("peaks above the threshold a member, variance / mean",
+        [](const CaseDesignLoad& one) { return fixed(one.load.unlike.dispersion, 2); });
+    row("  p, if members are alike", [](const CaseDesignLoad& one) { return three(one.load.unlike.dispersion_p); });
     row("not steady",
         [&](const CaseDesignLoad& one) { return fmt::format("{}", summary.cases[one.case_index].not_steady); });
     row("peaks at least apart, s",
@@ -133,22 +172,27 @@ Section basis_section(const Summary& summary, const std::vector<CaseDesignLoad>&
     row(fmt::format("threshold, {}", unit.name),
         [&](const CaseDesignLoad& one) { return three(unit.factor * one.load.threshold); });
     row("peaks above", [](const CaseDesignLoad& one) { return fmt::format("{}", one.load.peaks); });
-    row("ξ of the Pareto tail", [](const CaseDesignLoad& one) { return fixed(one.load.pareto.shape, 2); });
-    row("c of the Weibull tail", [](const CaseDesignLoad& one) { return fixed(one.load.weibull.shape, 2); });
+    row("ξ of the Pareto tail", of_one_kind([](const CaseDesignLoad& one) { return fixed(one.load.pareto.shape, 2); }));
+    row("c of the Weibull tail",
+        of_one_kind([](const CaseDesignLoad& one) { return fixed(one.load.weibull.shape, 2); }));
     row("weight of the Weibull tail", [](const CaseDesignLoad& one) { return fixed(one.load.weibull_weight, 2); });
     for (std::size_t k = 0; k < std::size(threshold_shares); ++k)
         row(fmt::format("with the highest {} of the peaks, {}", percent(threshold_shares[k]), unit.name),
-            [&](const CaseDesignLoad& one) { return three(unit.factor * one.over_shares[k]); });
-    row("methods differ by",
-        [](const CaseDesignLoad& one) { return fixed(disagreement(one.load) / unit::percent, 0) + " %"; });
+            of_one_kind([&, k](const CaseDesignLoad& one) { return three(unit.factor * one.over_shares[k]); }));
+    row("methods differ by", of_one_kind([](const CaseDesignLoad& one) { return percent_of(disagreement(one.load)); }));
+    row("resamples without a fit",
+        [](const CaseDesignLoad& one) { return fmt::format("{} of {}", one.load.dropped, one.load.draws.size()); });
     row("more arrangements for half the interval",
         [](const CaseDesignLoad& one) { return fmt::format("{}", 3 * one.load.arrangements); });
-    return {.table = std::move(table),
-            .after = fmt::format(
-                "\nThe tails are fitted to the highest {} of the peaks. ξ below 0: the load is bounded; above "
-                "0: its tail is heavy. c: 1 exponential, 2 Gaussian. The load with other shares of the "
-                "peaks, and the methods' difference, are of the load exceeded with {}.\n",
-                percent(request.share), percent(1 - request.quantiles.front()))};
+    return {
+        .table = std::move(table),
+        .after = fmt::format(
+            "\nEach tail is fitted to the highest {} of the peaks; both tails average over more and fewer. A kind "
+            "of member as rare as \"unseen, up to\" is missing from one sample of this size in twenty, and then from "
+            "the loads. ξ below 0: the load is bounded; above "
+            "0: its tail is heavy. c: 1 exponential, 2 Gaussian. The load with other shares of the "
+            "peaks, and the methods' difference, are of the load exceeded with {}.\n",
+            percent(request.share), percent(1 - request.quantiles.front()))};
 }
 
 /// The difference of the first quantile between two cases over the same arrangements.
@@ -158,20 +202,37 @@ struct Paired {
     DesignLoadFigure difference;  ///< second - first
 };
 
+/// The interval of resampled differences about the estimate, wider by Student's t of the arrangements over that of very
+/// many: resamples of few scatter too little.
+DesignLoadFigure widened(double estimate, std::vector<double> resampled, double arrangements) {
+    if (resampled.empty()) return {estimate, {std::nan(""), std::nan("")}};
+    std::ranges::sort(resampled);
+    const double middle = quantile_of_sorted(resampled, 0.5);
+    const Limits limits = percentile_interval(std::move(resampled));
+    const double wider =
+        student_t(arrangements - 1, 0.025) / student_t(1e6, 0.025) * std::sqrt(arrangements / (arrangements - 1));
+    return {estimate, {estimate + wider * (limits.low - middle), estimate + wider * (limits.high - middle)}};
+}
+
 std::vector<Paired> pairs_of(const std::vector<CaseDesignLoad>& designs) {
     std::vector<Paired> pairs;
     for (std::size_t a = 0; a < designs.size(); ++a) {
         for (std::size_t b = a + 1; b < designs.size(); ++b) {
             const CaseDesignLoad& one = designs[a];
             const CaseDesignLoad& other = designs[b];
-            if (!one.load.valid() || !other.load.valid() || one.arrangements != other.arrangements) continue;
+            if (!one.load.valid() || !other.load.valid() || !one.of_one_kind() || !other.of_one_kind() ||
+                one.arrangements != other.arrangements)
+                continue;
             std::vector<double> differences;
             for (std::size_t k = 0; k < std::min(one.load.draws.size(), other.load.draws.size()); ++k)
                 differences.push_back(other.load.draws[k].front() - one.load.draws[k].front());
+            std::erase_if(differences, [](double difference) { return !std::isfinite(difference); });
             const auto value = [](const CaseDesignLoad& of) {
                 return of.load.estimates.front().quantiles.front().value;
             };
-            pairs.push_back({&one, &other, {value(other) - value(one), percentile_interval(std::move(differences))}});
+            pairs.push_back({&one, &other,
+                             widened(value(other) - value(one), std::move(differences),
+                                     static_cast<double>(one.arrangements.size()))});
         }
     }
     return pairs;
@@ -192,91 +253,12 @@ Section pairs_section(const Summary& summary, const std::vector<CaseDesignLoad>&
         {"difference_N", [&](const Paired& one) { return request.force_factor() * one.difference.value; }},
         {"low", [&](const Paired& one) { return request.force_factor() * one.difference.interval.low; }},
         {"high", [&](const Paired& one) { return request.force_factor() * one.difference.interval.high; }}};
-    return {
-        .table = std::move(table),
-        .after = fmt::format("\nDifferences of the load exceeded with {}, by both tails, over the same arrangements.\n",
-                             percent(1 - request.quantiles.front())),
-        .records = {json_only(make_rows<Paired>("design/pairs", pairs, columns))}};
-}
-
-/// A line for each case, method and figure.
-DataRows load_records(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
-                      const DesignLoadRequest& request) {
-    struct Line {
-        const CaseDesignLoad* of;
-        const DesignLoadEstimate* made;
-        const DesignLoadFigure* figure;
-        double probability;  ///< NaN for the expected load
-    };
-    std::vector<Line> lines;
-    for (const CaseDesignLoad& one : designs)
-        for (const DesignLoadEstimate& made : one.load.estimates) {
-            lines.push_back({&one, &made, &made.expected, std::nan("")});
-            for (std::size_t k = 0; k < made.quantiles.size(); ++k)
-                lines.push_back({&one, &made, &made.quantiles[k], request.quantiles[k]});
-        }
-    const double factor = request.force_factor();
-    return make_rows<Line>(
-        "design/loads", lines,
-        {{"case", [&](const Line& line) { return summary.name_of(line.of->case_index); }},
-         {"method", [](const Line& line) { return name_of(line.made->method); }},
-         {"averaging_s", [&](const Line&) { return request.averaging; }},
-         {"exposure_h", [&](const Line&) { return request.exposure / unit::hour; }},
-         {"scale", [&](const Line&) { return request.scale; }},
-         {"figure", [](const Line& line) { return std::isnan(line.probability) ? "expected" : "quantile"; }},
-         {"probability", [](const Line& line) { return line.probability; }},
-         {"load_N", [=](const Line& line) { return factor * line.figure->value; }},
-         {"low", [=](const Line& line) { return factor * line.figure->interval.low; }},
-         {"high", [=](const Line& line) { return factor * line.figure->interval.high; }}});
-}
-
-/// What the loads rest on, one record for each case, at the scale of the campaign.
-DataRows basis_records(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
-                       const DesignLoadRequest& request) {
-    std::vector<DataColumn<CaseDesignLoad>> columns{
-        {"case", [&](const CaseDesignLoad& one) { return summary.name_of(one.case_index); }},
-        {"arrangements", [](const CaseDesignLoad& one) { return one.load.arrangements; }},
-        {"time_run_s", [](const CaseDesignLoad& one) { return one.load.time_run; }},
-        {"exposure_s", [&](const CaseDesignLoad&) { return request.model_exposure(); }},
-        {"peak_separation_s", [](const CaseDesignLoad& one) { return one.separation; }},
-        {"peaks", [](const CaseDesignLoad& one) { return one.load.peaks; }},
-        {"threshold_N", [](const CaseDesignLoad& one) { return one.load.threshold; }},
-        {"pareto/scale_N", [](const CaseDesignLoad& one) { return one.load.pareto.scale; }},
-        {"pareto/shape", [](const CaseDesignLoad& one) { return one.load.pareto.shape; }},
-        {"weibull/origin_N", [](const CaseDesignLoad& one) { return one.load.weibull.origin; }},
-        {"weibull/scale_N", [](const CaseDesignLoad& one) { return one.load.weibull.scale; }},
-        {"weibull/shape", [](const CaseDesignLoad& one) { return one.load.weibull.shape; }},
-        {"weibull/weight", [](const CaseDesignLoad& one) { return one.load.weibull_weight; }}};
-    for (std::size_t k = 0; k < std::size(threshold_shares); ++k) {
-        columns.push_back({fmt::format("over_thresholds/{}/share", k),
-                           [k](const CaseDesignLoad&) { return Datum(threshold_shares[k]); }});
-        columns.push_back({fmt::format("over_thresholds/{}/load_N", k),
-                           [k](const CaseDesignLoad& one) { return Datum(one.over_shares[k]); }});
-    }
-    return json_only(make_rows<CaseDesignLoad>("design/basis", designs, columns));
-}
-
-/// Peaks above each of them, with the rate that each tail gives: a curve for each case, at the scale of the campaign.
-DataRows rate_records(const Summary& summary, const std::vector<CaseDesignLoad>& designs) {
-    struct Point {
-        const CaseDesignLoad* of;
-        double load;
-        double seen;  ///< per s
-    };
-    std::vector<Point> points;
-    for (const CaseDesignLoad& one : designs)
-        for (std::size_t k = 0; k < one.peaks.size(); ++k)
-            points.push_back({&one, one.peaks[k], static_cast<double>(k + 1) / one.load.time_run});
-    const auto tail = [](const Tail& fitted, double load) {
-        return fitted.valid() && load >= fitted.threshold ? Datum(rate_above(fitted, load)) : Datum(Undefined{});
-    };
-    return json_only(make_rows<Point>(
-        "design/rates", points,
-        {{"case", [&](const Point& point) { return summary.name_of(point.of->case_index); }},
-         {"load_N", [](const Point& point) { return point.load; }},
-         {"seen_per_s", [](const Point& point) { return point.seen; }},
-         {"pareto_per_s", [=](const Point& point) { return tail(point.of->load.pareto, point.load); }},
-         {"weibull_per_s", [=](const Point& point) { return tail(point.of->load.weibull, point.load); }}}));
+    return {.table = std::move(table),
+            .after = fmt::format(
+                "\nDifferences of the load exceeded with {}, by both tails, over the same arrangements, with "
+                "members taken as alike.\n",
+                percent(1 - request.quantiles.front())),
+            .records = {json_only(make_rows<Paired>("design/pairs", pairs, columns))}};
 }
 
 }  // namespace
@@ -288,7 +270,8 @@ std::vector<Section> design_load_sections(const Summary& summary, const std::vec
     Section loads = loads_section(summary, designs, request, unit);
     loads.records = {load_records(summary, designs, request), basis_records(summary, designs, request),
                      rate_records(summary, designs)};
-    return {{.before = fmt::format("Campaign {}.\n{}\n", summary.title, conditions)},
+    return {{.before =
+                 fmt::format("{}Campaign {}.\n{}\n", standing_out_lines(summary, designs), summary.title, conditions)},
             std::move(loads),
             basis_section(summary, designs, request, unit),
             pairs_section(summary, designs, request, unit)};

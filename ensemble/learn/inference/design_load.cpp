@@ -7,12 +7,15 @@
 #include <limits>
 
 #include "inference/hidden_peaks.hpp"
+#include "inference/posterior_load.hpp"
 
 namespace floes {
 namespace {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr double fit_budget = 5e5;          // peaks fitted in all resamples; at least 199 resamples, at most 999
+constexpr double highest_share = 0.9;       // of the peaks, of which a threshold is averaged over
+constexpr double no_expected_from = 0.9;    // the shape from which the mean of the largest is near infinite or is
 constexpr std::size_t most_left_out = 100;  // rows, or groups of rows, that the jackknife leaves out in turn
 
 using Rows = std::span<const std::uint32_t>;
@@ -23,7 +26,8 @@ using Figures = std::vector<double>;
 /// NaN of a tail that could not be fitted.
 Figures figures_of(const Tail& tail, const Exposure& exposure) {
     if (!tail.valid()) return Figures(exposure.probabilities.size() + 1, undefined);
-    Figures figures{expected_largest(tail, exposure.time)};
+    const bool expected = tail.kind == TailKind::weibull || tail.shape < no_expected_from;
+    Figures figures{expected ? expected_largest(tail, exposure.time) : undefined};
     for (const double p : exposure.probabilities) figures.push_back(quantile_of_largest(tail, exposure.time, p));
     return figures;
 }
@@ -32,7 +36,7 @@ Figures figures_of(const Tail& tail, const Exposure& exposure) {
 double expected_of_maxima(const ExtremeFit& fit, double count) {
     if (std::abs(fit.shape) < 1e-9)
         return fit.location + fit.scale * (std::log(count) + boost::math::constants::euler<double>());
-    if (fit.shape >= 1) return undefined;
+    if (fit.shape >= no_expected_from) return undefined;
     return fit.location + fit.scale / fit.shape * (std::pow(count, fit.shape) * std::tgamma(1 - fit.shape) - 1);
 }
 
@@ -93,6 +97,8 @@ class TailFitter {
                 fit_tail(TailKind::weibull, excesses, weights, threshold_, measured_.mean, time)};
     }
 
+    const Measured& measured() const { return measured_; }
+
   private:
     const std::vector<PeakRow>& rows_;
     Measured measured_;
@@ -120,22 +126,6 @@ struct TailDraws {
     }
 };
 
-/// The 95 % limits of draws of two tails that weigh `second` and one minus that.
-Limits mixed_limits(const std::vector<double>& one, const std::vector<double>& other, double second) {
-    std::vector<std::pair<double, double>> draws;  // value, weight
-    for (const double value : one) draws.emplace_back(value, (1 - second) / static_cast<double>(one.size()));
-    for (const double value : other) draws.emplace_back(value, second / static_cast<double>(other.size()));
-    if (draws.empty()) return {undefined, undefined};
-    std::ranges::sort(draws);
-    const auto quantile = [&](double p) {
-        double sum = 0;
-        for (const auto& [value, weight] : draws)
-            if ((sum += weight) >= p) return value;
-        return draws.back().first;
-    };
-    return {quantile(0.025), quantile(0.975)};
-}
-
 DesignLoadEstimate estimate(LargestBy method, const Figures& values, const std::function<Limits(std::size_t)>& limits) {
     DesignLoadEstimate made{.method = method, .expected = {values[0], limits(0)}, .quantiles = {}};
     for (std::size_t k = 1; k < values.size(); ++k) made.quantiles.push_back({values[k], limits(k)});
@@ -147,13 +137,32 @@ int resamples_for(std::size_t values) {
         std::clamp(fit_budget / static_cast<double>(std::max<std::size_t>(values, 1)), 199.0, 999.0));
 }
 
+/// Both tails of members that differ.
+void add_posterior(const std::vector<PeakRow>& rows, const Measured& measured, const Exposure& exposure,
+                   DesignLoad& load) {
+    std::vector<std::vector<double>> peaks;
+    for (const PeakRow& row : rows) peaks.push_back(row.peaks);
+    PosteriorAsked asked{measured.window, measured.separation, measured.mean, {}};
+    for (const double part : exposure.quick ? std::vector{1.0} : std::vector{2.0, 1.0, 0.4})
+        asked.shares.push_back(std::min(part * exposure.share, highest_share));
+    const PosteriorLoad found(peaks, load.unlike.out, asked);
+    if (!found.valid()) return;
+    load.weibull_weight = found.weibull_weight();
+    load.scatter = found.scatter();
+    load.alike = found.alike();
+    const auto figure = [](const PosteriorFigure& one) { return DesignLoadFigure{one.value, one.interval}; };
+    DesignLoadEstimate made{LargestBy::both_tails, figure(found.expected(exposure.time)), {}};
+    for (const double p : exposure.probabilities) made.quantiles.push_back(figure(found.quantile(exposure.time, p)));
+    load.estimates.push_back(std::move(made));
+}
+
 void add_tails(const std::vector<PeakRow>& rows, const TailFitter& fitter, const Exposure& exposure, DesignLoad& load) {
     const BothTails tails = fitter.fit(all_rows(rows.size()));
     if (!tails.valid()) return;
-    const double weight = tails.weibull_weight();
     load.pareto = tails.pareto;
     load.weibull = tails.weibull;
-    load.weibull_weight = weight;
+    add_posterior(rows, fitter.measured(), exposure, load);
+    if (!load.valid()) return;
     TailDraws pareto{.all = figures_of(tails.pareto, exposure), .resampled = {}, .without = {}};
     TailDraws weibull{.all = figures_of(tails.weibull, exposure), .resampled = {}, .without = {}};
     const auto take = [&](const BothTails& found, Draws TailDraws::*into) {
@@ -178,14 +187,12 @@ void add_tails(const std::vector<PeakRow>& rows, const TailFitter& fitter, const
     const auto limits_of = [](const std::vector<std::vector<double>>& draws) {
         return [&](std::size_t k) { return percentile_interval(draws[k]); };
     };
-    load.estimates.push_back(
-        estimate(LargestBy::both_tails, weighted(pareto.all, weibull.all, weight),
-                 [&](std::size_t k) { return mixed_limits(of_pareto[k], of_weibull[k], weight); }));
     load.estimates.push_back(estimate(LargestBy::pareto, pareto.all, limits_of(of_pareto)));
     load.estimates.push_back(estimate(LargestBy::weibull, weibull.all, limits_of(of_weibull)));
     for (std::size_t draw = 0; draw < pareto.resampled.size(); ++draw) {
-        const Figures both = weighted(pareto.resampled[draw], weibull.resampled[draw], weight);
+        const Figures both = weighted(pareto.resampled[draw], weibull.resampled[draw], load.weibull_weight);
         load.draws.emplace_back(both.begin() + 1, both.end());
+        load.dropped += std::isfinite(both.back()) ? 0 : 1;
     }
 }
 
@@ -239,7 +246,10 @@ DesignLoad design_load(const std::vector<PeakRow>& rows, const Measured& measure
     for (const PeakRow& row : rows)
         load.peaks += static_cast<std::size_t>(
             std::ranges::count_if(row.peaks, [&](double peak) { return peak > load.threshold; }));
-    if (rows.size() < 3 || load.peaks < fewest_peaks || !(load.threshold > measured.mean)) return load;
+    std::vector<std::vector<double>> peaks;
+    for (const PeakRow& row : rows) peaks.push_back(row.peaks);
+    load.unlike = unlike_members(peaks, exposure.share);
+    if (rows.size() < fewest_members || load.peaks < fewest_peaks || !(load.threshold > measured.mean)) return load;
     add_tails(rows, TailFitter(rows, measured, load.threshold), exposure, load);
     if (!load.valid()) return load;
     add_maxima(rows, measured.segment, exposure, ExtremeKind::gumbel, load);

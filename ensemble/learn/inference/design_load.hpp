@@ -11,6 +11,7 @@
 #include "inference/bootstrap.hpp"
 #include "inference/extremes.hpp"
 #include "inference/tails.hpp"
+#include "inference/unlike_members.hpp"
 
 namespace floes {
 
@@ -32,11 +33,12 @@ struct Exposure {
     double time = 0;                    ///< s
     std::vector<double> probabilities;  ///< of not being exceeded, each in (0, 1)
     double share = 0.25;                ///< of the peaks, the highest, that the tails are fitted to
+    bool quick = false;                 ///< both tails above one threshold; else averaged over 2, 1 and 0.4 times share
 };
 
 /// How the largest load is extrapolated.
 enum class LargestBy {
-    both_tails,  ///< Pareto and Weibull, weighted by their likelihoods
+    both_tails,  ///< Pareto and Weibull of members that differ, by what the peaks say of each (posterior_load.hpp)
     pareto,      ///< peaks over a threshold
     weibull,     ///< average exceedance rates
     gumbel,      ///< segment maxima
@@ -45,8 +47,8 @@ enum class LargestBy {
 std::string_view name_of(LargestBy method);
 
 struct DesignLoadFigure {
-    double value = 0;   ///< N
-    Limits interval{};  ///< 95 %, bootstrap over arrangements
+    double value = 0;   ///< N; of both tails the median. NaN for an expected load that does not exist
+    Limits interval{};  ///< 95 %: of both tails from their posterior, of others by bootstrap over arrangements
 };
 
 struct DesignLoadEstimate {
@@ -63,13 +65,20 @@ struct DesignLoad {
     Tail pareto;                                ///< shape below 0: the load has an upper bound; above 0: a heavy tail
     Tail weibull;                               ///< shape 1: exponential; 2: Gaussian
     double weibull_weight = 0;                  ///< of the Weibull tail in both_tails, 0-1
+    UnlikeMembers unlike;                       ///< rows that stand out, and how the others differ
+    double scatter = 0;                         ///< SD of the logarithm of the members' scales; not of those
+    double alike = 0;                           ///< probability that this is 0
+    std::size_t dropped = 0;                    ///< of the draws, without a fit
     std::vector<DesignLoadEstimate> estimates;  ///< in the order of LargestBy; empty if there are too few peaks
-    /// Bootstrap draws of the quantiles of both_tails, a row each; NaN where the fit failed. Two cases with the same
-    /// arrangements have the same draws in the same rows, as far as both have them.
+    /// Bootstrap draws of the quantiles of both tails as if members were alike, a row each; NaN where the fit failed.
+    /// Two cases with the same arrangements have the same draws in the same rows, as far as both have them.
     std::vector<std::vector<double>> draws;
 
     bool valid() const { return !estimates.empty(); }
 };
+
+/// Fewest members of which a design load says anything.
+inline constexpr std::size_t fewest_members = 4;
 
 DesignLoad design_load(const std::vector<PeakRow>& rows, const Measured& measured, const Exposure& exposure);
 

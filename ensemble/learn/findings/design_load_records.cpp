@@ -1,0 +1,95 @@
+#include "findings/design_load_records.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace floes {
+
+DataRows load_records(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
+                      const DesignLoadRequest& request) {
+    struct Line {
+        const CaseDesignLoad* of;
+        const DesignLoadEstimate* made;
+        const DesignLoadFigure* figure;
+        double probability;  ///< NaN for the expected load
+    };
+    std::vector<Line> lines;
+    for (const CaseDesignLoad& one : designs)
+        for (const DesignLoadEstimate& made : one.load.estimates) {
+            lines.push_back({&one, &made, &made.expected, std::nan("")});
+            for (std::size_t k = 0; k < made.quantiles.size(); ++k)
+                lines.push_back({&one, &made, &made.quantiles[k], request.quantiles[k]});
+        }
+    const double factor = request.force_factor();
+    return make_rows<Line>(
+        "design/loads", lines,
+        {{"case", [&](const Line& line) { return summary.name_of(line.of->case_index); }},
+         {"method", [](const Line& line) { return name_of(line.made->method); }},
+         {"averaging_s", [&](const Line&) { return request.averaging; }},
+         {"exposure_h", [&](const Line&) { return request.exposure / unit::hour; }},
+         {"scale", [&](const Line&) { return request.scale; }},
+         {"figure", [](const Line& line) { return std::isnan(line.probability) ? "expected" : "quantile"; }},
+         {"probability", [](const Line& line) { return line.probability; }},
+         {"load_N", [=](const Line& line) { return factor * line.figure->value; }},
+         {"low", [=](const Line& line) { return factor * line.figure->interval.low; }},
+         {"high", [=](const Line& line) { return factor * line.figure->interval.high; }}});
+}
+
+DataRows basis_records(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
+                       const DesignLoadRequest& request) {
+    std::vector<DataColumn<CaseDesignLoad>> columns{
+        {"case", [&](const CaseDesignLoad& one) { return summary.name_of(one.case_index); }},
+        {"arrangements", [](const CaseDesignLoad& one) { return one.load.arrangements; }},
+        {"time_run_s", [](const CaseDesignLoad& one) { return one.load.time_run; }},
+        {"exposure_s", [&](const CaseDesignLoad&) { return request.model_exposure(); }},
+        {"peak_separation_s", [](const CaseDesignLoad& one) { return one.separation; }},
+        {"peaks", [](const CaseDesignLoad& one) { return one.load.peaks; }},
+        {"threshold_N", [](const CaseDesignLoad& one) { return one.load.threshold; }},
+        {"pareto/scale_N", [](const CaseDesignLoad& one) { return one.load.pareto.scale; }},
+        {"pareto/shape", [](const CaseDesignLoad& one) { return one.load.pareto.shape; }},
+        {"weibull/origin_N", [](const CaseDesignLoad& one) { return one.load.weibull.origin; }},
+        {"weibull/scale_N", [](const CaseDesignLoad& one) { return one.load.weibull.scale; }},
+        {"weibull/shape", [](const CaseDesignLoad& one) { return one.load.weibull.shape; }},
+        {"weibull/weight", [](const CaseDesignLoad& one) { return one.load.weibull_weight; }},
+        {"stand_out", [](const CaseDesignLoad& one) { return one.load.unlike.out.size(); }},
+        {"peaks_carried", [](const CaseDesignLoad& one) { return one.load.unlike.carried; }},
+        {"unseen_share", [](const CaseDesignLoad& one) { return unseen_share(one.load.arrangements); }},
+        {"scatter", [](const CaseDesignLoad& one) { return one.load.scatter; }},
+        {"alike_probability", [](const CaseDesignLoad& one) { return one.load.alike; }},
+        {"dispersion", [](const CaseDesignLoad& one) { return one.load.unlike.dispersion; }},
+        {"dispersion_p", [](const CaseDesignLoad& one) { return one.load.unlike.dispersion_p; }},
+        {"resamples", [](const CaseDesignLoad& one) { return one.load.draws.size(); }},
+        {"resamples_without_fit", [](const CaseDesignLoad& one) { return one.load.dropped; }}};
+    for (std::size_t k = 0; k < std::size(threshold_shares); ++k) {
+        columns.push_back({fmt::format("over_thresholds/{}/share", k),
+                           [k](const CaseDesignLoad&) { return Datum(threshold_shares[k]); }});
+        columns.push_back({fmt::format("over_thresholds/{}/load_N", k),
+                           [k](const CaseDesignLoad& one) { return Datum(one.over_shares[k]); }});
+    }
+    return json_only(make_rows<CaseDesignLoad>("design/basis", designs, columns));
+}
+
+DataRows rate_records(const Summary& summary, const std::vector<CaseDesignLoad>& designs) {
+    struct Point {
+        const CaseDesignLoad* of;
+        double load;
+        double seen;  ///< per s
+    };
+    std::vector<Point> points;
+    for (const CaseDesignLoad& one : designs)
+        for (std::size_t k = 0; k < one.peaks.size(); ++k)
+            points.push_back({&one, one.peaks[k], static_cast<double>(k + 1) / one.load.time_run});
+    const auto tail = [](const Tail& fitted, double load) {
+        return fitted.valid() && load >= fitted.threshold ? Datum(rate_above(fitted, load)) : Datum(Undefined{});
+    };
+    return json_only(make_rows<Point>(
+        "design/rates", points,
+        {{"case", [&](const Point& point) { return summary.name_of(point.of->case_index); }},
+         {"load_N", [](const Point& point) { return point.load; }},
+         {"seen_per_s", [](const Point& point) { return point.seen; }},
+         {"pareto_per_s", [=](const Point& point) { return tail(point.of->load.pareto, point.load); }},
+         {"weibull_per_s", [=](const Point& point) { return tail(point.of->load.weibull, point.load); }}}));
+}
+
+}  // namespace floes

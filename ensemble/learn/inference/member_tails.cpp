@@ -1,0 +1,229 @@
+#include "inference/member_tails.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "core/random.hpp"
+
+namespace floes {
+namespace {
+
+constexpr double shape_sd = 0.3;
+constexpr double lowest_shape = -0.8;
+constexpr double highest_shape = 0.7;
+constexpr double log_weibull_middle = 0.34657359;  // √2
+constexpr double log_weibull_sd = 0.5;
+constexpr double scatter_sd = 0.3;
+constexpr double small = 1e-6;
+constexpr double impossible = -std::numeric_limits<double>::infinity();
+
+struct Node {
+    double at;  ///< standard normal
+    double share;
+};
+
+/// The standard normal distribution in equal steps.
+constexpr int node_count = 11;
+std::array<Node, node_count> make_nodes() {
+    std::array<Node, node_count> nodes{};
+    double sum = 0;
+    for (int k = 0; k < node_count; ++k) {
+        const double at = 0.6 * (k - node_count / 2);
+        nodes[static_cast<std::size_t>(k)] = {at, std::exp(-at * at / 2)};
+        sum += std::exp(-at * at / 2);
+    }
+    for (Node& node : nodes) node.share /= sum;
+    return nodes;
+}
+const std::array<Node, node_count> nodes = make_nodes();
+
+/// H(y) and log of its derivative; infinite beyond an upper bound, or below where the tail begins.
+struct Hazard {
+    double sum;
+    double log_now;
+};
+
+Hazard hazard_at(const UnlikeTail& tail, double y) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    if (tail.kind == TailKind::weibull) {
+        const double d = tail.threshold - tail.origin;
+        const double grown = 1 + y / d;
+        if (grown <= 0) return {-d / (tail.shape * tail.scale), impossible};
+        const double log_grown = std::log(grown);
+        return {d / (tail.shape * tail.scale) * std::expm1(tail.shape * log_grown),
+                (tail.shape - 1) * log_grown - std::log(tail.scale)};
+    }
+    const double slope = tail.shape / tail.scale;
+    if (std::abs(tail.shape) < small) return {y / tail.scale, -std::log(tail.scale)};
+    const double grown = 1 + slope * y;
+    if (grown <= 0) return {tail.shape < 0 ? infinite : -infinite, impossible};
+    const double log_grown = std::log(grown);
+    return {log_grown / tail.shape, -log_grown - std::log(tail.scale)};
+}
+
+double rate_of(const UnlikeTail& tail, double x, double s) {
+    return tail.rate * std::exp(-hazard_at(tail, x / s - tail.threshold).sum);
+}
+
+/// Log likelihood of a member's peaks given its scale, per event of unit weight.
+double log_likelihood_given(const UnlikeTail& tail, const TailData& data, const MemberPeaks& member, double s) {
+    double sum = -data.window * rate_of(tail, member.stands_out ? data.out_threshold : data.threshold, s);
+    const double each = std::log(tail.rate / s);
+    for (std::size_t k = 0; k < member.peaks.size(); ++k) {
+        const Hazard hazard = hazard_at(tail, member.peaks[k] / s - tail.threshold);
+        sum += member.weights[k] * (each - hazard.sum + hazard.log_now);
+    }
+    return std::isnan(sum) ? impossible : sum;
+}
+
+/// Log of the mean over the member's scale.
+double log_likelihood(const UnlikeTail& tail, const TailData& data, const MemberPeaks& member, double part) {
+    const double middle = member.stands_out ? tail.out_factor : 1;
+    const double scatter = member.stands_out ? tail.out_scatter : tail.scatter;
+    if (scatter == 0) return part * log_likelihood_given(tail, data, member, middle);
+    std::array<double, node_count> logs{};
+    for (std::size_t k = 0; k < node_count; ++k)
+        logs[k] = part * log_likelihood_given(tail, data, member, middle * std::exp(scatter * nodes[k].at));
+    const double most = *std::ranges::max_element(logs);
+    if (!std::isfinite(most)) return impossible;
+    double sum = 0;
+    for (std::size_t k = 0; k < node_count; ++k) sum += nodes[k].share * std::exp(logs[k] - most);
+    return most + std::log(sum);
+}
+
+double log_prior(const UnlikeTail& tail, std::span<const double> at) {
+    const auto normal = [](double value, double sd) { return -0.5 * value * value / (sd * sd) - std::log(sd); };
+    double sum = normal(at[3], scatter_sd);
+    if (at.size() > 4) sum += normal(at[5], scatter_sd);
+    if (tail.kind == TailKind::weibull) return sum + normal(std::log(tail.shape) - log_weibull_middle, log_weibull_sd);
+    if (tail.shape < lowest_shape || tail.shape > highest_shape) return impossible;
+    return sum + normal(tail.shape, shape_sd);
+}
+
+/// log R, log σ, shape, SD of log s; then for a class that stands out the log of its factor, and its SD.
+UnlikeTail tail_of(TailKind kind, const TailData& data, std::span<const double> at) {
+    UnlikeTail tail{.kind = kind, .threshold = data.threshold, .origin = data.origin};
+    tail.rate = std::exp(at[0]);
+    tail.scale = std::exp(at[1]);
+    tail.shape = kind == TailKind::weibull ? std::exp(at[2]) : at[2];
+    tail.scatter = std::max(at[3], 0.0);
+    if (at.size() > 4) {
+        tail.out_factor = std::exp(at[4]);
+        tail.out_scatter = std::max(at[5], 0.0);
+    }
+    return tail;
+}
+
+/// What is seen of a class.
+struct Seen {
+    double events = 0;
+    double squares = 0;  ///< of the weights
+    double excess = 0;   ///< sum
+    double members = 0;
+
+    Seen(const TailData& data, bool out) {
+        for (const MemberPeaks& member : data.members) {
+            if (member.stands_out != out) continue;
+            ++members;
+            for (std::size_t k = 0; k < member.peaks.size(); ++k) {
+                events += member.weights[k];
+                squares += member.weights[k] * member.weights[k];
+                excess += member.weights[k] * (member.peaks[k] - (out ? data.out_threshold : data.threshold));
+            }
+        }
+    }
+};
+
+/// Gamma with shape k >= 1/2 and scale 1: G. Marsaglia and W. W. Tsang, ACM TOMS 26 (2000) 363-372.
+double gamma(RandomStream& random, double k) {
+    if (k < 1) return gamma(random, k + 1) * std::pow(1 - random.uniform(), 1 / k);
+    const double d = k - 1.0 / 3;
+    const double c = 1 / std::sqrt(9 * d);
+    while (true) {
+        const double z = std::sqrt(-2 * std::log(1 - random.uniform())) * std::cos(2 * M_PI * random.uniform());
+        const double v = std::pow(1 + c * z, 3);
+        if (v > 0 && std::log(1 - random.uniform()) < 0.5 * z * z + d - d * v + d * std::log(v)) return d * v;
+    }
+}
+
+}  // namespace
+
+UnlikeTails draw_tails(TailKind kind, const TailData& data, const WalkOptions& options) {
+    const Seen usual(data, false);
+    const Seen out(data, true);
+    UnlikeTails made;
+    if (usual.events <= 0 || usual.excess <= 0 || (out.members > 0 && out.events <= 0)) return made;
+    // Weights count hidden events as if they had been seen; the likelihood is flattened by as much.
+    const double part = (usual.events + out.events) / (usual.squares + out.squares);
+    const auto density = [&](std::span<const double> at) {
+        const UnlikeTail tail = tail_of(kind, data, at);
+        double sum = log_prior(tail, at);
+        for (const MemberPeaks& member : data.members) {
+            if (!std::isfinite(sum)) return impossible;
+            sum += log_likelihood(tail, data, member, part);
+        }
+        return sum;
+    };
+    const double few = 1 / std::sqrt(usual.events);
+    std::vector<double> start{std::log(usual.events / (usual.members * data.window)),
+                              std::log(usual.excess / usual.events), kind == TailKind::weibull ? 0.1 : 0.0, 0.1};
+    std::vector<double> sizes{few, few, few, 0.1};
+    if (out.members > 0) {
+        start.insert(start.end(), {std::log(data.out_threshold / data.threshold), 0.2});
+        sizes.insert(sizes.end(), {0.1, 0.2});
+    }
+    const Walk walk = walk_at_random(density, start, sizes, options);
+    RandomStream random{33, options.draw, StreamId::bootstrap, 1};
+    for (const std::vector<double>& at : walk.draws) {
+        UnlikeTail& tail = made.draws.emplace_back(tail_of(kind, data, at));
+        if (out.members == 0) continue;
+        const double one = gamma(random, out.members + 0.5);
+        tail.out_share = one / (one + gamma(random, usual.members + 0.5));
+    }
+    made.log_evidence = walk.log_evidence;
+    return made;
+}
+
+double log_below(const UnlikeTail& tail, double window, double members, double x) {
+    const auto above = [&](double middle, double scatter) {
+        if (scatter == 0) return -std::expm1(-window * rate_of(tail, x, middle));
+        double sum = 0;
+        for (const Node& node : nodes)
+            sum -= node.share * std::expm1(-window * rate_of(tail, x, middle * std::exp(scatter * node.at)));
+        return sum;
+    };
+    double sum = (1 - tail.out_share) * above(1, tail.scatter);
+    if (tail.out_share > 0) sum += tail.out_share * above(tail.out_factor, tail.out_scatter);
+    return members * std::log1p(-std::min(sum, 1.0));
+}
+
+double largest_at(const UnlikeTail& tail, double window, double members, double log_p) {
+    double low = tail.threshold;
+    double high = 2 * low;
+    for (int k = 0; k < 60 && log_below(tail, window, members, high) < log_p; ++k) {
+        low = high;
+        high *= 2;
+    }
+    for (int k = 0; k < 24; ++k) {
+        const double middle = 0.5 * (low + high);
+        (log_below(tail, window, members, middle) < log_p ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+// The integral of the quantile over p, with p = exp(-e^t), as expected_largest() does.
+double mean_largest(const UnlikeTail& tail, double window, double members) {
+    constexpr double step = 0.75;
+    double sum = 0;
+    for (int k = 0; k < 25; ++k) {
+        const double y = std::exp(step * k - 15);
+        sum += largest_at(tail, window, members, -y) * y * std::exp(-y) * step;
+    }
+    return sum;
+}
+
+}  // namespace floes

@@ -1,0 +1,126 @@
+#include "inference/random_walk.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/random.hpp"
+
+namespace floes {
+namespace {
+
+constexpr std::uint64_t walks = 32;  // of all streams of the bootstrap those that walk
+constexpr int between_adaptions = 100;
+
+double normal(RandomStream& random) {
+    return std::sqrt(-2 * std::log(1 - random.uniform())) * std::cos(2 * std::numbers::pi * random.uniform());
+}
+
+using Matrix = std::vector<std::vector<double>>;
+
+/// Lower triangle L with L L^T = matrix; a small diagonal keeps it positive.
+Matrix root_of(const Matrix& matrix) {
+    const std::size_t size = matrix.size();
+    Matrix root(size, std::vector<double>(size));
+    for (std::size_t i = 0; i < size; ++i)
+        for (std::size_t j = 0; j <= i; ++j) {
+            double sum = matrix[i][j];
+            for (std::size_t k = 0; k < j; ++k) sum -= root[i][k] * root[j][k];
+            root[i][j] = i == j ? std::sqrt(std::max(sum, 1e-10)) : sum / root[j][j];
+        }
+    return root;
+}
+
+Matrix covariance_of(const std::vector<std::vector<double>>& draws, std::size_t first) {
+    const std::size_t size = draws.front().size();
+    const double count = static_cast<double>(draws.size() - first);
+    std::vector<double> mean(size);
+    Matrix covariance(size, std::vector<double>(size));
+    for (std::size_t k = first; k < draws.size(); ++k)
+        for (std::size_t i = 0; i < size; ++i) mean[i] += draws[k][i] / count;
+    for (std::size_t k = first; k < draws.size(); ++k)
+        for (std::size_t i = 0; i < size; ++i)
+            for (std::size_t j = 0; j <= i; ++j)
+                covariance[i][j] += (draws[k][i] - mean[i]) * (draws[k][j] - mean[j]) / count;
+    return covariance;
+}
+
+/// A walker at its place.
+class Walker {
+  public:
+    Walker(const LogDensity& density, std::span<const double> start, std::span<const double> sizes, std::uint32_t draw)
+        : density_(density), random_(walks, draw, StreamId::bootstrap, 0), at_(start.begin(), start.end()) {
+        here_ = density_(at_);
+        best_ = here_;
+        for (std::size_t i = 0; i < sizes.size(); ++i) {
+            root_.emplace_back(sizes.size());
+            root_[i][i] = sizes[i];
+        }
+    }
+
+    void step() {
+        std::vector<double> normals(at_.size());
+        for (double& one : normals) one = normal(random_);
+        std::vector<double> proposed = at_;
+        for (std::size_t i = 0; i < at_.size(); ++i)
+            for (std::size_t j = 0; j <= i; ++j) proposed[i] += length_ * root_[i][j] * normals[j];
+        const double there = density_(proposed);
+        ++tried_;
+        if (!(std::log(1 - random_.uniform()) < there - here_)) return;
+        ++taken_;
+        at_ = std::move(proposed);
+        here_ = there;
+        best_ = std::max(best_, here_);
+    }
+
+    /// Steps of the shape of what was met, and of such a length that about a quarter are taken.
+    void adapt(const std::vector<std::vector<double>>& met) {
+        if (met.size() > 2 * between_adaptions) root_ = root_of(covariance_of(met, met.size() / 2));
+        length_ *= std::exp(2 * (static_cast<double>(taken_) / tried_ - 0.27));
+        taken_ = tried_ = 0;
+    }
+
+    const std::vector<double>& at() const { return at_; }
+    bool lost() const { return !std::isfinite(here_); }
+    double best() const { return best_; }
+
+  private:
+    const LogDensity& density_;
+    RandomStream random_;
+    std::vector<double> at_;
+    Matrix root_;
+    double here_ = 0;
+    double best_ = 0;
+    double length_ = 1;
+    int taken_ = 0;
+    int tried_ = 0;
+};
+
+}  // namespace
+
+Walk walk_at_random(const LogDensity& density, std::span<const double> start, std::span<const double> sizes,
+                    const WalkOptions& options) {
+    Walk walk;
+    Walker walker(density, start, sizes, options.draw);
+    if (walker.lost()) return walk;
+    std::vector<std::vector<double>> met;
+    for (int step = 0; step < options.steps / 3; ++step) {
+        walker.step();
+        met.push_back(walker.at());
+        if ((step + 1) % between_adaptions == 0) walker.adapt(met);
+    }
+    met.clear();
+    for (int step = 0; step < options.steps; ++step) {
+        walker.step();
+        met.push_back(walker.at());
+        if ((step + 1) % std::max(options.steps / options.kept, 1) == 0) walk.draws.push_back(walker.at());
+    }
+    const Matrix root = root_of(covariance_of(met, 0));
+    walk.log_evidence = walker.best();
+    for (std::size_t i = 0; i < root.size(); ++i)
+        walk.log_evidence += std::log(root[i][i]) + 0.5 * std::log(2 * std::numbers::pi);
+    return walk;
+}
+
+}  // namespace floes

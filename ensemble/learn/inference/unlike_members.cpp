@@ -1,0 +1,108 @@
+#include "inference/unlike_members.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <cmath>
+#include <numeric>
+
+#include "inference/bootstrap.hpp"
+#include "inference/interval.hpp"
+
+namespace floes {
+namespace {
+
+constexpr double level = 0.01;   // of all tests whether any member stands out
+constexpr double chance = 0.05;  // that a kind of member is not seen
+
+/// Mean logarithm of the highest third; 0 and below count as nothing.
+double height_of(const std::vector<double>& falling) {
+    const std::size_t third = std::min(falling.size(), std::max<std::size_t>(3, (falling.size() + 2) / 3));
+    double sum = 0;
+    for (std::size_t k = 0; k < third; ++k) sum += std::log(std::max(falling[k], 1e-12));
+    return sum / static_cast<double>(third);
+}
+
+struct Height {
+    double value;
+    std::size_t row;
+};
+
+/// How far the highest of falling values is above the mean of all, in their SD; Rosner's R.
+double departure(std::span<const Height> falling) {
+    const double count = static_cast<double>(falling.size());
+    double mean = 0, squares = 0;
+    for (const Height& one : falling) mean += one.value / count;
+    for (const Height& one : falling) squares += (one.value - mean) * (one.value - mean);
+    const double sd = std::sqrt(squares / (count - 1));
+    return sd > 0 ? (falling.front().value - mean) / sd : 0;
+}
+
+/// What the departure of the highest of `count` normal values is below with 99 %.
+double usual_departure(double count) {
+    const double t = student_t(count - 2, level / count);
+    return (count - 1) * t / std::sqrt((count - 2 + t * t) * count);
+}
+
+std::vector<std::size_t> standing_out(std::span<const std::vector<double>> peaks) {
+    std::vector<Height> heights;
+    for (std::size_t row = 0; row < peaks.size(); ++row)
+        if (!peaks[row].empty()) heights.push_back({height_of(peaks[row]), row});
+    std::ranges::stable_sort(heights, [](const Height& a, const Height& b) { return a.value > b.value; });
+    if (heights.size() < fewest_to_stand_out) return {};
+    const std::span<const Height> falling = heights;
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < heights.size() / 4; ++k)
+        if (departure(falling.subspan(k)) > usual_departure(static_cast<double>(heights.size() - k))) count = k + 1;
+    std::vector<std::size_t> rows;
+    for (const Height& one : falling.first(count)) rows.push_back(one.row);
+    std::ranges::sort(rows);
+    return rows;
+}
+
+/// The highest peaks of all that are those of these rows.
+std::size_t carried_by(std::span<const std::vector<double>> peaks, const std::vector<std::size_t>& rows) {
+    double highest_other = -1;
+    for (std::size_t row = 0; row < peaks.size(); ++row)
+        if (!peaks[row].empty() && !std::ranges::binary_search(rows, row))
+            highest_other = std::max(highest_other, peaks[row].front());
+    std::size_t count = 0;
+    for (const std::size_t row : rows)
+        count += static_cast<std::size_t>(
+            std::ranges::count_if(peaks[row], [&](double peak) { return peak > highest_other; }));
+    return count;
+}
+
+}  // namespace
+
+UnlikeMembers unlike_members(std::span<const std::vector<double>> peaks, double share) {
+    UnlikeMembers found;
+    found.out = standing_out(peaks);
+    if (!found.out.empty()) found.carried = carried_by(peaks, found.out);
+    std::vector<double> all;
+    for (std::size_t row = 0; row < peaks.size(); ++row)
+        if (!std::ranges::binary_search(found.out, row)) all.insert(all.end(), peaks[row].begin(), peaks[row].end());
+    const double members = static_cast<double>(peaks.size() - found.out.size());
+    if (all.empty() || members < 2) return found;
+    std::ranges::sort(all);
+    const double threshold = quantile_of_sorted(all, 1 - share);
+    double sum = 0, squares = 0;
+    for (std::size_t row = 0; row < peaks.size(); ++row) {
+        if (std::ranges::binary_search(found.out, row)) continue;
+        const auto count =
+            static_cast<double>(std::ranges::count_if(peaks[row], [&](double peak) { return peak > threshold; }));
+        sum += count;
+        squares += count * count;
+    }
+    if (sum == 0) return found;
+    const double mean = sum / members;
+    found.dispersion = (squares / members - mean * mean) * members / (members - 1) / mean;
+    found.dispersion_p = boost::math::cdf(boost::math::complement(boost::math::chi_squared{members - 1},
+                                                                  std::max(0.0, (members - 1) * found.dispersion)));
+    return found;
+}
+
+double unseen_share(std::size_t members) {
+    return 1 - std::pow(chance, 1 / static_cast<double>(std::max<std::size_t>(members, 1)));
+}
+
+}  // namespace floes
