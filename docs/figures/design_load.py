@@ -22,6 +22,8 @@ from validation_tables import table
 DATA = pathlib.Path(__file__).resolve().parent.parent / "design"
 PAGE = DATA.parent / "design_load.md"
 COLUMNS = ["process", "exposure", "method", "quantile", "error_percent", "within_percent", "below_percent"]
+UNLIKE_COLUMNS = ["load", "members", "exposure", "within_percent", "below_percent", "centre_percent", "high_over_low",
+                  "not_as_drawn_percent"]
 SHOWN = ["both tails", "Pareto tail", "Weibull tail", "Gumbel", "GEV"]
 COLOURS = {"E30": "#0072B2", "E60": "#D55E00", "E200": "#009E73"}
 
@@ -29,7 +31,24 @@ COLOURS = {"E30": "#0072B2", "E60": "#D55E00", "E200": "#009E73"}
 def take_coverage(lines):
     rows = [[cell.strip().removesuffix(" %") for cell in line.strip().strip("|").split("|")]
             for line in lines if line.startswith("| ")]
-    pd.DataFrame(rows, columns=COLUMNS).to_csv(DATA / "coverage.csv", index=False)
+    unlike = [row[1:] for row in rows if row[0] == "unlike"]
+    alike = [row for row in rows if row[0] != "unlike"]
+    if alike:
+        pd.DataFrame(alike, columns=COLUMNS).to_csv(DATA / "coverage.csv", index=False)
+    if unlike:
+        pd.DataFrame(unlike, columns=UNLIKE_COLUMNS).to_csv(DATA / "coverage_unlike.csv", index=False)
+
+
+def unlike_coverage():
+    data = pd.read_csv(DATA / "coverage_unlike.csv")
+    rows = []
+    for (load, members), own in data.groupby(["load", "members"], sort=False):
+        own = own.set_index("exposure")
+        rows.append([load, str(members)]
+                    + [f"{own.loc[x, 'within_percent']:.0f} % ({own.loc[x, 'centre_percent']:+.0f} %, "
+                       f"{own.loc[x, 'high_over_low']:.1f})" for x in (1, 10, 100)])
+    return table(["members", "n"] + [f"{x:g} x the time run: within (centre, upper / lower end)" for x in (1, 10, 100)],
+                 rows)
 
 
 def take_tails(campaign, program):
@@ -107,7 +126,7 @@ def main(arguments):
     if arguments[:1] == ["--collect"]:
         take_tails(arguments[1], arguments[2] if len(arguments) > 2 else "./floes")
     check = arguments == ["--check"]
-    fill_or_check({PAGE: {"coverage": coverage}}, check, "design_load.py")
+    fill_or_check({PAGE: {"coverage": coverage, "unlike": unlike_coverage}}, check, "design_load.py")
     if not check:
         draw(DATA / "tails.svg")
 

@@ -59,6 +59,7 @@ void add_design(CommandLine& line) {
     verb.option("--peaks", options->request.share, "Share of the peaks, the highest, that the tails are fitted to")
         .within(0.01, 0.9)
         .shows_default();
+    verb.flag("--rising", options->request.rising, "Extrapolate also a load that still rises in the measured window");
     add_window(verb, options->window);
     add_format(verb, options->format);
     verb.footer(

@@ -147,6 +147,23 @@ TEST(DesignFinding, NamesMembersThatStandOutBeforeAnyFigure) {
     EXPECT_THAT(told, testing::Not(HasSubstr("! weak")));
 }
 
+TEST(DesignFinding, ExtrapolatesARisingLoadOnlyWhenTold) {
+    CampaignTable table = campaign();
+    for (MemberRow& row : table.members) row.load.trend = (row.arrangement % 4 + 1) * 0.01;  // N/s, over 100 s
+    for (MemberRow& row : table.members) row.averaged[0].segment_maximum = {50, 50.0 + row.arrangement % 2, 50};
+    for (MemberRow& row : table.members)
+        if (row.case_index == 0) row.load.trend = 0;
+    const std::vector<CaseDesignLoad> refused = find_design_loads(table, {});
+    EXPECT_TRUE(refused[0].load.valid());
+    EXPECT_FALSE(refused[1].load.valid());
+    EXPECT_THAT(text(design_load_sections(summarise(table), refused, {}), 100),
+                HasSubstr("strong: the load rises by 2.5 N of 20 N over"));
+    const std::vector<CaseDesignLoad> told = find_design_loads(table, {.rising = true});
+    EXPECT_TRUE(told[1].load.valid());
+    EXPECT_THAT(text(design_load_sections(summarise(table), told, {.rising = true}), 100),
+                testing::StartsWith("! strong: the load rises by 2.5 N"));
+}
+
 TEST(DesignFinding, SaysNothingOfThreeMembers) {
     CampaignTable table = campaign();
     std::erase_if(table.members, [](const MemberRow& row) { return row.arrangement > 2; });

@@ -76,6 +76,12 @@ TEST(UnlikeMembers, OfFewOrNoneAreNone) {
     EXPECT_TRUE(unlike_members(std::vector<std::vector<double>>(6), 0.25).out.empty());
 }
 
+TEST(UnlikeMembers, OfValuesAreThoseFarAboveTheOthers) {
+    EXPECT_EQ(rows_standing_out(std::vector{1.0, 1.2, 9.0, 0.9, 1.1, 1.0, 1.3, 0.8}), std::vector<std::size_t>{2});
+    EXPECT_TRUE(rows_standing_out(std::vector{1.0, 1.2, -9.0, 0.9, 1.1, 1.0, 1.3, 0.8}).empty());
+    EXPECT_TRUE(rows_standing_out(std::vector<double>(8, 2.0)).empty());
+}
+
 TEST(UnlikeMembers, ThatAreNotSeenAreRarerWithMoreMembers) {
     EXPECT_NEAR(std::pow(1 - unseen_share(12), 12), 0.05, 1e-12);
     EXPECT_NEAR(unseen_share(12), 0.22, 0.005);

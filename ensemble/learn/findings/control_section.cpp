@@ -71,8 +71,10 @@ Section control_section(const Summary& summary, const std::vector<ControlRow>& r
         .after = fmt::format(
             "\nMeans corrected for the local order and the coverage ahead of the arrangements that were run, against "
             "{} that were only drawn. R² left out: share of the variance that these predict of arrangements which the "
-            "fit has not seen; at 0 or below, and where the interval is no shorter, the correction is off.\n",
-            control_draws),
+            "fit has not seen; at 0 or below, where the interval is no shorter, and with fewer than {} arrangements, "
+            "the "
+            "correction is off.\n",
+            control_draws, fewest_controlled),
         .records = {
             make_rows<ControlRow>("control", rows,
                                   {{"case", [&](const ControlRow& row) { return summary.name_of(row.case_index); }},

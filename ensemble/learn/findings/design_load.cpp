@@ -83,10 +83,12 @@ std::vector<CaseDesignLoad> find_design_loads(const CampaignTable& table, const 
     const Exposure exposure{request.model_exposure(), request.quantiles, request.share,
                             table.cases.size() > most_averaged_cases};
     std::vector<CaseDesignLoad> designs;
+    const std::vector<JointTrend> trends = joint_trends(table);
     for (std::size_t index = 0; index < table.cases.size(); ++index) {
         const CaseRow& about = table.cases[index];
         CaseDesignLoad one;
         one.case_index = index;
+        one.trend = trends[index];
         one.separation = about.analysis.peak_separation;
         std::vector<PeakRow> rows;
         double mean = 0;
@@ -103,6 +105,13 @@ std::vector<CaseDesignLoad> find_design_loads(const CampaignTable& table, const 
         mean /= std::max(1.0, static_cast<double>(rows.size()));
         const Measured measured{about.analysis.window, about.analysis.window / about.analysis.segments,
                                 about.analysis.peak_separation, mean};
+        if (one.trend.rises() && !request.rising) {
+            one.refused = true;
+            one.load.arrangements = rows.size();
+            one.over_shares.assign(std::size(threshold_shares), std::nan(""));
+            designs.push_back(std::move(one));
+            continue;
+        }
         one.load = design_load(rows, measured, exposure);
         for (const auto& quantiles :
              over_thresholds(rows, measured, exposure, {std::begin(threshold_shares), std::end(threshold_shares)}))

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/units.hpp"
+#include "findings/joint_trend.hpp"
 #include "findings/summary.hpp"
 #include "inference/design_load.hpp"
 
@@ -17,6 +18,7 @@ struct DesignLoadRequest {
     std::vector<double> quantiles{0.9};  ///< probabilities of not being exceeded, each in (0, 1)
     double averaging = 1;                ///< s, that the load is averaged over
     double scale = 1;                    ///< length at full scale / length in the campaign
+    bool rising = false;                 ///< extrapolate a load that still rises in the measured window
     double share = 0.25;                 ///< of the peaks, the highest, that the tails are fitted to
 
     double model_exposure() const;   ///< s
@@ -30,7 +32,9 @@ struct CaseDesignLoad {
     std::vector<int> arrangements;  ///< of the rows, in their order
     std::vector<int> members;       ///< the same
     std::vector<double> peaks;      ///< of all rows, falling, N
-    DesignLoad load;                ///< at the scale of the campaign
+    DesignLoad load;                ///< at the scale of the campaign; not valid if refused
+    JointTrend trend;
+    bool refused = false;  ///< the load rises, and nobody asked for it to be extrapolated
     /// Whether all members are of one kind, which the other methods and pairs take for granted.
     bool of_one_kind() const { return load.unlike.out.empty(); }
 

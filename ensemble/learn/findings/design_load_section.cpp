@@ -48,9 +48,13 @@ std::string three(double value) {
     return std::isfinite(value) ? fmt::format("{:.3g}", value) : "–";
 }
 
-/// Sentences about members that stand out, before any figure.
-std::string standing_out_lines(const Summary& summary, const std::vector<CaseDesignLoad>& designs) {
+/// Sentences about loads that rise and members that stand out, before any figure.
+std::string doubt_lines(const Summary& summary, const std::vector<CaseDesignLoad>& designs) {
     std::string lines;
+    for (const CaseDesignLoad& one : designs)
+        if (one.trend.rises() && !one.refused)
+            lines += fmt::format("! {}: {}: a longer exposure may see higher loads than these.\n",
+                                 summary.label_of(one.case_index), trend_text(one.trend));
     for (const CaseDesignLoad& one : designs)
         if (const std::string text = standing_out_text(one); !text.empty())
             lines += fmt::format("! {}: {}\n", summary.label_of(one.case_index), text);
@@ -58,7 +62,13 @@ std::string standing_out_lines(const Summary& summary, const std::vector<CaseDes
 }
 
 /// "E30: too few peaks (3 of 20) to fit; about 27 arrangements would do."
-std::string too_few_text(const std::string& name, const DesignLoad& load) {
+std::string none_text(const std::string& name, const CaseDesignLoad& one) {
+    if (one.refused)
+        return fmt::format(
+            "{}: {}, so it is not known how high it gets later. Measure later (--window auto, or run with a later "
+            "analysis.steady_start_s); --rising extrapolates as if it stayed as in the window.",
+            name, trend_text(one.trend));
+    const DesignLoad& load = one.load;
     if (load.arrangements < fewest_members)
         return fmt::format("{}: {} of the {} arrangements that a design load needs; 8 or more are a beginning.", name,
                            load.arrangements, fewest_members);
@@ -111,7 +121,7 @@ Section loads_section(const Summary& summary, const std::vector<CaseDesignLoad>&
     for (const CaseDesignLoad& one : designs) {
         const std::string& name = summary.label_of(one.case_index);
         if (!one.load.valid()) {
-            too_few.push_back(too_few_text(name, one.load));
+            too_few.push_back(none_text(name, one));
             continue;
         }
         for (const DesignLoadEstimate& made : shown(one)) {
@@ -270,8 +280,7 @@ std::vector<Section> design_load_sections(const Summary& summary, const std::vec
     Section loads = loads_section(summary, designs, request, unit);
     loads.records = {load_records(summary, designs, request), basis_records(summary, designs, request),
                      rate_records(summary, designs)};
-    return {{.before =
-                 fmt::format("{}Campaign {}.\n{}\n", standing_out_lines(summary, designs), summary.title, conditions)},
+    return {{.before = fmt::format("{}Campaign {}.\n{}\n", doubt_lines(summary, designs), summary.title, conditions)},
             std::move(loads),
             basis_section(summary, designs, request, unit),
             pairs_section(summary, designs, request, unit)};

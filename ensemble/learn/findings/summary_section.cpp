@@ -80,7 +80,10 @@ void add_estimate(const Summary& summary, const Quantity& quantity, Table& table
                                  [](const Cell& cell) { return cell.range.value_or("").starts_with('['); }))
             table.pop_back();  // they say nothing of any case
     };
-    add_range("  bootstrap", [](const Estimate& found) { return found.bca; });
+    const auto at_least = [&](int arrangements) {
+        return std::ranges::any_of(summary.cases, [=](const CaseSummary& row) { return row.done >= arrangements; });
+    };
+    if (at_least(fewest_for_bca)) add_range("  bootstrap", [](const Estimate& found) { return found.bca; });
     add_range("  one further run", [](const Estimate& found) {
         return Limits{found.prediction_low, found.prediction_high};
     });

@@ -1,13 +1,16 @@
 #include "findings/warnings.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "campaign/name_list.hpp"
 #include "core/wording.hpp"
+#include "findings/joint_trend.hpp"
 #include "findings/printable.hpp"
+#include "inference/unlike_members.hpp"
 
 namespace floes {
 namespace {
@@ -67,6 +70,41 @@ std::string unsteady_text(const Counts& found) {
         all, counted(found.done, "member"), how);
 }
 
+/// Cases whose load has a trend over all their members: a sentence for all.
+std::string joint_text(const CampaignTable& table, const Summary& summary) {
+    std::vector<std::string> lines;
+    for (const JointTrend& trend : joint_trends(table))
+        if (trend.seen) lines.push_back(fmt::format("{}: {}", summary.label_of(trend.case_index), trend_text(trend)));
+    if (lines.empty()) return "";
+    constexpr std::size_t most = 3;
+    const std::size_t all = lines.size();
+    lines.resize(std::min(all, most));
+    return fmt::format("Not steady: {}{}. A later analysis.steady_start_s, or --window auto.", fmt::join(lines, "; "),
+                       all > most ? fmt::format("; and {} more", counted(static_cast<int>(all - most), "case")) : "");
+}
+
+/// Members whose mean load is far above the others'. An interval of a mean holds less often with few of them.
+std::string standing_out_text(const CampaignTable& table, const Summary& summary) {
+    std::vector<std::string> lines;
+    for (std::size_t k = 0; k < summary.cases.size(); ++k) {
+        std::vector<double> loads;
+        const std::vector<const MemberRow*> members = done_members(table, k);
+        for (const MemberRow* row : members) loads.push_back(std::log(std::max(row->load.mean, 1e-12)));
+        if (std::ranges::any_of(members, [](const MemberRow* row) { return row->load.mean <= 0; })) continue;
+        std::vector<std::string> numbers;
+        for (const std::size_t row : rows_standing_out(loads))
+            numbers.push_back(fmt::format("{}", members[row] - table.members.data()));
+        if (!numbers.empty())
+            lines.push_back(fmt::format("{} of {} of {} ({})", numbers.size(), members.size(), summary.label_of(k),
+                                        fmt::join(numbers, ", ")));
+    }
+    if (lines.empty()) return "";
+    return fmt::format(
+        "Members whose mean load is far above the others': {}. Look at them (floes replay). With few of a kind the "
+        "intervals of means and differences are too narrow: five or more of it are a beginning.",
+        fmt::join(lines, "; "));
+}
+
 /// Cases with too few arrangements for any interval.
 std::string few_text(const Summary& summary) {
     std::vector<std::string> names;
@@ -111,7 +149,11 @@ std::vector<std::string> warnings_of(const CampaignTable& table, const Summary& 
                         found.missing == 1 ? "has" : "have",
                         found.done > 0 ? ". Short runs finish first, so the figures lean towards them." : "."));
     if (found.untouched > 0) sentences.push_back(untouched_text(found, summary.cases.size()));
-    if (more_than_chance(found.rising + found.falling, found.done)) sentences.push_back(unsteady_text(found));
+    if (std::string joint = joint_text(table, summary); !joint.empty())
+        sentences.push_back(std::move(joint));
+    else if (more_than_chance(found.rising + found.falling, found.done))
+        sentences.push_back(unsteady_text(found));
+    if (std::string out = standing_out_text(table, summary); !out.empty()) sentences.push_back(std::move(out));
     if (std::string few = few_text(summary); !few.empty()) sentences.push_back(std::move(few));
     return sentences;
 }

@@ -49,6 +49,10 @@ Limits bca_interval(std::size_t rows, const RowStatistic& statistic, const Boots
 /// Without a correction they are only sorted.
 std::vector<double> bca_draws(std::vector<double> resampled, double estimate, std::span<const double> without);
 
+/// Fewest rows of which the BCa interval of a mean is shown to people. With fewer it holds less often than Student's: on
+/// log-normal values in 79, 89 and 91 % of trials at 4, 8 and 12.
+inline constexpr int fewest_for_bca = 20;
+
 /// The same for the mean of `values`.
 Limits bca_mean_interval(std::span<const double> values, const BootstrapOptions& options = {});
 

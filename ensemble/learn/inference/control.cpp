@@ -79,7 +79,8 @@ ControlledMean controlled_mean(std::span<const double> values, const Covariates&
     const Samples samples = varying(known, population);
     const Index count = static_cast<Index>(values.size());
     const double freedom = static_cast<double>(count - 1 - samples.known.cols());
-    if (samples.known.cols() == 0 || freedom < 2 || population.size() < 2) return result;
+    if (samples.known.cols() == 0 || freedom < 2 || values.size() < fewest_controlled || population.size() < 2)
+        return result;
     const VectorXd y = Eigen::Map<const VectorXd>(values.data(), count);
     const Plane plane = fit(y, samples.known);
     result.left_out = plane.left_out;

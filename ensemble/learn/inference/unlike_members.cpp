@@ -43,10 +43,8 @@ double usual_departure(double count) {
     return (count - 1) * t / std::sqrt((count - 2 + t * t) * count);
 }
 
-std::vector<std::size_t> standing_out(std::span<const std::vector<double>> peaks) {
-    std::vector<Height> heights;
-    for (std::size_t row = 0; row < peaks.size(); ++row)
-        if (!peaks[row].empty()) heights.push_back({height_of(peaks[row]), row});
+/// Of heights in any order.
+std::vector<std::size_t> standing_out(std::vector<Height> heights) {
     std::ranges::stable_sort(heights, [](const Height& a, const Height& b) { return a.value > b.value; });
     if (heights.size() < fewest_to_stand_out) return {};
     const std::span<const Height> falling = heights;
@@ -76,7 +74,10 @@ std::size_t carried_by(std::span<const std::vector<double>> peaks, const std::ve
 
 UnlikeMembers unlike_members(std::span<const std::vector<double>> peaks, double share) {
     UnlikeMembers found;
-    found.out = standing_out(peaks);
+    std::vector<Height> heights;
+    for (std::size_t row = 0; row < peaks.size(); ++row)
+        if (!peaks[row].empty()) heights.push_back({height_of(peaks[row]), row});
+    found.out = standing_out(std::move(heights));
     if (!found.out.empty()) found.carried = carried_by(peaks, found.out);
     std::vector<double> all;
     for (std::size_t row = 0; row < peaks.size(); ++row)
@@ -99,6 +100,12 @@ UnlikeMembers unlike_members(std::span<const std::vector<double>> peaks, double 
     found.dispersion_p = boost::math::cdf(boost::math::complement(boost::math::chi_squared{members - 1},
                                                                   std::max(0.0, (members - 1) * found.dispersion)));
     return found;
+}
+
+std::vector<std::size_t> rows_standing_out(std::span<const double> values) {
+    std::vector<Height> heights;
+    for (std::size_t row = 0; row < values.size(); ++row) heights.push_back({values[row], row});
+    return standing_out(std::move(heights));
 }
 
 double unseen_share(std::size_t members) {

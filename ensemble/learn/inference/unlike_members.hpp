@@ -23,6 +23,9 @@ inline constexpr std::size_t fewest_to_stand_out = 5;
 /// 25 (1983) 165-172), one-sided at 1 %, of at most a quarter of the members.
 UnlikeMembers unlike_members(std::span<const std::vector<double>> peaks, double share);
 
+/// Rows of finite values that are too high for a normal distribution of the others, by that test; rising.
+std::vector<std::size_t> rows_standing_out(std::span<const double> values);
+
 /// The largest share of members of a kind that is not among `members` in one of twenty samples.
 double unseen_share(std::size_t members);
 
