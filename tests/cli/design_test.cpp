@@ -34,7 +34,7 @@ class Design : public testing::Test {
 
 // Members of the synthetic campaign have one to three peaks.
 TEST_F(Design, SaysWhereThereAreTooFewPeaks) {
-    EXPECT_THAT(design("--averaging-s 0.4"), HasSubstr("soft: too few peaks ("));
+    EXPECT_THAT(design("--averaging-s 0.4"), HasSubstr("open: too few peaks ("));
     EXPECT_THAT(design("--averaging-s 0.4"), HasSubstr(" arrangements would do."));
     EXPECT_THAT(design("--averaging-s 0.4"), testing::StartsWith("! 1 of 12 members failed"));
     EXPECT_THAT(design("--averaging-s 0.4"), testing::Not(HasSubstr("nan")));
