@@ -50,7 +50,7 @@ class Design(unittest.TestCase):
         subprocess.run([FLOES, "run", CONFIG, "-o", path] + [word for one in given for word in ("--set", one)],
                        check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         command = [FLOES, "design", path, "--format", "json", "--averaging-s", str(AVERAGING), "--exposure-h",
-                   str(EXPOSURE_H), "--quantile", str(P), "--peaks", str(SHARE)]
+                   str(EXPOSURE_H), "--quantile", str(P), "--peaks", str(SHARE), "--rising"]
         cls.told = json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout)["design"]
         with h5py.File(path) as file:
             cls.names = [name.decode() for name in file["cases/name"][:]]
