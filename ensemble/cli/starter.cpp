@@ -156,6 +156,8 @@ const Lines table3{
     {"contact.ice_structure_friction", "0.2"},
     {"[water]", ""},
     {"water.density_kg_m3", "1000.0"},
+    {"water.heave_damping_from", "\"share\"", "damping as a share of critical, under water too"},
+    {"water.added_mass_from", "\"share\"", "no added mass"},
     {"[analysis]", ""},
     {"analysis.steady_start_s", "120.0", "loads are steady from here on"},
     {"analysis.window_s", "150.0"},

@@ -45,7 +45,7 @@ void IceField::add_floe(World& world, const Scenario& scenario, const PlanarPose
 
     for (int index = 0; index < grid.elements(); ++index) {
         const BodyId body = world.add_element({.half_extents = Vec3(shape.element, shape.thickness, shape.element) / 2,
-                                               .mass = shape.element_mass(material.ice) * (1 + water.added_mass),
+                                               .mass = shape.element_mass(material.ice) * (1 + water.isotropic_mass()),
                                                .pose = {middle + yaw * grid.centre(index), yaw},
                                                .piece = first,
                                                .crushing_pressure = pressure});
@@ -94,6 +94,26 @@ void IceField::read_utilisation(const World& world, std::vector<double>& worst) 
             element = std::max(element, used);
         }
     }
+}
+
+double IceField::joint_power(const World& world, std::span<const BodyState> before, std::span<const Vec3> velocity,
+                             std::span<const Vec3> angular_velocity) const {
+    const Mat3 along[] = {joint_frame(JointAxis::x).toRotationMatrix(), joint_frame(JointAxis::z).toRotationMatrix()};
+    double sum = 0;
+    for (const Joint& joint : joints_) {
+        const Sheet& sheet = floe_of(joint);
+        const auto a = static_cast<std::size_t>(sheet.first + joint.grid.a);
+        const auto b = static_cast<std::size_t>(sheet.first + joint.grid.b);
+        const JointReaction reaction = world.reaction(joint.id);
+        const Mat3 frame = before[a].rotation * along[static_cast<std::size_t>(joint.grid.axis)];
+        const Vec3 force = frame * Vec3(reaction.axial, reaction.shear_vertical, reaction.shear_in_plane);
+        const Vec3 moment = frame * Vec3(reaction.torsion, reaction.in_plane_bending, reaction.bending);
+        const Vec3 pivot = before[a].position + 0.5 * sheet.grid.element * frame.col(0);
+        const Vec3 at_a = velocity[a] + angular_velocity[a].cross(pivot - before[a].position);
+        const Vec3 at_b = velocity[b] + angular_velocity[b].cross(pivot - before[b].position);
+        sum += force.dot(at_a - at_b) + moment.dot(angular_velocity[a] - angular_velocity[b]);
+    }
+    return sum;
 }
 
 void IceField::repeat_breaks(World& world, std::span<const BreakEvent> breaks) {

@@ -45,12 +45,21 @@ class IceField {
     /// without any. Of the world's last step.
     void read_utilisation(const World& world, std::vector<double>& worst) const;
 
+    /// Power that the joints gave to the ice in the world's last step, W: their reactions times how the elements moved,
+    /// given the states at the step's beginning and the velocities (m/s, rad/s) of each element, in the order of
+    /// elements(). To be called before break_joints().
+    double joint_power(const World& world, std::span<const BodyState> before, std::span<const Vec3> velocity,
+                       std::span<const Vec3> angular_velocity) const;
+
     /// Repeats the breaks of another run over the same floes: removes their joints and copies them to the log
     /// unchanged.
     void repeat_breaks(World& world, std::span<const BreakEvent> breaks);
 
     const std::vector<BreakEvent>& breaks() const { return breaks_; }  ///< by time, then floe, then joint
     const PeakReactions& peaks() const { return peaks_; }              ///< of all steps, failing joints included
+
+    const FloeGrid& grid(int floe) const { return floes_[static_cast<std::size_t>(floe)].grid; }
+    int first_element(int floe) const { return floes_[static_cast<std::size_t>(floe)].first; }  ///< in elements()
 
     int floes() const { return static_cast<int>(floes_.size()); }
     int broken_floes() const;      ///< floes with at least one failed joint

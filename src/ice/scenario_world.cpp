@@ -11,7 +11,7 @@ World scenario_world(const Scenario& scenario) {
     const General& general = scenario.general;
     return World({.time_step = general.time_step,
                   .iterations = general.iterations,
-                  .gravity = general.gravity / (1 + scenario.water.added_mass),  // the added mass has no weight
+                  .gravity = general.gravity / (1 + scenario.water.isotropic_mass()),  // the added mass has no weight
                   .contact = scenario.contact_law(),
                   .solver = general.solver,
                   .length_unit = size_of_ice(scenario)});

@@ -30,7 +30,7 @@ class Beam {
         : test_(test),
           side_(scenario.floe.element),
           size_(size_of_ice(scenario)),
-          mass_(scenario.floe.element_mass(scenario.ice) * (1 + scenario.water.added_mass)),
+          mass_(scenario.floe.element_mass(scenario.ice) * (1 + scenario.water.isotropic_mass())),
           time_step_(scenario.general.time_step),
           thresholds_(make_thresholds(scenario.floe, scenario.material())),
           world_(scenario_world(scenario)),

@@ -58,6 +58,7 @@ void take_statistics(MemberResult& result, const Scenario& scenario, const Simul
     result.load_map.along_tow = part_means(in_window(result.history.surge), LoadMap::parts);
     result.mean_sway = mean_of(in_window(result.history.sway));
     result.mean_heave = mean_of(in_window(result.history.heave));
+    result.work = simulation.work();
     result.failure_ratio = simulation.ice().failure_ratio();
 }
 

@@ -7,6 +7,7 @@
 #include "ice/failure_mode.hpp"
 #include "statistics/averaged_load.hpp"
 #include "statistics/load_statistics.hpp"
+#include "statistics/work_shares.hpp"
 
 namespace floes {
 
@@ -21,6 +22,7 @@ struct MemberOutputs {
     std::array<double, failure_mode_names.size()> failures{};  ///< failed joints by mode
     double local_order = 0;     ///< of the arrangement, arrangement/order.hpp; its psi4 is stored with the poses
     double coverage_ahead = 0;  ///< share of the structure's path covered by ice at t = 0, 0-1
+    WorkShares work;            ///< where the work of the tow went in the window
     PeakReactions peaks;        ///< over all joints and the whole run
 };
 

@@ -70,6 +70,8 @@ Scenario paper_scenario() {
     scenario.general.solver = SolverKind::lanes;
     scenario.joint.model = JointModel::cfm;
     scenario.contact = with_preset(scenario.contact, ContactPreset::paper);
+    scenario.water.heave_damping_from = WaterFrom::share;
+    scenario.water.added_mass_from = WaterFrom::share;
     return scenario;
 }
 

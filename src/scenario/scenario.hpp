@@ -22,6 +22,8 @@ enum class ArrangementMethod { monte_carlo, lattice, file, scattered };
 enum class ArrangementStart { lattice, stripes };  ///< of the Monte Carlo chain; the result forgets it
 enum class FarEnd { ice_sheet, open };             ///< what stands behind the ice field
 enum class WaterFlow { potential, still };         ///< water velocity that drag is relative to
+/// Where added mass and the damping by waves come from: a share, alike for all elements, or the outline of each piece.
+enum class WaterFrom { share, outline };
 enum class FormDragOn { outline, every_element };  ///< edge faces that form drag acts on
 
 /// Time stepping and the constraint solver.
@@ -126,10 +128,15 @@ struct Water {
     WaterFlow flow = WaterFlow::potential;
     double form_drag = 1.0;  ///< C_d on the wetted edge faces that meet the flow
     FormDragOn form_drag_on = FormDragOn::outline;
-    double skin_drag = 0.009;     ///< C_s on the bottom face
-    double heave_drag = 1.0;      ///< C_h, quadratic, on vertical motion
+    double skin_drag = 0.009;  ///< C_s on the bottom face
+    double heave_drag = 1.0;   ///< C_h, quadratic, on vertical motion
+    WaterFrom heave_damping_from = WaterFrom::outline;
     double heave_damping = 0.15;  ///< linear, as a fraction of critical damping of an element's heave
-    double added_mass = 0.0;      ///< water that an element carries along in every direction, as a share of its mass
+    WaterFrom added_mass_from = WaterFrom::outline;
+    double added_mass = 0.0;           ///< water that an element carries along in every direction, over its mass
+    double added_mass_in_plane = 0.1;  ///< likewise along the surface, of an outline
+
+    double isotropic_mass() const { return added_mass_from == WaterFrom::share ? added_mass : 0.0; }
 };
 
 /// The window in which the load is measured. It ends the run.

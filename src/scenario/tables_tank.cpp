@@ -177,14 +177,34 @@ void add_water(Keys& keys, Water& water) {
                               "Skin drag coefficient on the bottom face."));
     keys.push_back(number_key("water.heave_drag", water.heave_drag, unit::one, coefficient, "bluff plate, DNV-RP-C205",
                               "Quadratic drag coefficient on vertical motion."));
-    keys.push_back(number_key("water.heave_damping", water.heave_damping, unit::one, at_least(0).at_most(1),
-                              "judgement; usual 0.1 to 0.2",
-                              "Linear damping of vertical motion, as a share of an element's critical damping."));
-    keys.push_back(number_key("water.added_mass", water.added_mass, unit::one, coefficient,
-                              "none; a flat plate: 4.4 in heave, about 0.15 along the surface",
-                              "Added mass: mass of water that moves with an element, equal in all directions, as a "
-                              "share of the element's own mass. The stiffness of joints is proportional to the total "
-                              "mass (see [joint]), so another value needs another cfm."));
+    const auto damped_by_share = [&water] { return water.heave_damping_from == WaterFrom::share; };
+    const auto mass_by_share = [&water] { return water.added_mass_from == WaterFrom::share; };
+    keys.push_back(late_key(word_key(
+        "water.heave_damping_from", water.heave_damping_from, {"share", "outline"},
+        "closed form, docs/water.md; ice under water makes no waves",
+        "Damping by waves. outline: what a plate of the outline of each connected piece radiates as it heaves, on "
+        "ice that cuts the surface. share: water.heave_damping of each element by itself, under water too.")));
+    keys.push_back(only_with("water.heave_damping_from = \"share\"", damped_by_share,
+                             number_key("water.heave_damping", water.heave_damping, unit::one, at_least(0).at_most(1),
+                                        "the paper's preset; usual 0.1 to 0.2",
+                                        "Linear damping of vertical motion, as a share of an element's critical "
+                                        "damping.")));
+    keys.push_back(late_key(word_key(
+        "water.added_mass_from", water.added_mass_from, {"share", "outline"}, "closed form, docs/water.md",
+        "Water that moves with the ice. outline: in heave, roll and pitch that of a plate of the outline of each "
+        "connected piece, 5 times the mass of the tank's floes; with solver direct only. share: water.added_mass in "
+        "every direction.")));
+    keys.push_back(only_with(
+        "water.added_mass_from = \"share\"", mass_by_share,
+        number_key("water.added_mass", water.added_mass, unit::one, coefficient, "none, as in the paper's preset",
+                   "Added mass: mass of water that moves with an element, equal in all directions, as a "
+                   "share of the element's own mass. The stiffness of joints that follow Σ is proportional to the "
+                   "total mass (see [joint]), so another value needs another cfm.")));
+    keys.push_back(late_key(only_with(
+        "water.added_mass_from = \"outline\"", [mass_by_share] { return !mass_by_share(); },
+        number_key("water.added_mass_in_plane", water.added_mass_in_plane, unit::one, coefficient,
+                   "between 0.04 for fast and 0.18 for slow motion of the tank's floes, docs/water.md",
+                   "Added mass along the surface and in yaw, as a share of the ice's mass."))));
 }
 
 void add_analysis(Keys& keys, Analysis& analysis) {

@@ -64,15 +64,19 @@ Simulation::Simulation(const Scenario& scenario, const FloeSet& floes)
       structure_(add_structure(world_, scenario)),
       ice_(world_, scenario, floes),
       water_(make_water(scenario, floes, ice_.elements())),
+      piece_water_(scenario, floes),
+      work_(scenario, floes, ice_, structure_),
       sleeping_(scenario.field.wake_radius, ice_.elements()),
       contact_bins_(scenario.structure.shape.bottom(), scenario.structure.shape.top()) {
     add_sheets(world_, channel_);
+    for (int floe = 0; floe < ice_.floes(); ++floe) piece_water_.share_out(floe, ice_, world_, water_);
     const auto steps = static_cast<std::size_t>(scenario.step_count());
     loads_.surge.reserve(steps);
     loads_.sway.reserve(steps);
     loads_.heave.reserve(steps);
     structure_contacts_.reserve(most_contacts);
     states_.resize(ice_.elements().size());
+    states_before_.resize(states_.size());
     read_states();
     sleeping_.lay_down(world_, states_, tow_.x(0));
 }
@@ -92,6 +96,7 @@ Simulation::Simulation(const Scenario& scenario, const FloeSet& floes, const Sim
     world_.place(structure_, {.position = {tow_.x(time()), 0, 0}, .velocity = {tow_.speed, 0, 0}});
     for (std::size_t i = 0; i < states_.size(); ++i) world_.place(ice_.elements()[i].body, state.elements[i]);
     ice_.repeat_breaks(world_, state.breaks);
+    share_out_water(0);
     read_states();
     sleeping_.lay_down(world_, states_, tow_.x(time()));
 }
@@ -141,7 +146,9 @@ void Simulation::step() {
     wake_floes();
     apply_water();
     world_.step();
+    if (work_.looks_at(steps_)) states_before_ = states_;
     read_states();
+    if (work_.looks_at(steps_)) work_.add(world_, ice_, piece_water_, states_before_, states_);
     check_wellbeing();
     read_ice_load();
     if (steps_ >= scenario_.first_window_step()) map_contacts();
@@ -166,7 +173,10 @@ void Simulation::apply_water() {
         water_.set(i,
                    {state.position, state.rotation, state.velocity, state.angular_velocity, elements[i].exposed_edges});
     }
-    water_.compute(tow_.x(time()));
+    if (work_.looks_at(steps_))
+        work_.split_water(water_, tow_.x(time()));
+    else
+        water_.compute(tow_.x(time()));
     for (const std::size_t i : awake) world_.apply(elements[i].body, water_.wrench(i));
 }
 
@@ -203,7 +213,16 @@ void Simulation::map_contacts() {
 }
 
 void Simulation::break_joints() {
-    ice_.break_joints(world_, step_end());
+    const std::size_t before = ice_.breaks().size();
+    if (ice_.break_joints(world_, step_end()) > 0) share_out_water(before);
+}
+
+void Simulation::share_out_water(std::size_t first_break) {
+    const std::vector<BreakEvent>& breaks = ice_.breaks();
+    for (std::size_t i = first_break; i < breaks.size(); ++i) {
+        if (i == first_break || breaks[i].floe != breaks[i - 1].floe)
+            piece_water_.share_out(breaks[i].floe, ice_, world_, water_);
+    }
 }
 
 void Simulation::record() {

@@ -18,7 +18,9 @@
 #include "simulation/channel.hpp"
 #include "simulation/frame.hpp"
 #include "simulation/load_history.hpp"
+#include "simulation/piece_water.hpp"
 #include "simulation/sleeping_floes.hpp"
+#include "simulation/tow_work.hpp"
 #include "simulation/wellbeing.hpp"
 #include "statistics/load_map.hpp"
 #include "structure/tow.hpp"
@@ -65,6 +67,9 @@ class Simulation {
     /// Where on the structure the load acted, over the steps of the analysis window so far; at least one.
     LoadMap load_map() const { return contact_bins_.means(static_cast<std::size_t>(steps_in_window_)); }
 
+    /// Where the work of the tow went in the analysis window so far.
+    WorkShares work() const { return work_.shares(); }
+
     SimulationState state() const { return {steps_, states_, ice_.breaks()}; }
 
     /// Refills `frame` with what there is to see at time(). Vectors keep their memory.
@@ -84,6 +89,7 @@ class Simulation {
     void read_ice_load();
     void map_contacts();
     void break_joints();
+    void share_out_water(std::size_t first_break);
     void record();
 
     Scenario scenario_;
@@ -94,7 +100,9 @@ class Simulation {
     BodyId structure_;
     IceField ice_;
     WaterLanes water_;
-    std::vector<BodyState> states_;
+    PieceWater piece_water_;
+    TowWork work_;
+    std::vector<BodyState> states_, states_before_;
     SleepingFloes sleeping_;
     Vec3 ice_load_ = Vec3::Zero();
     LoadHistory loads_;

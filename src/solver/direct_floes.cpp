@@ -61,6 +61,46 @@ void DirectFloes::remove_joint(std::size_t joint) {
     store_spring(joint, {}, {});
 }
 
+void DirectFloes::set_water(std::size_t body, const CarriedWater& water) {
+    if (bodies_[body].water == water) return;
+    bodies_[body].water = water;
+    pieces_[piece_of_body_[body]].compliance = nullptr;
+    stale_ = true;
+    if (carried_.size() > 0) {
+        store_water(body);
+        return;
+    }
+    carried_ = AlignedArray<double>(slots_.body_groups * static_cast<std::size_t>(kernels_->width) *
+                                    static_cast<std::size_t>(carried_field::count));
+    for (std::size_t i = 0; i < bodies_.size(); ++i) store_water(i);
+}
+
+void DirectFloes::store_water(std::size_t body) {
+    const SolverBody& of = bodies_[body];
+    if (!(of.inverse_mass > 0)) return;
+    const auto put = [&](int field, double value) {
+        carried_[place(slots_.body[body], carried_field::count, field, kernels_->width)] = value;
+    };
+    const Eigen::Matrix<double, 6, 6> inertia = inertia_of(body_of(of, Mat3::Identity()));
+    const CarriedWater& water = of.water;
+    const double moments[] = {water.in_plane, water.yaw, water.normal, water.x, water.z, water.xx, water.xz, water.zz};
+    for (int i = 0; i < 8; ++i) put(i, moments[i]);
+    put(carried_field::inverse_in_plane, 1 / inertia(0, 0));
+    put(carried_field::inverse_yaw, 1 / inertia(4, 4));
+    constexpr std::array<int, 3> out{1, 3, 5};
+    Mat3 out_of_plane;
+    for (int i = 0; i < 3; ++i) {
+        for (int k = 0; k < 3; ++k)
+            out_of_plane(i, k) = inertia(out[static_cast<std::size_t>(i)], out[static_cast<std::size_t>(k)]);
+    }
+    const Mat3 inverse = out_of_plane.inverse();
+    int field = carried_field::inverse_out;
+    for (int i = 0; i < 3; ++i) {
+        for (int k = i; k < 3; ++k) put(field++, inverse(i, k));
+    }
+    for (std::size_t i = 0; i < 3; ++i) put(carried_field::ice + static_cast<int>(i), 1 / of.inverse_inertia[i]);
+}
+
 void DirectFloes::turn_frames(const LaneArrays& all) {
     const int width = kernels_->width;
     for (const Piece& piece : pieces_) {
@@ -94,6 +134,7 @@ void DirectFloes::prepare(const LaneArrays& all, std::span<const LaneBlock> bloc
         std::erase_if(compliances_, [](const auto& compliance) { return compliance.use_count() == 1; });
         stale_ = false;
     }
+    if (carried_.size() > 0) kernels_->direct.carry_water(all, carried_.data(), slots_.body_groups, time_step);
     turn_frames(all);
     kernels_->direct.begin(all, arrays(), slots_.body_groups);
     for (const LaneBlock& block : blocks) kernels_->direct.press(all, arrays(), block, time_step);

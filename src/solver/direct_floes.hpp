@@ -33,6 +33,9 @@ class DirectFloes {
     /// Takes effect in the next step.
     void remove_joint(std::size_t joint);
 
+    /// Takes effect in the next step.
+    void set_water(std::size_t body, const CarriedWater& water);
+
     /// Applies the joints as they act without contacts, from the bodies' start velocities.
     void prepare(const LaneArrays& all, std::span<const LaneBlock> blocks, double time_step);
 
@@ -63,6 +66,7 @@ class DirectFloes {
         bool broken = false;  ///< joints were removed since it was found
     };
 
+    void store_water(std::size_t body);
     void split(std::size_t piece);
     void make_compliance(Piece& piece);
     void find_compliance(Piece& piece, std::vector<PieceBody> bodies, std::vector<PieceJoint> joints);
@@ -84,6 +88,7 @@ class DirectFloes {
     bool stale_ = true;
     double time_step_ = 0;
     AlignedArray<double> local_, spring_, impulse_;
+    AlignedArray<double> carried_;  ///< empty as long as no body carries water
     std::vector<ComplianceColumn> columns_;
     std::vector<std::uint32_t> touched_pieces_, touched_bodies_;
     std::vector<std::uint8_t> is_touched_;  ///< by body

@@ -81,6 +81,8 @@ struct DirectContactStep {
 
 /// The kernels of the direct solver, of one lane width. Every width gives the same bits.
 struct DirectKernels {
+    /// body groups [0, groups): start velocities anew, of bodies that carry water; `carried`: fields of carried_field.
+    void (*carry_water)(const LaneArrays&, const double* carried, std::size_t groups, double time_step);
     /// body groups [0, groups): start velocities, local; impulses set to zero.
     void (*begin)(const LaneArrays&, const DirectArrays&, std::size_t groups);
     /// What the joints of a block exert before velocities change, summed up by body.

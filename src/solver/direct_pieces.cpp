@@ -112,13 +112,8 @@ void DirectFloes::make_compliance(Piece& piece) {
         }
     }
     std::vector<PieceBody> bodies;
-    for (std::size_t i = 0; i < piece.bodies.size(); ++i) {
-        const SolverBody& body = bodies_[piece.bodies[i]];
-        bodies.emplace_back();
-        if (!(body.inverse_mass > 0)) continue;
-        const Vec3 inertia(1 / body.inverse_inertia[0], 1 / body.inverse_inertia[1], 1 / body.inverse_inertia[2]);
-        bodies.back() = {1 / body.inverse_mass, piece.at_rest[i] * inertia.asDiagonal() * piece.at_rest[i].transpose()};
-    }
+    for (std::size_t i = 0; i < piece.bodies.size(); ++i)
+        bodies.push_back(body_of(bodies_[piece.bodies[i]], piece.at_rest[i]));
     std::vector<PieceJoint> joints;
     for (const std::uint32_t joint : piece.joints) {
         std::array<double, 6> stiffness{};

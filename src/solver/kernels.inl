@@ -1,6 +1,7 @@
 // All kernels of one lane width. A kernels_*.cpp defines FLOES_LANES and FLOES_KERNELS and includes this once; its own
 // compiler flags (CMakeLists.txt) choose the instruction set.
 
+#include "solver/carried_water.hpp"
 #include "solver/lane_layout.hpp"
 
 #if FLOES_LANES > 1
@@ -16,6 +17,7 @@ namespace {
 #include "solver/joint_setup.inl"
 #include "solver/joint_kernels.inl"
 #include "solver/body_kernels.inl"
+#include "solver/carried_water.inl"
 #include "solver/motion.inl"
 #include "solver/contact_impulses.inl"
 #include "solver/contact_setup.inl"
@@ -43,7 +45,7 @@ const LaneKernels FLOES_KERNELS{
     solve_normals,
     solve_frictions,
     solve_cones,
-    {begin_local, press_joints, to_pieces, from_pieces, direct_reactions, add_velocity_changes, prepare_direct_contacts,
-     start_direct_contacts, solve_direct_contacts}};
+    {carry_water, begin_local, press_joints, to_pieces, from_pieces, direct_reactions, add_velocity_changes,
+     prepare_direct_contacts, start_direct_contacts, solve_direct_contacts}};
 
 }  // namespace floes

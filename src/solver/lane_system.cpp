@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "core/error.hpp"
 #include "solver/lane_slot.hpp"
 
 namespace floes {
@@ -33,6 +34,11 @@ void LaneSystem::remove_joint(std::size_t joint) {
     for (int field = 0; field < 6; ++field) {
         reaction_[place(slot_of_joint_[joint], reaction_field::count, field, width())] = 0;
     }
+}
+
+void LaneSystem::set_water(std::size_t body, const CarriedWater& water) {
+    if (!direct_) throw RunError("Only the direct solver lets bodies carry water.");
+    direct_->set_water(body, water);
 }
 
 void LaneSystem::cover(std::size_t joint, double covered) {

@@ -48,6 +48,9 @@ class LaneSystem {
     /// For the coming step, weight included; the torque is about the centre of mass.
     void set_force(std::size_t body, const std::array<double, 3>& force, const std::array<double, 3>& torque);
 
+    /// From the coming step on. Throws RunError where joints are not solved directly.
+    void set_water(std::size_t body, const CarriedWater& water);
+
     void prepare(double time_step);
     void solve(std::span<SolverContact> contacts, const ContactLaw& law, int iterations);
 

@@ -47,13 +47,7 @@ std::array<Eigen::SparseMatrix<double>, 2> assembled(const std::vector<PieceBody
                                                      const std::vector<PieceJoint>& joints) {
     std::array<Entries, 2> entries;
     for (int i = 0; i < static_cast<int>(bodies.size()); ++i) {
-        const PieceBody& body = bodies[static_cast<std::size_t>(i)];
-        Eigen::Matrix<double, 6, 6> inertia = Eigen::Matrix<double, 6, 6>::Identity();  // of a fixed body anything
-        if (body.mass > 0) {
-            inertia.topLeftCorner<3, 3>() *= body.mass;
-            inertia.bottomRightCorner<3, 3>() = body.inertia;
-        }
-        add_block(entries, i, i, inertia);
+        add_block(entries, i, i, inertia_of(bodies[static_cast<std::size_t>(i)]));
     }
     for (const PieceJoint& joint : joints) {
         const bool moves[] = {bodies[static_cast<std::size_t>(joint.a)].mass > 0,
@@ -87,7 +81,8 @@ bool close(const Matrix& a, const Matrix& b, double size) {
 }
 
 bool equal(const PieceBody& a, const PieceBody& b) {
-    return close(a.mass, b.mass) && close(a.inertia, b.inertia, a.inertia.cwiseAbs().maxCoeff());
+    return close(a.mass, b.mass) && close(a.inertia, b.inertia, a.inertia.cwiseAbs().maxCoeff()) &&
+           close(a.turn, b.turn, 1.0) && a.water == b.water;
 }
 
 bool equal(const PieceJoint& a, const PieceJoint& b) {
@@ -98,6 +93,29 @@ bool equal(const PieceJoint& a, const PieceJoint& b) {
 }
 
 }  // namespace
+
+PieceBody body_of(const SolverBody& body, const Mat3& turn) {
+    if (!(body.inverse_mass > 0)) return {};
+    const Vec3 inertia(1 / body.inverse_inertia[0], 1 / body.inverse_inertia[1], 1 / body.inverse_inertia[2]);
+    return {1 / body.inverse_mass, turn * inertia.asDiagonal() * turn.transpose(), turn, body.water};
+}
+
+Eigen::Matrix<double, 6, 6> inertia_of(const PieceBody& body) {
+    Eigen::Matrix<double, 6, 6> inertia = Eigen::Matrix<double, 6, 6>::Identity();  // of a fixed body anything
+    if (!(body.mass > 0)) return inertia;
+    inertia.topLeftCorner<3, 3>() *= body.mass;
+    inertia.bottomRightCorner<3, 3>() = body.inertia;
+    const CarriedWater& water = body.water;
+    if (water == CarriedWater{}) return inertia;
+    Eigen::Matrix<double, 6, 6> added = Eigen::Matrix<double, 6, 6>::Zero();
+    added.diagonal() << water.in_plane, water.normal, water.in_plane, water.zz, water.yaw, water.xx;
+    added(1, 3) = added(3, 1) = -water.z;
+    added(1, 5) = added(5, 1) = water.x;
+    added(3, 5) = added(5, 3) = -water.xz;
+    Eigen::Matrix<double, 6, 6> turn = Eigen::Matrix<double, 6, 6>::Zero();
+    turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = body.turn;
+    return inertia + turn * added * turn.transpose();
+}
 
 PieceCompliance::PieceCompliance(std::vector<PieceBody> bodies, std::vector<PieceJoint> joints)
     : bodies_(std::move(bodies)), joints_(std::move(joints)), columns_(bodies_.size()) {

@@ -15,15 +15,25 @@
 
 #include "core/vector.hpp"
 #include "solver/aligned_array.hpp"
+#include "solver/carried_water.hpp"
 #include "solver/direct_layout.hpp"
+#include "solver/solver_parts.hpp"
 
 namespace floes {
 
 /// A body of an unstrained piece, in the piece's axes, y normal to its plane. Mass 0: it never moves.
 struct PieceBody {
-    double mass = 0;              ///< kg
-    Mat3 inertia = Mat3::Zero();  ///< about the centre of mass, kg m²
+    double mass = 0;               ///< kg
+    Mat3 inertia = Mat3::Zero();   ///< about the centre of mass, kg m²
+    Mat3 turn = Mat3::Identity();  ///< body -> piece
+    CarriedWater water{};          ///< in the body's axes
 };
+
+/// The body in a piece in which it is turned by `turn`, body -> piece.
+PieceBody body_of(const SolverBody& body, const Mat3& turn);
+
+/// Inertia of the body with the water that it carries, in the piece's axes: linear, then angular.
+Eigen::Matrix<double, 6, 6> inertia_of(const PieceBody& body);
 
 /// A joint of an unstrained piece, in the piece's axes.
 struct PieceJoint {

@@ -46,6 +46,12 @@ std::optional<Refusal> refused_springs(SolverKind solver) {
                    "general.solver = \"direct\", or joint.model = \"cfm\""};
 }
 
+std::optional<Refusal> refused_water(SolverKind solver) {
+    if (solver == SolverKind::direct) return std::nullopt;
+    return Refusal{"water.added_mass_from", solver_key, "sweeps over single elements have one mass for every direction",
+                   "general.solver = \"direct\", or water.added_mass_from = \"share\""};
+}
+
 std::optional<Refusal> refused_sleep(SolverKind solver) {
     if (solver != SolverKind::stock) return std::nullopt;
     return Refusal{"field.wake_radius_m", solver_key, "Bullet's own solver lets no floes rest",

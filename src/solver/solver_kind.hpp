@@ -29,6 +29,9 @@ std::vector<Refusal> refused_contacts(SolverKind solver, const ContactLaw& law);
 /// Whether it refuses joints that are springs.
 std::optional<Refusal> refused_springs(SolverKind solver);
 
+/// Whether it refuses bodies that carry water.
+std::optional<Refusal> refused_water(SolverKind solver);
+
 /// Whether it refuses bodies that sleep.
 std::optional<Refusal> refused_sleep(SolverKind solver);
 

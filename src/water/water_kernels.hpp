@@ -25,13 +25,13 @@ struct WaterFactors {
     double side;
     double thickness;
     double gauss_offset;
-    double buoyancy;  ///< ρ_w g L²/4
-    double form;      ///< -½ ρ_w C_d
-    double skin;      ///< ½ ρ_w C_s L²/4
-    double heave;     ///< ½ ρ_w C_h L²/4
-    double linear;    ///< c/4
-    double radius;    ///< of the waterline circle
-    double speed;     ///< of the tow; 0 in still water
+    double buoyancy;     ///< ρ_w g L²/4
+    double form;         ///< -½ ρ_w C_d
+    double skin;         ///< ½ ρ_w C_s L²/4
+    double heave;        ///< ½ ρ_w C_h L²/4
+    double waves_below;  ///< m: columns submerged by less make waves, so that linear damping acts there
+    double radius;       ///< of the waterline circle
+    double speed;        ///< of the tow; 0 in still water
 };
 
 /// Structure of arrays: field f of element i is at [f * stride + i]. All start on a vector boundary; the stride is a
@@ -39,6 +39,7 @@ struct WaterFactors {
 struct WaterArrays {
     const double* state;
     const std::int64_t* exposed_edges;  ///< the bits of ElementState
+    const double* linear;               ///< c/4 of each element
     double* wrench;
     std::size_t stride;
 };

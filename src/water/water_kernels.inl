@@ -106,7 +106,7 @@ inline LaneWrench drag_on_faces(const Element& e, const std::int64_t* exposed_ed
     return total;
 }
 
-inline void add_gauss_point(LaneWrench& buoyancy, LaneWrench& drag, const Element& e, double x, double z,
+inline void add_gauss_point(LaneWrench& buoyancy, LaneWrench& drag, const Element& e, Pack linear, double x, double z,
                             const WaterFactors& factors, double structure_x) {
     const Pack zero{};
     const Column column = submerged_column(e, x, z, factors.thickness);
@@ -120,7 +120,8 @@ inline void add_gauss_point(LaneWrench& buoyancy, LaneWrench& drag, const Elemen
     const Pack through = dot(relative, e.normal);
     const V3 along = relative - e.normal * through;
     const V3 skin = along * (factors.skin * square_root(dot(along, along)));
-    const Pack heave = (factors.heave * absolute(through) + factors.linear) * through;
+    const Pack waves = column.length < factors.waves_below ? linear : zero;
+    const Pack heave = (factors.heave * absolute(through) + waves) * through;
     drag.add(wet, skin + e.normal * heave, arm);
 }
 
@@ -131,12 +132,13 @@ void water(const WaterArrays& arrays, const WaterFactors& factors, std::size_t c
         const Element e{group.vector(water_field::position),     group.vector(water_field::rotation),
                         group.vector(water_field::rotation + 3), group.vector(water_field::rotation + 6),
                         group.vector(water_field::velocity),     group.vector(water_field::angular_velocity)};
+        const Pack linear = *reinterpret_cast<const Pack*>(arrays.linear + i);
         LaneWrench total{};
         LaneWrench drag = drag_on_faces(e, arrays.exposed_edges + i, factors, structure_x);
-        add_gauss_point(total, drag, e, -g, -g, factors, structure_x);
-        add_gauss_point(total, drag, e, -g, g, factors, structure_x);
-        add_gauss_point(total, drag, e, g, -g, factors, structure_x);
-        add_gauss_point(total, drag, e, g, g, factors, structure_x);
+        add_gauss_point(total, drag, e, linear, -g, -g, factors, structure_x);
+        add_gauss_point(total, drag, e, linear, -g, g, factors, structure_x);
+        add_gauss_point(total, drag, e, linear, g, -g, factors, structure_x);
+        add_gauss_point(total, drag, e, linear, g, g, factors, structure_x);
         const Pack sum[wrench_fields] = {total.force.x + drag.force.x,   total.force.y + drag.force.y,
                                          total.force.z + drag.force.z,   total.moment.x + drag.moment.x,
                                          total.moment.y + drag.moment.y, total.moment.z + drag.moment.z};

@@ -2,6 +2,8 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "core/error.hpp"
 #include "solver/lane_width.hpp"
 
@@ -24,34 +26,49 @@ WaterKernel water_kernel(int width) {
 }  // namespace
 
 WaterLanes::WaterLanes(std::span<const WaterModel> models, std::span<const std::size_t> model_of, int width)
-    : kernel_(water_kernel(width)), group_of_(model_of.begin(), model_of.end()), place_of_(model_of.size()) {
+    : kernel_(water_kernel(width)),
+      group_of_(model_of.begin(), model_of.end()),
+      place_of_(model_of.size()),
+      is_set_(model_of.size()) {
     for (const WaterModel& model : models) groups_.push_back({model.factors()});
-    for (const std::size_t group : group_of_) ++groups_[group].elements;
+    for (const std::size_t group : group_of_) {
+        ++groups_[group].elements;
+        linear_of_.push_back(models[group].damping() / 4);
+    }
     for (Group& group : groups_) {
         group.first = stride_;
         stride_ += (group.elements + widest - 1) / widest * widest;
     }
     state_ = AlignedArray<double>(water_field::count * stride_);
     exposed_edges_ = AlignedArray<std::int64_t>(stride_);
+    linear_ = AlignedArray<double>(stride_);
     wrench_ = AlignedArray<double>(wrench_fields * stride_);
 }
 
 void WaterLanes::clear() {
     for (Group& group : groups_) group.count = 0;
+    std::ranges::fill(is_set_, std::uint8_t{0});
 }
 
 void WaterLanes::set(std::size_t element, const ElementState& state) {
     Group& group = groups_[group_of_[element]];
+    is_set_[element] = 1;
     const std::size_t place = place_of_[element] = group.first + group.count++;
     put_fields(state, state_.data() + place, stride_);
     exposed_edges_[place] = state.exposed_edges;
+    linear_[place] = linear_of_[element];
 }
 
-void WaterLanes::compute(double structure_x) {
-    for (const Group& group : groups_)
-        kernel_(
-            {state_.data() + group.first, exposed_edges_.data() + group.first, wrench_.data() + group.first, stride_},
-            group.factors, group.count, structure_x);
+void WaterLanes::compute(double structure_x, WaterTerms terms) {
+    for (const Group& group : groups_) {
+        WaterFactors factors = group.factors;
+        if (terms < WaterTerms::buoyancy_and_plane_drag) factors.form = factors.skin = 0;
+        if (terms < WaterTerms::all_but_waves) factors.heave = 0;
+        if (terms < WaterTerms::all) factors.waves_below = 0;
+        kernel_({state_.data() + group.first, exposed_edges_.data() + group.first, linear_.data() + group.first,
+                 wrench_.data() + group.first, stride_},
+                factors, group.count, structure_x);
+    }
 }
 
 Wrench WaterLanes::wrench(std::size_t element) const {

@@ -21,16 +21,25 @@
 
 namespace floes {
 
+/// Which forces of the water are computed; drag in the plane of the ice is form and skin drag.
+enum class WaterTerms { buoyancy, buoyancy_and_plane_drag, all_but_waves, all };
+
 class WaterLanes {
   public:
     /// model_of: by element, the index of its model. width: one of lane_widths(); throws RunError for any other.
     WaterLanes(std::span<const WaterModel> models, std::span<const std::size_t> model_of, int width);
 
+    /// Damping c of an element from now on, kg/s (water_model.hpp); that of an element alone at first.
+    void set_damping(std::size_t element, double damping) { linear_of_[element] = damping / 4; }
+
     void clear();
     void set(std::size_t element, const ElementState& state);
 
     /// Forces on the elements set since clear(), with the structure's axis at x = `structure_x`, m.
-    void compute(double structure_x);
+    void compute(double structure_x, WaterTerms terms = WaterTerms::all);
+
+    /// Whether the element was set since clear().
+    bool is_set(std::size_t element) const { return is_set_[element] != 0; }
 
     /// Of the last compute: force (N) and moment about the centre of mass (N m), world axes.
     Wrench wrench(std::size_t element) const;
@@ -48,9 +57,12 @@ class WaterLanes {
     std::vector<Group> groups_;
     std::vector<std::size_t> group_of_;  // by element
     std::vector<std::size_t> place_of_;  // by element
+    std::vector<double> linear_of_;      // by element: c/4
+    std::vector<std::uint8_t> is_set_;   // by element
     std::size_t stride_ = 0;
     AlignedArray<double> state_;
     AlignedArray<std::int64_t> exposed_edges_;
+    AlignedArray<double> linear_;
     AlignedArray<double> wrench_;
 };
 

@@ -3,13 +3,22 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+
+#include "water/floating_plate.hpp"
 
 namespace floes {
+namespace {
+
+constexpr double rounding = 1e-9;
+
+}  // namespace
 
 WaterModel::WaterModel(const Water& water, double gravity, ElementShape shape, double mass, double waterline_radius,
                        double speed) {
     const double gauss_area = shape.side * shape.side / 4;
     const double half_area = 0.5 * water.density * gauss_area;
+    const bool by_outline = water.heave_damping_from == WaterFrom::outline;
     factors_ = {.half_side = 0.5 * shape.side,
                 .side = shape.side,
                 .thickness = shape.thickness,
@@ -18,19 +27,25 @@ WaterModel::WaterModel(const Water& water, double gravity, ElementShape shape, d
                 .form = -0.5 * water.density * water.form_drag,
                 .skin = half_area * water.skin_drag,
                 .heave = half_area * water.heave_drag,
-                .linear = 2 * water.heave_damping *
-                          std::sqrt(water.density * gravity * shape.side * shape.side * mass * (1 + water.added_mass)) /
-                          4,
+                .waves_below = by_outline ? shape.thickness * (1 - rounding) : std::numeric_limits<double>::infinity(),
                 .radius = waterline_radius,
                 .speed = water.flow == WaterFlow::still ? 0.0 : speed};
+    if (by_outline) {
+        const double draught = mass / (water.density * shape.side * shape.side);
+        damping_ = water_of_piece({{Vec2::Zero()}}, shape.side, draught, {water.density, gravity}).front().damping;
+    } else {
+        damping_ = 2 * water.heave_damping *
+                   std::sqrt(water.density * gravity * shape.side * shape.side * mass * (1 + water.isotropic_mass()));
+    }
 }
 
-Wrench WaterModel::wrench(const ElementState& state, double structure_x) const {
+Wrench WaterModel::wrench(const ElementState& state, double structure_x, double damping) const {
     std::array<double, water_field::count> fields;
     std::array<double, wrench_fields> result;
     const std::int64_t exposed_edges = state.exposed_edges;
+    const double linear = damping / 4;
     put_fields(state, fields.data(), 1);
-    water_scalar({fields.data(), &exposed_edges, result.data(), 1}, factors_, 1, structure_x);
+    water_scalar({fields.data(), &exposed_edges, &linear, result.data(), 1}, factors_, 1, structure_x);
     return wrench_at(result.data(), 1);
 }
 

@@ -11,9 +11,12 @@
 //         F = -½ ρ_w C_d (L x wetted depth) (u_rel · n)² n, pushing inward, at the middle of the wetted depth
 //   skin  on the lower face at the wet Gauss points:  F = ½ ρ_w C_s (L²/4) |u_t| u_t,  u_t = tangential part of u_rel
 //   heave along the normal at the wet Gauss points, with w = u_rel · normal:
-//         F = [½ ρ_w C_h (L²/4) |w| w + (c/4) w] normal,  c = 2 ζ sqrt(ρ_w g L² m (1 + a)): a fraction ζ of critical
-//         damping of the heave of an element of mass m that carries the share a of added mass; spread over the Gauss
-//         points it damps roll and pitch too.
+//         F = [½ ρ_w C_h (L²/4) |w| w + (c/4) w] normal. The second term stands for waves. Of water.heave_damping_from
+//         = "share":   c = 2 ζ sqrt(ρ_w g L² m (1 + a)), a fraction ζ of critical damping of the heave of an element
+//                      of mass m that carries the share a of added mass, at every wet point
+//         "outline":   c is the element's share of what its piece radiates (floating_plate.hpp), at points whose column
+//                      cuts the surface: ice that is covered by water makes no waves
+//         Spread over the Gauss points it damps roll and pitch too.
 //
 // Flow. Horizontal potential flow round the structure's waterline circle of radius R, which moves at the speed V along
 // +x through water at rest: from the potential -V R² cosθ / r follow  u_r = V R² cosθ / r²,  u_θ = V R² sinθ / r²  for
@@ -34,14 +37,20 @@ class WaterModel {
     WaterModel(const Water& water, double gravity, ElementShape shape, double mass, double waterline_radius,
                double speed);
 
-    /// Force (N) and moment about the centre of mass (N m), world axes, with the structure's axis at x = `structure_x`.
-    /// For many elements water_lanes.hpp gives the same bits sooner.
-    Wrench wrench(const ElementState& state, double structure_x) const;
+    /// c of an element alone, kg/s.
+    double damping() const { return damping_; }
+
+    /// With damping c as given, or that of an element alone: force (N) and moment about the centre of mass (N m), world
+    /// axes, with the structure's axis at x = `structure_x`. For many elements water_lanes.hpp gives the same bits
+    /// sooner.
+    Wrench wrench(const ElementState& state, double structure_x) const { return wrench(state, structure_x, damping_); }
+    Wrench wrench(const ElementState& state, double structure_x, double damping) const;
 
     const WaterFactors& factors() const { return factors_; }
 
   private:
     WaterFactors factors_;
+    double damping_;
 };
 
 }  // namespace floes

@@ -81,6 +81,17 @@ void check(const JointDefinition& joint, std::size_t bodies, SolverKind solver) 
             "at least 0");
 }
 
+void check(const CarriedWater& water, SolverKind solver) {
+    if (const auto refusal = refused_water(solver)) refuse(*refusal);
+    for (const double mass : {water.in_plane, water.normal})
+        require(mass >= 0 && std::isfinite(mass), "a mass of water", mass, "at least 0 kg");
+    for (const double inertia : {water.yaw, water.xx, water.zz})
+        require(inertia >= 0 && std::isfinite(inertia), "a moment of inertia of water", inertia, "at least 0 kg m²");
+    require(water.x * water.x <= water.normal * water.xx && water.z * water.z <= water.normal * water.zz &&
+                water.xz * water.xz <= water.xx * water.zz,
+            "the first moment of the water along x", water.x, "that of a mass somewhere");
+}
+
 void check_sleep(SolverKind solver) {
     if (const auto refusal = refused_sleep(solver)) refuse(*refusal);
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 
+#include "solver/carried_water.hpp"
 #include "structure/convex_solid.hpp"
 #include "world/definitions.hpp"
 
@@ -14,6 +15,7 @@ void check(const WorldDefinition& definition);
 void check(const BoxDefinition& box);
 void check(const FixedBoxDefinition& box);
 void check(const JointDefinition& joint, std::size_t bodies, SolverKind solver);
+void check(const CarriedWater& water, SolverKind solver);
 void check_sleep(SolverKind solver);
 void check_structure(std::span<const ConvexSolid> solids, bool present);
 

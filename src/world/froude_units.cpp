@@ -31,6 +31,12 @@ JointDefinition FroudeUnits::to_own(JointDefinition joint) const {
     return joint;
 }
 
+CarriedWater FroudeUnits::to_own(CarriedWater water) const {
+    for (double* first : {&water.x, &water.z}) *first /= length_;
+    for (double* second : {&water.yaw, &water.xx, &water.xz, &water.zz}) *second /= length_ * length_;
+    return water;
+}
+
 BodyState FroudeUnits::to_own(const BodyState& state) const {
     return {to_own(state.position), state.rotation, state.velocity / time_, state.angular_velocity * time_};
 }

@@ -9,6 +9,7 @@
 
 #include <cmath>
 
+#include "solver/carried_water.hpp"
 #include "structure/convex_solid.hpp"
 #include "world/definitions.hpp"
 #include "world/state.hpp"
@@ -27,6 +28,7 @@ class FroudeUnits {
     FixedBoxDefinition to_own(FixedBoxDefinition box) const;
     JointDefinition to_own(JointDefinition joint) const;
     ConvexSolid to_own(const ConvexSolid& solid) const { return solid.scaled(1 / length_); }
+    CarriedWater to_own(CarriedWater water) const;
     BodyState to_own(const BodyState& state) const;
     Wrench to_own(const Wrench& wrench) const { return {wrench.force, wrench.moment / length_}; }
 

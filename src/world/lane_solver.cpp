@@ -93,6 +93,11 @@ void LaneSolver::place(std::size_t body, const btRigidBody& state) {
     if (system_ && body < system_->body_count()) system_->set_state(body, state_of(state));
 }
 
+void LaneSolver::set_water(std::size_t body, const CarriedWater& water) {
+    waters_[body] = water;
+    if (system_ && body < system_->body_count()) system_->set_water(body, water);
+}
+
 JointReaction LaneSolver::reaction(std::size_t joint) const {
     if (!in_system(joint)) return {};
     const auto [force, moment] = system_->reaction(joint_in_system_[joint]);
@@ -128,6 +133,9 @@ void LaneSolver::lay_out(std::span<btCollisionObject* const> bodies) {
     for (std::size_t i = 0; i < bodies.size(); ++i) system_->set_state(i, state_of(rigid(bodies[i])));
     for (std::size_t i = 0; i < joints_.size(); ++i) {
         if (removed_[i] && in_system(i)) system_->remove_joint(joint_in_system_[i]);
+    }
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (moves(rigid(bodies[i])) && waters_[i] != CarriedWater{}) system_->set_water(i, waters_[i]);
     }
     stale_ = false;
 }

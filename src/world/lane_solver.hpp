@@ -21,7 +21,13 @@ class LaneSolver final : public btSequentialImpulseConstraintSolver {
     LaneSolver(const ContactLaw& law, int lanes, SolverKind solver);
 
     /// Bodies are numbered from 0 in the order in which they are added. crushing_pressure: Pa; 0: that of the law.
-    void add_body(double crushing_pressure) { crushing_pressures_.push_back(crushing_pressure); }
+    void add_body(double crushing_pressure) {
+        crushing_pressures_.push_back(crushing_pressure);
+        waters_.emplace_back();
+    }
+
+    /// Water that the body carries from the next solve on; with the direct solver only.
+    void set_water(std::size_t body, const CarriedWater& water);
 
     /// Joints are numbered from 0 in the order in which they are added, and solved in that order within a floe.
     void add_joint(const JointDefinition& definition, const btRigidBody& a, const btRigidBody& b);
@@ -57,6 +63,7 @@ class LaneSolver final : public btSequentialImpulseConstraintSolver {
     int width_;
     SolverKind solver_;
     std::vector<double> crushing_pressures_;  ///< by body
+    std::vector<CarriedWater> waters_;        ///< likewise
     std::vector<SolverJoint> joints_;
     std::vector<bool> removed_;
     std::optional<LaneSystem> system_;          ///< of the bodies and joints there were when it was laid out

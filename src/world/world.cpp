@@ -189,6 +189,11 @@ void World::set_piece(BodyId body, int piece) {
     assign_piece(bullet_->body(body), piece);
 }
 
+void World::set_water(BodyId body, const CarriedWater& given) {
+    check(given, bullet_->definition.solver);
+    bullet_->lanes->set_water(body.index(), bullet_->units.to_own(given));
+}
+
 void World::set_asleep(BodyId body, bool asleep) {
     check_sleep(bullet_->definition.solver);
     btRigidBody& changed = bullet_->body(body);

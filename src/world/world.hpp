@@ -15,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "solver/carried_water.hpp"
 #include "structure/convex_solid.hpp"
 #include "world/definitions.hpp"
 #include "world/state.hpp"
@@ -44,6 +45,10 @@ class World {
 
     /// Bodies of the same piece >= 0 do not collide; no_piece for none. In force from the next step on.
     void set_piece(BodyId body, int piece);
+
+    /// Water that moves with an element from the next step on; none at first. Throws InputError with other solvers than
+    /// direct, and for a value that is negative or not finite where that makes no sense.
+    void set_water(BodyId body, const CarriedWater& water);
 
     /// Puts a body into a state that it does not come to by itself. Contacts that it had begin anew; joints pull
     /// towards the configuration in which they were made.

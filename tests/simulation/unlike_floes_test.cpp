@@ -81,6 +81,7 @@ TEST(UnlikeFloes, FloatEachAtItsOwnDraught) {
 TEST(UnlikeFloes, HeaveEachAtItsOwnFrequency) {
     Six six;
     six.scenario.general.time_step = 0.001;
+    six.scenario.water.heave_damping_from = six.scenario.water.added_mass_from = WaterFrom::share;
     six.scenario.water.heave_damping = six.scenario.water.heave_drag = six.scenario.water.skin_drag = 0;
     six.scenario.water.form_drag = 0;
     six.scenario.analysis.window = 2;

@@ -16,7 +16,12 @@ constexpr double speed = 0.07;
 Vec2 potential_flow(const Vec2& from_axis) {
     constexpr double side = 0x1p-60;
     constexpr double structure_x = 0.25;
-    const Water water{.density = 1, .form_drag = 0, .skin_drag = 0, .heave_drag = 0, .heave_damping = 0.5};
+    const Water water{.density = 1,
+                      .form_drag = 0,
+                      .skin_drag = 0,
+                      .heave_drag = 0,
+                      .heave_damping_from = WaterFrom::share,
+                      .heave_damping = 0.5};
     const WaterModel model(water, 1, {side, side}, 1 / (side * side), radius, speed);
     ElementState speck;
     speck.position = {structure_x + from_axis.x(), -1, from_axis.y()};

@@ -4,8 +4,10 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "core/units.hpp"
+#include "water/floating_plate.hpp"
 
 namespace floes {
 namespace {
@@ -26,6 +28,7 @@ double draught_of(double density) {
 Water still_water() {
     Water water;
     water.flow = WaterFlow::still;
+    water.heave_damping_from = water.added_mass_from = WaterFrom::share;
     return water;
 }
 
@@ -163,7 +166,8 @@ TEST(Drag, FormDragActsOnExposedFacesThatMeetTheFlow) {
 
 // The middle of its leading face lies on the structure's axis, where the water moves with the structure.
 TEST(Drag, IsRelativeToTheStructureOnItsAxis) {
-    const Water water{.form_drag = 1, .skin_drag = 0, .heave_drag = 0, .heave_damping = 0};
+    const Water water{
+        .form_drag = 1, .skin_drag = 0, .heave_drag = 0, .heave_damping_from = WaterFrom::share, .heave_damping = 0};
     ElementState state;
     state.position = {-0.5 * shape.side, -1, 0};
     state.velocity = {0.3, 0, 0};
@@ -206,6 +210,32 @@ TEST(Drag, CriticalDampingCountsTheAddedMass) {
     state.velocity = {0, -0.2, 0};
     const double critical = 2 * std::sqrt(1000 * gravity * shape.side * shape.side * 4 * mass_of(930));
     EXPECT_NEAR(drag(water, state).force.y(), water.heave_damping * critical * 0.2, 1e-12);
+}
+
+// Waves: an element alone radiates as a plate of its own size, or as much as it is told; under water and dry not at
+// all.
+TEST(Drag, MakesWavesOnlyWhereIceCutsTheSurface) {
+    Water water = still_water();
+    water.heave_damping_from = WaterFrom::outline;
+    water.heave_drag = 0;
+    ElementState state;
+    state.position.y() = 0.5 * shape.thickness - draught_of(930);
+    state.velocity = {0, -0.2, 0};
+    const std::vector<ElementWater> alone =
+        water_of_piece(std::vector<Vec2>{{0, 0}}, shape.side, draught_of(930), {.density = 1000, .gravity = gravity});
+    EXPECT_NEAR(drag(water, state).force.y(), alone[0].damping * 0.2, 1e-12);
+    const WaterModel model(water, gravity, shape, mass_of(930), radius, speed);
+    const double buoyant = buoyancy(state).force.y();
+    EXPECT_NEAR(model.wrench(state, 0, 7.0).force.y() - buoyant, 7.0 * 0.2, 1e-12);
+    state.position.y() = -0.5 * shape.thickness - 1e-6;
+    EXPECT_NEAR(drag(water, state).force.y(), 0, 1e-12);
+    state.position.y() = -3;
+    EXPECT_NEAR(drag(water, state).force.y(), 0, 1e-12);
+    // Half under: the two columns that cut the surface damp.
+    state.position.y() = -0.5 * shape.thickness;
+    state.rotation = turned(0.05, Vec3::UnitZ());
+    EXPECT_NEAR((model.wrench(state, 0, 8.0).force - model.wrench(state, 0, 0.0).force).dot(state.rotation.col(1)),
+                4.0 * 0.2 * std::cos(0.05), 1e-12);
 }
 
 // Linear part alone: the moment of four dampers c/4 at ±L/√12 is c L²/12 times the angular velocity.

@@ -5,6 +5,7 @@
 
 #include "findings/control_section.hpp"
 #include "findings/design_load_section.hpp"
+#include "findings/energy_section.hpp"
 #include "findings/levels.hpp"
 #include "findings/members.hpp"
 #include "findings/overview_section.hpp"
@@ -132,6 +133,7 @@ constexpr std::array all{
             .unasked_in_json = in_detail},
     Finding{"", one<histories_section>, never, "Load over time", always},
     Finding{"", one<load_map_section>, never, "Where the load acts", always},
+    Finding{"energy", one<energy_section>, never, "Where the work goes", always},
     Finding{"design", design, never, "Design load", in_detail},
     Finding{"extremes", one<extremes>, in_detail, "Extremes", in_detail},
     Finding{"", one<levels>, never, "Extremes", with_levels},

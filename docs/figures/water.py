@@ -1,0 +1,89 @@
+#!/usr/bin/python3
+"""The tables of docs/water.md, from docs/water.
+
+Usage:
+    water.py                    writes the tables
+    water.py --check            writes nothing; fails if a table differs from the data
+    water.py --collect FOLDER   first takes the members of the campaigns water_channel.h5 and water_tank.h5 in FOLDER
+"""
+import pathlib
+import sys
+
+import pandas as pd
+
+from contact import collected
+from page_blocks import fill_or_check
+from validation_data import half_width, interval
+from validation_tables import difference, table, with_interval
+
+DOCS = pathlib.Path(__file__).resolve().parent.parent
+DATA = DOCS / "water"
+CASES = {"shares": "shares: damping under water too, no added mass", "no_damping": "shares, no damping",
+         "waves": "waves of the outline, no added mass", "outline": "**outline: waves and added mass (the default)**",
+         "outline_at_rest": "outline, water at rest", "in_plane_0": "outline, added mass in the plane 0",
+         "in_plane_0.2": "outline, added mass in the plane 0.2", "heave_drag_1.2": "outline, heave drag 1.2"}
+QUANTITIES = {"mean_N": "mean, N", "maximum_1s_N": "maxima, 1 s, N", "broken_percent": "broken floes, %"}
+WORK = {"ice_friction": "friction, ice on ice", "ice_crushing": "crushing and stopping, ice on ice",
+        "hull_friction": "friction on the structure", "hull_crushing": "crushing and stopping on the structure",
+        "vertical_drag": "drag along the normals", "plane_drag": "form and skin drag", "waves": "waves",
+        "joints": "bending and breaking", "lifting": "lifting and pushing under", "motion": "motion",
+        "rest": "lost by finite steps"}
+
+
+def members(name):
+    return pd.read_csv(DATA / f"{name}.csv")
+
+
+def effects(name):
+    """Cases in pairs over arrangements beside the default."""
+    rows = members(name)
+    own = {case: rows[rows.case == case].set_index("arrangement") for case in CASES if (rows.case == case).any()}
+    common = sorted(set.intersection(*(set(one.index) for one in own.values())))
+    lines = []
+    for case in own:
+        cells = [CASES[case], f"{len(common)}"]
+        for quantity in QUANTITIES:
+            values = own[case].loc[common, quantity].to_numpy()
+            apart = values - own["outline"].loc[common, quantity].to_numpy()
+            cells += [with_interval(values), "" if case == "outline" else difference(apart.mean(), half_width(apart))]
+        lines.append(cells)
+    return table(["water", "arrangements"] + [cell for one in QUANTITIES.values() for cell in (one, "beside the default")],
+                 lines)
+
+
+def work(name):
+    rows = members(name)
+    cases = [case for case in ("shares", "outline") if (rows.case == case).any()]
+    own = {case: rows[rows.case == case] for case in cases}
+    sums = {case: sum(one[f"work_{key}"].mean() for key in WORK) for case, one in own.items()}
+    lines = []
+    for key, words in WORK.items():
+        cells = [words]
+        for case, one in own.items():
+            mean, low, high = interval(one[f"work_{key}"].to_numpy())
+            cells += [f"{mean:.2f} ± {high - mean:.2f}", f"{100 * mean / sums[case]:.1f}"]
+        lines.append(cells)
+    lines.append(["together; mean load"] + [cell for case, one in own.items()
+                                            for cell in (f"{sums[case]:.2f}; {one['mean_N'].mean():.2f}", "100")])
+    return table(["work over the distance towed, N"] + [cell for case in cases for cell in (case, "%")], lines)
+
+
+def main():
+    arguments = sys.argv[1:]
+    if arguments[:1] == ["--collect"]:
+        for name in ("water_channel", "water_tank"):
+            path = pathlib.Path(arguments[1]) / f"{name}.h5"
+            if path.exists():
+                collected(path, {"case": "case.name"}, [f"work_{key}" for key in WORK]).round(6).to_csv(
+                    DATA / f"{name}.csv", index=False)
+    elif arguments not in ([], ["--check"]):
+        sys.exit(__doc__)
+    fill_or_check({DOCS / "water.md": {"channel": lambda: effects("water_channel"),
+                                       "tank": lambda: effects("water_tank"),
+                                       "work": lambda: work("water_channel"),
+                                       "work_tank": lambda: work("water_tank")}},
+                  arguments == ["--check"], "water.py")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,37 @@
+#pragma once
+// The water that connected pieces of ice move and the waves they make, shared out among their elements: anew whenever
+// a floe has broken.
+
+#include <vector>
+
+#include "ice/ice_field.hpp"
+#include "scenario/floes.hpp"
+#include "scenario/scenario.hpp"
+#include "water/floating_plate.hpp"
+#include "water/water_lanes.hpp"
+#include "world/world.hpp"
+
+namespace floes {
+
+class PieceWater {
+  public:
+    PieceWater(const Scenario& scenario, const FloeSet& floes);
+
+    /// Gives the elements of a floe what their pieces have, as far as water.added_mass_from and
+    /// water.heave_damping_from say "outline".
+    void share_out(int floe, const IceField& ice, World& world, WaterLanes& water);
+
+    /// What an element carries, by its place in ice.elements().
+    const CarriedWater& carried(std::size_t element) const { return carried_[element]; }
+
+  private:
+    WaterBody body_;
+    bool carries_;
+    bool radiates_;
+    std::vector<double> draught_;        ///< by floe, m
+    std::vector<CarriedWater> carried_;  ///< by element
+    std::vector<int> piece_;             ///< elements of one piece
+    std::vector<Vec2> centres_;
+};
+
+}  // namespace floes

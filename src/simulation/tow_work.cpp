@@ -1,0 +1,137 @@
+#include "simulation/tow_work.hpp"
+
+#include <initializer_list>
+
+namespace floes {
+namespace {
+
+Wrench difference(const Wrench& a, const Wrench& b) {
+    return {a.force - b.force, a.moment - b.moment};
+}
+
+/// 0.5 (v·p + ω·l) of the ice and the water that it carries.
+double kinetic_energy(const BodyState& state, double mass, const Vec3& inertia, const CarriedWater& water) {
+    const Vec3 v = state.rotation.transpose() * state.velocity;
+    const Vec3 w = state.rotation.transpose() * state.angular_velocity;
+    const double ice = mass * v.squaredNorm() + w.dot(inertia.cwiseProduct(w));
+    const double along = water.in_plane * (v.x() * v.x() + v.z() * v.z()) + water.yaw * w.y() * w.y();
+    const double normal = water.normal * v.y() * v.y() + water.zz * w.x() * w.x() + water.xx * w.z() * w.z() +
+                          2 * (v.y() * (water.x * w.z() - water.z * w.x()) - water.xz * w.x() * w.z());
+    return 0.5 * (ice + along + normal);
+}
+
+}  // namespace
+
+TowWork::TowWork(const Scenario& scenario, const FloeSet& floes, const IceField& ice, BodyId structure)
+    : first_step_(scenario.first_window_step()),
+      time_step_(scenario.general.time_step),
+      gravity_(scenario.general.gravity),
+      structure_(structure),
+      first_element_(ice.elements().front().body),
+      tow_(scenario.structure.speed, 0, 0) {
+    const double carried = 1 + scenario.water.isotropic_mass();
+    for (const IceElement& element : ice.elements()) {
+        const auto floe = static_cast<std::size_t>(element.floe);
+        const FloeShape& shape = floes.shape(floe);
+        const double ice_mass = shape.element_mass(floes.material(floe).ice);
+        mass_.push_back(ice_mass * carried);
+        weight_.push_back(ice_mass * gravity_);
+        const double broad = shape.element * shape.element;
+        const double thin = shape.thickness * shape.thickness;
+        inertia_.push_back(mass_.back() / 12 * Vec3(broad + thin, 2 * broad, broad + thin));
+    }
+    const std::size_t count = ice.elements().size();
+    for (std::vector<Wrench>* wrenches : {&plane_, &vertical_, &waves_, &buoyancy_}) wrenches->resize(count);
+    for (std::vector<Vec3>* vectors : {&velocity_, &angular_velocity_, &position_}) vectors->resize(count);
+    contacts_.reserve(8 * count);
+}
+
+void TowWork::split_water(WaterLanes& water, double structure_x) {
+    const auto read = [&](WaterTerms terms, std::vector<Wrench>& into) {
+        water.compute(structure_x, terms);
+        for (std::size_t i = 0; i < into.size(); ++i) into[i] = water.is_set(i) ? water.wrench(i) : Wrench{};
+    };
+    read(WaterTerms::buoyancy, buoyancy_);
+    read(WaterTerms::buoyancy_and_plane_drag, plane_);
+    read(WaterTerms::all_but_waves, vertical_);
+    read(WaterTerms::all, waves_);
+    for (std::size_t i = 0; i < waves_.size(); ++i) {
+        waves_[i] = difference(waves_[i], vertical_[i]);
+        vertical_[i] = difference(vertical_[i], plane_[i]);
+        plane_[i] = difference(plane_[i], buoyancy_[i]);
+    }
+}
+
+double TowWork::power(const Wrench& wrench, std::size_t element) const {
+    return wrench.force.dot(velocity_[element]) + wrench.moment.dot(angular_velocity_[element]);
+}
+
+void TowWork::add(const World& world, const IceField& ice, const PieceWater& water, std::span<const BodyState> before,
+                  std::span<const BodyState> after) {
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        velocity_[i] = 0.5 * (before[i].velocity + after[i].velocity);
+        angular_velocity_[i] = 0.5 * (before[i].angular_velocity + after[i].angular_velocity);
+        position_[i] = before[i].position;
+    }
+    const WorkShares last = sum_;
+    const double load = -world.contact_force(structure_).dot(tow_);
+    add_contacts(world);
+    add_water();
+    add_motion(water, before, after);
+    sum_.joints -= ice.joint_power(world, before, velocity_, angular_velocity_);
+    const auto all = [](const WorkShares& s) {
+        return s.ice_friction + s.ice_crushing + s.hull_friction + s.hull_crushing + s.vertical_drag + s.plane_drag +
+               s.waves + s.joints + s.lifting + s.motion;
+    };
+    sum_.rest += load - (all(sum_) - all(last));
+    ++steps_;
+}
+
+void TowWork::add_contacts(const World& world) {
+    world.read_contacts(contacts_);
+    for (const ContactForce& contact : contacts_) {
+        bool hull = false;
+        const auto velocity = [&](BodyId body) -> Vec3 {
+            if (body == structure_) {
+                hull = true;
+                return tow_;
+            }
+            const std::size_t i = body.index() - first_element_.index();  // elements were added one after another
+            if (i >= velocity_.size()) return Vec3::Zero();               // an ice sheet
+            return velocity_[i] + angular_velocity_[i].cross(contact.point - position_[i]);
+        };
+        const Vec3 sliding = velocity(contact.a) - velocity(contact.b);
+        (hull ? sum_.hull_friction : sum_.ice_friction) -= contact.friction.dot(sliding);
+        (hull ? sum_.hull_crushing : sum_.ice_crushing) -= contact.normal.dot(sliding);
+    }
+}
+
+void TowWork::add_water() {
+    for (std::size_t i = 0; i < velocity_.size(); ++i) {
+        sum_.plane_drag -= power(plane_[i], i);
+        sum_.vertical_drag -= power(vertical_[i], i);
+        sum_.waves -= power(waves_[i], i);
+        sum_.lifting -= power(buoyancy_[i], i) - weight_[i] * velocity_[i].y();
+    }
+}
+
+void TowWork::add_motion(const PieceWater& water, std::span<const BodyState> before, std::span<const BodyState> after) {
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        const CarriedWater& carried = water.carried(i);
+        sum_.motion += (kinetic_energy(after[i], mass_[i], inertia_[i], carried) -
+                        kinetic_energy(before[i], mass_[i], inertia_[i], carried)) /
+                       time_step_;
+    }
+}
+
+WorkShares TowWork::shares() const {
+    WorkShares mean = sum_;
+    const double per = steps_ > 0 ? 1 / (steps_ * tow_.x()) : 0;
+    for (double* share :
+         {&mean.ice_friction, &mean.ice_crushing, &mean.hull_friction, &mean.hull_crushing, &mean.vertical_drag,
+          &mean.plane_drag, &mean.waves, &mean.joints, &mean.lifting, &mean.motion, &mean.rest})
+        *share *= per;
+    return mean;
+}
+
+}  // namespace floes

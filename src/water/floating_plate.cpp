@@ -1,0 +1,109 @@
+#include "water/floating_plate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace floes {
+namespace {
+
+#include "water/floating_plate_table.inl"
+
+/// Where `value` lies in rising `nodes`: the node before it, and the share of the way to the next. Ends hold.
+template <std::size_t count>
+std::pair<std::size_t, double> between(const std::array<double, count>& nodes, double value, double (*scale)(double)) {
+    const auto next = std::ranges::upper_bound(nodes, value);
+    const auto at = static_cast<std::size_t>(
+        std::clamp(next - nodes.begin() - 1, std::ptrdiff_t{0}, static_cast<std::ptrdiff_t>(count) - 2));
+    const double way = (scale(value) - scale(nodes[at])) / (scale(nodes[at + 1]) - scale(nodes[at]));
+    return {at, std::clamp(way, 0.0, 1.0)};
+}
+
+PlateWater mixed(const PlateWater& a, const PlateWater& b, double way) {
+    const auto mix = [way](double from, double to) { return from + way * (to - from); };
+    return {mix(a.added_mass, b.added_mass), mix(a.gyration_across, b.gyration_across),
+            mix(a.gyration_along, b.gyration_along), mix(a.damping, b.damping)};
+}
+
+/// Moments 0, 1 and 2 of the weight 1 - t + t (15/8) (1 - s²)² from s = a to b, about the middle of that stretch.
+std::array<double, 3> moments(double t, double a, double b) {
+    std::array<double, 3> about_0{};
+    for (int k = 0; k < 3; ++k) {
+        const auto integral = [&](int power) {
+            return (std::pow(b, power + 1) - std::pow(a, power + 1)) / (power + 1);
+        };
+        about_0[static_cast<std::size_t>(k)] =
+            (1 - t) * integral(k) + t * 1.875 * (integral(k) - 2 * integral(k + 2) + integral(k + 4));
+    }
+    const auto [m0, m1, m2] = about_0;
+    const double middle = 0.5 * (a + b);
+    return {m0, m1 - middle * m0, m2 - 2 * middle * m1 + middle * middle * m0};
+}
+
+/// The weight's t for a squared radius of gyration over the side's square: 1/12 of an even load has 0, 1/28 has 1.
+double weight_for(double gyration) {
+    return std::clamp((1.0 / 3 - 4 * gyration) / (1.0 / 3 - 1.0 / 7), 0.0, 1.0);
+}
+
+}  // namespace
+
+PlateWater plate_water(double aspect, double draught) {
+    const auto [i, along] = between(aspects, aspect, [](double x) { return std::log(x); });
+    const auto [k, deep] = between(draughts, draught, [](double x) { return x; });
+    const auto at = [&, i = i, k = k](std::size_t one, std::size_t other) {
+        return table[(i + one) * draughts.size() + k + other];
+    };
+    return mixed(mixed(at(0, 0), at(0, 1), deep), mixed(at(1, 0), at(1, 1), deep), along);
+}
+
+std::vector<ElementWater> water_of_piece(std::span<const Vec2> centres, double side, double draught,
+                                         const WaterBody& water) {
+    Vec2 low = centres.front();
+    Vec2 high = low;
+    for (const Vec2& centre : centres) {
+        low = low.cwiseMin(centre);
+        high = high.cwiseMax(centre);
+    }
+    const Vec2 size = (high - low).array() + side;
+    const Vec2 middle = 0.5 * (low + high);
+    const double area = static_cast<double>(centres.size()) * side * side;
+    const double aspect = size.maxCoeff() / size.minCoeff();
+    const double b = std::sqrt(area / aspect);
+    const PlateWater plate = plate_water(aspect, draught / b);
+    const bool x_is_short = size.x() <= size.y();
+    const double tx = weight_for(x_is_short ? plate.gyration_across : plate.gyration_along);
+    const double tz = weight_for(x_is_short ? plate.gyration_along : plate.gyration_across);
+
+    const Vec2 half = 0.5 * size;
+    std::vector<ElementWater> shares;
+    double sum = 0;
+    for (const Vec2& centre : centres) {
+        const auto over = [&](int axis, double t) {
+            const double from = (centre[axis] - middle[axis] - 0.5 * side) / half[axis];
+            return moments(t, from, from + side / half[axis]);
+        };
+        const auto [x0, x1, x2] = over(0, tx);
+        const auto [z0, z1, z2] = over(1, tz);
+        shares.push_back({{.normal = x0 * z0,
+                           .x = half.x() * x1 * z0,
+                           .z = half.y() * x0 * z1,
+                           .xx = half.x() * half.x() * x2 * z0,
+                           .xz = half.x() * half.y() * x1 * z1,
+                           .zz = half.y() * half.y() * x0 * z2}});
+        sum += x0 * z0;
+    }
+    const double mass = plate.added_mass * water.density * b * b * b * aspect;
+    const double ice = water.density * side * side * draught;
+    for (ElementWater& share : shares) {
+        CarriedWater& carried = share.carried;
+        for (double* moment : {&carried.normal, &carried.x, &carried.z, &carried.xx, &carried.xz, &carried.zz})
+            *moment *= mass / sum;
+        carried.in_plane = water.in_plane * ice;
+        carried.yaw = carried.in_plane * side * side / 6;
+        share.damping = plate.damping * std::sqrt(water.gravity / b) * carried.normal;
+    }
+    return shares;
+}
+
+}  // namespace floes

@@ -1,0 +1,83 @@
+// Where the work of the tow goes: it adds up, and each share is there only with its cause.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "arrangement/arrangement.hpp"
+#include "simulation/simulation.hpp"
+
+namespace floes {
+namespace {
+
+/// A short tow through packed floes in the channel of configs/smoke.toml.
+Scenario packed() {
+    Scenario scenario;
+    scenario.field.floes = 24;
+    scenario.field.begin = 2.0;
+    scenario.field.half_width = 1.25;
+    scenario.structure.shape = Shape({{-0.443, 0.43}, {0.0, 0.614}, {0.122, 0.736}});
+    scenario.structure.start = 1.38;
+    scenario.structure.speed = 0.1;
+    scenario.analysis.steady_start = 6;
+    scenario.analysis.window = 10;
+    scenario.analysis.segments = 1;
+    return scenario;
+}
+
+struct Found {
+    WorkShares work;
+    double mean = 0;
+};
+
+Found towed(const Scenario& scenario) {
+    Simulation simulation(scenario, make_arrangement(scenario, 1, 0));
+    EXPECT_TRUE(simulation.run({}));
+    const std::vector<double>& surge = simulation.loads().surge;
+    Found found{simulation.work()};
+    const auto first = static_cast<std::size_t>(scenario.first_window_step());
+    for (std::size_t i = first; i < surge.size(); ++i)
+        found.mean += surge[i] / static_cast<double>(surge.size() - first);
+    return found;
+}
+
+double sum(const WorkShares& s) {
+    return s.ice_friction + s.ice_crushing + s.hull_friction + s.hull_crushing + s.vertical_drag + s.plane_drag +
+           s.waves + s.joints + s.lifting + s.motion + s.rest;
+}
+
+// `rest` is the load less all that is computed from the ice's side, so a share that were missing or counted twice would
+// show in it.
+TEST(TowWork, IsTheLoadToOnePercent) {
+    const Found found = towed(packed());
+    ASSERT_GT(found.mean, 5);
+    EXPECT_LT(std::abs(found.work.rest), 0.01 * found.mean);
+    EXPECT_NEAR(sum(found.work), found.mean, 0.05 * found.mean);  // one step in five
+    for (const double loss : {found.work.ice_friction, found.work.hull_friction, found.work.ice_crushing,
+                              found.work.vertical_drag, found.work.waves, found.work.lifting})
+        EXPECT_GT(loss, 0);
+}
+
+TEST(TowWork, HasNoShareWithoutItsCause) {
+    Scenario scenario = packed();
+    scenario.contact.ice_structure_friction = 0;
+    scenario.water.heave_damping_from = WaterFrom::share;
+    scenario.water.heave_damping = 0;
+    scenario.water.form_drag = scenario.water.skin_drag = 0;
+    const WorkShares work = towed(scenario).work;
+    EXPECT_EQ(work.hull_friction, 0);
+    EXPECT_EQ(work.waves, 0);
+    EXPECT_EQ(work.plane_drag, 0);
+    EXPECT_GT(work.vertical_drag, 0);
+    EXPECT_GT(work.ice_friction, 0);
+}
+
+TEST(TowWork, IsNothingBeforeTheWindow) {
+    Scenario scenario = packed();
+    Simulation simulation(scenario, make_arrangement(scenario, 1, 0));
+    for (int i = 0; i < 10; ++i) simulation.step();
+    EXPECT_EQ(sum(simulation.work()), 0);
+}
+
+}  // namespace
+}  // namespace floes
