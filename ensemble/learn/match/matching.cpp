@@ -201,17 +201,22 @@ EmulatedTarget::ScatterAt EmulatedTarget::scatter_at(const Eigen::VectorXd& x) c
 }
 
 double EmulatedTarget::expected_difference(const Eigen::VectorXd& x) const {
-    return std::sqrt(mean_->at(x).variance + scatter(x) * (common_part_ + 1.0 / target_.runs) +
+    return difference_of(mean_->at(x).variance, scatter(x));
+}
+
+double EmulatedTarget::difference_of(double mean_variance, double scatter) const {
+    return std::sqrt(mean_variance + scatter * (common_part_ + 1.0 / target_.runs) +
                      target_.uncertainty * target_.uncertainty + target_.discrepancy * target_.discrepancy);
 }
 
 double EmulatedTarget::implausibility(const Eigen::VectorXd& x) const {
+    const Emulated mean = mean_->at(x);
     const ScatterAt scatter = scatter_at(x);
-    const double difference = expected_difference(x);
+    const double difference = difference_of(mean.variance, scatter.variance);
     const double by_scatter = scatter.variance * (common_part_ + 1.0 / target_.runs);
     const double share = by_scatter / (difference * difference);
     const double factor = share > 0 ? student_factor(scatter.freedom / (share * share)) : 1;
-    return std::abs(target_.value - mean_->at(x).mean) / (difference * factor);
+    return std::abs(target_.value - mean.mean) / (difference * factor);
 }
 
 std::vector<EmulatedTarget> emulate(const MatchData& data) {

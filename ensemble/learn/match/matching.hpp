@@ -61,6 +61,7 @@ class EmulatedTarget {
         double freedom = 0;  ///< of an estimate from so many differences between runs
     };
     ScatterAt scatter_at(const Eigen::VectorXd& x) const;
+    double difference_of(double mean_variance, double scatter) const;
 
     Target target_;
     std::shared_ptr<const Emulator> mean_;
