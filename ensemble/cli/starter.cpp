@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 #include "campaign/campaign_keys.hpp"
+#include "findings/key_words.hpp"
 
 namespace floes {
 namespace {
@@ -203,21 +203,6 @@ Lines lines_of(Starter starter) {
     return joined(campaign_head("1", "4"), {&tank_ice, &tank_scene, &tank_cases});
 }
 
-/// The unit that a key's name ends with; empty for a plain number.
-std::string_view unit_of(std::string_view key) {
-    constexpr std::array<std::array<std::string_view, 2>, 8> units{{{"_kg_m3", "kg/m³"},
-                                                                    {"_m_s", "m/s"},
-                                                                    {"_percent", "%"},
-                                                                    {"_kPa", "kPa"},
-                                                                    {"_MPa", "MPa"},
-                                                                    {"_m", "m"},
-                                                                    {"_s", "s"},
-                                                                    {"_N", "N"}}};
-    for (const auto& [ending, unit] : units)
-        if (key.ends_with(ending)) return unit;
-    return {};
-}
-
 /// What a key may be, as the reference says it.
 std::string range_of(std::string_view key, const std::vector<KeyDescription>& keys) {
     const std::string path = full_path(std::string(key));
@@ -227,7 +212,7 @@ std::string range_of(std::string_view key, const std::vector<KeyDescription>& ke
 
 /// "m, above 0 and at most 10: of floes and elements".
 std::string comment_of(const Line& line, const std::vector<KeyDescription>& keys) {
-    std::string comment(unit_of(line.key));
+    std::string comment = key_words(line.key).unit;
     const std::string range = range_of(line.key, keys);
     comment += (comment.empty() || range.empty() ? "" : ", ") + range;
     return comment + (comment.empty() || line.about.empty() ? "" : ": ") + std::string(line.about);
