@@ -65,9 +65,7 @@ TEST_F(Report, SaysWhenThereAreNoHistoriesAndDrawsTheLevelsCounted) {
 TEST_F(Report, DrawsLoadsOverTimeAsLargeAsTheyAre) {
     const Campaign campaign = synthetic::campaign_with_design();
     const std::vector<Session> sessions{synthetic::session()};
-    std::vector<MemberRecord> records;
-    for (int member = 0; member < member_count(campaign); ++member)
-        records.push_back(synthetic::record(campaign, member));
+    std::vector<MemberRecord> records = synthetic::all_done_records(campaign);
     publish(file_, campaign, records, sessions);
     run(file_.string() + " --no-plate-tests --pictures none -o " + page_.string());
     EXPECT_THAT(file_text(page_), HasSubstr("each case shifted by 500 N"));

@@ -95,10 +95,7 @@ TEST_F(Summarize, SaysWhatDecidesTheLoad) {
     EXPECT_THAT(summarize("--parts sensitivity"), HasSubstr("has no design"));
     const Campaign campaign = synthetic::campaign_with_design();
     const std::vector<Session> sessions{synthetic::session()};
-    std::vector<MemberRecord> records;
-    for (int member = 0; member < member_count(campaign); ++member)
-        records.push_back(synthetic::record(campaign, member));
-    publish(file_, campaign, records, sessions);
+    publish(file_, campaign, synthetic::all_done_records(campaign), sessions);
     const json found = json::parse(summarize("--format json")).at("sensitivity");
     ASSERT_EQ(found.at("rows").size(), 4u + 2 * 2);  // SD and mean maximum over two averaging times as well
     EXPECT_EQ(found.at("rows").at(3).at("quantity"), "sd_0.4s_N");

@@ -14,16 +14,10 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Coarse ice, so that a plate test takes a tenth of a second. The first and the third case want a modulus; the second
-/// is the same ice with its Σ given.
+/// The first and the third case want a modulus; the second is the same ice with its Σ given.
 Campaign coarse() {
-    Campaign campaign = synthetic::campaign(1);
-    for (Case& one : campaign.cases) {
-        one.scenario.floe.length = one.scenario.floe.breadth = 1.5;
-        one.scenario.floe.element = 0.75;
-        one.scenario.general.iterations = 20;
-        one.scenario.ice.elastic_modulus = 200e6;
-    }
+    Campaign campaign = synthetic::coarse_campaign();
+    for (Case& one : campaign.cases) one.scenario.ice.elastic_modulus = 200e6;
     campaign.cases[0].pairing = Pairing::find_cfm;
     campaign.cases[2].pairing = Pairing::find_cfm;
     return campaign;

@@ -14,15 +14,9 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Coarse ice, so that a plate test takes a tenth of a second.
 Campaign coarse() {
-    Campaign campaign = synthetic::campaign(1);
-    for (Case& one : campaign.cases) {
-        one.scenario.floe.length = one.scenario.floe.breadth = 1.5;
-        one.scenario.floe.element = 0.75;
-        one.scenario.general.iterations = 20;
-        one.scenario.joint.cfm = 0.03;
-    }
+    Campaign campaign = synthetic::coarse_campaign();
+    for (Case& one : campaign.cases) one.scenario.joint.cfm = 0.03;
     return campaign;
 }
 

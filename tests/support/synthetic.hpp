@@ -56,6 +56,17 @@ inline Campaign campaign_with_design() {
         nullptr);
 }
 
+/// campaign(1) of ice so coarse that a plate test takes a tenth of a second.
+inline Campaign coarse_campaign() {
+    Campaign made = campaign(1);
+    for (Case& one : made.cases) {
+        one.scenario.floe.length = one.scenario.floe.breadth = 1.5;
+        one.scenario.floe.element = 0.75;
+        one.scenario.general.iterations = 20;
+    }
+    return made;
+}
+
 /// A done member. Values depend on the member alone; floe poses on arrangement number and floe count alone.
 inline MemberRecord record(const Campaign& campaign, int number) {
     const MemberKey key = member_key(campaign, number);
@@ -127,6 +138,13 @@ inline std::vector<MemberRecord> records(const Campaign& campaign) {
         if (number == 7) continue;
         made.push_back(number == 4 ? failed_record(campaign, number) : record(campaign, number));
     }
+    return made;
+}
+
+/// Every member done.
+inline std::vector<MemberRecord> all_done_records(const Campaign& campaign) {
+    std::vector<MemberRecord> made;
+    for (int number = 0; number < member_count(campaign); ++number) made.push_back(record(campaign, number));
     return made;
 }
 

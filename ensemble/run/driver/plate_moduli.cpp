@@ -40,25 +40,6 @@ Measured measure(const Scenario& ice) {
     }
 }
 
-/// By the canonical text of each distinct ice.
-std::map<std::string, Measured> measure_all(const Campaign& campaign, int threads) {
-    std::map<std::string, Scenario> ices;
-    for (const Case& one : campaign.cases) {
-        if (one.pairing != Pairing::find_modulus && one.pairing != Pairing::check) continue;
-        const Scenario ice = tested_ice(one);
-        ices.emplace(canonical_text(ice), ice);
-    }
-    std::map<std::string, Measured> measured;
-    std::vector<std::pair<const Scenario*, Measured*>> tests;
-    for (const auto& [text, ice] : ices) tests.emplace_back(&ice, &measured[text]);
-    tbb::task_arena arena(threads);
-    arena.execute([&] {
-        tbb::parallel_for(std::size_t{0}, tests.size(),
-                          [&](std::size_t i) { *tests[i].second = measure(*tests[i].first); });
-    });
-    return measured;
-}
-
 std::string megapascals(double modulus) {
     return fmt::format("{:.3g} MPa", modulus / unit::megapascal);
 }
@@ -97,11 +78,26 @@ void settle(Case& one, const Measured& measured, Progress& progress) {
 }  // namespace
 
 void settle_moduli(Campaign& campaign, int threads, Progress& progress) {
-    const std::map<std::string, Measured> measured = measure_all(campaign, threads);
+    struct Tested {
+        Scenario ice;
+        Measured measured;
+    };
+    std::map<std::string, Tested> ices;  // distinct ones, by their canonical text
+    std::vector<std::pair<Case*, const Tested*>> asked;
     for (Case& one : campaign.cases) {
-        if (one.pairing == Pairing::find_modulus || one.pairing == Pairing::check)
-            settle(one, measured.at(canonical_text(tested_ice(one))), progress);
+        if (one.pairing != Pairing::find_modulus && one.pairing != Pairing::check) continue;
+        Scenario ice = tested_ice(one);
+        std::string text = canonical_text(ice);
+        asked.emplace_back(&one, &ices.try_emplace(std::move(text), Tested{std::move(ice), {}}).first->second);
     }
+    std::vector<Tested*> tests;
+    for (auto& [text, tested] : ices) tests.push_back(&tested);
+    tbb::task_arena arena(threads);
+    arena.execute([&] {
+        tbb::parallel_for(std::size_t{0}, tests.size(),
+                          [&](std::size_t i) { tests[i]->measured = measure(tests[i]->ice); });
+    });
+    for (const auto& [one, tested] : asked) settle(*one, tested->measured, progress);
 }
 
 }  // namespace floes
