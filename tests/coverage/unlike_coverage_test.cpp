@@ -123,9 +123,9 @@ TEST_P(UnlikeCoverage, IsAsTheIntervalsSay) {
         const Members made = drawn(kind, members, trial);
         if (kind.jams > 0 && made.jammed.empty()) continue;  // no sample says what is not in it
         ++used;
-        const UnlikeMembers found = unlike_members(made.peaks, 0.25);
+        const UnlikeMembers found = unlike_members(known::spans(made.peaks), 0.25);
         unlike += found.out != made.jammed;
-        const PosteriorLoad load(made.peaks, found.out, {window, 1e-9, made.mean, {0.5, 0.25, 0.1}});
+        const PosteriorLoad load(known::spans(made.peaks), found.out, {window, 1e-9, made.mean, {0.5, 0.25, 0.1}});
         for (std::size_t k = 0; k < times.size(); ++k) {
             const PosteriorFigure figure = load.quantile(times[k] * static_cast<double>(members) * window, 0.9);
             held[k].within += figure.interval.low <= truths[k] && truths[k] <= figure.interval.high;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,11 @@ struct Process {
     double from;                                             ///< N, where the rate is high
     double to;                                               ///< N, where it is very low
 };
+
+/// Of each list.
+inline std::vector<std::span<const double>> spans(const std::vector<std::vector<double>>& lists) {
+    return {lists.begin(), lists.end()};
+}
 
 inline double exponential(RandomStream& random) {
     return -std::log(random.uniform(1e-300, 1));

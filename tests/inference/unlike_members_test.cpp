@@ -25,11 +25,15 @@ std::vector<std::vector<double>> peaks_of(const std::vector<double>& scales, std
     return rows;
 }
 
+UnlikeMembers unlike_of(const std::vector<std::vector<double>>& peaks) {
+    return unlike_members(known::spans(peaks), 0.25);
+}
+
 TEST(UnlikeMembers, ThatStandOutAreNamedWithTheirPeaks) {
     std::vector<double> scales(50, 1.0);
     scales[17] = scales[31] = 5;
     const std::vector<std::vector<double>> peaks = peaks_of(scales);
-    const UnlikeMembers found = unlike_members(peaks, 0.25);
+    const UnlikeMembers found = unlike_of(peaks);
     EXPECT_EQ(found.out, (std::vector<std::size_t>{17, 31}));
     double highest_other = 0;
     for (std::size_t row = 0; row < 50; ++row)
@@ -43,7 +47,7 @@ TEST(UnlikeMembers, ThatStandOutAreNamedWithTheirPeaks) {
 TEST(UnlikeMembers, AreFoundAlsoWhereOneHidesTheOther) {
     std::vector<double> scales(8, 1.0);
     scales[2] = scales[5] = 5;
-    EXPECT_EQ(unlike_members(peaks_of(scales), 0.25).out, (std::vector<std::size_t>{2, 5}));
+    EXPECT_EQ(unlike_of(peaks_of(scales)).out, (std::vector<std::size_t>{2, 5}));
 }
 
 TEST(UnlikeMembers, AreSeldomFoundAmongMembersThatAreAlikeOrVary) {
@@ -51,11 +55,11 @@ TEST(UnlikeMembers, AreSeldomFoundAmongMembersThatAreAlikeOrVary) {
     for (std::uint32_t trial = 0; trial < 300; ++trial) {
         RandomStream random{42, trial, StreamId::bootstrap, 0};
         std::vector<double> scales(20, 1.0);
-        const UnlikeMembers plain = unlike_members(peaks_of(scales, trial), 0.25);
+        const UnlikeMembers plain = unlike_of(peaks_of(scales, trial));
         alike += !plain.out.empty();
         dispersed += plain.dispersion_p < 0.05;
         for (double& scale : scales) scale = std::exp(0.3 * known::normal(random));
-        varied += !unlike_members(peaks_of(scales, trial), 0.25).out.empty();
+        varied += !unlike_of(peaks_of(scales, trial)).out.empty();
     }
     EXPECT_LE(alike, 9);  // 1 %: 9 or fewer of 300 with 99.9 %
     EXPECT_LE(varied, 9);
@@ -65,15 +69,15 @@ TEST(UnlikeMembers, AreSeldomFoundAmongMembersThatAreAlikeOrVary) {
 TEST(UnlikeMembers, ThatVaryHaveMoreScatterThanPeaksExplain) {
     std::vector<double> scales;
     for (int k = 0; k < 20; ++k) scales.push_back(k % 2 == 0 ? 0.7 : 1.4);
-    const UnlikeMembers found = unlike_members(peaks_of(scales), 0.25);
+    const UnlikeMembers found = unlike_of(peaks_of(scales));
     EXPECT_GT(found.dispersion, 1.5);
     EXPECT_LT(found.dispersion_p, 0.05);
 }
 
 TEST(UnlikeMembers, OfFewOrNoneAreNone) {
-    EXPECT_TRUE(unlike_members({}, 0.25).out.empty());
-    EXPECT_TRUE(unlike_members(peaks_of({1, 1, 1, 50}), 0.25).out.empty());
-    EXPECT_TRUE(unlike_members(std::vector<std::vector<double>>(6), 0.25).out.empty());
+    EXPECT_TRUE(unlike_of({}).out.empty());
+    EXPECT_TRUE(unlike_of(peaks_of({1, 1, 1, 50})).out.empty());
+    EXPECT_TRUE(unlike_of(std::vector<std::vector<double>>(6)).out.empty());
 }
 
 TEST(UnlikeMembers, OfValuesAreThoseFarAboveTheOthers) {

@@ -97,8 +97,6 @@ class TailFitter {
                 fit_tail(TailKind::weibull, excesses, weights, threshold_, measured_.mean, time)};
     }
 
-    const Measured& measured() const { return measured_; }
-
   private:
     const std::vector<PeakRow>& rows_;
     Measured measured_;
@@ -138,10 +136,7 @@ int resamples_for(std::size_t values) {
 }
 
 /// Both tails of members that differ.
-void add_posterior(const std::vector<PeakRow>& rows, const Measured& measured, const Exposure& exposure,
-                   DesignLoad& load) {
-    std::vector<std::vector<double>> peaks;
-    for (const PeakRow& row : rows) peaks.push_back(row.peaks);
+void add_posterior(MemberPeakSpans peaks, const Measured& measured, const Exposure& exposure, DesignLoad& load) {
     PosteriorAsked asked{measured.window, measured.separation, measured.mean, {}};
     for (const double part : exposure.quick ? std::vector{1.0} : std::vector{2.0, 1.0, 0.4})
         asked.shares.push_back(std::min(part * exposure.share, highest_share));
@@ -156,13 +151,9 @@ void add_posterior(const std::vector<PeakRow>& rows, const Measured& measured, c
     load.estimates.push_back(std::move(made));
 }
 
-void add_tails(const std::vector<PeakRow>& rows, const TailFitter& fitter, const Exposure& exposure, DesignLoad& load) {
-    const BothTails tails = fitter.fit(all_rows(rows.size()));
-    if (!tails.valid()) return;
-    load.pareto = tails.pareto;
-    load.weibull = tails.weibull;
-    add_posterior(rows, fitter.measured(), exposure, load);
-    if (!load.valid()) return;
+/// Each tail alone, of members taken as alike; `tails`: of all rows.
+void add_tails(const std::vector<PeakRow>& rows, const TailFitter& fitter, const BothTails& tails,
+               const Exposure& exposure, DesignLoad& load) {
     TailDraws pareto{.all = figures_of(tails.pareto, exposure), .resampled = {}, .without = {}};
     TailDraws weibull{.all = figures_of(tails.weibull, exposure), .resampled = {}, .without = {}};
     const auto take = [&](const BothTails& found, Draws TailDraws::*into) {
@@ -246,12 +237,18 @@ DesignLoad design_load(const std::vector<PeakRow>& rows, const Measured& measure
     for (const PeakRow& row : rows)
         load.peaks += static_cast<std::size_t>(
             std::ranges::count_if(row.peaks, [&](double peak) { return peak > load.threshold; }));
-    std::vector<std::vector<double>> peaks;
-    for (const PeakRow& row : rows) peaks.push_back(row.peaks);
+    std::vector<std::span<const double>> peaks;
+    for (const PeakRow& row : rows) peaks.emplace_back(row.peaks);
     load.unlike = unlike_members(peaks, exposure.share);
     if (rows.size() < fewest_members || load.peaks < fewest_peaks || !(load.threshold > measured.mean)) return load;
-    add_tails(rows, TailFitter(rows, measured, load.threshold), exposure, load);
+    const TailFitter fitter(rows, measured, load.threshold);
+    const BothTails tails = fitter.fit(all_rows(rows.size()));
+    if (!tails.valid()) return load;
+    load.pareto = tails.pareto;
+    load.weibull = tails.weibull;
+    add_posterior(peaks, measured, exposure, load);
     if (!load.valid()) return load;
+    add_tails(rows, fitter, tails, exposure, load);
     add_maxima(rows, measured.segment, exposure, ExtremeKind::gumbel, load);
     add_maxima(rows, measured.segment, exposure, ExtremeKind::gev, load);
     return load;

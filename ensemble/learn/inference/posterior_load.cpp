@@ -16,11 +16,10 @@ constexpr double highest_origin = 0.9;  // of the threshold
 constexpr int kept = 300;
 constexpr double most_kept = 0.4;         // declustered peaks in a separation above a threshold that is averaged over
 constexpr std::size_t each_expected = 3;  // of the draws one in so many gives an expected load, which takes longest
-constexpr double walk_budget = 3e5;     // peaks met in a walk's steps, beyond which it is shorter
+constexpr double walk_budget = 3e5;       // peaks met in a walk's steps, beyond which it is shorter
 
 /// All peaks of a class, rising.
-std::vector<double> pooled(std::span<const std::vector<double>> peaks, const std::vector<std::size_t>& out,
-                           bool of_out) {
+std::vector<double> pooled(MemberPeakSpans peaks, const std::vector<std::size_t>& out, bool of_out) {
     std::vector<double> all;
     for (std::size_t row = 0; row < peaks.size(); ++row)
         if (std::ranges::binary_search(out, row) == of_out) all.insert(all.end(), peaks[row].begin(), peaks[row].end());
@@ -29,7 +28,7 @@ std::vector<double> pooled(std::span<const std::vector<double>> peaks, const std
 }
 
 /// The events that each peak above a threshold stands for, by its rank in its class.
-MemberPeaks above(const std::vector<double>& peaks, const std::vector<double>& rising, double threshold, double apart) {
+MemberPeaks above(std::span<const double> peaks, const std::vector<double>& rising, double threshold, double apart) {
     MemberPeaks member;
     for (const double peak : peaks) {
         if (!(peak > threshold)) break;
@@ -45,8 +44,8 @@ struct Classes {
     std::vector<double> out;
 };
 
-TailData data_above(double share, std::span<const std::vector<double>> peaks, const std::vector<std::size_t>& out,
-                    const Classes& classes, const PosteriorAsked& asked) {
+TailData data_above(double share, MemberPeakSpans peaks, const std::vector<std::size_t>& out, const Classes& classes,
+                    const PosteriorAsked& asked) {
     TailData data{.members = {}, .window = asked.window};
     data.threshold = quantile_of_sorted(classes.usual, 1 - share);
     if (!classes.out.empty()) data.out_threshold = quantile_of_sorted(classes.out, 1 - share);
@@ -83,8 +82,7 @@ PosteriorFigure figure_of(std::vector<Weighted> values) {
 
 }  // namespace
 
-PosteriorLoad::PosteriorLoad(std::span<const std::vector<double>> peaks, const std::vector<std::size_t>& out,
-                             const PosteriorAsked& asked)
+PosteriorLoad::PosteriorLoad(MemberPeakSpans peaks, const std::vector<std::size_t>& out, const PosteriorAsked& asked)
     : window_(asked.window) {
     const Classes classes{pooled(peaks, out, false), pooled(peaks, out, true)};
     std::uint32_t number = 0;

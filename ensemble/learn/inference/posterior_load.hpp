@@ -10,6 +10,7 @@
 
 #include "inference/bootstrap.hpp"
 #include "inference/member_tails.hpp"
+#include "inference/unlike_members.hpp"
 
 namespace floes {
 
@@ -28,9 +29,8 @@ struct PosteriorFigure {
 
 class PosteriorLoad {
   public:
-    /// `peaks` of each member, falling; `out`: rows that stand out, rising.
-    PosteriorLoad(std::span<const std::vector<double>> peaks, const std::vector<std::size_t>& out,
-                  const PosteriorAsked& asked);
+    /// `out`: rows that stand out, rising.
+    PosteriorLoad(MemberPeakSpans peaks, const std::vector<std::size_t>& out, const PosteriorAsked& asked);
 
     bool valid() const { return !draws_.empty(); }  ///< there are peaks enough
 

@@ -15,7 +15,7 @@ constexpr double level = 0.01;   // of all tests whether any member stands out
 constexpr double chance = 0.05;  // that a kind of member is not seen
 
 /// Mean logarithm of the highest third; 0 and below count as nothing.
-double height_of(const std::vector<double>& falling) {
+double height_of(std::span<const double> falling) {
     const std::size_t third = std::min(falling.size(), std::max<std::size_t>(3, (falling.size() + 2) / 3));
     double sum = 0;
     for (std::size_t k = 0; k < third; ++k) sum += std::log(std::max(falling[k], 1e-12));
@@ -58,7 +58,7 @@ std::vector<std::size_t> standing_out(std::vector<Height> heights) {
 }
 
 /// The highest peaks of all that are those of these rows.
-std::size_t carried_by(std::span<const std::vector<double>> peaks, const std::vector<std::size_t>& rows) {
+std::size_t carried_by(MemberPeakSpans peaks, const std::vector<std::size_t>& rows) {
     double highest_other = -1;
     for (std::size_t row = 0; row < peaks.size(); ++row)
         if (!peaks[row].empty() && !std::ranges::binary_search(rows, row))
@@ -72,7 +72,7 @@ std::size_t carried_by(std::span<const std::vector<double>> peaks, const std::ve
 
 }  // namespace
 
-UnlikeMembers unlike_members(std::span<const std::vector<double>> peaks, double share) {
+UnlikeMembers unlike_members(MemberPeakSpans peaks, double share) {
     UnlikeMembers found;
     std::vector<Height> heights;
     for (std::size_t row = 0; row < peaks.size(); ++row)

@@ -8,6 +8,9 @@
 
 namespace floes {
 
+/// The peaks of each member, falling, N.
+using MemberPeakSpans = std::span<const std::span<const double>>;
+
 struct UnlikeMembers {
     std::vector<std::size_t> out;  ///< rows that stand out, rising
     std::size_t carried = 0;       ///< the highest peaks of all that are theirs, before the first of another member
@@ -18,10 +21,10 @@ struct UnlikeMembers {
 /// Fewest members among which one can stand out.
 inline constexpr std::size_t fewest_to_stand_out = 5;
 
-/// `peaks` of each member, falling, N; `share` of the others' peaks, the highest, is counted for the dispersion. A
+/// `share` of the others' peaks, the highest, is counted for the dispersion. A
 /// member stands out upwards by the mean logarithm of its highest third: Rosner's generalised ESD test (Technometrics
 /// 25 (1983) 165-172), one-sided at 1 %, of at most a quarter of the members.
-UnlikeMembers unlike_members(std::span<const std::vector<double>> peaks, double share);
+UnlikeMembers unlike_members(MemberPeakSpans peaks, double share);
 
 /// Rows of finite values that are too high for a normal distribution of the others, by that test; rising.
 std::vector<std::size_t> rows_standing_out(std::span<const double> values);
