@@ -164,6 +164,27 @@ TEST(DesignFinding, ExtrapolatesARisingLoadOnlyWhenTold) {
                 testing::StartsWith("! strong: the load rises by 2.5 N"));
 }
 
+TEST(DesignFinding, TakesANegligibleRiseAsSteadyAndSaysSo) {
+    CampaignTable table = campaign();
+    for (MemberRow& row : table.members) row.load.trend = (row.arrangement % 4 + 10) * 1e-5;  // N/s, over 100 s
+    for (MemberRow& row : table.members) row.averaged[0].segment_maximum = {50, 50.0 + row.arrangement % 2, 50};
+    const std::vector<CaseDesignLoad> designs = find_design_loads(table, {});
+    EXPECT_TRUE(designs[0].load.valid());
+    EXPECT_THAT(text(design_load_sections(summarise(table), designs, {}), 1000),
+                HasSubstr("weak: the load rises by 0.0115 N of 20 N over the measured window (40 members, p = "));
+}
+
+TEST(DesignFinding, HasNoFiguresOfALoadThatIsRefused) {
+    CampaignTable table = campaign();
+    for (MemberRow& row : table.members) row.load.trend = (row.arrangement % 4 + 1) * 0.01;
+    const auto told =
+        nlohmann::json::parse(json(design_load_sections(summarise(table), find_design_loads(table, {}), {})));
+    const auto& basis = told.at("design").at("basis").at(0);
+    EXPECT_EQ(basis.at("refused_as_rising"), true);
+    EXPECT_EQ(basis.at("arrangements"), 40);
+    for (const char* name : {"threshold_N", "peaks", "time_run_s", "scatter"}) EXPECT_TRUE(basis.at(name).is_null());
+}
+
 TEST(DesignFinding, SaysNothingOfThreeMembers) {
     CampaignTable table = campaign();
     std::erase_if(table.members, [](const MemberRow& row) { return row.arrangement > 2; });

@@ -51,6 +51,19 @@ TEST(JointTrend, OfMaximaIsSeenToo) {
     EXPECT_THAT(trend_text(trends[1]), testing::StartsWith("the largest load of a segment falls by 20 N over"));
 }
 
+// A hundredth of a percent is there and does not matter; two percent do.
+TEST(JointTrend, ThatIsSureAndNegligibleIsNoNews) {
+    const double tiny = 0.0025 / 150;  // N/s: 0.01 % of 25 N over the window
+    const CampaignTable table = campaign(24, {0.9 * tiny, tiny, 1.1 * tiny});
+    const JointTrend small = joint_trends(table)[0];
+    EXPECT_LT(small.load.p, 1e-12);
+    EXPECT_TRUE(small.negligible());
+    EXPECT_FALSE(small.seen);
+    EXPECT_TRUE(warnings_of(table, summarise(table)).empty());
+    const double two = 0.5 / 150;
+    EXPECT_TRUE(joint_trends(campaign(24, {0.9 * two, two, 1.1 * two}))[0].rises());
+}
+
 TEST(JointTrend, OfSlopesOfBothSignsOrOfFewMembersIsNone) {
     EXPECT_FALSE(joint_trends(campaign(24, {0.05, -0.05}))[0].seen);
     EXPECT_FALSE(joint_trends(campaign(2, {0.05, 0.051}))[0].seen);

@@ -38,29 +38,38 @@ DataRows load_records(const Summary& summary, const std::vector<CaseDesignLoad>&
 
 DataRows basis_records(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
                        const DesignLoadRequest& request) {
+    // What was not looked at, or could not be fitted, is not 0.
+    const auto seen = [](auto value) {
+        return [value](const CaseDesignLoad& one) { return one.refused ? Undefined{} : Datum(value(one.load)); };
+    };
+    const auto found = [](auto value) {
+        return [value](const CaseDesignLoad& one) { return one.load.valid() ? Datum(value(one.load)) : Undefined{}; };
+    };
+    using Load = const DesignLoad&;
     std::vector<DataColumn<CaseDesignLoad>> columns{
         {"case", [&](const CaseDesignLoad& one) { return summary.name_of(one.case_index); }},
         {"arrangements", [](const CaseDesignLoad& one) { return one.load.arrangements; }},
-        {"time_run_s", [](const CaseDesignLoad& one) { return one.load.time_run; }},
+        {"refused_as_rising", [](const CaseDesignLoad& one) { return one.refused; }},
+        {"time_run_s", seen([](Load load) { return load.time_run; })},
         {"exposure_s", [&](const CaseDesignLoad&) { return request.model_exposure(); }},
         {"peak_separation_s", [](const CaseDesignLoad& one) { return one.separation; }},
-        {"peaks", [](const CaseDesignLoad& one) { return one.load.peaks; }},
-        {"threshold_N", [](const CaseDesignLoad& one) { return one.load.threshold; }},
-        {"pareto/scale_N", [](const CaseDesignLoad& one) { return one.load.pareto.scale; }},
-        {"pareto/shape", [](const CaseDesignLoad& one) { return one.load.pareto.shape; }},
-        {"weibull/origin_N", [](const CaseDesignLoad& one) { return one.load.weibull.origin; }},
-        {"weibull/scale_N", [](const CaseDesignLoad& one) { return one.load.weibull.scale; }},
-        {"weibull/shape", [](const CaseDesignLoad& one) { return one.load.weibull.shape; }},
-        {"weibull/weight", [](const CaseDesignLoad& one) { return one.load.weibull_weight; }},
-        {"stand_out", [](const CaseDesignLoad& one) { return one.load.unlike.out.size(); }},
-        {"peaks_carried", [](const CaseDesignLoad& one) { return one.load.unlike.carried; }},
+        {"peaks", seen([](Load load) { return load.peaks; })},
+        {"threshold_N", seen([](Load load) { return load.threshold; })},
+        {"pareto/scale_N", found([](Load load) { return load.pareto.scale; })},
+        {"pareto/shape", found([](Load load) { return load.pareto.shape; })},
+        {"weibull/origin_N", found([](Load load) { return load.weibull.origin; })},
+        {"weibull/scale_N", found([](Load load) { return load.weibull.scale; })},
+        {"weibull/shape", found([](Load load) { return load.weibull.shape; })},
+        {"weibull/weight", found([](Load load) { return load.weibull_weight; })},
+        {"stand_out", seen([](Load load) { return load.unlike.out.size(); })},
+        {"peaks_carried", seen([](Load load) { return load.unlike.carried; })},
         {"unseen_share", [](const CaseDesignLoad& one) { return unseen_share(one.load.arrangements); }},
-        {"scatter", [](const CaseDesignLoad& one) { return one.load.scatter; }},
-        {"alike_probability", [](const CaseDesignLoad& one) { return one.load.alike; }},
-        {"dispersion", [](const CaseDesignLoad& one) { return one.load.unlike.dispersion; }},
-        {"dispersion_p", [](const CaseDesignLoad& one) { return one.load.unlike.dispersion_p; }},
-        {"resamples", [](const CaseDesignLoad& one) { return one.load.draws.size(); }},
-        {"resamples_without_fit", [](const CaseDesignLoad& one) { return one.load.dropped; }}};
+        {"scatter", found([](Load load) { return load.scatter; })},
+        {"alike_probability", found([](Load load) { return load.alike; })},
+        {"dispersion", seen([](Load load) { return load.unlike.dispersion; })},
+        {"dispersion_p", seen([](Load load) { return load.unlike.dispersion_p; })},
+        {"resamples", found([](Load load) { return load.draws.size(); })},
+        {"resamples_without_fit", found([](Load load) { return load.dropped; })}};
     for (std::size_t k = 0; k < std::size(threshold_shares); ++k) {
         columns.push_back({fmt::format("over_thresholds/{}/share", k),
                            [k](const CaseDesignLoad&) { return Datum(threshold_shares[k]); }});

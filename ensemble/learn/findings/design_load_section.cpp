@@ -61,6 +61,13 @@ std::string doubt_lines(const Summary& summary, const std::vector<CaseDesignLoad
     return lines;
 }
 
+/// Of a rise or fall that is sure, but too small to matter; empty if there is none.
+std::string negligible_text(const std::string& name, const JointTrend& trend) {
+    if (!trend.negligible()) return "";
+    return fmt::format("{}: {}; surely less than {:g} %, it is taken as steady.", name, trend_text(trend),
+                       negligible_change / unit::percent);
+}
+
 /// "E30: too few peaks (3 of 20) to fit; about 27 arrangements would do."
 std::string none_text(const std::string& name, const CaseDesignLoad& one) {
     if (one.refused)
@@ -118,8 +125,11 @@ Section loads_section(const Summary& summary, const std::vector<CaseDesignLoad>&
     for (const double p : request.quantiles)
         table.front().push_back({fmt::format("exceeded with {}, {}", percent(1 - p), unit.name), ""});
     std::vector<std::string> too_few;
+    std::vector<std::string> small_trends;
     for (const CaseDesignLoad& one : designs) {
         const std::string& name = summary.label_of(one.case_index);
+        if (std::string small = negligible_text(name, one.trend); !small.empty())
+            small_trends.push_back(std::move(small));
         if (!one.load.valid()) {
             too_few.push_back(none_text(name, one));
             continue;
@@ -136,6 +146,8 @@ Section loads_section(const Summary& summary, const std::vector<CaseDesignLoad>&
     }
     if (too_few.size() == designs.size())
         return {.title = design_title(request), .before = fmt::format("{}\n", fmt::join(too_few, "\n"))};
+    std::vector<std::string> notes = std::move(too_few);
+    notes.insert(notes.end(), small_trends.begin(), small_trends.end());
     return {
         .title = design_title(request),
         .table = std::move(table),
@@ -145,7 +157,7 @@ Section loads_section(const Summary& summary, const std::vector<CaseDesignLoad>&
             "its interval includes which of these it is. The others, by bootstrap over arrangements, take members as "
             "alike; Gumbel and GEV: of the segment maxima. docs/design_load.md\n" +
             scale_words(request),
-        .notes = std::move(too_few)};
+        .notes = std::move(notes)};
 }
 
 Section basis_section(const Summary& summary, const std::vector<CaseDesignLoad>& designs,

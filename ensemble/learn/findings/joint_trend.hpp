@@ -20,15 +20,30 @@ struct Change {
 struct JointTrend {
     std::size_t case_index = 0;
     int members = 0;
-    double mean = 0;    ///< load, N
-    Change load;        ///< slope of the load times the window
-    Change maxima;      ///< largest load of the last segment less that of the first, averaged over the shortest time
-    bool seen = false;  ///< of either, by Holm's adjustment over all cases at 1 %
+    double mean = 0;     ///< load, N
+    double largest = 0;  ///< mean of the segment maxima that are tested, N
+    Change load;         ///< slope of the load times the window
+    Change maxima;       ///< largest load of the last segment less that of the first, averaged over the shortest time
+    bool significant = false;  ///< of either, by Holm's adjustment over all cases at 1 %
+    bool seen = false;         ///< significant, and not sure to be negligible
 
-    /// Whether the load tells more than the maxima.
-    bool by_load() const { return load.p <= maxima.p || !(maxima.p == maxima.p); }
-    bool rises() const { return seen && (by_load() ? load : maxima).over_window.estimate > 0; }
+    bool by_load = true;  ///< whether the load tells more of it than the maxima
+
+    bool rises() const { return seen && (by_load ? load : maxima).over_window.estimate > 0; }
+    bool negligible() const { return significant && !seen; }
 };
+
+/// A change that is surely smaller, relative to the mean load or to the mean of the maxima, is negligible. A long
+/// exposure passes through one arrangement after another (docs/design_load.md), so a rise does not go on for longer
+/// than a passage: it lifts the load of the window's end above that of its middle by half of this, which is less than
+/// intervals of design loads say.
+inline constexpr double negligible_change = 0.02;
+
+/// The mean of these changes, one of each member, with its interval and p.
+Change change_of(const std::vector<double>& values);
+
+/// Whether the interval has a change that matters to a figure of that size.
+bool matters(const Change& change, double figure);
 
 /// Of each case, in their order. Maxima of averaged loads where members have them, else of single steps.
 std::vector<JointTrend> joint_trends(const CampaignTable& table);
