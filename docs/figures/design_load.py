@@ -1,9 +1,10 @@
 #!/usr/bin/python3
-"""The table and the picture of docs/design_load.md, from the data in docs/design.
+"""The tables and the picture of docs/design_load.md, and the tables of coverage of docs/statistics.md, from the data in
+docs/design.
 
 Usage:
-    design_load.py                      writes table and picture
-    design_load.py --check              writes nothing; fails if the page differs from the data
+    design_load.py                      writes tables and picture
+    design_load.py --check              writes nothing; fails if a page differs from the data
     design_load.py --coverage           first takes the trials of build/release/tests/test_coverage from standard input
     design_load.py --collect TABLE3 [FLOES]
                                         first takes the tails of the campaign file TABLE3 with the program FLOES
@@ -21,22 +22,58 @@ from validation_tables import table
 
 DATA = pathlib.Path(__file__).resolve().parent.parent / "design"
 PAGE = DATA.parent / "design_load.md"
+STATISTICS = DATA.parent / "statistics.md"
 COLUMNS = ["process", "exposure", "method", "quantile", "error_percent", "within_percent", "below_percent"]
 UNLIKE_COLUMNS = ["load", "members", "exposure", "within_percent", "below_percent", "centre_percent", "high_over_low",
                   "not_as_drawn_percent"]
+MEAN_COLUMNS = ["members", "n", "none_met_percent", "within_of_the_others_percent", "within_percent", "below_percent",
+                "student_within_percent", "width", "student_width"]
+PAIR_COLUMNS = ["pairs", "n", "none_met_percent", "within_percent", "student_within_percent", "width", "student_width"]
+STOP_COLUMNS = ["members", "target_percent", "minimum", "median_n", "by_30_percent", "none_met_percent", "within_percent",
+                "near_percent"]
 SHOWN = ["both tails", "Pareto tail", "Weibull tail", "Gumbel", "GEV"]
 COLOURS = {"E30": "#0072B2", "E60": "#D55E00", "E200": "#009E73"}
 
 
 def take_coverage(lines):
-    rows = [[cell.strip().removesuffix(" %") for cell in line.strip().strip("|").split("|")]
-            for line in lines if line.startswith("| ")]
-    unlike = [row[1:] for row in rows if row[0] == "unlike"]
-    alike = [row for row in rows if row[0] != "unlike"]
-    if alike:
-        pd.DataFrame(alike, columns=COLUMNS).to_csv(DATA / "coverage.csv", index=False)
-    if unlike:
-        pd.DataFrame(unlike, columns=UNLIKE_COLUMNS).to_csv(DATA / "coverage_unlike.csv", index=False)
+    """Rows as the test prints them: what is measured, then the columns."""
+    rows = [[cell.strip() for cell in line.strip().strip("|").split("|")] for line in lines if line.startswith("| ")]
+    for kind, columns, name in [("design", COLUMNS, "coverage"), ("unlike", UNLIKE_COLUMNS, "coverage_unlike"),
+                                ("mean", MEAN_COLUMNS, "coverage_means"), ("pair", PAIR_COLUMNS, "coverage_pairs"),
+                                ("stop", STOP_COLUMNS, "coverage_stops")]:
+        own = [row[1:2] + [cell.removesuffix(" %") for cell in row[2:]] for row in rows if row[0] == kind]
+        if own:
+            pd.DataFrame(own, columns=columns).to_csv(DATA / f"{name}.csv", index=False)
+
+
+def whole(value):
+    return "–" if pd.isna(value) else f"{value:.0f} %"
+
+
+def mean_coverage():
+    return table(["members", "n", "samples without the other kind", "of these, hold for the kind met",
+                  "of the others, hold", "too low", "Student's t holds", "width / mean", "Student's"],
+                 [[one.members, str(one.n), whole(one.none_met_percent), whole(one.within_of_the_others_percent),
+                   whole(one.within_percent), whole(one.below_percent), whole(one.student_within_percent),
+                   f"{one.width:.2f}", f"{one.student_width:.2f}"]
+                  for one in pd.read_csv(DATA / "coverage_means.csv").itertuples()])
+
+
+def pair_coverage():
+    return table(["pairs", "n", "samples without a jam", "of the others, hold", "Student's t holds",
+                  "width / load of a case", "Student's"],
+                 [[one.pairs, str(one.n), whole(one.none_met_percent), whole(one.within_percent),
+                   whole(one.student_within_percent), f"{one.width:.2f}", f"{one.student_width:.2f}"]
+                  for one in pd.read_csv(DATA / "coverage_pairs.csv").itertuples()])
+
+
+def stop_coverage():
+    return table(["members", "target", "`stop.minimum`", "median n", "ended by n = 30", "ended without the other kind",
+                  "interval holds", "mean within the target"],
+                 [[one.members, f"{one.target_percent:g} %", str(one.minimum), f"{one.median_n:.0f}",
+                   whole(one.by_30_percent), whole(one.none_met_percent), whole(one.within_percent),
+                   whole(one.near_percent)]
+                  for one in pd.read_csv(DATA / "coverage_stops.csv").itertuples()])
 
 
 def unlike_coverage():
@@ -126,7 +163,9 @@ def main(arguments):
     if arguments[:1] == ["--collect"]:
         take_tails(arguments[1], arguments[2] if len(arguments) > 2 else "./floes")
     check = arguments == ["--check"]
-    fill_or_check({PAGE: {"coverage": coverage, "unlike": unlike_coverage}}, check, "design_load.py")
+    fill_or_check({PAGE: {"coverage": coverage, "unlike": unlike_coverage},
+                   STATISTICS: {"means": mean_coverage, "pairs": pair_coverage, "stops": stop_coverage}},
+                  check, "design_load.py")
     if not check:
         draw(DATA / "tails.svg")
 

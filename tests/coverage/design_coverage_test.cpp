@@ -81,7 +81,7 @@ TEST_P(DesignCoverage, IsAsTheIntervalsSay) {
         const auto held = try_often(process, times, count);
         for (std::size_t method = 0; method < held.size(); ++method)
             for (std::size_t k = 0; k < probabilities.size(); ++k)
-                fmt::print("| {} | {:g} | {} | {:g} | {:+.1f} % | {:.0f} % | {:.0f} % |\n", process.name, times,
+                fmt::print("| design | {} | {:g} | {} | {:g} | {:+.1f} % | {:.0f} % | {:.0f} % |\n", process.name, times,
                            name_of(static_cast<LargestBy>(method)), probabilities[k],
                            100 * (held[method][k].ratio / count - 1), 100.0 * held[method][k].within / count,
                            100.0 * held[method][k].below / count);

@@ -139,16 +139,16 @@ TEST(Printable, SaysHowManyArrangementsWouldDo) {
 
 TEST(LoadColumns, TakeTheLoadOverOneSecondAndUnitsThatSuit) {
     CampaignTable table = whole();
-    EXPECT_EQ(load_columns(summarise(table))[1].heading, "largest of a step, N");
+    EXPECT_EQ(load_columns(summarise(table))[1].heading(), "largest of a step, N");
     table.averaging_times = {0.5, 1, 2};
     for (MemberRow& row : table.members) {
         row.load.mean *= 1e6;
         for (const double time : table.averaging_times) row.averaged.push_back({time, 1, {}, 4e6 / time, 1});
     }
     const std::vector<LoadColumn> columns = load_columns(summarise(table));
-    EXPECT_EQ(columns[0].heading, "mean load, MN");
-    EXPECT_EQ(columns[1].heading, "largest over 1 s, kN");
-    EXPECT_EQ(columns[1].cell(summarise(table).cases[0]), "4000 ± –");  // they are all the same
+    EXPECT_EQ(columns[0].heading(), "mean load, MN");
+    EXPECT_EQ(columns[1].heading(), "largest over 1 s, kN");
+    EXPECT_EQ(columns[1].cell(summarise(table).cases[0]), "4000 in all");
 }
 
 }  // namespace

@@ -53,6 +53,34 @@ TEST(PrecisionStop, WantsTheMinimumAndTheLookAhead) {
     EXPECT_EQ(stop.arrangements(), 6);
 }
 
+// Loads that hardly scatter: the target is met at once, but 5 % of all may be of a kind that 58 do not show.
+TEST(PrecisionStop, GoesOnUntilARareKindWouldHaveBeenMet) {
+    PrecisionStop stop(rule(0.05, 0, 0), {"one"});
+    EXPECT_EQ(stop.minimum(), 59);
+    for (int i = 0; !stop.met(); ++i) stop.put(i, 0, 10 + 0.1 * (i % 2));
+    EXPECT_EQ(stop.arrangements(), 59);
+    EXPECT_EQ(PrecisionStop(rule(0.5, 0, 0), {"one"}).minimum(), 20);
+}
+
+// Student's half-width is at the target from 27 on, but one of 27 may be one of seven.
+TEST(PrecisionStop, GoesOnWhileAMemberStandsOut) {
+    PrecisionStop stop(rule(0.05, 20, 0), {"one"});
+    std::vector<double> values;
+    while (!stop.met()) {
+        const int i = static_cast<int>(values.size());
+        values.push_back(i == 3 ? 16 : 10 + 0.1 * (i % 7));
+        stop.put(i, 0, values.back());
+        const Interval student = mean_interval(values);
+        if (values.size() == 30) {
+            EXPECT_LT((student.high - student.estimate) / student.estimate, 0.05);
+            EXPECT_GT(stop.achieved(), 0.05);
+        }
+        ASSERT_LT(i, 200);
+    }
+    EXPECT_GT(stop.arrangements(), 35);
+    EXPECT_LE(stop.achieved(), 0.05);
+}
+
 TEST(PrecisionStop, TakesArrangementsInIndexOrderAlone) {
     PrecisionStop stop(rule(0.5, 2, 0), {"one", "two"});
     for (int i = 1; i < 50; ++i) {

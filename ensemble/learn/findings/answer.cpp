@@ -136,7 +136,7 @@ std::vector<std::string> case_sentences(const Evidence& evidence) {
     for (const PairRow& row : compare_with(evidence.table, reference, quantity("mean_load"), most_cases)) {
         const LoadUnit unit = load_unit(std::abs(row.first_mean));
         const int decimals = few_decimals(unit.factor * std::abs(row.first_mean));
-        const Limits& limits = row.found.t_interval;
+        const Limits& limits = row.found.interval;
         const bool said = row.found.arrangements >= fewest_for_interval && std::isfinite(limits.low);
         sentences.push_back(fmt::format("{} instead of {} changes the mean load by {:+.{}f} {}{}.",
                                         evidence.summary.label_of(row.second), evidence.summary.label_of(row.first),

@@ -117,6 +117,14 @@ DataRows fit_records(const Summary& summary, const std::vector<CaseExtremes>& ex
     return csv_only(make_rows<Line>("", lines, columns));
 }
 
+/// What the number of tests does to chance.
+std::string chance_text(const std::vector<CaseExtremes>& extremes) {
+    std::size_t tests = 0;
+    for (const CaseExtremes& one : extremes) tests += one.gumbel.fit.valid() ? fits_of(one).size() : 0;
+    if (tests < 2) return "";
+    return fmt::format(" p A² stands here {} times; of fits that are right one in twenty is below 0.05.", tests);
+}
+
 }  // namespace
 
 std::vector<CaseExtremes> find_extremes(const CampaignTable& table) {
@@ -171,8 +179,8 @@ Section extremes_section(const Summary& summary, const std::vector<CaseExtremes>
             .after = fmt::format(
                 "\nMaximum likelihood; 1 in N: the load that one segment in N exceeds{}, interval by bootstrap over "
                 "arrangements. ξ: shape, below 0 with an upper bound. p A²: Anderson-Darling; small: poor fit of the "
-                "distribution.\nFor exposures longer than the one simulated, a return level is an extrapolation.\n",
-                lengths),
+                "distribution.\nFor exposures longer than the one simulated, a return level is an extrapolation.{}\n",
+                lengths, chance_text(extremes)),
             .records = {case_records(summary, extremes), fit_records(summary, extremes)},
             .figures = {exceedance_figure(summary, extremes)}};
 }

@@ -11,11 +11,15 @@ namespace floes {
 
 struct LoadColumn {
     Quantity quantity{};
-    std::string heading;  ///< "mean load, N"
-    double factor = 1;    ///< displayed value / stored value
+    std::string words;  ///< "mean load"
+    std::string unit;   ///< "N"
+    double factor = 1;  ///< displayed value / stored value
     int decimals = 0;
 
-    /// "23.4 ± 6.2"; "23.4 ± –" where the interval says nothing; "–" without a result.
+    /// "mean load, N"
+    std::string heading() const { return words + ", " + unit; }
+    /// "23.4 ± 6.2"; "0.0 in all" where all runs gave the same; "23.4 ± –" where the interval says nothing otherwise;
+    /// "–" without a result.
     std::string cell(const CaseSummary& row) const;
 };
 
@@ -28,6 +32,10 @@ Quantity largest_load(const Summary& summary);
 
 /// "largest over 1 s", "largest of a step"
 std::string largest_words(const Quantity& largest);
+
+/// What no interval has: kinds of member that none of the fewest arrangements of a case shows; `in_full`: and what they
+/// would add. A sentence behind a blank, or nothing.
+std::string unseen_text(const Summary& summary, bool in_full);
 
 /// What the columns mean, as sentences.
 std::string load_columns_text(const Summary& summary);

@@ -42,20 +42,17 @@ std::vector<Cell> load_cells(const std::vector<LoadColumn>& loads, const CaseSum
     return cells;
 }
 
-/// "+0.1 ± 1.2"; "–" where the interval has no number to stand on.
+/// "+0.1 ± 1.2"; "+0.1 ± –" of fewer than three arrangements; "+0.0 in all" where all differ as much.
 std::string difference_cell(const std::vector<PairRow>& pairs, std::size_t of_case, const LoadColumn& load) {
     const auto pair = std::ranges::find(pairs, of_case, &PairRow::second);
     if (pair == pairs.end()) return "–";
-    const Limits& limits = pair->found.t_interval;
-    const double half = load.factor * (limits.high - limits.low) / 2;
-    const bool said = pair->found.arrangements >= fewest_for_interval && half > 0;
-    return fmt::format("{:+.{}f} ± {}", load.factor * pair->found.difference, load.decimals,
-                       said ? fixed(half, load.decimals) : "–");
-}
-
-/// Of the mean load: "N" of "mean load, N".
-std::string load_unit_of(const std::vector<LoadColumn>& loads) {
-    return loads.front().heading.substr(loads.front().heading.rfind(' ') + 1);
+    const Limits& limits = pair->found.interval;
+    const double half =
+        load.factor * std::max(limits.high - pair->found.difference, pair->found.difference - limits.low);
+    const bool said = pair->found.arrangements >= fewest_for_interval;
+    const std::string value = fmt::format("{:+.{}f}", load.factor * pair->found.difference, load.decimals);
+    if (said && half == 0) return value + " in all";
+    return fmt::format("{} ± {}", value, said ? fixed(half, load.decimals) : "–");
 }
 
 /// One row a case, with the difference to the reference where there is another case.
@@ -65,10 +62,10 @@ Table case_table(const Evidence& evidence, const std::vector<LoadColumn>& loads)
     const bool compared = summary.cases.size() > 1 && (!evidence.campaign.design.active() || evidence.reference);
     std::vector<PairRow> pairs;
     Table table{{"case", "n"}};
-    for (const LoadColumn& column : loads) table.front().emplace_back(column.heading);
+    for (const LoadColumn& column : loads) table.front().emplace_back(column.heading());
     if (compared) {
         pairs = compare_with(evidence.table, reference, loads.front().quantity, most_overview_rows);
-        table.front().emplace_back(fmt::format("mean - {}, {}", summary.label_of(reference), load_unit_of(loads)));
+        table.front().emplace_back(fmt::format("mean - {}, {}", summary.label_of(reference), loads.front().unit));
     }
     for (std::size_t k = 0; k < std::min(summary.cases.size(), most_overview_rows); ++k) {
         std::vector<Cell>& line = table.emplace_back(std::vector<Cell>{summary.label_of(k)});
@@ -86,7 +83,7 @@ Table point_table(const DesignPoints& points, const Summary& summary, const std:
     if (bases) table.front().emplace_back("case");
     for (const KeyWords& words : axis_words(points)) table.front().emplace_back(words.heading());
     table.front().emplace_back("n");
-    for (const LoadColumn& column : loads) table.front().emplace_back(column.heading);
+    for (const LoadColumn& column : loads) table.front().emplace_back(column.heading());
     for (std::size_t k = 0; k < points.rows.size(); ++k) {
         std::vector<Cell>& line = table.emplace_back();
         if (bases) line.emplace_back(points.rows[k].base);
@@ -106,7 +103,7 @@ void add_extreme_points(const Summary& summary, const std::vector<LoadColumn>& l
     const auto [least, most] =
         std::ranges::minmax_element(done, {}, [&](std::size_t k) { return load(summary.cases[k]); });
     section.table = {{"point", "n"}};
-    for (const LoadColumn& column : loads) section.table.front().emplace_back(column.heading);
+    for (const LoadColumn& column : loads) section.table.front().emplace_back(column.heading());
     for (const auto& [words, k] : {std::pair{"least mean", *least}, {"largest mean", *most}}) {
         std::vector<Cell>& line = section.table.emplace_back(std::vector<Cell>{words});
         for (Cell& cell : load_cells(loads, summary.cases[k])) line.push_back(std::move(cell));

@@ -59,18 +59,23 @@ std::vector<SharedMembers> find_pairs(const CampaignTable& table, std::optional<
 PairRow compare(const SharedMembers& pair, const Quantity& quantity, const PairOptions& options) {
     std::vector<double> first;
     std::vector<double> second;
+    std::vector<int> arrangements;
     for (const auto& [one, other] : pair.members) {
         const double of_first = quantity.of(*one);
         const double of_second = quantity.of(*other);
         if (std::isnan(of_first) || std::isnan(of_second)) continue;  // an older version did not measure it
         first.push_back(of_first);
         second.push_back(of_second);
+        arrangements.push_back(one->arrangement);
     }
     PairRow row;
     row.quantity = quantity;
     row.first = pair.first;
     row.second = pair.second;
     row.found = compare_paired(first, second);
+    for (const std::vector<std::size_t>* side : {&row.found.apart.above, &row.found.apart.below})
+        for (const std::size_t k : *side) row.apart.push_back(arrangements[k]);
+    std::ranges::sort(row.apart);
     row.first_mean = std::accumulate(first.begin(), first.end(), 0.0) / static_cast<double>(first.size());
     const auto needed = [&](double difference) {
         return arrangements_to_resolve(difference, row.found.sd, 0.95, options.power);

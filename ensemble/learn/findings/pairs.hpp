@@ -16,9 +16,10 @@ struct PairRow {
     Quantity quantity{};
     std::size_t first = 0;  ///< index of the case that the other is compared with
     std::size_t second = 0;
-    PairedComparison found;  ///< second - first
-    double first_mean = 0;   ///< over the same arrangements
-    double t_p_holm = 0;     ///< Holm over all pairs of this quantity
+    PairedComparison found;       ///< second - first
+    std::vector<int> apart = {};  ///< arrangements whose difference is far from the others'
+    double first_mean = 0;        ///< over the same arrangements
+    double t_p_holm = 0;          ///< Holm over all pairs of this quantity
     double wilcoxon_p_holm = 0;
     int to_resolve_observed = 0;  ///< arrangements needed in total to find a true difference this large; 0: unknown
     int to_resolve_wished = 0;    ///< the same for a difference of `resolve` x first_mean

@@ -1,12 +1,14 @@
 #include "findings/pairs_section.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <ranges>
 
 #include "core/units.hpp"
+#include "core/wording.hpp"
 #include "findings/printable.hpp"
 #include "tables/number_text.hpp"
 
@@ -32,7 +34,7 @@ std::vector<Cell> line(const Summary& summary, const PairRow& row) {
             fixed(found.difference * factor, decimals),
             found.arrangements < fewest_for_interval
                 ? "–"
-                : bracket(factor * found.t_interval.low, factor * found.t_interval.high, decimals),
+                : bracket(factor * found.interval.low, factor * found.interval.high, decimals),
             percent(found.difference / row.first_mean),
             p_text(row.t_p_holm),
             p_text(row.wilcoxon_p_holm),
@@ -77,7 +79,7 @@ Figure differences(const Summary& summary, const std::vector<PairRow>& rows, con
                   .caption = std::move(caption)};
     for (const PairRow& row : rows | std::views::reverse) {
         if (!(row.quantity.key == quantity.key)) continue;
-        const Limits& limits = row.found.t_interval;
+        const Limits& limits = row.found.interval;
         const double at = static_cast<double>(labels.size()) + 0.5;
         figure.dot(factor * row.found.difference, at, "ink", 4.5);
         values.push_back(factor * row.found.difference);
@@ -96,15 +98,86 @@ Figure differences(const Summary& summary, const std::vector<PairRow>& rows, con
     return figure;
 }
 
+std::size_t quantities_in(const std::vector<PairRow>& rows) {
+    std::size_t count = 0;
+    ShortText last;
+    for (const PairRow& row : rows) {
+        if (row.quantity.key == last) continue;
+        last = row.quantity.key;
+        ++count;
+    }
+    return count;
+}
+
+/// How many p values there are, and what that does to chance.
+std::string chance_text(const std::vector<PairRow>& rows) {
+    constexpr double level = 0.05;
+    const std::size_t quantities = quantities_in(rows);
+    const std::size_t pairs = pairs_in(rows);
+    if (quantities * pairs < 2) return "";
+    return fmt::format(
+        "Looked at: {} in {}, with two tests each. Where nothing differs, an adjusted p of a quantity is below {:g} "
+        "in 5 of 100 campaigns by chance{}.\n",
+        quantities == 1 ? std::string{"one quantity"} : fmt::format("{} quantities", quantities),
+        counted(static_cast<int>(pairs), "pair"), level,
+        quantities == 1
+            ? std::string{}
+            : fmt::format(", one of any quantity in up to {:.0f} (fewer, the more they go together): name the "
+                          "quantity before you look",
+                          100 * (1 - std::pow(1 - level, static_cast<double>(quantities)))));
+}
+
+/// What pairing did for the mean load, over the pairs: the reduction of variance r counts as 1 / (1 - r) times as many
+/// arrangements. With equal scatter in both cases r is their correlation, whose interval is Fisher's.
+std::string pairing_text(const std::vector<PairRow>& rows) {
+    constexpr int fewest = 4;
+    std::vector<const PairRow*> known;
+    for (const PairRow& row : rows)
+        if (row.quantity.key == quantity("mean_load").key && std::isfinite(row.found.variance_saved) &&
+            row.found.arrangements >= fewest)
+            known.push_back(&row);
+    if (known.empty()) return "";
+    std::ranges::sort(known, {}, [](const PairRow* row) { return row->found.variance_saved; });
+    const PairRow* middle = known[known.size() / 2];
+    const double saved = middle->found.variance_saved;
+    const double z = std::atanh(std::clamp(saved, -1 + 1e-12, 1 - 1e-12));
+    const double half = 1.959963984540054 / std::sqrt(middle->found.arrangements - 3);
+    const std::string interval =
+        fmt::format("{} (95 %: {} to {}{})", percent(saved), percent(std::tanh(z - half)), percent(std::tanh(z + half)),
+                    known.size() > 1 ? ", of the middle pair" : "");
+    return saved > 0 ? fmt::format(
+                           "Pairing took {} of the variance of differences of the mean load, as {:.2g} times as "
+                           "many arrangements would have.\n",
+                           interval, 1 / std::max(1e-3, 1 - saved))
+                     : fmt::format("Pairing bought nothing for the mean load: reduction {}.\n", interval);
+}
+
+/// Differences that lie far from the others of their pair; the first few.
+std::string apart_text(const Summary& summary, const std::vector<PairRow>& rows) {
+    constexpr std::size_t most = 3;
+    std::vector<std::string> lines;
+    std::size_t all = 0;
+    for (const PairRow& row : rows)
+        if (!row.apart.empty() && ++all <= most)
+            lines.push_back(fmt::format("{}, {} - {}: {} of {} (arrangement {})", row.quantity.label,
+                                        summary.label_of(row.second), summary.label_of(row.first), row.apart.size(),
+                                        row.found.arrangements, fmt::join(row.apart, ", ")));
+    if (lines.empty()) return "";
+    return fmt::format(
+        "Differences far from the others: {}{}. Their intervals count such arrangements as a kind of their own, whose "
+        "share is uncertain; p t does not.",
+        fmt::join(lines, "; "), all > most ? fmt::format("; and {} more", all - most) : "");
+}
+
 std::string notes(const std::vector<PairRow>& rows, const PairOptions& options) {
     const std::size_t pairs = pairs_in(rows);
     return fmt::format(
         "\np: two-sided, paired t test and Wilcoxon signed-rank test, Holm-adjusted over the {} of a quantity.\n"
         "Reduction: share of the variance of the difference that pairing removes. n needed: arrangements needed to "
         "find a true difference as large as the observed one, or of {:g} % of the first case, with a probability of "
-        "{:g} %.\nThe other quantities of Table 3: --format csv --parts pairs.\n",
+        "{:g} %.\n{}{}The other quantities of Table 3: --format csv --parts pairs.\n",
         pairs == 1 ? std::string{"one pair"} : fmt::format("{} pairs", pairs), options.resolve / unit::percent,
-        options.power / unit::percent);
+        options.power / unit::percent, chance_text(rows), pairing_text(rows));
 }
 
 std::vector<DataColumn<PairRow>> columns_of(const Summary& summary, const PairOptions& options) {
@@ -118,8 +191,11 @@ std::vector<DataColumn<PairRow>> columns_of(const Summary& summary, const PairOp
         {Names{"", "first_mean"}, &PairRow::first_mean},
         {"difference", [](Row row) { return row.found.difference; }},
         {Names{"", "sd"}, [](Row row) { return row.found.sd; }},
-        {Names{"low", "t_interval/low"}, [](Row row) { return row.found.t_interval.low; }},
-        {Names{"high", "t_interval/high"}, [](Row row) { return row.found.t_interval.high; }},
+        {Names{"low", "interval/low"}, [](Row row) { return row.found.interval.low; }},
+        {Names{"high", "interval/high"}, [](Row row) { return row.found.interval.high; }},
+        {Names{"", "t_interval/low"}, [](Row row) { return row.found.t_interval.low; }},
+        {Names{"", "t_interval/high"}, [](Row row) { return row.found.t_interval.high; }},
+        {Names{"", "apart"}, [](Row row) { return row.apart.size(); }},
         {Names{"bca_low", "bca/low"}, [](Row row) { return row.found.bca.low; }},
         {Names{"bca_high", "bca/high"}, [](Row row) { return row.found.bca.high; }},
         {Names{"sd", ""}, [](Row row) { return row.found.sd; }},
@@ -174,6 +250,7 @@ Section pairs_section(const Summary& summary, const std::vector<PairRow>& rows, 
     section.on_page = rows_of(summary, rows, false);
     section.after = notes(rows, options);
     if (!left_out.empty()) section.notes.push_back(left_out);
+    if (std::string apart = apart_text(summary, rows); !apart.empty()) section.notes.push_back(std::move(apart));
     section.figures = {
         differences(summary, rows, quantity("mean_load"), "Mean load: differences within an arrangement."),
         differences(summary, rows, quantity("mean_maximum"), "Mean maximum load: differences within an arrangement.")};

@@ -96,7 +96,7 @@ Figure over_axis(const DesignPoints& points, const Summary& summary, std::size_t
     const std::string name = axis_words(points)[axis].name;
     Figure figure{.description = fmt::format("Mean load over {}", name),
                   .x = axis_of(points, axis),
-                  .y = axis_around(load.heading, extent(summary, load), true),
+                  .y = axis_around(load.heading(), extent(summary, load), true),
                   .size = {720, 300},
                   .caption = fmt::format("Mean load over {}: a dot for each point of the design, with its 95 % "
                                          "interval over arrangements where it says something.",
@@ -128,7 +128,7 @@ Figure over_words(const DesignPoints& points, const Summary& summary, std::size_
     const std::string name = axis_words(points)[axis].name;
     const double count = static_cast<double>(words.size());
     Figure figure{.description = fmt::format("Mean load for each {}", name),
-                  .x = axis_around(load.heading, extent(summary, load), true),
+                  .x = axis_around(load.heading(), extent(summary, load), true),
                   .y = {"", 0, count, false, words},
                   .size = {720, 90 + 40 * count},
                   .caption = fmt::format("Mean load for each {}: a dot for each point of the design.", name)};
@@ -239,7 +239,7 @@ Figure map_of(const DesignPoints& points, const Summary& summary, std::size_t ac
         if (!columns.empty() && !rows.empty())
             figure.text(cell.x, cell.y, fmt::format("{:.{}f}", mean, load.decimals), "middle", "key");
     }
-    figure.heat_scale = fmt::format("up to {:.{}f}: {}", largest, load.decimals, load.heading);
+    figure.heat_scale = fmt::format("up to {:.{}f}: {}", largest, load.decimals, load.heading());
     figure.caption = fmt::format("Mean load over {} and {}{}.", words[across].name, words[up].name,
                                  averaged ? ", a mean over the other axes and cases" : "");
     return figure;

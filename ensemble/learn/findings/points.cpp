@@ -26,7 +26,7 @@ Table points_table(const DesignPoints& points, const Summary& summary) {
     Table table{{"case"}};
     for (const KeyWords& words : axis_words(points)) table.front().emplace_back(words.heading());
     table.front().emplace_back("n");
-    for (const LoadColumn& column : loads) table.front().emplace_back(column.heading);
+    for (const LoadColumn& column : loads) table.front().emplace_back(column.heading());
     for (std::size_t k = 0; k < points.rows.size(); ++k) {
         const PointRow& row = points.rows[k];
         std::vector<Cell>& line = table.emplace_back(std::vector<Cell>{row.name});

@@ -8,6 +8,7 @@
 
 #include "campaign/name_list.hpp"
 #include "core/error.hpp"
+#include "inference/mixed_mean.hpp"
 
 namespace floes {
 
@@ -43,11 +44,12 @@ CaseSummary summarise_case(const CampaignTable& table, const std::vector<Quantit
         for (const MemberRow* member : done) values.push_back(quantity.of(*member));
         std::erase_if(values,
                       [](double value) { return !std::isfinite(value); });  // an older version did not measure it
+        const Apart out = quantity.unit == "N" ? apart(values, Sides::above) : Apart{};
+        const Interval plain = quantity.positive ? positive_interval(values) : mean_interval(values);
         // Student's limits can leave the range of the values; those of the bootstrap cannot.
         row.estimates[std::string{quantity.key.view()}] = {
-            clipped(quantity.positive ? positive_interval(values) : mean_interval(values), quantity.least,
-                    quantity.most),
-            bca_mean_interval(values)};
+            clipped(mixed_interval(values, plain, out, Sides::above), quantity.least, quantity.most),
+            bca_mean_interval(values), out.count()};
     }
     return row;
 }

@@ -20,9 +20,11 @@
 
 namespace floes {
 
-/// A mean over arrangements with Student's intervals and the BCa bootstrap interval of the mean.
+/// A mean over arrangements with its intervals: Student's, or those of a mixture where members stand out; and the BCa
+/// bootstrap interval of the mean.
 struct Estimate : Interval {
     Limits bca{};
+    std::size_t standing_out = 0;  ///< members that the intervals count as a kind of their own
 };
 
 /// One case over its arrangements. members = done + failed_members + missing_members.

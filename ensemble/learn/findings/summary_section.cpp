@@ -8,6 +8,7 @@
 #include "core/units.hpp"
 #include "core/wording.hpp"
 #include "findings/conditions.hpp"
+#include "findings/load_columns.hpp"
 #include "findings/printable.hpp"
 #include "tables/number_text.hpp"
 
@@ -132,7 +133,8 @@ std::string heading(const Summary& summary, const Totals& totals) {
 std::string notes(const Summary& summary, const Totals& totals) {
     std::string text = fmt::format(
         "\nOne arrangement is one value. Brackets, all 95 %: confidence interval of the mean over all arrangements by "
-        "Student's t; below it by BCa bootstrap, which assumes no distribution; then the prediction interval of one "
+        "Student's t, or by a mixture where members stand out; below it by BCa bootstrap, which assumes no "
+        "distribution; then the prediction interval of one "
         "further run; –: one that would say nothing, of fewer than {} arrangements or too wide. Failure ratio: broken "
         "floes "
         "/ floes. Joints failed: mean per run.\n",
@@ -143,6 +145,7 @@ std::string notes(const Summary& summary, const Totals& totals) {
               "one step, so they depend on the time step. Quote averaged maxima, with their averaging time.\n"
             : "Maxima without an averaging time are maxima of single steps. Quote averaged maxima, with their "
               "averaging time.\n";
+    if (const std::string unseen = unseen_text(summary, true); !unseen.empty()) text += unseen.substr(1) + "\n";
     if (totals.missing > 0 && totals.done > 0) {
         text += "Short runs finish first: until the campaign is complete, the figures are biased towards them.\n";
     }
@@ -177,6 +180,8 @@ void add_estimate(const Quantity& quantity, std::vector<CaseColumn>& columns) {
     add("bca_high", name + "_bca_high", [](const Estimate& found) { return found.bca.high; });
     add("prediction_low", name + "_prediction_low", [](const Estimate& found) { return found.prediction_low; });
     add("prediction_high", name + "_prediction_high", [](const Estimate& found) { return found.prediction_high; });
+    add("standing_out", "",
+        [](const Estimate& found) { return found.standing_out > 0 ? Datum(found.standing_out) : Absent{}; });
 }
 
 CaseColumn difference_column(const Summary& summary, std::size_t reference, const Quantity& quantity, Names names) {

@@ -10,7 +10,7 @@
 #include "core/wording.hpp"
 #include "findings/joint_trend.hpp"
 #include "findings/printable.hpp"
-#include "inference/unlike_members.hpp"
+#include "inference/mixed_mean.hpp"
 
 namespace floes {
 namespace {
@@ -83,16 +83,15 @@ std::string joint_text(const CampaignTable& table, const Summary& summary) {
                        all > most ? fmt::format("; and {} more", counted(static_cast<int>(all - most), "case")) : "");
 }
 
-/// Members whose mean load is far above the others'. An interval of a mean holds less often with few of them.
+/// Members whose mean load is far above the others'.
 std::string standing_out_text(const CampaignTable& table, const Summary& summary) {
     std::vector<std::string> lines;
     for (std::size_t k = 0; k < summary.cases.size(); ++k) {
         std::vector<double> loads;
         const std::vector<const MemberRow*> members = done_members(table, k);
-        for (const MemberRow* row : members) loads.push_back(std::log(std::max(row->load.mean, 1e-12)));
-        if (std::ranges::any_of(members, [](const MemberRow* row) { return row->load.mean <= 0; })) continue;
+        for (const MemberRow* row : members) loads.push_back(row->load.mean);
         std::vector<std::string> numbers;
-        for (const std::size_t row : rows_standing_out(loads))
+        for (const std::size_t row : apart(loads, Sides::above).above)
             numbers.push_back(fmt::format("{}", members[row] - table.members.data()));
         if (!numbers.empty())
             lines.push_back(fmt::format("{} of {} of {} ({})", numbers.size(), members.size(), summary.label_of(k),
@@ -100,8 +99,8 @@ std::string standing_out_text(const CampaignTable& table, const Summary& summary
     }
     if (lines.empty()) return "";
     return fmt::format(
-        "Members whose mean load is far above the others': {}. Look at them (floes replay). With few of a kind the "
-        "intervals of means and differences are too narrow: five or more of it are a beginning.",
+        "Members whose mean load is far above the others': {}. Look at them (floes replay). Intervals count them as "
+        "a kind of their own, whose share is uncertain; five or more of it are a beginning.",
         fmt::join(lines, "; "));
 }
 

@@ -36,11 +36,14 @@ PairedComparison compare_paired(std::span<const double> first, std::span<const d
     }
     std::vector<double> differences(first.size());
     std::ranges::transform(second, first, differences.begin(), std::minus<>{});
-    const Interval interval = mean_interval(differences, confidence);
+    const Interval plain = mean_interval(differences, confidence);
     PairedComparison found;
     found.arrangements = static_cast<int>(differences.size());
-    found.difference = interval.estimate;
-    found.t_interval = {interval.low, interval.high};
+    found.difference = plain.estimate;
+    found.t_interval = {plain.low, plain.high};
+    found.apart = apart(differences, Sides::both);
+    const Interval interval = mixed_interval(differences, plain, found.apart, Sides::both, confidence);
+    found.interval = {interval.low, interval.high};
     found.bca = bca_mean_interval(differences, {.confidence = confidence});
     const double variance = sample_variance(differences);
     found.sd = std::sqrt(variance);

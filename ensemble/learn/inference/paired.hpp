@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "inference/bootstrap.hpp"
+#include "inference/mixed_mean.hpp"
 
 namespace floes {
 
@@ -14,6 +15,8 @@ struct PairedComparison {
     double difference = 0;  ///< mean of second - first, unit of the values
     double sd = 0;          ///< sample SD of the differences
     Limits t_interval{};    ///< of the mean difference, Student's t
+    Apart apart{};          ///< pairs whose difference is far from the others' (mixed_mean.hpp)
+    Limits interval{};      ///< of the mean difference: Student's t, or of the mixture where some are apart
     Limits bca{};           ///< of the mean difference, BCa bootstrap over arrangements
     double t = 0;           ///< difference / (sd / √n)
     double t_p = 1;         ///< two-sided

@@ -8,6 +8,8 @@
 #include "campaign/name_list.hpp"
 #include "core/error.hpp"
 #include "inference/interval.hpp"
+#include "inference/mixed_mean.hpp"
+#include "inference/unlike_members.hpp"
 
 namespace floes {
 
@@ -15,6 +17,12 @@ namespace {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr double normal_half = 1.959963984540054;  // lower bound of t: a target missed with this is missed with t
+
+constexpr int fewest_by_default = 20;  // with fewer, the scatter is itself uncertain
+
+int minimum_of(const StopRule& rule) {
+    return rule.minimum > 0 ? rule.minimum : std::max(fewest_by_default, members_to_see(rule.half_width));
+}
 
 int index_of(const std::string& name, const std::vector<std::string>& cases, const char* key) {
     const auto found = std::ranges::find(cases, name);
@@ -29,7 +37,7 @@ int index_of(const std::string& name, const std::vector<std::string>& cases, con
 
 PrecisionStop::PrecisionStop(const StopRule& rule, const std::vector<std::string>& cases,
                              const std::vector<int>& groups)
-    : rule_(rule), cases_(cases.size()) {
+    : rule_(rule), minimum_(minimum_of(rule)), cases_(cases.size()) {
     const int count = static_cast<int>(cases.size());
     const auto share = [&](int one, int other) {
         return groups.empty() || groups.at(static_cast<std::size_t>(one)) == groups.at(static_cast<std::size_t>(other));
@@ -92,11 +100,11 @@ void PrecisionStop::put(int arrangement, int case_index, double value) {
 void PrecisionStop::take(const std::vector<double>& values) {
     for (Target& target : targets_) target.add(values);
     ++arrangements_;
-    if (arrangements_ < rule_.minimum) return;
+    if (arrangements_ < minimum_) return;
     const bool holds = std::ranges::all_of(targets_, [&](const Target& target) {
         if (target.count < 2) return false;
         const double by_normal = normal_half * std::sqrt(target.squares / (target.count - 1) / target.count);
-        return by_normal <= rule_.half_width * std::abs(target.base_mean) &&
+        return by_normal <= rule_.half_width * std::abs(target.base_mean) && target.by_student() <= rule_.half_width &&
                target.half_width_over_mean() <= rule_.half_width;
     });
     held_for_ = holds ? held_for_ + 1 : 0;
@@ -123,11 +131,20 @@ void PrecisionStop::Target::add(const std::vector<double>& values) {
     mean += before / count;
     squares += before * (value - mean);
     base_mean += (base - base_mean) / count;
+    taken.push_back(value);
+}
+
+double PrecisionStop::Target::by_student() const {
+    if (count < 2) return undefined;
+    return student_t(count - 1, 0.025) * std::sqrt(squares / (count - 1) / count) / std::abs(base_mean);
 }
 
 double PrecisionStop::Target::half_width_over_mean() const {
-    if (count < 2) return undefined;
-    return student_t(count - 1, 0.025) * std::sqrt(squares / (count - 1) / count) / std::abs(base_mean);
+    const Sides sides = minus ? Sides::both : Sides::above;
+    const Apart found = apart(taken, sides);
+    if (found.count() == 0) return by_student();
+    const Interval mixed = mixed_interval(taken, mean_interval(taken), found, sides);
+    return std::max(mixed.high - mean, mean - mixed.low) / std::abs(base_mean);
 }
 
 }  // namespace floes

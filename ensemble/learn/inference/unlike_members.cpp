@@ -27,34 +27,55 @@ struct Height {
     std::size_t row;
 };
 
-/// How far the highest of falling values is above the mean of all, in their SD; Rosner's R.
-double departure(std::span<const Height> falling) {
+enum class Tails { upper, both };
+
+/// Of falling values, how far the highest, or the farthest, is from the mean of all, in their SD: Rosner's R.
+struct Departure {
+    double value;
+    bool highest;  ///< else the lowest
+};
+Departure departure(std::span<const Height> falling, Tails tails) {
     const double count = static_cast<double>(falling.size());
     double mean = 0, squares = 0;
     for (const Height& one : falling) mean += one.value / count;
     for (const Height& one : falling) squares += (one.value - mean) * (one.value - mean);
     const double sd = std::sqrt(squares / (count - 1));
-    return sd > 0 ? (falling.front().value - mean) / sd : 0;
+    const double up = falling.front().value - mean, down = mean - falling.back().value;
+    const bool highest = tails == Tails::upper || up >= down;
+    return {sd > 0 ? (highest ? up : down) / sd : 0, highest};
 }
 
-/// What the departure of the highest of `count` normal values is below with 99 %.
-double usual_departure(double count) {
-    const double t = student_t(count - 2, level / count);
+/// What the departure of the highest, or farthest, of `count` normal values is below with 99 %.
+double usual_departure(double count, Tails tails) {
+    const double t = student_t(count - 2, level / (tails == Tails::both ? 2 * count : count));
     return (count - 1) * t / std::sqrt((count - 2 + t * t) * count);
 }
 
 /// Of heights in any order.
-std::vector<std::size_t> standing_out(std::vector<Height> heights) {
+std::vector<std::size_t> standing_out(std::vector<Height> heights, Tails tails = Tails::upper) {
     std::ranges::stable_sort(heights, [](const Height& a, const Height& b) { return a.value > b.value; });
     if (heights.size() < fewest_to_stand_out) return {};
-    const std::span<const Height> falling = heights;
+    std::span<const Height> left = heights;
+    std::vector<std::size_t> rows;  // in the order in which they are taken away
     std::size_t count = 0;
-    for (std::size_t k = 0; k < heights.size() / 4; ++k)
-        if (departure(falling.subspan(k)) > usual_departure(static_cast<double>(heights.size() - k))) count = k + 1;
-    std::vector<std::size_t> rows;
-    for (const Height& one : falling.first(count)) rows.push_back(one.row);
+    const std::size_t most = heights.size() / 4;
+    const double least = usual_departure(static_cast<double>(heights.size() - most), tails);  // it grows with the count
+    for (std::size_t k = 0; k < most; ++k) {
+        const Departure found = departure(left, tails);
+        rows.push_back((found.highest ? left.front() : left.back()).row);
+        if (found.value > least && found.value > usual_departure(static_cast<double>(left.size()), tails))
+            count = k + 1;
+        left = found.highest ? left.subspan(1) : left.first(left.size() - 1);
+    }
+    rows.resize(count);
     std::ranges::sort(rows);
     return rows;
+}
+
+std::vector<Height> heights_of(std::span<const double> values) {
+    std::vector<Height> heights;
+    for (std::size_t row = 0; row < values.size(); ++row) heights.push_back({values[row], row});
+    return heights;
 }
 
 /// The highest peaks of all that are those of these rows.
@@ -103,13 +124,19 @@ UnlikeMembers unlike_members(MemberPeakSpans peaks, double share) {
 }
 
 std::vector<std::size_t> rows_standing_out(std::span<const double> values) {
-    std::vector<Height> heights;
-    for (std::size_t row = 0; row < values.size(); ++row) heights.push_back({values[row], row});
-    return standing_out(std::move(heights));
+    return standing_out(heights_of(values));
+}
+
+std::vector<std::size_t> rows_standing_apart(std::span<const double> values) {
+    return standing_out(heights_of(values), Tails::both);
 }
 
 double unseen_share(std::size_t members) {
     return 1 - std::pow(chance, 1 / static_cast<double>(std::max<std::size_t>(members, 1)));
+}
+
+int members_to_see(double share) {
+    return std::max(1, static_cast<int>(std::ceil(std::log(chance) / std::log1p(-share))));
 }
 
 }  // namespace floes

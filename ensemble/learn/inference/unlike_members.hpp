@@ -29,7 +29,13 @@ UnlikeMembers unlike_members(MemberPeakSpans peaks, double share);
 /// Rows of finite values that are too high for a normal distribution of the others, by that test; rising.
 std::vector<std::size_t> rows_standing_out(std::span<const double> values);
 
+/// The same to either side: rows of values too far from a normal distribution of the others, at 1 % for both together.
+std::vector<std::size_t> rows_standing_apart(std::span<const double> values);
+
 /// The largest share of members of a kind that is not among `members` in one of twenty samples.
 double unseen_share(std::size_t members);
+
+/// Fewest members of which a kind of that share is missing in at most one of twenty samples; 0 < share < 1.
+int members_to_see(double share);
 
 }  // namespace floes

@@ -100,9 +100,11 @@ Keys describe(StopRule& stop) {
     keys.push_back(text_key("stop.contrast", stop.contrast, "none",
                             "Paired difference to which the rule applies, in percent of the case that is subtracted: "
                             "\"none\", \"all\", or two cases as in \"E200 - E60\"."));
-    keys.push_back(integer_key("stop.minimum", stop.minimum, 2, 1000000, "trials",
+    keys.push_back(integer_key("stop.minimum", stop.minimum, 0, 1000000, "trials",
                                "Minimum number of arrangements before the rule is applied: with fewer, the estimate of "
-                               "the scatter is itself uncertain."));
+                               "the scatter is itself uncertain. 0: at least 20, and so many that a kind of member in "
+                               "a share of half_width_percent of all is among them with 95 % (59 for 5 %): such "
+                               "members with twice the load move the mean by that much."));
     keys.push_back(integer_key("stop.look_ahead", stop.look_ahead, 0, 1000000, source,
                                "Number of further arrangements for which the rule must stay satisfied, so that the "
                                "campaign does not stop by chance."));

@@ -10,7 +10,7 @@ struct StopRule {
     std::string of = "mean_load";   ///< key of the quantity that has to be precise
     std::string case_name = "all";  ///< or "none", or the name of one case
     std::string contrast = "none";  ///< or "all", or "B - A" for the paired difference of two cases
-    int minimum = 20;               ///< arrangements before the rule is applied
+    int minimum = 0;                ///< arrangements before the rule is applied; 0: by half_width, at least 20
     int look_ahead = 5;             ///< further arrangements for which it must stay satisfied
     int batch = 10;                 ///< arrangements handed out before any later one
 

@@ -61,7 +61,8 @@ CampaignStatus status_of(const Campaign& campaign, const StoredMembers& members,
 
 std::optional<StopStatus> stop_status(const Campaign& campaign, const std::optional<PrecisionStop>& rule) {
     if (!rule) return {};
-    return StopStatus{campaign.stop, rule->met(), rule->arrangements(), campaign.arrangements, rule->achieved()};
+    return StopStatus{campaign.stop,         rule->met(),     rule->arrangements(),
+                      campaign.arrangements, rule->minimum(), rule->achieved()};
 }
 
 /// The rule with every member that has a record.

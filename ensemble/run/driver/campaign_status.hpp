@@ -43,6 +43,7 @@ struct StopStatus {
     bool met = false;
     int arrangements = 0;       ///< complete ones in index order; once met, those of the campaign
     int most_arrangements = 0;  ///< number without the rule
+    int minimum = 0;            ///< arrangements before which the rule is not applied
     double achieved = 0;  ///< largest half-width over its mean, a fraction; NaN before there are two values of each
 };
 

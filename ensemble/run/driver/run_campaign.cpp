@@ -72,8 +72,8 @@ int conclude(const Campaign& campaign, const RunOptions& options, Recorder& reco
     if (const auto& precision = tally.precision(); precision && !tally.precise()) {
         const std::string reached =
             precision->achieved() <= precision->target()
-                ? fmt::format(", but not met for stop.look_ahead = {} arrangements in a row after stop.minimum = {}",
-                              campaign.stop.look_ahead, campaign.stop.minimum)
+                ? fmt::format(", but not met for stop.look_ahead = {} arrangements in a row after {}",
+                              campaign.stop.look_ahead, precision->minimum())
                 : "; to continue, raise campaign.arrangements and resume";
         progress.say(fmt::format("all {} arrangements are done and the half-width is {:.1f} %, target {:g} %{}",
                                  campaign.arrangements, 100 * precision->achieved(), 100 * precision->target(),

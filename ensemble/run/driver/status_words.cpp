@@ -80,8 +80,13 @@ std::string stop_sentence(const StopStatus& stop) {
     if (stop.met)
         return fmt::format("Precise enough after {}{}, no more are needed. Half-width for {}: {}.",
                            counted(stop.arrangements, "arrangement"), most, what_of(stop.rule), reached);
-    return fmt::format("Half-width for {} after {}{}: {}.", what_of(stop.rule),
-                       counted(stop.arrangements, "arrangement"), most, reached);
+    const std::string early =
+        stop.rule.minimum == 0 && stop.arrangements < stop.minimum
+            ? fmt::format(" Not before {}: of fewer, a kind of member that is {:g} % of all may be missing.",
+                          counted(stop.minimum, "arrangement"), 100 * stop.rule.half_width)
+            : std::string{};
+    return fmt::format("Half-width for {} after {}{}: {}.{}", what_of(stop.rule),
+                       counted(stop.arrangements, "arrangement"), most, reached, early);
 }
 
 }  // namespace floes
