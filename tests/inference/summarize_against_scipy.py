@@ -30,6 +30,7 @@ QUANTITIES = {
     "failures_torsion_per_run": "failures_torsion",
     "failures_in_plane_bending_per_run": "failures_in_plane_bending",
 }
+LOADS = ("_load", "_maximum")
 POSITIVE = ["maximum_N", "mean_maximum_N"]  # single runs on a logarithmic scale
 LEAST = {"mean_N": -np.inf, "maximum_N": -np.inf, "mean_maximum_N": -np.inf}
 MOST = {"failure_ratio": 1}
@@ -48,6 +49,51 @@ def mser(load):
     errors = [np.sum((means[d:] - means[d:].mean()) ** 2) / (len(means) - d) ** 2 for d in range(len(means) // 2 + 1)]
     best = int(np.argmin(errors))
     return None if best == len(means) // 2 else batch * best
+
+
+def steady_by_members(loads):
+    """MSER of the mean, or the first fiftieth after it from which the members' slopes are not one-sided."""
+    mean = loads.mean(axis=0)
+    start = mser(mean)
+    if start is None:
+        return None
+    parts = np.array([part_means(load, 50) for load in loads])
+    part = len(mean) / 50
+    first = int(np.ceil(start / part - 1e-9))
+    for k in range(first, 25):
+        if not has_trend(parts[:, k:]):
+            return start if k == first else k * part
+    return start if first >= 25 and not has_trend(parts[:, first:]) else None
+
+
+def part_means(load, count):
+    ends = np.linspace(0, len(load), count + 1)
+    sums = np.interp(ends, np.arange(len(load) + 1), np.concatenate([[0], np.cumsum(load)]))
+    return np.diff(sums) / np.diff(ends)
+
+
+def has_trend(parts):
+    count = parts.shape[1]
+    changes = np.array([stats.linregress(np.arange(count), one).slope * count for one in parts])
+    if len(changes) < 3 or np.ptp(changes) == 0:
+        return False
+    half = stats.t.ppf(0.975, len(changes) - 1) * stats.sem(changes)
+    largest = max(abs(changes.mean() - half), abs(changes.mean() + half))
+    return stats.ttest_1samp(changes, 0).pvalue < 0.01 and largest >= 0.02 * abs(parts.mean())
+
+
+def far_from_the_others(values, both):
+    """How many, by Rosner's test at 1 %: one-sided upwards or two-sided."""
+    left, found = np.sort(values), 0
+    for k in range(len(values) // 4 if len(values) >= 5 else 0):
+        n = len(left)
+        departures = (left - left.mean()) / left.std(ddof=1)
+        upper = not both or departures[-1] >= -departures[0]
+        t = stats.t.isf(0.01 / (2 * n if both else n), n - 2)
+        if abs(departures[-1 if upper else 0]) > (n - 1) * t / np.sqrt((n - 2 + t * t) * n):
+            found = k + 1
+        left = left[:-1] if upper else left[1:]
+    return found
 
 
 def effective_samples(load):
@@ -117,6 +163,13 @@ class Summarize(unittest.TestCase):
                 n, mean, s = len(x), x.mean(), x.std(ddof=1)
                 cut = lambda value: min(max(value, LEAST.get(key, 0)), MOST.get(key, np.inf))
                 t = stats.t.ppf(0.975, n - 1)
+                out = far_from_the_others(np.log(x), False) if column.endswith(LOADS) and np.all(x > 0) else 0
+                self.assertEqual(row[key].get("standing_out", 0), out)
+                if out > 0:  # a mixture, which nobody else has
+                    self.assertTrue(close(row[key]["estimate"], mean))
+                    self.assertLessEqual(row[key]["low"], mean)
+                    self.assertGreaterEqual(row[key]["high"], mean)
+                    continue
                 expected = {
                     "estimate": mean,
                     "low": cut(mean - t * s / np.sqrt(n)),
@@ -221,6 +274,11 @@ class Summarize(unittest.TestCase):
                 if np.ptp(y - x) == 0:
                     continue
                 test = stats.ttest_rel(y, x)
+                half = stats.t.ppf(0.975, len(shared) - 1) * stats.sem(y - x)
+                self.assertTrue(close(row["t_interval"]["low"], np.mean(y - x) - half))
+                self.assertEqual(row["apart"], far_from_the_others(y - x, True))
+                if row["apart"] == 0:
+                    self.assertEqual(row["interval"], row["t_interval"])
                 self.assertTrue(close(row["t"], test.statistic))
                 self.assertTrue(close(row["t_p"], test.pvalue))
                 t_p.setdefault(row["quantity"], []).append((test.pvalue, row["t_p_holm"]))
@@ -292,7 +350,7 @@ class Summarize(unittest.TestCase):
                 self.assertTrue(close(row["effective_samples"], effective_samples(window), 1e-7))
         for case, row in enumerate(steady["cases"]):
             histories = self.surge[self.done & (self.members["case"] == case)]
-            start = mser(np.nanmean(histories, axis=0)[~np.all(np.isnan(histories), axis=0)])
+            start = steady_by_members(histories[:, ~np.all(np.isnan(histories), axis=0)])
             found = row["steady_start_s"]
             self.assertTrue(found is None if start is None else close(found, start * self.time_step[case]))
 

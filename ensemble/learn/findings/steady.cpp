@@ -8,7 +8,9 @@
 #include "campaign_file/measure_anew.hpp"
 #include "campaign_file/read_history.hpp"
 #include "core/error.hpp"
+#include "findings/joint_trend.hpp"
 #include "inference/bootstrap.hpp"
+#include "statistics/means.hpp"
 #include "statistics/steady_state.hpp"
 #include "tables/number_text.hpp"
 
@@ -29,22 +31,64 @@ std::size_t batch_of(const Analysis& analysis) {
     return (correlation_batch + stride - 1) / stride;
 }
 
-struct MeanHistory {
+constexpr double trend_level = 0.01;  // p of a trend over members below which the load is not steady
+
+/// The histories of a case, of each member in equal parts, and their sum.
+struct Histories {
     std::vector<double> sum;
+    std::vector<std::vector<double>> parts;
     double step = 0;
 
     void add(const SurgeHistory& history) {
         step = history.step;
         sum.resize(std::max(sum.size(), history.surge.size()));
         for (std::size_t i = 0; i < history.surge.size(); ++i) sum[i] += history.surge[i];
+        if (history.surge.size() >= steady_batches) parts.push_back(part_means(history.surge, steady_batches));
+    }
+
+    /// Whether the members' loads have a trend together from that part on.
+    bool trend_from(std::size_t first) const {
+        std::vector<double> changes;
+        double mean = 0;
+        for (const std::vector<double>& one : parts) {
+            const std::span<const double> rest = std::span(one).subspan(first);
+            changes.push_back(change_over(rest));
+            mean += mean_of(rest) / static_cast<double>(parts.size());
+        }
+        const Change change = change_of(changes);
+        return change.p < trend_level && matters(change, mean);
+    }
+
+    /// MSER's start, or the first part after it from which there is no trend.
+    std::optional<double> start() const {
+        const auto by_mean = steady_start(sum);  // of the sum as of the mean
+        if (!by_mean || parts.empty())
+            return by_mean ? std::optional(static_cast<double>(*by_mean) * step) : std::nullopt;
+        const double part = static_cast<double>(sum.size()) / static_cast<double>(steady_batches);
+        const auto first = static_cast<std::size_t>(std::ceil(static_cast<double>(*by_mean) / part - 1e-9));
+        if (!trend_from(first)) return static_cast<double>(*by_mean) * step;
+        for (std::size_t k = first + 1; k < steady_batches / 2; ++k)
+            if (!trend_from(k)) return static_cast<double>(k) * part * step;
+        return {};
+    }
+
+    /// The slope of a straight line through the values, times their number.
+    static double change_over(std::span<const double> values) {
+        const double count = static_cast<double>(values.size()), middle = (count - 1) / 2;
+        double product = 0, squares = 0;
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            const double at = static_cast<double>(k) - middle;
+            product += at * values[k];
+            squares += at * at;
+        }
+        return product / squares * count;
     }
 };
 
 CaseSteady case_steady(const CampaignTable& table, std::size_t index, const std::vector<MemberSteady>& members,
-                       const MeanHistory& mean) {
+                       const Histories& histories) {
     CaseSteady found;
-    // MSER gives the same start for the sum as for the mean.
-    if (const auto start = steady_start(mean.sum)) found.start = static_cast<double>(*start) * mean.step;
+    found.start = histories.start();
     std::vector<double> starts;
     std::vector<double> times;
     std::vector<double> effective;
@@ -65,11 +109,11 @@ CaseSteady case_steady(const CampaignTable& table, std::size_t index, const std:
 
 SteadyReport find_steady(const CampaignFile& file, const CampaignTable& table) {
     SteadyReport report;
-    std::vector<MeanHistory> means(table.cases.size());
+    std::vector<Histories> histories(table.cases.size());
     for_each_history(file, [&](const SurgeHistory& history) {
         const auto of_case =
             static_cast<std::size_t>(table.members.at(static_cast<std::size_t>(history.member)).case_index);
-        means.at(of_case).add(history);
+        histories.at(of_case).add(history);
         MemberSteady member{history.member, {}, 0, 0};
         const Analysis& analysis = table.cases[of_case].analysis;
         if (const auto start = steady_start(history.surge)) member.start = static_cast<double>(*start) * history.step;
@@ -83,7 +127,7 @@ SteadyReport find_steady(const CampaignFile& file, const CampaignTable& table) {
         report.members.push_back(member);
     });
     for (std::size_t index = 0; index < table.cases.size(); ++index) {
-        report.cases.push_back(case_steady(table, index, report.members, means[index]));
+        report.cases.push_back(case_steady(table, index, report.members, histories[index]));
     }
     return report;
 }
@@ -148,7 +192,9 @@ Section steady_section(const Summary& summary, const CampaignTable& table, const
                                  fixed(one.median_effective_samples, 0)});
     }
     section.after =
-        "\nSteady from: MSER of the mean history of the case; single runs: median over its members' own histories; "
+        "\nSteady from: MSER of the mean history of the case, or later, where the load of the members has no trend to "
+        "the "
+        "end; none: not in the first half. Single runs: median over its members' own histories; "
         "without: members in which no steady part was found. Decorrelation: duration of load that counts as one "
         "independent value; effective samples: of the window. Both are medians over the members.\n";
     return section;

@@ -17,7 +17,9 @@ struct MemberSteady {
 };
 
 struct CaseSteady {
-    std::optional<double> start;           ///< s, by MSER of the mean over the members' histories
+    /// s: by MSER of the mean over the members' histories, and not before their load, member by member, no longer has a
+    /// trend from there to the end (joint_trend.hpp). None: in no half of the run.
+    std::optional<double> start;
     std::optional<double> median_start;    ///< s, of the members that have one
     int without_start = 0;                 ///< members without a start
     double median_decorrelation_time = 0;  ///< s
