@@ -12,6 +12,7 @@
 #include "findings/pairs_section.hpp"
 #include "findings/points.hpp"
 #include "findings/report_sections.hpp"
+#include "findings/scatter.hpp"
 #include "findings/sensitivity_section.hpp"
 #include "findings/summary_section.hpp"
 #include "findings/warnings.hpp"
@@ -65,8 +66,16 @@ Section points(Evidence& evidence) {
     return points_section(find_points(evidence.campaign), evidence.summary);
 }
 
-Section sensitivity(Evidence& evidence) {
-    return sensitivity_section(sensitivity_of(evidence));
+const SteadyReport& steady_of(Evidence& evidence) {
+    if (!evidence.steady) evidence.steady = find_steady(evidence.file, evidence.table);
+    return *evidence.steady;
+}
+
+/// What the axes do, and what is left of the scatter.
+std::vector<Section> sensitivity(Evidence& evidence) {
+    const SteadyReport steady = evidence.file.empty() ? SteadyReport{} : steady_of(evidence);
+    return {sensitivity_section(sensitivity_of(evidence)),
+            scatter_section(find_scatter(evidence.campaign, evidence.table, evidence.summary, steady))};
 }
 
 Section pairs(Evidence& evidence) {
@@ -92,8 +101,7 @@ std::vector<Section> exceedance(Evidence& evidence) {
 }
 
 Section steady(Evidence& evidence) {
-    if (!evidence.steady) evidence.steady = find_steady(evidence.file, evidence.table);
-    return steady_section(evidence.summary, evidence.table, *evidence.steady);
+    return steady_section(evidence.summary, evidence.table, steady_of(evidence));
 }
 
 /// As `floes design` has it by default.
@@ -120,7 +128,7 @@ constexpr std::array all{
     Finding{"cases", one<cases>, always},
     Finding{overview_part, one<overview>, never},
     Finding{"points", one<points>, of_a_design, "What decides the load?", of_a_design},
-    Finding{"sensitivity", one<sensitivity>, of_a_design, "What decides the load?", of_a_design},
+    Finding{"sensitivity", sensitivity, of_a_design, "What decides the load?", of_a_design},
     Finding{"", one<pairs_left_out>, of_a_design, "What decides the load?", of_a_design},
     Finding{"", one<averaged_section>, never, loads_title, always},
     Finding{"", one<table3_section>, never, loads_title, always},
