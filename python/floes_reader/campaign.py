@@ -203,7 +203,8 @@ class Campaign:
     def summary(self, confidence: float = 0.95) -> pandas.DataFrame:
         """What `floes summarize` says of the cases, by (case, quantity): `units`; `n`, the arrangements with a value;
         `estimate`, the mean over them; `low` and `high`, the confidence interval of that mean by Student's t;
-        `prediction_low` and `prediction_high`, the prediction interval of one further run. NaN where undefined. Until
+        `prediction_low` and `prediction_high`, the prediction interval of one further run. Where members stand out, the
+        program gives intervals of a mixture instead (docs/statistics.md). NaN where undefined. Until
         the campaign is `complete` the figures are biased towards short runs. A quantity that an older layout does not
         have has no row. Bootstrap intervals and comparisons of cases are left to the program."""
         shown = [one for one in with_times(tables.averaging_times(self._stored)) if one.key in self._quantities.index]

@@ -86,9 +86,9 @@ std::string unseen_text(const Summary& summary, bool in_full) {
         if (row.done >= fewest_for_interval && (fewest == 0 || row.done < fewest)) fewest = row.done;
     if (fewest == 0) return "";
     return fmt::format(
-        " No interval has kinds of member that were not met: up to {:.2g} % of all can be (n = {}){}.",
-        unseen_share(static_cast<std::size_t>(fewest)) / unit::percent, fewest,
-        in_full ? fmt::format(", and each percent at {:g} times the load adds {:g} % to the mean", times, times - 1)
+        " Kinds of member that none of n = {} is are in no interval; up to {:.2g} % of all may be such{}.", fewest,
+        unseen_share(static_cast<std::size_t>(fewest)) / unit::percent,
+        in_full ? fmt::format(": each percent at {:g} times the load adds {:g} % to the mean", times, times - 1)
                 : std::string{});
 }
 
