@@ -4,7 +4,7 @@
 Usage:
     water.py                    writes the tables
     water.py --check            writes nothing; fails if a table differs from the data
-    water.py --collect FOLDER   first takes the members of the campaigns water_channel.h5 and water_tank.h5 in FOLDER
+    water.py --collect FOLDER   first takes the members of the campaign water_channel.h5 in FOLDER
 """
 import pathlib
 import sys
@@ -71,17 +71,12 @@ def work(name):
 def main():
     arguments = sys.argv[1:]
     if arguments[:1] == ["--collect"]:
-        for name in ("water_channel", "water_tank"):
-            path = pathlib.Path(arguments[1]) / f"{name}.h5"
-            if path.exists():
-                collected(path, {"case": "case.name"}, [f"work_{key}" for key in WORK]).round(6).to_csv(
-                    DATA / f"{name}.csv", index=False)
+        path = pathlib.Path(arguments[1]) / "water_channel.h5"
+        collected(path, {"case": "joint.name"}, [f"work_{key}" for key in WORK]).round(6).to_csv(
+            DATA / "water_channel.csv", index=False)
     elif arguments not in ([], ["--check"]):
         sys.exit(__doc__)
-    fill_or_check({DOCS / "water.md": {"channel": lambda: effects("water_channel"),
-                                       "tank": lambda: effects("water_tank"),
-                                       "work": lambda: work("water_channel"),
-                                       "work_tank": lambda: work("water_tank")}},
+    fill_or_check({DOCS / "water.md": {"channel": lambda: effects("water_channel"), "work": lambda: work("water_channel")}},
                   arguments == ["--check"], "water.py")
 
 

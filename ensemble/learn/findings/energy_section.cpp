@@ -66,7 +66,7 @@ Section energy_section(Evidence& evidence) {
     const std::vector<std::size_t> shown = drawn_cases(evidence.summary);
     double largest = 0;
     for (const EnergyRow& row : rows) largest = std::max(largest, std::abs(row.force.estimate));
-    const int decimals = decimals_for(0.1 * largest);
+    const int decimals = decimals_for(largest);
 
     Table table{{"work of the tow over its length, N"}};
     for (const std::size_t k : shown) table.front().emplace_back(evidence.summary.label_of(k), "%");
