@@ -43,7 +43,20 @@ def take_coverage(lines):
                                 ("stop", STOP_COLUMNS, "coverage_stops")]:
         own = [row[1:2] + [cell.removesuffix(" %") for cell in row[2:]] for row in rows if row[0] == kind]
         if own:
-            pd.DataFrame(own, columns=columns).to_csv(DATA / f"{name}.csv", index=False)
+            put_rows(DATA / f"{name}.csv", pd.DataFrame(own, columns=columns))
+
+
+def put_rows(path, rows):
+    """Into the file, in the place of those of the same kind and number, so that the test can be run in slices."""
+    keys = list(rows.columns[:2])
+    if path.exists():
+        old = pd.read_csv(path, dtype=str, keep_default_na=False)
+        rows = pd.concat([old, rows]).drop_duplicates(keys + [name for name in ("method", "quantile", "exposure", "minimum")
+                                                              if name in rows.columns], keep="last")
+        order = {key: place for place, key in enumerate(dict.fromkeys(map(tuple, old[keys].values)))}
+        rows = rows.sort_values(keys[0], kind="stable",
+                                key=lambda _: [order.get(tuple(key), len(order)) for key in rows[keys].values])
+    rows.to_csv(path, index=False)
 
 
 def whole(value):

@@ -67,7 +67,7 @@ std::vector<std::array<Held, probabilities.size()>> try_often(const known::Proce
 
 int trials() {
     const char* given = std::getenv("FLOES_TRIALS");
-    return given != nullptr ? std::atoi(given) : 30;
+    return given != nullptr ? std::atoi(given) : 100;
 }
 
 class DesignCoverage : public testing::TestWithParam<std::size_t> {};
