@@ -6,76 +6,15 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <optional>
 #include <ranges>
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include "quantities/member_outputs.hpp"
-#include "quantities/short_text.hpp"
+#include "quantities/quantity_kind.hpp"
 
 namespace floes {
-
-/// Access to a quantity in the outputs.
-struct Place {
-    double (*get)(const MemberOutputs&);
-    void (*set)(MemberOutputs&, double);
-};
-
-/// at<&MemberOutputs::load, &LoadStatistics::mean>: the chain of data members.
-template <auto... Path>
-constexpr Place at() {
-    return {[](const MemberOutputs& outputs) { return (outputs.*....*Path); },
-            [](MemberOutputs& outputs, double value) { (outputs.*....*Path) = value; }};
-}
-
-/// Joints that failed in this mode.
-template <FailureMode mode>
-constexpr Place failures_in() {
-    constexpr auto number = static_cast<std::size_t>(mode);
-    return {[](const MemberOutputs& outputs) { return outputs.failures[number]; },
-            [](MemberOutputs& outputs, double value) { outputs.failures[number] = value; }};
-}
-
-inline constexpr double no_least = -std::numeric_limits<double>::infinity();
-inline constexpr double no_most = std::numeric_limits<double>::infinity();
-
-/// Where a quantity is shown; each level includes those before it.
-enum class Shown {
-    in_file,      ///< only a column of /members
-    in_summary,   ///< also a line of each case's summary
-    in_pairs,     ///< also in comparisons of cases
-    in_table3,    ///< also with every interval: the rows of Table 3
-    in_headlines  ///< also where there is room for only a few
-};
-
-struct Quantity {
-    ShortText key;               ///< column of /members, word of stop.of
-    std::string_view unit;       ///< in the file
-    std::string_view long_name;  ///< in the file and on its page
-    Place place;
-    Shown shown = Shown::in_file;
-    ShortText name = {};   ///< in JSON and CSV of summaries; ends in the unit
-    ShortText label = {};  ///< in tables, with the unit
-    double least = 0;      ///< values and intervals lie in [least, most]
-    double most = no_most;
-    bool positive = false;    ///< above 0 in any run: ranges of single runs are taken on a logarithmic scale
-    bool percent = false;     ///< shown in percent
-    bool count = false;       ///< a whole number whose total over runs is reported too
-    bool stops = false;       ///< a stop rule may use it
-    bool in_designs = false;  ///< used in the sensitivity to a design's axes
-    int since = 0;            ///< minor version of the file's layout 1 that introduced it
-    double AveragedLoad::*averaged = nullptr;  ///< the same for the averaged load; none: not taken
-    double averaging = 0;                      ///< s, that the load is averaged over; 0: every step
-
-    /// NaN where the outputs do not have that averaging time.
-    double of(const MemberOutputs& outputs) const;
-    /// Whether it can have the value: a count is a whole number, or NaN where nobody counted.
-    bool holds(double value) const;
-    constexpr double factor() const { return percent ? 100 : 1; }  ///< displayed value / stored value
-};
 
 /// In the order in which they are shown.
 inline constexpr std::array quantities{
@@ -245,80 +184,37 @@ inline constexpr std::array quantities{
              .label = "  in bending in the plane",
              .count = true,
              .since = 9},
-    Quantity{
-        .key = "work_ice_friction",
-        .unit = "N",
-        .long_name = "mean load that goes into friction between floes and on ice sheets; work over the distance towed",
-        .place = at<&MemberOutputs::work, &WorkShares::ice_friction>(),
-        .least = no_least,
-        .since = 10},
-    Quantity{
-        .key = "work_ice_crushing",
-        .unit = "N",
-        .long_name = "mean load that goes into crushing and stopping of floes by floes; work over the distance towed",
-        .place = at<&MemberOutputs::work, &WorkShares::ice_crushing>(),
-        .least = no_least,
-        .since = 10},
-    Quantity{.key = "work_hull_friction",
-             .unit = "N",
-             .long_name = "mean load that goes into friction on the structure; work over the distance towed",
-             .place = at<&MemberOutputs::work, &WorkShares::hull_friction>(),
-             .least = no_least,
-             .since = 10},
-    Quantity{
-        .key = "work_hull_crushing",
-        .unit = "N",
-        .long_name =
-            "mean load that goes into crushing and stopping of floes by the structure; work over the distance towed",
-        .place = at<&MemberOutputs::work, &WorkShares::hull_crushing>(),
-        .least = no_least,
-        .since = 10},
-    Quantity{.key = "work_vertical_drag",
-             .unit = "N",
-             .long_name = "mean load that goes into drag along the normals of the ice; work over the distance towed",
-             .place = at<&MemberOutputs::work, &WorkShares::vertical_drag>(),
-             .least = no_least,
-             .since = 10},
-    Quantity{.key = "work_plane_drag",
-             .unit = "N",
-             .long_name = "mean load that goes into form and skin drag; work over the distance towed",
-             .place = at<&MemberOutputs::work, &WorkShares::plane_drag>(),
-             .least = no_least,
-             .since = 10},
-    Quantity{.key = "work_waves",
-             .unit = "N",
-             .long_name = "mean load that goes into waves: linear damping of heave; work over the distance towed",
-             .place = at<&MemberOutputs::work, &WorkShares::waves>(),
-             .least = no_least,
-             .since = 10},
-    Quantity{.key = "work_joints",
-             .unit = "N",
-             .long_name = "mean load that goes into bending: damped, released where floes break, or stored; work over "
-                          "the distance towed",
-             .place = at<&MemberOutputs::work, &WorkShares::joints>(),
-             .least = no_least,
-             .since = 10},
-    Quantity{.key = "work_lifting",
-             .unit = "N",
-             .long_name = "mean load that goes into lifting and pushing ice under, against weight and buoyancy; work "
-                          "over the distance towed",
-             .place = at<&MemberOutputs::work, &WorkShares::lifting>(),
-             .least = no_least,
-             .since = 10},
-    Quantity{.key = "work_motion",
-             .unit = "N",
-             .long_name =
-                 "mean load that goes into motion of the ice and the water it carries; work over the distance towed",
-             .place = at<&MemberOutputs::work, &WorkShares::motion>(),
-             .least = no_least,
-             .since = 10},
-    Quantity{.key = "work_rest",
-             .unit = "N",
-             .long_name = "mean load that goes into what steps of finite length lose: the load less all other shares; "
-                          "work over the distance towed",
-             .place = at<&MemberOutputs::work, &WorkShares::rest>(),
-             .least = no_least,
-             .since = 10},
+    work_quantity("work_ice_friction",
+                  "work over the distance towed that goes into friction between floes and on ice sheets",
+                  at<&MemberOutputs::work, &WorkShares::ice_friction>()),
+    work_quantity("work_ice_crushing",
+                  "work over the distance towed that goes into crushing and stopping of floes by floes",
+                  at<&MemberOutputs::work, &WorkShares::ice_crushing>()),
+    work_quantity("work_hull_friction", "work over the distance towed that goes into friction on the structure",
+                  at<&MemberOutputs::work, &WorkShares::hull_friction>()),
+    work_quantity("work_hull_crushing",
+                  "work over the distance towed that goes into crushing and stopping of floes by the structure",
+                  at<&MemberOutputs::work, &WorkShares::hull_crushing>()),
+    work_quantity("work_vertical_drag", "work over the distance towed that goes into drag along the normals of the ice",
+                  at<&MemberOutputs::work, &WorkShares::vertical_drag>()),
+    work_quantity("work_plane_drag", "work over the distance towed that goes into form and skin drag",
+                  at<&MemberOutputs::work, &WorkShares::plane_drag>()),
+    work_quantity("work_waves", "work over the distance towed that goes into waves: linear damping of heave",
+                  at<&MemberOutputs::work, &WorkShares::waves>()),
+    work_quantity("work_joints",
+                  "work over the distance towed that goes into bending: damped, released where floes break, or stored",
+                  at<&MemberOutputs::work, &WorkShares::joints>()),
+    work_quantity(
+        "work_lifting",
+        "work over the distance towed that goes into lifting and pushing ice under, against weight and buoyancy",
+        at<&MemberOutputs::work, &WorkShares::lifting>()),
+    work_quantity("work_motion",
+                  "work over the distance towed that goes into motion of the ice and the water it carries",
+                  at<&MemberOutputs::work, &WorkShares::motion>()),
+    work_quantity(
+        "work_rest",
+        "work over the distance towed that goes into what steps of finite length lose: the load less all other shares",
+        at<&MemberOutputs::work, &WorkShares::rest>()),
     Quantity{.key = "local_order",
              .unit = "1",
              .long_name = "mean cosine of four times the difference in yaw between a floe and its four nearest, at the "

@@ -3,7 +3,7 @@
 source "$(dirname "$0")/common.sh"
 
 sed -i 's/^elastic_modulus_MPa = 30.0/cfm = 0.03/' campaign.toml
-SWEEPS=(--set general.solver=lanes --set joint.model=cfm)
+SWEEPS=(--set general.solver=lanes --set joint.model=cfm --set water.added_mass_from=share)
 COARSE=("${SWEEPS[@]}" --set floe.length_m=1.2 --set floe.element_m=0.6 --set field.floes=2 --set general.iterations=20
         --set campaign.arrangements=2 --set analysis.window_s=3.0)
 
