@@ -92,7 +92,6 @@ Section energy_section(Evidence& evidence) {
         return {fixed(sum, decimals), "100"};
     });
     return {
-        .title = "Work of the tow",
         .table = std::move(table),
         .after =
             "\nWhere the work of the tow goes, divided by the distance towed: together it is the mean load, but for "
