@@ -21,6 +21,17 @@ inline V3 gyroscopic_change(const M3& turn, const V3& angular_velocity, const V3
     return turn * (w - solve3(jacobian, residual)) - angular_velocity;
 }
 
+/// Force and torque on the bodies of a group; they are zero from then on.
+inline Motion forces_on(const LaneArrays& arrays, std::size_t group) {
+    const std::uint32_t* body = arrays.body_of_slot + group * lanes;
+    const auto at = [&](int lane) { return arrays.force + force_field::count * static_cast<std::size_t>(body[lane]); };
+    const Motion given = gather(at);
+    const Pack none{};
+    scatter(at, {{none, none, none}, given.inverse_mass, {none, none, none}});
+    const V3& f = given.velocity;
+    return {{f.x + none, f.y + given.inverse_mass, f.z + none}, none, given.angular_velocity};
+}
+
 void prepare_bodies(const LaneArrays& arrays, std::size_t groups, double time_step) {
     for (std::size_t i = 0; i < groups; ++i) {
         double* body = arrays.body + i * static_cast<std::size_t>(body_field::count * lanes);
@@ -47,10 +58,13 @@ void prepare_bodies(const LaneArrays& arrays, std::size_t groups, double time_st
                               moves ? 1.0 / inverse.z : zero};
         const V3 gyroscopic = gyroscopic_change(turn, angular_velocity, principal, time_step);
         const V3 turned = {moves ? gyroscopic.x : zero, moves ? gyroscopic.y : zero, moves ? gyroscopic.z : zero};
-        const V3 torque = inertia * load3(body, body_field::torque);
+        const Motion acting = forces_on(arrays, i);
+        store3(body, body_field::force, acting.velocity);
+        store3(body, body_field::torque, acting.angular_velocity);
+        const V3 torque = inertia * acting.angular_velocity;
         store3(body, body_field::start_angular_velocity, angular_velocity + (torque * (zero + time_step) + turned));
         store3(body, body_field::start_velocity,
-               load3(body, body_field::velocity) + load3(body, body_field::force) * (inverse_mass * time_step));
+               load3(body, body_field::velocity) + acting.velocity * (inverse_mass * time_step));
         store3(sweeping, sweep_field::velocity, {zero, zero, zero});
         store3(sweeping, sweep_field::angular_velocity, {zero, zero, zero});
     }
@@ -119,6 +133,35 @@ inline M3 turned(const M3& turn, const V3& angular_velocity, double time_step) {
     return matrix_of({axis * now.w + now.v * w + cross(axis, now.v), w * now.w - dot(axis, now.v)});
 }
 
+template <class Mask>
+inline V3 chosen(const Mask& mask, const V3& a, const V3& b) {
+    return {mask ? a.x : b.x, mask ? a.y : b.y, mask ? a.z : b.z};
+}
+
+template <class Mask>
+inline M3 chosen(const Mask& mask, const M3& a, const M3& b) {
+    return {chosen(mask, a.x, b.x), chosen(mask, a.y, b.y), chosen(mask, a.z, b.z)};
+}
+
+/// The motion of a group's bodies, each body's together.
+inline void write_motion(const LaneArrays& arrays, std::size_t group, const double* body, Pack way, Pack turn) {
+    const std::uint32_t* number = arrays.body_of_slot + group * lanes;
+    constexpr int known = body_field::angular_velocity + 3;
+#pragma GCC unroll 24
+    for (int part = 0; part < motion_numbers; part += lanes) {
+        Pack rows[lanes];
+#pragma GCC unroll 8
+        for (int i = 0; i < lanes; ++i) {
+            const int field = part + i;
+            rows[i] = field < known ? load(body, field) : field == known ? way : field == known + 1 ? turn : Pack{};
+        }
+        transpose(rows);
+#pragma GCC unroll 8
+        for (int lane = 0; lane < lanes; ++lane)
+            store(reinterpret_cast<double*>(arrays.motion + number[lane]) + part, 0, rows[lane]);
+    }
+}
+
 void advance_bodies(const LaneArrays& arrays, std::size_t groups, double time_step) {
     for (std::size_t i = 0; i < groups; ++i) {
         double* body = arrays.body + i * static_cast<std::size_t>(body_field::count * lanes);
@@ -127,12 +170,16 @@ void advance_bodies(const LaneArrays& arrays, std::size_t groups, double time_st
         const V3 angular_velocity =
             load3(body, body_field::start_angular_velocity) + load3(sweeping, sweep_field::angular_velocity);
         const V3 step = velocity * (velocity.x * 0.0 + time_step);
-        const M3 turn = turned(load_matrix(body, body_field::rotation), angular_velocity, time_step);
+        const M3 before = load_matrix(body, body_field::rotation);
+        const auto moves = load(sweeping, sweep_field::inverse_mass) > 0.0;
+        const M3 turn = chosen(moves, turned(before, angular_velocity, time_step), before);  // not even rounded anew
         store3(body, body_field::velocity, velocity);
         store3(body, body_field::angular_velocity, angular_velocity);
         store3(body, body_field::position, load3(body, body_field::position) + step);
         store3(body, body_field::rotation, {turn.x.x, turn.y.x, turn.z.x});
         store3(body, body_field::rotation + 3, {turn.x.y, turn.y.y, turn.z.y});
         store3(body, body_field::rotation + 6, {turn.x.z, turn.y.z, turn.z.z});
+        write_motion(arrays, i, body, square_root(dot(velocity, velocity)) * time_step,
+                     square_root(dot(angular_velocity, angular_velocity)) * time_step);
     }
 }

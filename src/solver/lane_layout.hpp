@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "solver/body_motion.hpp"
 #include "solver/contact_law.hpp"
 #include "solver/contact_layout.hpp"
 #include "solver/direct_layout.hpp"
@@ -18,7 +19,7 @@ inline constexpr int position = 0;
 inline constexpr int rotation = 3;
 inline constexpr int velocity = 12;
 inline constexpr int angular_velocity = 15;
-inline constexpr int force = 18;            ///< sum of applied forces, weight included
+inline constexpr int force = 18;            ///< sum of applied forces, weight included, of this step
 inline constexpr int torque = 21;           ///< about the centre of mass
 inline constexpr int inverse_inertia = 24;  ///< principal, own axes; 0 for a body that never moves
 inline constexpr int start_velocity = 27;   ///< velocity + what force does in the step
@@ -72,6 +73,14 @@ inline constexpr int scale = 6;  ///< s of the linear rows
 inline constexpr int count = 9;
 }  // namespace reaction_field
 
+/// What acts on a body in the coming step, by number of a body.
+namespace force_field {
+inline constexpr int force = 0;   ///< N
+inline constexpr int weight = 3;  ///< N, upwards, in every step
+inline constexpr int torque = 4;  ///< about the centre of mass, N m
+inline constexpr int count = 8;
+}  // namespace force_field
+
 /// `width` floes with the same elements and joints, side by side.
 struct LaneBlock {
     const std::int32_t* pairs;  ///< bodies a and b of every joint, counted within the block
@@ -90,20 +99,24 @@ struct LaneArrays {
     double* reaction;
     double* delta;  ///< velocity and angular velocity change per body slot, {v, inverse mass, w, 0}: the contacts' view
                     ///< of `sweep`, and a spare slot
+    double* force;  ///< by number of a body; a spare one for empty lanes
+    BodyMotion* motion;                 ///< likewise
+    const std::uint32_t* body_of_slot;  ///< its number
 };
 
 /// The kernels of one lane width. Every width gives the same bits.
 struct LaneKernels {
     int width;
     int turns;  ///< of a pack of contacts, at most
-    /// body groups [0, groups): world inertia, start velocities, changes set to zero.
+    /// body groups [0, groups): world inertia, start velocities, changes set to zero; forces, which are used up.
     void (*prepare_bodies)(const LaneArrays&, std::size_t groups, double time_step);
     /// Frames, joint error, rows and right-hand sides of a block.
     void (*prepare_joints)(const LaneArrays&, const LaneBlock&, double time_step);
     /// `sweeps` Gauss-Seidel sweeps over the joints of each block.
     void (*sweep)(const LaneArrays&, const LaneBlock* blocks, std::size_t count, int sweeps);
     void (*reactions)(const LaneArrays&, const LaneBlock&, double time_step);
-    /// body groups [0, groups): velocity and angular velocity at the end of the step, and the pose they lead to.
+    /// body groups [0, groups): velocity and angular velocity at the end of the step, and the pose they lead to; also
+    /// into `motion`.
     void (*advance_bodies)(const LaneArrays&, std::size_t groups, double time_step);
     /// sweep -> delta and back, for some body groups.
     void (*to_contacts)(const LaneArrays&, const std::uint32_t* groups, std::size_t count);

@@ -24,7 +24,8 @@ void get(const double* lane, int width, int field, std::array<double, count>& va
 }  // namespace
 
 LaneArrays LaneSystem::arrays() {
-    return {body_.data(), sweep_.data(), frame_.data(), row_.data(), reaction_.data(), delta_.data()};
+    return {body_.data(),  sweep_.data(), frame_.data(),  row_.data(),         reaction_.data(),
+            delta_.data(), force_.data(), motion_.data(), body_of_slot_.data()};
 }
 
 void LaneSystem::remove_joint(std::size_t joint) {
@@ -65,22 +66,42 @@ void LaneSystem::set_state(std::size_t body, const SolverState& state) {
     put(to, width(), body_field::rotation, state.rotation);
     put(to, width(), body_field::velocity, state.velocity);
     put(to, width(), body_field::angular_velocity, state.angular_velocity);
+    BodyMotion& motion = motion_[body];
+    std::ranges::copy(state.position, motion.position);
+    std::ranges::copy(state.rotation, motion.rotation);
+    std::ranges::copy(state.velocity, motion.velocity);
+    std::ranges::copy(state.angular_velocity, motion.angular_velocity);
 }
 
-void LaneSystem::set_force(std::size_t body, const std::array<double, 3>& force, const std::array<double, 3>& torque) {
-    double* to = body_.data() + place(slot_of_body_[body], body_field::count, 0, width());
-    put(to, width(), body_field::force, force);
-    put(to, width(), body_field::torque, torque);
+void LaneSystem::add_force(std::size_t body, const std::array<double, 3>& force, const std::array<double, 3>& torque) {
+    double* to = force_.data() + body * force_field::count;
+    for (std::size_t i = 0; i < 3; ++i) {
+        to[force_field::force + i] += force[i];
+        to[force_field::torque + i] += torque[i];
+    }
 }
 
 SolverState LaneSystem::state(std::size_t body) const {
-    const double* from = body_.data() + place(slot_of_body_[body], body_field::count, 0, width());
+    const BodyMotion& motion = motion_[body];
     SolverState state;
-    get(from, width(), body_field::position, state.position);
-    get(from, width(), body_field::rotation, state.rotation);
-    get(from, width(), body_field::velocity, state.velocity);
-    get(from, width(), body_field::angular_velocity, state.angular_velocity);
+    std::copy_n(motion.position, 3, state.position.begin());
+    std::copy_n(motion.rotation, 9, state.rotation.begin());
+    std::copy_n(motion.velocity, 3, state.velocity.begin());
+    std::copy_n(motion.angular_velocity, 3, state.angular_velocity.begin());
     return state;
+}
+
+void LaneSystem::take_over(const LaneSystem& other) {
+    for (std::size_t i = 0; i < other.body_count(); ++i) {
+        set_state(i, other.state(i));
+        motion_[i].way = other.motion_[i].way;
+        motion_[i].turn = other.motion_[i].turn;
+        const double* from = other.force_.data() + i * force_field::count;
+        double* to = force_.data() + i * force_field::count;
+        for (int field = 0; field < force_field::count; ++field) {
+            if (field != force_field::weight) to[field] = from[field];
+        }
+    }
 }
 
 void LaneSystem::advance() {

@@ -4,7 +4,7 @@
 // Coulomb's cone in place of that and edges that crush; each floe's rows are solved in the order in which its joints
 // are given. Or joints are solved exactly, and only contacts are iterated. A step reads:
 //
-//   system.set_force(body, force, torque);         // every body; set_state for those that something else moves
+//   system.add_force(body, force, torque);         // and set_state for bodies that something else moves
 //   system.prepare(time_step);
 //   system.solve(contacts, law, iterations);       // contacts in the order in which they are to be solved
 //   system.advance();
@@ -45,8 +45,14 @@ class LaneSystem {
 
     void set_state(std::size_t body, const SolverState& state);
 
-    /// For the coming step, weight included; the torque is about the centre of mass.
-    void set_force(std::size_t body, const std::array<double, 3>& force, const std::array<double, 3>& torque);
+    /// Adds up until the coming step; the torque is about the centre of mass.
+    void add_force(std::size_t body, const std::array<double, 3>& force, const std::array<double, 3>& torque);
+
+    /// Of all bodies as they are now.
+    const BodyMotion* motions() const { return motion_.data(); }
+
+    /// Takes over the motions and the forces added so far from a system of the first of these bodies.
+    void take_over(const LaneSystem& other);
 
     /// From the coming step on. Throws RunError where joints are not solved directly.
     void set_water(std::size_t body, const CarriedWater& water);
@@ -93,7 +99,9 @@ class LaneSystem {
     std::vector<LaneBlock> free_blocks_;                       ///< with joints, no contact
     std::size_t body_groups_ = 0;
     double time_step_ = 0;
-    AlignedArray<double> body_, sweep_, frame_, row_, reaction_, delta_;
+    AlignedArray<double> body_, sweep_, frame_, row_, reaction_, delta_, force_;
+    AlignedArray<BodyMotion> motion_;
+    std::vector<std::uint32_t> body_of_slot_;
     ContactRows contact_rows_;
     std::optional<DirectFloes> direct_;  ///< where joints are solved exactly
     DirectContacts direct_contacts_;

@@ -112,6 +112,10 @@ void LaneSystem::make_arrays(std::size_t joint_groups) {
     body_ = AlignedArray<double>(body_groups_ * lanes * body_field::count);
     sweep_ = AlignedArray<double>(body_groups_ * lanes * sweep_field::count);
     delta_ = AlignedArray<double>((body_groups_ * lanes + 1) * 8);
+    force_ = AlignedArray<double>((slot_of_body_.size() + 1) * force_field::count);
+    motion_ = AlignedArray<BodyMotion>(slot_of_body_.size() + 1);
+    body_of_slot_.assign(body_groups_ * lanes, static_cast<std::uint32_t>(slot_of_body_.size()));
+    for (std::uint32_t body = 0; body < slot_of_body_.size(); ++body) body_of_slot_[slot_of_body_[body]] = body;
     frame_ = AlignedArray<double>(joint_groups * lanes * frame_field::count);
     row_ = AlignedArray<double>(joint_groups * lanes * row_field::count);
     reaction_ = AlignedArray<double>(joint_groups * lanes * reaction_field::count);
@@ -136,6 +140,8 @@ void LaneSystem::fill(std::span<const SolverBody> bodies, std::span<const Solver
             put(body_field::half_extent + k, bodies[i].half_extent[static_cast<std::size_t>(k)]);
         }
         put(body_field::crushing_pressure, bodies[i].crushing_pressure);
+        force_[i * force_field::count + force_field::weight] = bodies[i].weight;
+        set_state(i, {});
     }
     for (std::size_t i = 0; i < joints.size(); ++i) {
         fill(slot_of_joint_[i], joints[i]);

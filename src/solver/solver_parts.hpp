@@ -16,6 +16,7 @@ struct SolverBody {
     std::array<double, 3> inverse_inertia{};  ///< principal, about its own axes, 1/(kg m²)
     std::array<double, 3> half_extent{};      ///< of a box, own axes, m; 0: flat and unbounded, where ice crushes on it
     double crushing_pressure = 0;             ///< Pa, of its edges, above 0; 0: that of the contact law
+    double weight = 0;                        ///< N, upwards, in every step
     CarriedWater water{};                     ///< where joints are solved directly
 };
 

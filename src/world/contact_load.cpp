@@ -4,6 +4,13 @@
 #include "world/piece_dispatcher.hpp"
 
 namespace floes {
+namespace {
+
+Vec3 vector_of(const std::array<double, 3>& v) {
+    return {v[0], v[1], v[2]};
+}
+
+}  // namespace
 
 Vec3 contact_load(std::span<btPersistentManifold* const> manifolds, const btCollisionObject* body, double time_step) {
     btVector3 impulse(0, 0, 0);
@@ -35,6 +42,32 @@ void read_contact_forces(std::span<btPersistentManifold* const> manifolds, const
                  .normal = from_bullet(point.m_normalWorldOnB * (point.m_appliedImpulse / time_step)),
                  .friction = from_bullet(point.m_lateralFrictionDir1 * (point.m_appliedImpulseLateral1 / time_step))});
         }
+    }
+}
+
+Vec3 contact_load(std::span<const SolverContact> contacts, BodyId body, double time_step) {
+    Vec3 impulse = Vec3::Zero();
+    for (const SolverContact& contact : contacts) {
+        const double side = contact.a == body.index() ? 1.0 : contact.b == body.index() ? -1.0 : 0.0;
+        if (side == 0.0) continue;
+        const Vec3 on_a =
+            vector_of(contact.normal) * contact.impulse + vector_of(contact.slide) * contact.friction_impulse;
+        impulse += side * on_a;
+    }
+    return impulse / time_step;
+}
+
+void read_contact_forces(std::span<const SolverContact> contacts, std::optional<BodyId> body, double time_step,
+                         std::vector<ContactForce>& found) {
+    found.clear();
+    for (const SolverContact& contact : contacts) {
+        if (body && contact.a != body->index() && contact.b != body->index()) continue;
+        if (contact.impulse == 0 && contact.friction_impulse == 0) continue;
+        found.push_back({.a = BodyId(contact.a),
+                         .b = BodyId(contact.b),
+                         .point = (vector_of(contact.on_a) + vector_of(contact.on_b)) / 2,
+                         .normal = vector_of(contact.normal) * (contact.impulse / time_step),
+                         .friction = vector_of(contact.slide) * (contact.friction_impulse / time_step)});
     }
 }
 

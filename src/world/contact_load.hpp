@@ -3,10 +3,12 @@
 
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/vector.hpp"
+#include "solver/solver_contact.hpp"
 #include "world/state.hpp"
 
 namespace floes {
@@ -19,5 +21,10 @@ Vec3 contact_load(std::span<btPersistentManifold* const> manifolds, const btColl
 /// given order; needs what contact_load() needs. Positions and forces in the units that the world computes in.
 void read_contact_forces(std::span<btPersistentManifold* const> manifolds, const btCollisionObject* body,
                          double time_step, std::vector<ContactForce>& found);
+
+/// The same of contacts as the lane solver leaves them.
+Vec3 contact_load(std::span<const SolverContact> contacts, BodyId body, double time_step);
+void read_contact_forces(std::span<const SolverContact> contacts, std::optional<BodyId> body, double time_step,
+                         std::vector<ContactForce>& found);
 
 }  // namespace floes

@@ -1,76 +1,131 @@
 #pragma once
-// Bullet's constraint solver replaced by ours (solver/lane_system.hpp): joints are not Bullet's at all, contacts come
-// as Bullet's manifolds and get their impulses back. Only for files inside this room.
+// A World's step without Bullet's world: boxes meet boxes (collision/box_contacts.hpp), Bullet finds where they meet
+// the structure (world/structure_contacts.hpp), and our solver does the rest (solver/lane_system.hpp). It alone knows
+// where bodies are and how they move; Bullet's bodies are what it was told about them. Only for files inside this room.
 
-#include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
 
+#include <deque>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "collision/box_contacts.hpp"
 #include "solver/lane_system.hpp"
 #include "world/definitions.hpp"
 #include "world/state.hpp"
+#include "world/structure_contacts.hpp"
 
 namespace floes {
 
-class LaneSolver final : public btSequentialImpulseConstraintSolver {
+class LaneSolver {
   public:
-    /// law: of all contacts; the coefficients of friction come with each. lanes: floes side by side at most, one of
-    /// lane_widths(); 0: as many as the processor has. solver: lanes or direct.
-    LaneSolver(const ContactLaw& law, int lanes, SolverKind solver);
+    /// definition: lanes: floes side by side at most, one of lane_widths(); 0: as many as the processor has.
+    LaneSolver(const WorldDefinition& definition, btCollisionDispatcher& dispatcher, const btDispatcherInfo& info);
 
     /// Bodies are numbered from 0 in the order in which they are added. crushing_pressure: Pa; 0: that of the law.
-    void add_body(double crushing_pressure) {
-        crushing_pressures_.push_back(crushing_pressure);
-        waters_.emplace_back();
-    }
+    void add_body(const btRigidBody& body, int piece, double crushing_pressure);
 
-    /// Water that the body carries from the next solve on; with the direct solver only.
+    /// The body that is moved from outside, by number.
+    void set_structure(std::size_t body) { structure_ = body; }
+
+    /// Water that the body carries from the next step on; with the direct solver only.
     void set_water(std::size_t body, const CarriedWater& water);
 
     /// Joints are numbered from 0 in the order in which they are added, and solved in that order within a floe.
     void add_joint(const JointDefinition& definition, const btRigidBody& a, const btRigidBody& b);
     void remove_joint(std::size_t joint);
 
-    /// A body fell asleep or woke: from the next solve on. Bodies that sleep (Bullet's isActive is false) are fixed in
-    /// place, and their joints are left out.
-    void lay_out_anew() { stale_ = true; }
+    /// From the next step on.
+    void set_piece(std::size_t body, int piece) { boxes_.set_piece(static_cast<std::uint32_t>(body), piece); }
 
-    /// Tells the solver a pose and velocity of the body that it did not compute itself.
-    void place(std::size_t body, const btRigidBody& state);
+    /// From the next step on. Bodies that sleep are fixed in place, and their joints are left out.
+    void set_asleep(std::size_t body, bool asleep);
 
-    /// Of the last solve; zero before it and after removal.
+    /// Sleeping bodies that an awake one or the structure touched in the last step, in the order of the contacts.
+    std::vector<BodyId> touched_asleep() const;
+
+    /// Tells the solver a pose and velocity of the body that it did not compute itself; contacts begin anew.
+    void place(std::size_t body, const SolverState& state);
+
+    /// Adds up until the coming step; the moment is about the centre of mass.
+    void apply(std::size_t body, const Wrench& wrench);
+
+    /// One step of all bodies; the structure's is where it is at the end of it.
+    void step(std::deque<btRigidBody>& bodies);
+
+    BodyState state(std::size_t body) const;
+
+    /// Of the last step; zero before it and after removal.
     JointReaction reaction(std::size_t joint) const;
 
-    /// Solves, and moves the bodies to the end of the step. bodies: all of the world, each at the place of its id;
-    /// their pose and velocity are read once, from then on only the force (weight apart) and what kinematic bodies do.
-    /// Bullet's own joints are not solved.
-    btScalar solveGroup(btCollisionObject** bodies, int body_count, btPersistentManifold** manifolds,
-                        int manifold_count, btTypedConstraint** joints, int joint_count,
-                        const btContactSolverInfo& info, btIDebugDraw* draw, btDispatcher* dispatcher) override;
+    /// What was solved in the last step, with impulses, in the order of the solve.
+    std::span<const SolverContact> contacts() const { return contacts_; }
 
   private:
-    bool in_system(std::size_t joint) const;
-    void lay_out(std::span<btCollisionObject* const> bodies);
-    void read_forces(std::span<btCollisionObject* const> bodies);
-    void read_contacts(std::span<btPersistentManifold* const> manifolds, const btContactSolverInfo& info);
-    void write_contacts(std::span<btPersistentManifold* const> manifolds) const;
-    void push_apart(std::span<btCollisionObject* const> bodies, const btContactSolverInfo& info);
-    void write_bodies(std::span<btCollisionObject* const> bodies) const;
+    struct Body {
+        SolverBody parts;  ///< awake
+        SolverState start;
+        double friction = 0;
+        bool asleep = false;
+    };
 
-    ContactLaw law_;
+    /// Where a contact of the solve came from: a point of two boxes, or one of Bullet's with the structure.
+    struct Source {
+        TouchingPoint* box;
+        btManifoldPoint* structure;
+    };
+
+    bool cone() const { return definition_.contact.friction == Friction::cone; }
+    bool acts(double distance) const;
+    bool in_system(std::size_t joint) const;
+    bool in_system_body(std::size_t body) const { return system_ && body < system_->body_count(); }
+    bool moves(std::uint32_t body) const { return bodies_[body].parts.inverse_mass > 0 && !bodies_[body].asleep; }
+    void lay_out();
+    template <class Self, class Visit>
+    static void for_each_touching(Self& self, const Visit& visit);
+    void read_contacts();
+    void read(std::uint32_t a, std::uint32_t b, bool solvable, TouchingPoints& points);
+    void read(std::uint32_t a, std::uint32_t b, bool solvable, btPersistentManifold& manifold);
+    void write_contacts();
+    void push_apart();
+
+    WorldDefinition definition_;
     int width_;
-    SolverKind solver_;
-    std::vector<double> crushing_pressures_;  ///< by body
-    std::vector<CarriedWater> waters_;        ///< likewise
+    std::vector<Body> bodies_;
     std::vector<SolverJoint> joints_;
     std::vector<bool> removed_;
+    std::optional<std::size_t> structure_;
+    BoxContacts boxes_;
+    StructureContacts structure_contacts_;
     std::optional<LaneSystem> system_;          ///< of the bodies and joints there were when it was laid out
     std::vector<std::size_t> joint_in_system_;  ///< of every joint; not_in_system while its floe sleeps
     bool stale_ = true;                         ///< bodies, joints or who sleeps have changed since then
     std::vector<SolverContact> contacts_;
-    std::vector<SolverContact> last_;  ///< of the solve before, for the friction that the cone starts from
+    std::vector<SolverContact> last_;  ///< of the solve before, for the friction of the structure's points
+    std::vector<Source> sources_;      ///< of the contacts, while they are solved
 };
+
+/// Calls visit(a, b, points) for every two bodies with points, rising by (a, b): the order of the solve.
+template <class Self, class Visit>
+void LaneSolver::for_each_touching(Self& self, const Visit& visit) {
+    const std::span<btPersistentManifold* const> structure = self.structure_contacts_.touching();
+    auto next = structure.begin();
+    const auto visit_structure = [&](std::pair<std::uint32_t, std::uint32_t> before) {
+        for (; next != structure.end(); ++next) {
+            const auto a = static_cast<std::uint32_t>((*next)->getBody0()->getUserIndex());
+            const auto b = static_cast<std::uint32_t>((*next)->getBody1()->getUserIndex());
+            if (std::pair(a, b) >= before) return;
+            visit(a, b, **next);
+        }
+    };
+    for (const BoxContacts::Pair& pair : self.boxes_.touching()) {
+        visit_structure({pair.a, pair.b});
+        visit(pair.a, pair.b, self.boxes_.points(pair));
+    }
+    visit_structure({~0U, ~0U});
+}
 
 }  // namespace floes

@@ -33,13 +33,6 @@ void OrderedDynamicsWorld::collect_manifolds() {
     for (const Entry& entry : entries_) manifolds_.push_back(entry.manifold);
 }
 
-void OrderedDynamicsWorld::detect_and_solve(double time_step) {
-    getDispatchInfo().m_timeStep = time_step;
-    performDiscreteCollisionDetection();
-    getSolverInfo().m_timeStep = time_step;
-    solveConstraints(getSolverInfo());
-}
-
 void OrderedDynamicsWorld::solveConstraints(btContactSolverInfo& info) {
     collect_manifolds();
     const int joints = m_constraints.size();

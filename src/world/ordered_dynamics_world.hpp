@@ -21,9 +21,6 @@ class OrderedDynamicsWorld final : public btDiscreteDynamicsWorld {
     /// Takes the joint out and keeps the order of the others (removeConstraint puts the last in its place).
     void remove_in_order(btTypedConstraint* joint);
 
-    /// A step for a solver that moves the bodies itself (LaneSolver): collision detection and solve, nothing else.
-    void detect_and_solve(double time_step);
-
     /// The contact manifolds of the last solve in their order. Valid until the next step.
     std::span<btPersistentManifold* const> solved_manifolds() const { return manifolds_; }
 

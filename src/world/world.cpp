@@ -12,7 +12,6 @@
 #include <limits>
 #include <optional>
 #include <ranges>
-#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
@@ -26,6 +25,7 @@
 #include "world/ordered_dynamics_world.hpp"
 #include "world/piece_dispatcher.hpp"
 #include "world/solid_shape.hpp"
+#include "world/solver_state.hpp"
 
 namespace floes {
 
@@ -54,9 +54,8 @@ class World::Bullet {
         world.setGravity({0, -definition.gravity, 0});
         world.setForceUpdateAllAabbs(false);  // fixed boxes do not move
         if (definition.solver != SolverKind::stock) {
-            world.setConstraintSolver(&lanes.emplace(definition.contact, definition.lanes, definition.solver));
-            dispatcher.pass_over_distant_pairs();
-            world.getDispatchInfo().m_useContinuous = false;  // nothing swept: AABBs have a margin of 0.02
+            world.getDispatchInfo().m_useContinuous = false;  // nothing swept
+            lanes.emplace(definition, dispatcher, world.getDispatchInfo());
         }
     }
 
@@ -94,10 +93,12 @@ class World::Bullet {
         added.setCollisionFlags(added.getCollisionFlags() | flags);
         added.setActivationState(DISABLE_DEACTIVATION);  // floes as slow as the tow would fall asleep
         added.setUserIndex(static_cast<int>(id.index()));
-        world.addRigidBody(&added);
-        assign_piece(added, piece);
-        if (lanes) lanes->add_body(crushing_pressure);
-        if (mass > 0) dispatcher.allow_for(shape->getContactBreakingThreshold(gContactBreakingThreshold));
+        if (lanes) {
+            lanes->add_body(added, piece, crushing_pressure);
+        } else {
+            world.addRigidBody(&added);
+            added.setUserIndex2(piece);
+        }
         return id;
     }
 
@@ -113,16 +114,17 @@ class World::Bullet {
     btDefaultCollisionConfiguration configuration;
     PieceDispatcher dispatcher{&configuration};
     btDbvtBroadphase broadphase;
-    std::optional<LaneSolver> lanes;  // owns the joints when present
     btSequentialImpulseConstraintSolver stock;
     std::deque<Box> boxes;
     std::deque<SolidShape> solids;
     std::optional<btCompoundShape> structure_shape;
-    std::deque<btRigidBody> bodies;
+    std::deque<btRigidBody> bodies;  // of the stock solver in the world; otherwise as they were added, apart from those
+                                     // that the structure is near
     std::optional<BodyId> structure;
     std::size_t joint_count = 0;
     std::vector<std::unique_ptr<FixedJoint>> joints;  // of the stock solver; null once removed
-    OrderedDynamicsWorld world{&dispatcher, &broadphase, &stock, &configuration};
+    OrderedDynamicsWorld world{&dispatcher, &broadphase, &stock, &configuration};  // empty where there are lanes
+    std::optional<LaneSolver> lanes;                                               // computes the step when present
 };
 
 World::World(const WorldDefinition& definition) {
@@ -158,6 +160,7 @@ BodyId World::add_structure(std::span<const ConvexSolid> solids, const Vec3& pos
     bullet_->structure = bullet_->add_body(&*bullet_->structure_shape, 0, pose, bullet_->friction.structure, no_piece,
                                            btCollisionObject::CF_KINEMATIC_OBJECT,
                                            std::numeric_limits<double>::infinity());  // it does not crush
+    if (bullet_->lanes) bullet_->lanes->set_structure(bullet_->structure->index());
     return *bullet_->structure;
 }
 
@@ -186,7 +189,10 @@ void World::remove_joint(JointId joint) {
 }
 
 void World::set_piece(BodyId body, int piece) {
-    assign_piece(bullet_->body(body), piece);
+    if (bullet_->lanes)
+        bullet_->lanes->set_piece(body.index(), piece);
+    else
+        bullet_->body(body).setUserIndex2(piece);
 }
 
 void World::set_water(BodyId body, const CarriedWater& given) {
@@ -196,22 +202,11 @@ void World::set_water(BodyId body, const CarriedWater& given) {
 
 void World::set_asleep(BodyId body, bool asleep) {
     check_sleep(bullet_->definition.solver);
-    btRigidBody& changed = bullet_->body(body);
-    bullet_->world.updateSingleAabb(&changed);  // from now on Bullet leaves its box alone; a new one has no margin yet
-    changed.forceActivationState(asleep ? ISLAND_SLEEPING : DISABLE_DEACTIVATION);
-    bullet_->lanes->lay_out_anew();
+    bullet_->lanes->set_asleep(body.index(), asleep);
 }
 
 std::vector<BodyId> World::touched_asleep() const {
-    std::vector<BodyId> touched;
-    for (const btPersistentManifold* manifold : bullet_->world.solved_manifolds()) {
-        const btCollisionObject* a = manifold->getBody0();
-        const btCollisionObject* b = manifold->getBody1();
-        if (a->isActive() == b->isActive()) continue;
-        if (a->isActive()) std::swap(a, b);
-        if (!b->isStaticObject()) touched.emplace_back(static_cast<std::size_t>(body_id_of(*a)));
-    }
-    return touched;
+    return bullet_->lanes ? bullet_->lanes->touched_asleep() : std::vector<BodyId>{};
 }
 
 void World::place(BodyId body, const BodyState& given) {
@@ -225,12 +220,15 @@ void World::place(BodyId body, const BodyState& given) {
     placed.setInterpolationLinearVelocity(placed.getLinearVelocity());
     placed.setInterpolationAngularVelocity(placed.getAngularVelocity());
     placed.updateInertiaTensor();
+    if (bullet_->lanes) {
+        bullet_->lanes->place(body.index(), state_of(placed));
+        return;
+    }
     if (bullet_->dispatcher.getNumManifolds() > 0) {  // contacts: there are none before the first step
         bullet_->broadphase.getOverlappingPairCache()->cleanProxyFromPairs(placed.getBroadphaseHandle(),
                                                                            &bullet_->dispatcher);
     }
     bullet_->world.updateSingleAabb(&placed);
-    if (bullet_->lanes) bullet_->lanes->place(body.index(), placed);
 }
 
 void World::move_structure(const Vec3& position) {
@@ -240,8 +238,12 @@ void World::move_structure(const Vec3& position) {
 }
 
 void World::apply(BodyId body, const Wrench& given) {
-    btRigidBody& target = bullet_->body(body);
     const Wrench wrench = bullet_->units.to_own(given);
+    if (bullet_->lanes) {
+        bullet_->lanes->apply(body.index(), wrench);
+        return;
+    }
+    btRigidBody& target = bullet_->body(body);
     target.applyCentralForce(to_bullet(wrench.force));
     target.applyTorque(to_bullet(wrench.moment));
 }
@@ -253,11 +255,12 @@ void World::step() {
         return;
     }
     if (bullet_->structure) bullet_->body(*bullet_->structure).saveKinematicState(time_step);
-    bullet_->world.detect_and_solve(time_step);
+    bullet_->lanes->step(bullet_->bodies);
 }
 
 BodyState World::state(BodyId body) const {
     const btRigidBody& source = bullet_->body(body);
+    if (bullet_->lanes && source.getInvMass() > 0) return bullet_->units.to_si(bullet_->lanes->state(body.index()));
     const btTransform& transform = source.getWorldTransform();
     return bullet_->units.to_si({.position = from_bullet(transform.getOrigin()),
                                  .rotation = from_bullet(transform.getBasis()),
@@ -272,12 +275,18 @@ JointReaction World::reaction(JointId joint) const {
 }
 
 Vec3 World::contact_force(BodyId body) const {
-    return contact_load(bullet_->world.solved_manifolds(), &bullet_->body(body), bullet_->definition.time_step);
+    const double time_step = bullet_->definition.time_step;
+    if (bullet_->lanes) return contact_load(bullet_->lanes->contacts(), body, time_step);
+    return contact_load(bullet_->world.solved_manifolds(), &bullet_->body(body), time_step);
 }
 
 void World::read_contacts(std::vector<ContactForce>& found, std::optional<BodyId> of) const {
-    read_contact_forces(bullet_->world.solved_manifolds(), of ? &bullet_->body(*of) : nullptr,
-                        bullet_->definition.time_step, found);
+    const double time_step = bullet_->definition.time_step;
+    if (bullet_->lanes) {
+        read_contact_forces(bullet_->lanes->contacts(), of, time_step, found);
+    } else {
+        read_contact_forces(bullet_->world.solved_manifolds(), of ? &bullet_->body(*of) : nullptr, time_step, found);
+    }
     for (ContactForce& one : found) one.point = bullet_->units.to_si(one.point);
 }
 

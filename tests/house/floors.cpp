@@ -23,6 +23,7 @@ const std::vector<Room>& rooms() {
         {1, "solver", "Eigen", "src"},
         {1, "structure", "", "src"},
         {2, "scenario", "", "src"},
+        {2, "collision", "", "src"},
         {3, "arrangement", "", "src"},
         {3, "water", "", "src"},
         {3, "statistics", "Boost", "src"},

@@ -136,7 +136,7 @@ LaneSystem BulletScene::lane_system(int width) const {
         const btTransform& pose = body.getWorldTransform();
         system.set_state(i, {array_of(pose.getOrigin()), rows_of(pose.getBasis()), array_of(body.getLinearVelocity()),
                              array_of(body.getAngularVelocity())});
-        system.set_force(i, array_of(body.getTotalForce()), array_of(body.getTotalTorque()));
+        system.add_force(i, array_of(body.getTotalForce()), array_of(body.getTotalTorque()));
     }
     system.prepare(time_step);
     return system;
