@@ -26,7 +26,13 @@ LATE = ["TowStep/stock/late"] + [f"TowStep/lanes/late{law}" for law in LAWS] + [
 STEEP = ["TowStep/stock/late_steep"] + [f"TowStep/lanes/late_steep{law}" for law in LAWS]
 EARLY = ["TowStep/stock/early", "TowStep/lanes/early"]
 MEMBERS = ["Member/stock", "Member/lanes"] + [f"Member/lanes/wake:{radius}" for radius in (6, 4, 3, 2)]
-COUNTED = LATE[:-2] + STEEP + EARLY  # the instructions of a step
+# The physical preset: over lanes with 50 sweeps; Bullet's own solver has neither its cone nor its crushing.
+PHYSICAL = [[f"TowStep/lanes/{scene}_cone_crushing", f"TowStep/direct/{scene}_cone_crushing_20",
+             f"TowStep/direct/{scene}_physical"] for scene in ("late", "late_steep")]
+PHYSICAL += [["TowStep/lanes/early_physical", "TowStep/direct/early_physical"]]
+PHYSICAL_MEMBERS = ["Member/lanes_physical", "Member/direct_physical"]
+FIELD = ["Size/floes:2000", "Size/direct/floes:2000"]
+COUNTED = LATE[:-2] + STEEP + EARLY + [name for group in PHYSICAL for name in group if "direct" in name]
 WARM_UP = 5  # steps that callgrind counts too
 MARKS = ("<!-- paired: ./floes bench -->", "<!-- end -->")
 
@@ -66,9 +72,9 @@ def parser(about):
     return made
 
 
-def table(times, counts):
-    lines = ["| benchmark | CPU ms | instructions/step | time of stock over it (range of rounds) |", "|---|---|---|---|"]
-    for group in (LATE, STEEP, EARLY, MEMBERS):
+def table(times, counts, first, groups):
+    lines = [f"| benchmark | CPU ms | instructions/step | time of {first} over it (range of rounds) |", "|---|---|---|---|"]
+    for group in groups:
         for name in group:
             ratios = [a / b for a, b in zip(times[group[0]], times[name])]
             ratio = ratio_text(ratios)
@@ -94,11 +100,13 @@ def main():
 
     load = os.getloadavg()[0]
     times = turns(program, LATE + STEEP + EARLY, options.rounds, 50)
-    times |= turns(program, MEMBERS, max(1, options.rounds // 3), 1)
+    times |= turns(program, sorted({name for group in PHYSICAL for name in group} - set(times)), options.rounds, 50)
+    times |= turns(program, MEMBERS + PHYSICAL_MEMBERS + FIELD, max(1, options.rounds // 3), 1)
     counts = {name: instructions(program, name) for name in COUNTED}
     together = side_by_side.measure(os.path.join(options.folder, "floes_throughput"), max(1, options.rounds - 2), 200)
 
-    text = table(times, counts)
+    text = table(times, counts, "stock", (LATE, STEEP, EARLY, MEMBERS))
+    text += "\n" + table(times, counts, "lanes", (*PHYSICAL, PHYSICAL_MEMBERS, FIELD))
     text += f"\nLoad average before: {load:.1f}; {os.cpu_count()} CPUs; {options.rounds} rounds of 50 steps, " \
             f"{len(times[MEMBERS[0]])} of members.\nTwo threads over two processes, throughput: "
     text += ", ".join(f"{what} {statistics.median(values):.3f} ({min(values):.3f} to {max(values):.3f})"

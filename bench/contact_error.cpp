@@ -30,6 +30,7 @@ Course course(SolverKind solver, const bench::Scene& scene, int iterations) {
     Scenario scenario = bench::tow_scenario(solver, scene.wall);
     scenario.contact = with_preset({}, ContactPreset::physical);
     scenario.general.iterations = iterations;
+    scenario.general.tolerance = 0;
     Simulation simulation(scenario, floes_at(scenario, scene.poses), scene.state);
     Course found;
     for (int i = 0; i < steps; ++i) {

@@ -29,7 +29,10 @@ void tow_step(benchmark::State& state, SolverKind solver, Scene (*make_scene)(),
     const Scene scene = make_scene();
     Scenario scenario = tow_scenario(solver, scene.wall);
     scenario.contact = law;
-    if (iterations > 0) scenario.general.iterations = iterations;
+    if (iterations > 0) {
+        scenario.general.iterations = iterations;
+        scenario.general.tolerance = 0;
+    }
     Simulation simulation(scenario, floes_at(scenario, scene.poses), scene.state);
     for (int i = 0; i < warm_up; ++i) simulation.step();
     for (auto _ : state) simulation.step();
@@ -102,6 +105,10 @@ void add_all(int steps) {
         add(fmt::format("TowStep/direct/late_steep_cone_crushing_{}", iterations), tow_step, SolverKind::direct,
             late_steep_scene, physical, iterations);
     }
+    add("TowStep/direct/late_physical", tow_step, SolverKind::direct, late_scene, physical, 0);
+    add("TowStep/direct/late_steep_physical", tow_step, SolverKind::direct, late_steep_scene, physical, 0);
+    add("TowStep/direct/early_physical", tow_step, SolverKind::direct, early_scene, physical, 0);
+    add("TowStep/lanes/early_physical", tow_step, SolverKind::lanes, early_scene, physical, 0);
     add("Peer/bullet/late", peer_step, make_bullet, late_scene);
     add("Peer/ode/late", peer_step, make_ode, late_scene);
     const auto add_member = [](const std::string& name, SolverKind solver, double wake_radius, ContactLaw law = {}) {

@@ -64,6 +64,7 @@ void choose_solver(Scenario& scenario, SolverKind solver) {
     if (solver != SolverKind::direct) return;
     scenario.joint.model = JointModel::beam;
     scenario.general.iterations = direct_iterations;
+    scenario.general.tolerance = General{}.tolerance;
 }
 
 Scenario tow_scenario(SolverKind solver, Wall wall) {

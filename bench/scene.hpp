@@ -21,7 +21,7 @@ Wall wall_named(std::string_view name);
 /// Sweeps over contacts that an ensemble needs of the direct solver: docs/convergence.md.
 inline constexpr int direct_iterations = 20;
 
-/// The solver, and for the direct one beam joints and its iterations.
+/// The solver, and for the direct one beam joints, its iterations and its tolerance.
 void choose_solver(Scenario& scenario, SolverKind solver);
 
 /// The default scenario, but with the given wall and the structure 0.2 m before the ice: a tow that needs no run-up.

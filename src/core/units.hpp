@@ -6,6 +6,7 @@
 namespace floes::unit {
 
 inline constexpr double one = 1.0;
+inline constexpr double millimetre = 1e-3;
 inline constexpr double kilopascal = 1e3;
 inline constexpr double megapascal = 1e6;
 inline constexpr double percent = 0.01;

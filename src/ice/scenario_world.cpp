@@ -11,6 +11,7 @@ World scenario_world(const Scenario& scenario) {
     const General& general = scenario.general;
     return World({.time_step = general.time_step,
                   .iterations = general.iterations,
+                  .tolerance = general.tolerance,
                   .gravity = general.gravity / (1 + scenario.water.isotropic_mass()),  // the added mass has no weight
                   .contact = scenario.contact_law(),
                   .solver = general.solver,

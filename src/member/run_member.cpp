@@ -60,6 +60,7 @@ void take_statistics(MemberResult& result, const Scenario& scenario, const Simul
     result.mean_heave = mean_of(in_window(result.history.heave));
     result.work = simulation.work();
     result.failure_ratio = simulation.ice().failure_ratio();
+    result.mean_sweeps = simulation.mean_sweeps();
 }
 
 /// Thins a history of every step as the campaign requests.

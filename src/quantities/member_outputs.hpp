@@ -23,6 +23,7 @@ struct MemberOutputs {
     double local_order = 0;     ///< of the arrangement, arrangement/order.hpp; its psi4 is stored with the poses
     double coverage_ahead = 0;  ///< share of the structure's path covered by ice at t = 0, 0-1
     WorkShares work;            ///< where the work of the tow went in the window
+    double mean_sweeps = 0;     ///< of the solver a step, over the run
     PeakReactions peaks;        ///< over all joints and the whole run
 };
 

@@ -1,8 +1,6 @@
 #pragma once
-// The list of scalar quantities of a member. It drives the journal, the columns of the campaign file and their page,
-// the stop rule, summaries, pairs and designs. A new quantity is its field in MemberOutputs, one line here, and the
-// computation in member/run_member.cpp. Quantities of the averaged load are made from the same lines at run time, one
-// for each averaging time: quantities_with().
+// The list of scalar quantities of a member: of the journal, the campaign file and its page, the stop rule, summaries,
+// pairs and designs. CONTRIBUTING.md says how to add one. Those of the averaged load are made of it: quantities_with().
 
 #include <algorithm>
 #include <array>
@@ -234,6 +232,11 @@ inline constexpr std::array quantities{
              .label = "coverage ahead at the start, %",
              .most = 1,
              .percent = true},
+    Quantity{.key = "mean_sweeps",
+             .unit = "1",
+             .long_name = "sweeps of the solver a step, on average over the run",
+             .place = at<&MemberOutputs::mean_sweeps>(),
+             .since = 10},
 };
 
 /// The quantity of that key in the list; nullptr if there is none.

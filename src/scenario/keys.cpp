@@ -68,6 +68,7 @@ Scenario paper_scenario() {
     Scenario scenario;
     scenario.general.iterations = 50;
     scenario.general.solver = SolverKind::lanes;
+    scenario.general.tolerance = 0;
     scenario.joint.model = JointModel::cfm;
     scenario.contact = with_preset(scenario.contact, ContactPreset::paper);
     scenario.water.heave_damping_from = WaterFrom::share;

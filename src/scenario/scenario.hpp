@@ -30,6 +30,9 @@ enum class FormDragOn { outline, every_element };  ///< edge faces that form dra
 struct General {
     double time_step = 0.02;  ///< Δt, s (Table 1)
     int iterations = 20;      ///< projected Gauss-Seidel sweeps a step; direct: over contacts
+    /// m/s, of direct: sweeps end after one that changed no contact's velocity by this, for the paper's thickness of
+    /// ice; 0: after `iterations`
+    double tolerance = 1e-3;
     SolverKind solver = SolverKind::direct;
     double gravity = 9.81;        ///< m/s²
     double runaway_speed = 10.0;  ///< m/s; an element faster than this ends the member as failed

@@ -20,6 +20,13 @@ void add_general(Keys& keys, General& general) {
         "Constraint solver: direct solves all joints of a floe exactly, so that only contacts need "
         "iterations (docs/ice.md). lanes sweeps over joints and contacts, with many floes at once, one per "
         "SIMD lane; stock is Bullet's own, the reference and the paper's."));
+    keys.push_back(late_key(only_with(
+        "general.solver = \"direct\"", [&general] { return general.solver == SolverKind::direct; },
+        number_key("general.tolerance_mm_s", general.tolerance, unit::millimetre, at_least(0).at_most(100),
+                   "docs/performance.md",
+                   "With solver direct: the sweeps of a step end after one that changed the velocity at no contact by "
+                   "as much as this; general.iterations is the most. For ice of 33 mm, and in proportion to the root "
+                   "of the thickness of other ice. 0: as many as general.iterations in every step."))));
     keys.push_back(
         number_key("general.gravity_m_s2", general.gravity, unit::one, above(0).at_most(100), "standard", "Gravity."));
     keys.push_back(number_key(

@@ -146,6 +146,8 @@ void Simulation::step() {
     wake_floes();
     apply_water();
     world_.step();
+    sweeps_ += world_.sweeps();
+    ++swept_steps_;
     if (work_.looks_at(steps_)) states_before_ = states_;
     read_states();
     if (work_.looks_at(steps_)) work_.add(world_, ice_, piece_water_, states_before_, states_);

@@ -7,6 +7,7 @@
 //
 // After construction nothing in the loop allocates on this side of the world: histories and contacts are reserved.
 
+#include <cstdint>
 #include <functional>
 #include <stop_token>
 #include <vector>
@@ -61,6 +62,8 @@ class Simulation {
 
     double time() const { return steps_ * scenario_.general.time_step; }  ///< s, of the last completed step's end
     int steps() const { return steps_; }
+    /// Sweeps of the solver a step, on average over all steps so far; at least one step.
+    double mean_sweeps() const { return static_cast<double>(sweeps_) / static_cast<double>(swept_steps_); }
     const LoadHistory& loads() const { return loads_; }
     const IceField& ice() const { return ice_; }  ///< breaks, broken floes, peak reactions
 
@@ -109,6 +112,8 @@ class Simulation {
     std::vector<ContactForce> structure_contacts_;  ///< of the last step in the window
     ContactBins contact_bins_;
     int steps_in_window_ = 0;
+    std::int64_t sweeps_ = 0;
+    int swept_steps_ = 0;
     int steps_ = 0;
 };
 

@@ -1,24 +1,46 @@
 #include "solver/contact_order.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 
 namespace floes {
+namespace {
 
-void ContactOrder::find_pairs(std::span<const Contact> contacts) {
+constexpr std::uint32_t known_levels = 64;
+
+}  // namespace
+
+std::uint32_t ContactOrder::next_level(const Contact& pair) {
+    const std::uint32_t level =
+        std::max(pair.a_moves ? next_level_[pair.a_group] : 0, pair.b_moves ? next_level_[pair.b_group] : 0);
+    if (pair.a_moves) next_level_[pair.a_group] = level + 1;
+    if (pair.b_moves) next_level_[pair.b_group] = level + 1;
+    return level;
+}
+
+std::uint32_t ContactOrder::first_level(const Contact& pair) {
+    const std::uint64_t taken = (pair.a_moves ? levels_[pair.a_group] : 0) | (pair.b_moves ? levels_[pair.b_group] : 0);
+    const auto level = static_cast<std::uint32_t>(std::countr_one(taken));
+    if (level == known_levels) return known_levels + next_level(pair);  // more than anything but a wall has neighbours
+    const std::uint64_t bit = std::uint64_t{1} << level;
+    if (pair.a_moves) levels_[pair.a_group] |= bit;
+    if (pair.b_moves) levels_[pair.b_group] |= bit;
+    return level;
+}
+
+void ContactOrder::find_pairs(std::span<const Contact> contacts, Order order) {
     next_level_.assign(spare_, 0);
+    if (order == Order::any) levels_.assign(spare_, 0);
     pairs_.clear();
     for (std::uint32_t i = 0; i < contacts.size(); ++i) {
-        const auto [a, b, a_group, b_group, a_moves, b_moves, pressed] = contacts[i];
-        if (i > 0 && contacts[i - 1].a == a && contacts[i - 1].b == b) {
+        if (i > 0 && contacts[i - 1].a == contacts[i].a && contacts[i - 1].b == contacts[i].b) {
             ++pairs_.back().contacts;
-            pairs_.back().pressed |= pressed;
+            pairs_.back().pressed |= contacts[i].pressed;
             continue;
         }
-        const std::uint32_t level = std::max(a_moves ? next_level_[a_group] : 0, b_moves ? next_level_[b_group] : 0);
-        if (a_moves) next_level_[a_group] = level + 1;
-        if (b_moves) next_level_[b_group] = level + 1;
-        pairs_.push_back({level, pressed, 1, i});
+        const std::uint32_t level = order == Order::any ? first_level(contacts[i]) : next_level(contacts[i]);
+        pairs_.push_back({level, contacts[i].pressed, 1, i});
     }
 }
 
@@ -58,9 +80,9 @@ void ContactOrder::add_pack(std::span<const Contact> contacts, std::span<const P
     packs_.push_back({turns, first_row, first_row + most * turns});
 }
 
-void ContactOrder::lay_out(std::span<const Contact> contacts, std::uint32_t spare, int width, int turns) {
+void ContactOrder::lay_out(std::span<const Contact> contacts, std::uint32_t spare, int width, int turns, Order order) {
     spare_ = spare;
-    find_pairs(contacts);
+    find_pairs(contacts, order);
     sort_pairs();
     const auto lanes = static_cast<std::uint32_t>(width);
     const auto most = static_cast<std::size_t>(width * turns);

@@ -10,11 +10,14 @@
 
 namespace floes {
 
-/// Neighbouring contacts of the same two bodies stay together, as a pair. Pairs that share no moving
-/// body commute, so each pair goes to the level after the last one that moved its bodies. Levels are solved one after
-/// the other, the pairs of a level side by side.
+/// Neighbouring contacts of the same two bodies stay together, as a pair. Pairs that share no moving body commute, so
+/// those of a level are solved side by side, and levels one after the other. Where the result must be that of the given
+/// order, each pair goes to the level after the last one that moved its bodies; otherwise to the first level in which
+/// nothing moves them, which makes few levels, with hardly a lane empty.
 class ContactOrder {
   public:
+    enum class Order { as_given, any };
+
     struct Contact {
         std::uint32_t a, b;              ///< slots of the bodies
         std::uint32_t a_group, b_group;  ///< what moves together with them: below `spare`
@@ -23,7 +26,8 @@ class ContactOrder {
     };
 
     /// spare: the slot after those of all bodies; width and turns: see LaneKernels.
-    void lay_out(std::span<const Contact> contacts, std::uint32_t spare, int width, int turns);
+    void lay_out(std::span<const Contact> contacts, std::uint32_t spare, int width, int turns,
+                 Order order = Order::as_given);
 
     ContactPacks packs() const { return {pack_slots_.data(), packs_.data(), packs_.size(), spare_}; }
     std::size_t rows() const { return packs_.empty() ? 0 : packs_.back().end_row; }
@@ -39,13 +43,16 @@ class ContactOrder {
         std::uint32_t first;
     };
     void add_pack(std::span<const Contact> contacts, std::span<const Pair> pairs, std::uint32_t width);
-    void find_pairs(std::span<const Contact> contacts);
+    void find_pairs(std::span<const Contact> contacts, Order order);
+    std::uint32_t next_level(const Contact& pair);
+    std::uint32_t first_level(const Contact& pair);
     void sort_pairs();
 
     std::uint32_t spare_ = 0;
     std::vector<Pair> pairs_, sorted_;
     std::vector<std::uint32_t> start_;       ///< of each rank in sorted_
     std::vector<std::uint32_t> next_level_;  ///< by group
+    std::vector<std::uint64_t> levels_;      ///< by group: one bit for each of the first levels that moves it
     std::vector<ContactPack> packs_;
     std::vector<std::uint32_t> pack_slots_, row_slots_;
 };

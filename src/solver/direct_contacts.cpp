@@ -22,7 +22,7 @@ void DirectContacts::prepare(std::span<const SolverContact> contacts, std::span<
                              floes.piece(contact.b), floes.moves(contact.a), floes.moves(contact.b),
                              contact.impulse > 0});
     }
-    order_.lay_out(to_order_, static_cast<std::uint32_t>(body_slots), width_, 1);
+    order_.lay_out(to_order_, static_cast<std::uint32_t>(body_slots), width_, 1, ContactOrder::Order::any);
     fill_points(points_, contacts, order_, width_);
     fill_friction_start(friction_start_, contacts, order_, width_);
     const std::size_t slots = order_.rows() * static_cast<std::size_t>(width_);
@@ -42,13 +42,18 @@ void DirectContacts::prepare(std::span<const SolverContact> contacts, std::span<
                            time_step);
 }
 
-void DirectContacts::solve(const LaneArrays& all, DirectFloes& floes, const LaneKernels& kernels, int iterations) {
+int DirectContacts::solve(const LaneArrays& all, DirectFloes& floes, const LaneKernels& kernels, const Sweeps& sweeps) {
     double* impulse = floes.arrays().impulse;
     kernels.direct.start_contacts(all.delta, impulse, floes.columns(), order_.packs(), rows());
     const LimitArrays limits = limited_ ? LimitArrays{yield_.data(), give_.data()} : LimitArrays{};
-    for (int i = 0; i < iterations; ++i) {
-        kernels.direct.solve_contacts(all.delta, impulse, floes.columns(), order_.packs(), rows(), limits);
+    if (order_.rows() == 0) return 0;
+    for (int i = 1; i < sweeps.most; ++i) {
+        const double change =
+            kernels.direct.solve_contacts(all.delta, impulse, floes.columns(), order_.packs(), rows(), limits);
+        if (change < sweeps.tolerance) return i;
     }
+    kernels.direct.solve_contacts(all.delta, impulse, floes.columns(), order_.packs(), rows(), limits);
+    return sweeps.most;
 }
 
 void DirectContacts::finish(std::span<SolverContact> contacts) const {

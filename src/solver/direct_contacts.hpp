@@ -23,8 +23,9 @@ class DirectContacts {
                  std::size_t body_slots, const LaneArrays& all, DirectFloes& floes, const LaneKernels& kernels,
                  const ContactLaw& law, double time_step);
 
-    /// The impulses that contacts bring along, then `iterations` sweeps.
-    void solve(const LaneArrays& all, DirectFloes& floes, const LaneKernels& kernels, int iterations);
+    /// The impulses that contacts bring along, then sweeps, until none changes the velocity at a contact by more than
+    /// the tolerance. Returns their number; none where nothing touches.
+    int solve(const LaneArrays& all, DirectFloes& floes, const LaneKernels& kernels, const Sweeps& sweeps);
 
     /// Impulses and friction directions back into the contacts.
     void finish(std::span<SolverContact> contacts) const;

@@ -42,17 +42,16 @@ inline CompliantBody compliant_body(const LaneArrays& arrays, const DirectArrays
     Pack frame[9];
     pick(direct.local, local_field::count, local_field::frame, slots, frame);
     body.frame = {{frame[0], frame[3], frame[6]}, {frame[1], frame[4], frame[7]}, {frame[2], frame[5], frame[8]}};
-    alignas(Pack) double values[18][lanes];
-    for (int lane = 0; lane < lanes; ++lane) {
-        const double* self = columns[slots[lane]].self;
-        for (int i = 0; i < 18; ++i)
-            values[i][lane] = self == nullptr ? 0.0 : self[8 * (i / 6) + i % 3 + i % 6 / 3 * 4];
+    alignas(64) static constexpr double none[compliance_block]{};
+    Flat column[3];
+    for (int k = 0; k < 3; ++k) {
+        column[k] = gather_flat([&](int lane) {
+            const double* self = columns[slots[lane]].self;
+            return (self == nullptr ? none : self) + 8 * k;
+        });
     }
-    const auto column = [&](int first) {
-        return V3{load(values[first], 0), load(values[first + 1], 0), load(values[first + 2], 0)};
-    };
-    body.within = {column(0), column(6), column(12)};
-    body.out = {column(3), column(9), column(15)};
+    body.within = {column[0].within, column[1].within, column[2].within};
+    body.out = {column[0].out, column[1].out, column[2].out};
     return body;
 }
 
@@ -126,6 +125,8 @@ inline void prepare_direct_contact(const double* point, const double* friction_s
     store(to.scale[1], i, t);
     store3(row, direct_field::first, plane.first);
     store3(row, direct_field::second, plane.second);
+    store(row, direct_field::change, 1.0 / s);
+    store(row, direct_field::change + 1, 1.0 / t);
 }
 
 void prepare_direct_contacts(const LaneArrays& arrays, const DirectArrays& direct, const ComplianceColumn* columns,
@@ -159,10 +160,11 @@ struct DirectPair {
     pair.on_b = pair.on_b - load_flat(row, direct_field::on_b + 6 * i) * impulse;
 }
 
-inline bool is_nothing(const double* impulse) {
-    bool nothing = true;
-    for (int i = 0; i < 8; ++i) nothing = nothing && impulse[i] == 0.0;
-    return nothing;
+[[gnu::always_inline]] inline bool is_nothing(const double* impulse) {
+    Pack size{};
+#pragma GCC unroll 8
+    for (int part = 0; part < 8; part += lanes) size = size + absolute(load(impulse + part, 0));
+    return !any_positive(size);
 }
 
 /// Applies the impulse in each lane to the piece of the lane's body.
@@ -174,7 +176,9 @@ inline bool is_nothing(const double* impulse) {
         const ComplianceColumn& column = columns[slots[lane]];
         if (column.blocks == nullptr || is_nothing(by_lane[lane])) continue;
         double* total = impulse + static_cast<std::size_t>(slots[lane]) * 8;
-        for (int i = 0; i < 8; ++i) total[i] += by_lane[lane][i];
+#pragma GCC unroll 8
+        for (int part = 0; part < 8; part += lanes)
+            store(total + part, 0, load(total + part, 0) + load(by_lane[lane] + part, 0));
         add_velocity_changes(delta, column, by_lane[lane]);
     }
 }
@@ -209,6 +213,7 @@ void start_direct_contacts(double* delta, double* impulse, const ComplianceColum
 struct PieceContact {
     const double* row;
     DirectPair& pair;
+    Pack& largest;  ///< change of velocity so far; an empty lane's is not a number and left out
 
     [[gnu::always_inline]] Pack approach() const { return along(row, 0, pair); }
 
@@ -222,29 +227,43 @@ struct PieceContact {
     }
 
     [[gnu::always_inline]] void press(Pack pressed) const {
-        if (any_positive(absolute(pressed))) ::floes::push(row, 0, pair, pressed);
+        if (!any_positive(absolute(pressed))) return;
+        ::floes::push(row, 0, pair, pressed);
+        largest = most(absolute(pressed) * load(row, direct_field::change), largest);
     }
 
     [[gnu::always_inline]] void push(Pack pressed, Pack one, Pack two) const {
         ::floes::push(row, 0, pair, pressed);
         ::floes::push(row, 1, pair, one);
         ::floes::push(row, 2, pair, two);
+        largest = most(absolute(pressed) * load(row, direct_field::change), largest);
+        largest = most(most(absolute(one), absolute(two)) * load(row, direct_field::change + 1), largest);
     }
 };
 
+inline double largest_of(Pack x) {
+    alignas(Pack) double values[lanes];
+    store(values, 0, x);
+    double largest = 0;
+    for (const double value : values) largest = value > largest ? value : largest;
+    return largest;
+}
+
 template <bool limited>
-void solve_all_direct(double* delta, double* impulse, const ComplianceColumn* columns, const ContactPacks& packs,
+double solve_all_direct(double* delta, double* impulse, const ComplianceColumn* columns, const ContactPacks& packs,
                       const DirectRowArrays& all, const LimitArrays& limits) {
     const ConeArrays cones{{all.target[0], all.target[1], all.target[2]},
                            {all.impulse[0], all.impulse[1], all.impulse[2]}};
+    Pack largest{};
     const auto solve = [&](int i, const double* row, DirectPair& pair) __attribute__((always_inline)) {
-        solve_cone<limited>(cones, limits, i, PieceContact{row, pair});
+        solve_cone<limited>(cones, limits, i, PieceContact{row, pair, largest});
     };
     for_each_direct_row(delta, impulse, columns, packs, all.row, solve);
+    return largest_of(largest);
 }
 
-void solve_direct_contacts(double* delta, double* impulse, const ComplianceColumn* columns, const ContactPacks& packs,
+double solve_direct_contacts(double* delta, double* impulse, const ComplianceColumn* columns, const ContactPacks& packs,
                            const DirectRowArrays& all, const LimitArrays& limits) {
     const auto solve = limits.yield == nullptr ? solve_all_direct<false> : solve_all_direct<true>;
-    solve(delta, impulse, columns, packs, all, limits);
+    return solve(delta, impulse, columns, packs, all, limits);
 }

@@ -159,12 +159,33 @@ void direct_reactions(const LaneArrays& arrays, const DirectArrays& direct, cons
     }
 }
 
+/// 8 numbers in packs.
+inline constexpr int parts_of_8 = 8 / lanes;
+
+template <int... lane>
+[[gnu::always_inline]] inline Pack lower_and_upper(Pack low, Pack high, Sequence<lane...>) {
+    return __builtin_shufflevector(low, high, (lane < 4 ? lane : lane + lanes)...);
+}
+
+/// Number k four times, then number 4 + k four times.
+[[gnu::always_inline]] inline void spread_halves(const double* numbers, int k, Pack (&to)[parts_of_8]) {
+#pragma GCC unroll 8
+    for (int part = 0; part < parts_of_8; ++part) {
+        if constexpr (lanes == 8) {
+            const Pack low = Pack{} + numbers[k];
+            const Pack high = Pack{} + numbers[4 + k];
+            to[part] = lower_and_upper(low, high, EveryLane{});
+        } else {
+            to[part] = Pack{} + numbers[part * lanes < 4 ? k : 4 + k];
+        }
+    }
+}
+
 void add_velocity_changes(double* delta, const ComplianceColumn& column, const double* impulse) {
     // In-plane impulses in the lower half, out-of-plane ones in the upper half, like the columns of a block.
-    alignas(64) double factor[3][8];
-    for (int k = 0; k < 3; ++k) {
-        for (int i = 0; i < 8; ++i) factor[k][i] = impulse[k + (i < 4 ? 0 : 4)];
-    }
+    Pack factor[3][parts_of_8];
+#pragma GCC unroll 3
+    for (int k = 0; k < 3; ++k) spread_halves(impulse, k, factor[k]);
     for (std::size_t i = 0; i < column.count; ++i) {
         const double* block = column.blocks + static_cast<std::size_t>(column.within[i]) * compliance_block;
         double* to = delta + static_cast<std::size_t>(column.slots[i]) * 8;
@@ -172,7 +193,7 @@ void add_velocity_changes(double* delta, const ComplianceColumn& column, const d
         for (int part = 0; part < 8; part += lanes) {
             Pack sum = load(to + part, 0);
 #pragma GCC unroll 3
-            for (int k = 0; k < 3; ++k) sum = sum + load(block + 8 * k + part, 0) * load(factor[k] + part, 0);
+            for (int k = 0; k < 3; ++k) sum = sum + load(block + 8 * k + part, 0) * factor[k][part / lanes];
             store(to + part, 0, sum);
         }
     }

@@ -63,7 +63,9 @@ inline constexpr int coupling = 72;              ///< of the normal row with the
 inline constexpr int friction_coefficient = 74;  ///< bound of friction / normal impulse, both scaled
 inline constexpr int first = 75;                 ///< directions in the contact plane, world
 inline constexpr int second = 78;
-inline constexpr int count = 81;
+inline constexpr int change = 81;  ///< of the velocity along the normal row by its unit impulse, scaled, m/s; then that
+                                   ///< along the two others
+inline constexpr int count = 83;
 }  // namespace direct_field
 
 /// By groups of `width`, one field each.
@@ -99,8 +101,9 @@ struct DirectKernels {
     /// What the impulses do that rows begin with; one sweep over all contacts.
     void (*start_contacts)(double* delta, double* impulse, const ComplianceColumn*, const ContactPacks&,
                            const DirectRowArrays&);
-    void (*solve_contacts)(double* delta, double* impulse, const ComplianceColumn*, const ContactPacks&,
-                           const DirectRowArrays&, const LimitArrays&);
+    /// Returns the largest change of velocity at a contact by its own new impulse, m/s.
+    double (*solve_contacts)(double* delta, double* impulse, const ComplianceColumn*, const ContactPacks&,
+                             const DirectRowArrays&, const LimitArrays&);
 };
 
 }  // namespace floes

@@ -139,11 +139,9 @@ void LaneSystem::find_touched(std::span<const SolverContact> contacts) {
     }
 }
 
-void LaneSystem::solve(std::span<SolverContact> contacts, const ContactLaw& law, int iterations) {
-    if (direct_) {
-        solve_directly(contacts, law, iterations);
-        return;
-    }
+int LaneSystem::solve(std::span<SolverContact> contacts, const ContactLaw& law, const Sweeps& sweeps) {
+    if (direct_) return solve_directly(contacts, law, sweeps);
+    const int iterations = sweeps.most;
     const LaneArrays all = arrays();
     find_touched(contacts);
     kernels_->to_contacts(all, touched_groups_.data(), touched_groups_.size());
@@ -165,16 +163,18 @@ void LaneSystem::solve(std::span<SolverContact> contacts, const ContactLaw& law,
     }
     for (const LaneBlock& block : blocks_) kernels_->reactions(all, block, time_step_);
     contact_rows_.finish(contacts);
+    return iterations;
 }
 
-void LaneSystem::solve_directly(std::span<SolverContact> contacts, const ContactLaw& law, int iterations) {
+int LaneSystem::solve_directly(std::span<SolverContact> contacts, const ContactLaw& law, const Sweeps& sweeps) {
     const LaneArrays all = arrays();
     direct_->touch(all, contacts);
     direct_contacts_.prepare(contacts, slot_of_body_, body_groups_ * static_cast<std::size_t>(width()), all, *direct_,
                              *kernels_, law, time_step_);
-    direct_contacts_.solve(all, *direct_, *kernels_, iterations);
+    const int used = direct_contacts_.solve(all, *direct_, *kernels_, sweeps);
     direct_->finish(all, blocks_);
     direct_contacts_.finish(contacts);
+    return used;
 }
 
 SolverReaction LaneSystem::reaction(std::size_t joint) const {

@@ -6,7 +6,7 @@
 //
 //   system.add_force(body, force, torque);         // and set_state for bodies that something else moves
 //   system.prepare(time_step);
-//   system.solve(contacts, law, iterations);       // contacts in the order in which they are to be solved
+//   system.solve(contacts, law, {iterations});       // contacts in the order in which they are to be solved
 //   system.advance();
 //   system.state(body); system.reaction(joint);
 //
@@ -58,7 +58,8 @@ class LaneSystem {
     void set_water(std::size_t body, const CarriedWater& water);
 
     void prepare(double time_step);
-    void solve(std::span<SolverContact> contacts, const ContactLaw& law, int iterations);
+    /// Returns the number of sweeps.
+    int solve(std::span<SolverContact> contacts, const ContactLaw& law, const Sweeps& sweeps);
 
     /// Ends the step: velocities, then positions moved with them.
     void advance();
@@ -84,7 +85,7 @@ class LaneSystem {
     void cover(std::size_t joint, double covered);
     LaneArrays arrays();
     void find_touched(std::span<const SolverContact> contacts);
-    void solve_directly(std::span<SolverContact> contacts, const ContactLaw& law, int iterations);
+    int solve_directly(std::span<SolverContact> contacts, const ContactLaw& law, const Sweeps& sweeps);
 
     const LaneKernels* kernels_;
     std::vector<std::int32_t> pairs_;

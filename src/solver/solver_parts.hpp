@@ -10,6 +10,14 @@
 
 namespace floes {
 
+/// How long a solve takes.
+struct Sweeps {
+    int most = 0;
+    /// m/s: with the direct solver, sweeps end after one that changed the velocity at no contact by this; 0: after
+    /// `most`.
+    double tolerance = 0;
+};
+
 /// What does not change about a body. Without mass: it never moves by itself.
 struct SolverBody {
     double inverse_mass = 0;                  ///< 1/kg

@@ -16,6 +16,9 @@ namespace floes {
 struct WorldDefinition {
     double time_step = 0.02;  ///< Δt, s
     int iterations = 50;  ///< Gauss-Seidel sweeps a step; where they solve joints, they set the stiffness at Σ near 0
+    /// m/s, with the direct solver: sweeps end after one that changed the velocity at no contact by this. For ice as
+    /// thick as in the paper's tank; a length_unit makes it greater by its root. 0: after `iterations`.
+    double tolerance = 0;
     double gravity = 9.81;  ///< m/s², along -y
     ContactLaw contact = {};
     SolverKind solver = SolverKind::stock;

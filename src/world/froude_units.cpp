@@ -45,6 +45,16 @@ BodyState FroudeUnits::to_si(const BodyState& state) const {
     return {state.position * length_, state.rotation, state.velocity * time_, state.angular_velocity / time_};
 }
 
+BodyState FroudeUnits::to_si(const BodyMotion& motion) const {
+    const auto vector = [](const double* v) { return Eigen::Map<const Vec3>(v); };
+    BodyState state;
+    state.position = vector(motion.position) * length_;
+    state.rotation = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(motion.rotation);
+    state.velocity = vector(motion.velocity) * time_;
+    state.angular_velocity = vector(motion.angular_velocity) / time_;
+    return state;
+}
+
 JointReaction FroudeUnits::to_si(JointReaction reaction) const {
     for (double* moment : {&reaction.torsion, &reaction.in_plane_bending, &reaction.bending}) *moment *= length_;
     return reaction;

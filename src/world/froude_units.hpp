@@ -9,6 +9,7 @@
 
 #include <cmath>
 
+#include "solver/body_motion.hpp"
 #include "solver/carried_water.hpp"
 #include "structure/convex_solid.hpp"
 #include "world/definitions.hpp"
@@ -34,6 +35,7 @@ class FroudeUnits {
 
     Vec3 to_si(const Vec3& position) const { return position * length_; }
     BodyState to_si(const BodyState& state) const;
+    BodyState to_si(const BodyMotion& motion) const;
     JointReaction to_si(JointReaction reaction) const;
 
   private:

@@ -30,6 +30,7 @@ void LaneSolver::add_body(const btRigidBody& body, int piece, double crushing_pr
     const bool fixed = !(body.getInvMass() > 0);
     const Triple extent = half_extent(body);
     const double reach = body.getCollisionShape()->getContactBreakingThreshold(gContactBreakingThreshold);
+    free_.push_back(fixed ? 0 : 1);
     Body& added = bodies_.emplace_back();
     if (!fixed) {
         added.parts = {body.getInvMass(), array_of(body.getInvInertiaDiagLocal()), {}, 0, 0, {}};
@@ -90,8 +91,7 @@ void LaneSolver::apply(std::size_t body, const Wrench& wrench) {
 }
 
 BodyState LaneSolver::state(std::size_t body) const {
-    if (!in_system_body(body)) return body_state(bodies_[body].start);
-    return body_state(system_->motions()[body]);
+    return in_system_body(body) ? body_state(system_->motions()[body]) : body_state(bodies_[body].start);
 }
 
 void LaneSolver::set_water(std::size_t body, const CarriedWater& water) {
@@ -118,6 +118,7 @@ void LaneSolver::lay_out() {
     std::vector<SolverBody> bodies;
     for (const Body& body : bodies_) {
         bodies.push_back(body.parts);
+        bodies.back().water = {};  // see below
         if (!body.asleep) continue;
         bodies.back() = {};
         bodies.back().half_extent = body.parts.half_extent;
@@ -166,7 +167,7 @@ void LaneSolver::step(std::deque<btRigidBody>& bodies) {
     if (structure_) structure_contacts_.find(bodies, system_->motions(), *structure_);
     system_->prepare(definition_.time_step);
     read_contacts();
-    system_->solve(contacts_, definition_.contact, definition_.iterations);
+    sweeps_ = system_->solve(contacts_, definition_.contact, {definition_.iterations, definition_.tolerance});
     write_contacts();
     push_apart();
     system_->advance();

@@ -56,13 +56,23 @@ class LaneSolver {
     /// One step of all bodies; the structure's is where it is at the end of it.
     void step(std::deque<btRigidBody>& bodies);
 
+    /// Whether something can move the body, which then is where state() and motion() say.
+    bool is_free(std::size_t body) const { return free_[body] != 0; }
     BodyState state(std::size_t body) const;
+
+    /// The same; none before the first step, and for a body added since.
+    const BodyMotion* motion(std::size_t body) const {
+        return in_system_body(body) ? system_->motions() + body : nullptr;
+    }
 
     /// Of the last step; zero before it and after removal.
     JointReaction reaction(std::size_t joint) const;
 
     /// What was solved in the last step, with impulses, in the order of the solve.
     std::span<const SolverContact> contacts() const { return contacts_; }
+
+    /// In the last step.
+    int sweeps() const { return sweeps_; }
 
   private:
     struct Body {
@@ -95,6 +105,7 @@ class LaneSolver {
     WorldDefinition definition_;
     int width_;
     std::vector<Body> bodies_;
+    std::vector<std::uint8_t> free_;
     std::vector<SolverJoint> joints_;
     std::vector<bool> removed_;
     std::optional<std::size_t> structure_;
@@ -105,7 +116,8 @@ class LaneSolver {
     bool stale_ = true;                         ///< bodies, joints or who sleeps have changed since then
     std::vector<SolverContact> contacts_;
     std::vector<SolverContact> last_;  ///< of the solve before, for the friction of the structure's points
-    std::vector<Source> sources_;      ///< of the contacts, while they are solved
+    int sweeps_ = 0;
+    std::vector<Source> sources_;  ///< of the contacts, while they are solved
 };
 
 /// Calls visit(a, b, points) for every two bodies with points, rising by (a, b): the order of the solve.

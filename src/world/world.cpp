@@ -259,13 +259,21 @@ void World::step() {
 }
 
 BodyState World::state(BodyId body) const {
+    if (bullet_->lanes && bullet_->lanes->is_free(body.index())) {
+        const BodyMotion* motion = bullet_->lanes->motion(body.index());
+        return motion != nullptr ? bullet_->units.to_si(*motion)
+                                 : bullet_->units.to_si(bullet_->lanes->state(body.index()));
+    }
     const btRigidBody& source = bullet_->body(body);
-    if (bullet_->lanes && source.getInvMass() > 0) return bullet_->units.to_si(bullet_->lanes->state(body.index()));
     const btTransform& transform = source.getWorldTransform();
     return bullet_->units.to_si({.position = from_bullet(transform.getOrigin()),
                                  .rotation = from_bullet(transform.getBasis()),
                                  .velocity = from_bullet(source.getLinearVelocity()),
                                  .angular_velocity = from_bullet(source.getAngularVelocity())});
+}
+
+int World::sweeps() const {
+    return bullet_->lanes ? bullet_->lanes->sweeps() : bullet_->definition.iterations;
 }
 
 JointReaction World::reaction(JointId joint) const {

@@ -73,6 +73,9 @@ class World {
 
     BodyState state(BodyId body) const;
 
+    /// Sweeps that the last step took; with a tolerance fewer than the definition's iterations.
+    int sweeps() const;
+
     /// Of the last step; zero before the first one and after removal.
     JointReaction reaction(JointId joint) const;
 

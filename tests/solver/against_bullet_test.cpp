@@ -23,7 +23,7 @@ Outcome solve_in_lanes(const BulletScene& scene, std::span<btPersistentManifold*
     LaneSystem system = scene.lane_system(width);
     Outcome outcome;
     outcome.contacts = scene.contacts(manifolds);
-    system.solve(outcome.contacts, scene.law(), BulletScene::iterations);
+    system.solve(outcome.contacts, scene.law(), {BulletScene::iterations});
     for (std::size_t i = 0; i < system.body_count(); ++i) {
         outcome.pushes.push_back(system.push(i));
     }

@@ -94,6 +94,41 @@ INSTANTIATE_TEST_SUITE_P(Widths, Packs,
                          ::testing::Values(std::pair{1, 1}, std::pair{2, 1}, std::pair{4, 1}, std::pair{4, 2},
                                            std::pair{8, 2}));
 
+/// The contacts of each body, in the order in which they are solved.
+std::vector<std::vector<std::size_t>> sequences(const std::vector<Contact>& contacts, int width) {
+    ContactOrder order;
+    order.lay_out(contacts, spare, width, 1, ContactOrder::Order::any);
+    const auto row = [&](std::size_t i) { return order.slot(i) / static_cast<std::uint32_t>(width); };
+    std::vector<std::vector<std::size_t>> found(spare);
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        for (const std::uint32_t body : {contacts[i].a, contacts[i].b}) {
+            if (body != wall) found[body].push_back(i);
+        }
+    }
+    for (std::vector<std::size_t>& all : found) {
+        std::ranges::sort(all, {}, row);
+        for (std::size_t i = 1; i < all.size(); ++i) EXPECT_NE(row(all[i - 1]), row(all[i]));
+    }
+    return found;
+}
+
+TEST(ContactOrder, AnyOrderIsTheSameAtEveryWidthAndLeavesFewLanesEmpty) {
+    const std::vector<Contact> contacts = crowd();
+    for (const int width : {2, 4, 8}) EXPECT_EQ(sequences(contacts, width), sequences(contacts, 1)) << width;
+    ContactOrder given;
+    ContactOrder any;
+    given.lay_out(contacts, spare, 8, 1);
+    any.lay_out(contacts, spare, 8, 1, ContactOrder::Order::any);
+    EXPECT_LT(any.rows(), given.rows());
+}
+
+TEST(ContactOrder, AnyOrderHasRoomForMoreNeighboursThanItCountsByBits) {
+    std::vector<Contact> contacts;
+    for (std::uint32_t i = 1; i < 90; ++i) contacts.push_back(touch(0, i));
+    const std::vector<std::vector<std::size_t>> found = sequences(contacts, 8);
+    EXPECT_EQ(found[0].size(), 89u);
+}
+
 TEST(ContactOrder, NoContactsNoRows) {
     ContactOrder order;
     order.lay_out({}, spare, 8, 2);

@@ -38,7 +38,7 @@ std::vector<double> impulses(const Eigen::Matrix3d& turn, const Vector& normal, 
     for (const double depth : depths) {
         contacts.push_back({.a = 0, .b = 1, .normal = array_of(normal), .distance = -depth});
     }
-    system.solve(contacts, {.normal = NormalLaw::crushing, .crushing_pressure = pressure}, 5);
+    system.solve(contacts, {.normal = NormalLaw::crushing, .crushing_pressure = pressure}, {5});
     std::vector<double> found;
     for (const SolverContact& contact : contacts) found.push_back(contact.impulse);
     return found;

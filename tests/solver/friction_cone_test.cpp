@@ -41,7 +41,7 @@ SolverContact started(const Vector& normal, const Vector& friction, double impul
                                         .impulse = impulse,
                                         .slide = scaled(friction, 1 / size),
                                         .friction_impulse = size}};
-    system.solve(contact, {.friction = Friction::cone}, 0);
+    system.solve(contact, {.friction = Friction::cone}, {0});
     return contact[0];
 }
 
@@ -83,7 +83,7 @@ TEST(FrictionCone, SeesInTheSameSweepWhatTheNormalRowDid) {
         const Vector point{along_x ? 0.3 : 0, along_x ? 0 : 0.3, -0.4};
         std::vector<SolverContact> contact{
             {.a = 0, .b = 1, .on_a = point, .on_b = point, .normal = {0, 0, 1}, .friction = 5}};
-        system.solve(contact, {.friction = Friction::cone}, 1);
+        system.solve(contact, {.friction = Friction::cone}, {1});
         const double normal = 1 / 0.68;
         EXPECT_NEAR(contact[0].impulse, normal, 1e-14);
         const Vector friction = scaled(contact[0].slide, contact[0].friction_impulse);
@@ -107,7 +107,7 @@ std::vector<SolverContact> packed(Friction friction, int width) {
             contact.slide = unit({1, 0.3, -0.5});
             contact.friction_impulse = contact.impulse;
         }
-        system.solve(contacts, law, BulletScene::iterations);
+        system.solve(contacts, law, {BulletScene::iterations});
         all.insert(all.end(), contacts.begin(), contacts.end());
     };
     for (int i = 0; i < 100; ++i) scene.step();
@@ -155,7 +155,7 @@ double slip_of_sticking_contacts(int sweeps) {
         for (SolverContact& contact : contacts) contact.friction_impulse = 0;
         std::vector<SolverState> before;
         for (std::size_t i = 0; i < system.body_count(); ++i) before.push_back(system.state(i));
-        system.solve(contacts, law, sweeps);
+        system.solve(contacts, law, {sweeps});
         system.advance();
         const auto velocity = [&](std::uint32_t body, const Vector& point) {
             const auto [position, rotation, linear, angular_velocity] = system.state(body);

@@ -80,6 +80,38 @@ TEST(Direct, IsWhereSweepsConvergeTo) {
     EXPECT_GT(first_touch, 0);
 }
 
+// Sweeps end by themselves: the same forces as by many of them, to what the tolerance leaves.
+TEST(Direct, SweepsEndWhereTheyChangeNothing) {
+    WorldDefinition exact = direct_world();
+    exact.iterations = 500;
+    WorldDefinition loose = exact;
+    loose.tolerance = 1e-6;
+    LanesScene a(loose, 4);
+    LanesScene b(exact, 4);
+    int fewest = exact.iterations;
+    bool touched = false;
+    for (int i = 0; i < 40; ++i) {
+        a.step();
+        b.step();
+        EXPECT_EQ(b.world.sweeps(), largest_load(b) > 0 || b.world.sweeps() > 0 ? exact.iterations : 0);
+        const double size = largest_load(b);
+        if (size == 0) continue;
+        touched = true;
+        fewest = std::min(fewest, a.world.sweeps());
+        EXPECT_GT(a.world.sweeps(), 0);
+        EXPECT_LT(largest_difference(a, b), 0.01 * size) << "step " << i;
+    }
+    EXPECT_TRUE(touched);
+    EXPECT_LT(fewest, 100);
+}
+
+TEST(Direct, AStepWithoutContactsTakesNoSweeps) {
+    World world(direct_world());
+    world.add_element(element_at({0, 0, 0}));
+    world.step();
+    EXPECT_EQ(world.sweeps(), 0);
+}
+
 class EveryDirectWidth : public testing::TestWithParam<NormalLaw> {};
 
 TEST_P(EveryDirectWidth, GivesTheSameBits) {
@@ -87,6 +119,7 @@ TEST_P(EveryDirectWidth, GivesTheSameBits) {
     for (const int width : lane_widths()) {
         WorldDefinition definition = direct_world(width);
         definition.contact.normal = GetParam();
+        definition.tolerance = 1e-3;
         definition.contact.crushing_pressure = 145.6e3;
         definition.iterations = 15;
         LanesScene& scene = scenes.emplace_back(definition);
