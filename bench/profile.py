@@ -48,7 +48,7 @@ def samples(command):
         report = subprocess.run(["perf", "report", "-i", data.name, "--stdio", "--no-children", "-F",
                                  "overhead,dso,symbol", "-t", "|"], check=True, capture_output=True, text=True).stdout
     for line in report.splitlines():
-        found = re.match(r"\s*([0-9.]+)%\|(.*)", line)
+        found = re.match(r"\s*([0-9.]+)%?\s*\|(.*)", line)
         if found:
             yield found.group(2), float(found.group(1))
 

@@ -118,8 +118,7 @@ class World::Bullet {
     std::deque<Box> boxes;
     std::deque<SolidShape> solids;
     std::optional<btCompoundShape> structure_shape;
-    std::deque<btRigidBody> bodies;  // of the stock solver in the world; otherwise as they were added, apart from those
-                                     // that the structure is near
+    std::deque<btRigidBody> bodies;  // where there are lanes as they were added, apart from those near the structure
     std::optional<BodyId> structure;
     std::size_t joint_count = 0;
     std::vector<std::unique_ptr<FixedJoint>> joints;  // of the stock solver; null once removed
