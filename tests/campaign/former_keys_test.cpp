@@ -140,9 +140,11 @@ TEST(FormerKeys, TheTextOf1_0HasAnotherValueOfEveryKey) {
     Scenario scenario;
     const Keys keys = keys_of_digest(describe(scenario));
     const Campaign campaign = of_1_0();
+    const std::set<std::string_view> came_later{"arrangement.columns", "general.tolerance_mm_s",
+                                                "water.heave_damping_from", "water.added_mass_from",
+                                                "water.added_mass_in_plane"};
     for (std::size_t i = 0; i < keys.size(); ++i) {
-        if (keys[i].path == "arrangement.file") continue;     // it becomes the poses
-        if (keys[i].path == "arrangement.columns") continue;  // came after 1.0.0
+        if (keys[i].path == "arrangement.file" || came_later.contains(keys[i].path)) continue;  // the file: now poses
         EXPECT_TRUE(std::ranges::any_of(campaign.cases, [&](const Case& one) {
             scenario = one.scenario;
             return exact_text(keys[i]) != exact_text(usual[i]);

@@ -16,12 +16,12 @@ namespace {
 const char* const three_cases = R"([campaign]
 seed = 7
 arrangements = 12
-
 [general]
 solver = "lanes"
-
 [joint]
 model = "cfm"
+[water]
+added_mass_from = "share"
 
 [ice]
 thickness_m = 0.03
@@ -66,7 +66,7 @@ std::string message(const std::string& text, const std::vector<std::string>& ove
 }
 
 /// Joints that follow Σ, in sweeps.
-const std::string sweeps = "general.solver = \"lanes\"\njoint.model = \"cfm\"\n";
+const std::string sweeps = "general.solver = \"lanes\"\nwater.added_mass_from = \"share\"\njoint.model = \"cfm\"\n";
 
 /// Two floes in a channel of 15 m, poses to come from `file`.
 std::string with_file(const std::string& file) {

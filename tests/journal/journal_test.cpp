@@ -154,6 +154,7 @@ TEST(Journal, Of1_0IsResumedWithTheKeysOfNow) {
         "contact.preset = \"physical\"\njoint.threshold_form = \"as_printed\"\nanalysis.keep_history = false\n";
     const std::string now =
         "general.solver = \"lanes\"\ngeneral.iterations = 50\njoint.model = \"cfm\"\njoint.cfm = 0.016\n"
+        "water.heave_damping_from = \"share\"\nwater.added_mass_from = \"share\"\n"
         "ice.elastic_modulus_MPa = 60\npaper.threshold_form = \"as_printed\"\nanalysis.history_steps = 0\n";
     open_journal(path, former + "[[case]]\nname = \"E60\"\n", Existing::refuse)
         .append(synthetic::record(campaign(former, false), 0));

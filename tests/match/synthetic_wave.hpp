@@ -16,7 +16,11 @@ using LoadOf = std::function<double(const Case& one, int arrangement)>;
 /// Every member is done unless its load is NaN. Times 0.5 and 1 s are averaged over: mean_maximum is the load plus 1,
 /// and over a time plus the time.
 inline MatchWave wave(const std::string& file, const std::string& text, const LoadOf& load) {
-    MatchWave made{file, read_campaign({text, file, {"general.solver=lanes", "joint.model=cfm"}, true}, nullptr), {}};
+    MatchWave made{
+        file,
+        read_campaign({text, file, {"general.solver=lanes", "joint.model=cfm", "water.added_mass_from=share"}, true},
+                      nullptr),
+        {}};
     made.table.averaging_times = {0.5, 1};
     for (const Case& one : made.campaign.cases) {
         CaseRow& row = made.table.cases.emplace_back();
