@@ -3,6 +3,7 @@
 the plate's own natural frequency. Writes src/water/floating_plate_table.inl and docs/water/floating_plate.csv.
 
     docs/figures/floating_plate.py --update        # some minutes of one core
+    docs/figures/floating_plate.py --edgewise      # added mass of a wide sheet towed edge on, at high frequency
     docs/figures/floating_plate.py --check         # both files agree, and one entry with fewer panels; a second
 
 A plate without draught in z = 0, x along the short side b, y along the long side l, moves with the normal velocity
@@ -88,6 +89,36 @@ def row(plate, aspect, draught):
             np.sqrt(k) * heave.imag / heave.real)
 
 
+def edgewise(half_breadth, n):
+    """Sway added mass a metre over rho d^2 of a rectangle afloat, draught d = 1, at high frequency (phi = 0 on z = 0):
+    sources of panels on its wetted sides and bottom, and opposite ones above the surface."""
+    down = (1 - np.cos(np.linspace(0, np.pi, n + 1))) / 2
+    along = -np.cos(np.linspace(0, np.pi, max(4 * n, int(4 * n * np.log(half_breadth + 2))) + 1)) * half_breadth
+    corners = np.array([(-half_breadth, -y) for y in down] + [(x, -1.0) for x in along[1:]] +
+                       [(half_breadth, y - 1) for y in down[1:]])
+    middle, step = (corners[:-1] + corners[1:]) / 2, np.diff(corners, axis=0)
+    length = np.hypot(*step.T)
+    tangent = step / length[:, None]
+    outward = np.stack([tangent[:, 1], -tangent[:, 0]], 1)
+
+    def influence(start, tangent):
+        normal = np.stack([-tangent[:, 1], tangent[:, 0]], 1)
+        apart = middle[:, None] - start[None]
+        x, y = (apart * tangent).sum(2), (apart * normal).sum(2)
+        near, far = x**2 + y**2, (x - length) ** 2 + y**2
+        angle = np.arctan2(y, x - length) - np.arctan2(y, x)
+        u, v = np.log(near / far) / (4 * np.pi), angle / (2 * np.pi)
+        potential = (x * np.log(near) - (x - length) * np.log(far) - 2 * length + 2 * y * angle) / (4 * np.pi)
+        return potential, u[:, :, None] * tangent + v[:, :, None] * normal
+
+    below, moved_below = influence(corners[:-1], tangent)
+    above, moved_above = influence(corners[:-1] * [1, -1], tangent * [1, -1])
+    through = ((moved_below - moved_above) * outward[:, None]).sum(2)
+    np.fill_diagonal(through, 0.5 - (moved_above * outward[:, None]).sum(2).diagonal())
+    sources = np.linalg.solve(through, outward[:, 0])
+    return -(((below - above) @ sources) * outward[:, 0] * length).sum()
+
+
 def kernel_table(rows):
     lines = ["// Made by docs/figures/floating_plate.py. A row: heave added mass / (ρ b² l), squared radii of",
              "// gyration of it along b and l over b² and l², damping of heave over added mass and √(g/b).",
@@ -126,7 +157,11 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--update", action="store_true")
     parser.add_argument("--check", action="store_true")
+    parser.add_argument("--edgewise", action="store_true")
     asked = parser.parse_args()
+    if asked.edgewise:
+        for half_breadth in (1, 2, 5, 10):
+            print(f"breadth {2 * half_breadth:2d} d: {edgewise(half_breadth, 40):.3f} rho d^2")
     if asked.update:
         update()
     if asked.check:
