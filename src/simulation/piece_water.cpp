@@ -1,5 +1,9 @@
 #include "simulation/piece_water.hpp"
 
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
 namespace floes {
 
 PieceWater::PieceWater(const Scenario& scenario, const FloeSet& floes)
@@ -18,22 +22,23 @@ void PieceWater::share_out(int floe, const IceField& ice, World& world, WaterLan
     const auto element = [&](int index) -> const IceElement& {
         return ice.elements()[static_cast<std::size_t>(first + index)];
     };
-    for (int head = 0; head < grid.elements(); ++head) {
-        if (element(head).piece != first + head) continue;  // a piece is named by its first element
-        piece_.clear();
+    piece_order_.resize(static_cast<std::size_t>(grid.elements()));
+    std::iota(piece_order_.begin(), piece_order_.end(), 0);
+    std::ranges::sort(piece_order_, {}, [&](int index) { return std::pair(element(index).piece, index); });
+    for (auto piece = piece_order_.begin(); piece != piece_order_.end();) {
+        const auto end = std::find_if(piece, piece_order_.end(),
+                                      [&, name = element(*piece).piece](int i) { return element(i).piece != name; });
         centres_.clear();
-        for (int index = head; index < grid.elements(); ++index) {
-            if (element(index).piece != first + head) continue;
-            piece_.push_back(index);
-            const Vec3 centre = grid.centre(index);
+        for (auto index = piece; index != end; ++index) {
+            const Vec3 centre = grid.centre(*index);
             centres_.emplace_back(centre.x(), centre.z());
         }
-        const std::vector<ElementWater> shares =
-            water_of_piece(centres_, grid.element, draught_[static_cast<std::size_t>(floe)], body_);
-        for (std::size_t i = 0; i < piece_.size(); ++i) {
-            const auto at = static_cast<std::size_t>(first + piece_[i]);
-            if (carries_) world.set_water(element(piece_[i]).body, carried_[at] = shares[i].carried);
-            if (radiates_) water.set_damping(at, shares[i].damping);
+        for (const ElementWater& share :
+             water_of_piece(centres_, grid.element, draught_[static_cast<std::size_t>(floe)], body_)) {
+            const int index = *piece++;
+            const auto at = static_cast<std::size_t>(first + index);
+            if (carries_) world.set_water(element(index).body, carried_[at] = share.carried);
+            if (radiates_) water.set_damping(at, share.damping);
         }
     }
 }

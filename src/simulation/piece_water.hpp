@@ -30,8 +30,8 @@ class PieceWater {
     bool radiates_;
     std::vector<double> draught_;        ///< by floe, m
     std::vector<CarriedWater> carried_;  ///< by element
-    std::vector<int> piece_;             ///< elements of one piece
-    std::vector<Vec2> centres_;
+    std::vector<int> piece_order_;       ///< elements of one floe, piece after piece
+    std::vector<Vec2> centres_;          ///< of one piece
 };
 
 }  // namespace floes

@@ -1,7 +1,5 @@
 #include "simulation/tow_work.hpp"
 
-#include <initializer_list>
-
 namespace floes {
 namespace {
 
@@ -73,17 +71,13 @@ void TowWork::add(const World& world, const IceField& ice, const PieceWater& wat
         angular_velocity_[i] = 0.5 * (before[i].angular_velocity + after[i].angular_velocity);
         position_[i] = before[i].position;
     }
-    const WorkShares last = sum_;
+    const double before_step = together(sum_);
     const double load = -world.contact_force(structure_).dot(tow_);
     add_contacts(world);
     add_water();
     add_motion(water, before, after);
     sum_.joints -= ice.joint_power(world, before, velocity_, angular_velocity_);
-    const auto all = [](const WorkShares& s) {
-        return s.ice_friction + s.ice_crushing + s.hull_friction + s.hull_crushing + s.vertical_drag + s.plane_drag +
-               s.waves + s.joints + s.lifting + s.motion;
-    };
-    sum_.rest += load - (all(sum_) - all(last));
+    sum_.rest += load - (together(sum_) - before_step);
     ++steps_;
 }
 
@@ -127,10 +121,7 @@ void TowWork::add_motion(const PieceWater& water, std::span<const BodyState> bef
 WorkShares TowWork::shares() const {
     WorkShares mean = sum_;
     const double per = steps_ > 0 ? 1 / (steps_ * tow_.x()) : 0;
-    for (double* share :
-         {&mean.ice_friction, &mean.ice_crushing, &mean.hull_friction, &mean.hull_crushing, &mean.vertical_drag,
-          &mean.plane_drag, &mean.waves, &mean.joints, &mean.lifting, &mean.motion, &mean.rest})
-        *share *= per;
+    for (const auto share : all_work_shares) mean.*share *= per;
     return mean;
 }
 

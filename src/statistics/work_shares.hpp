@@ -2,6 +2,8 @@
 // Where the work of the tow goes, as forces: work over the distance towed. Together they are the load over the steps
 // that were looked at.
 
+#include <array>
+
 namespace floes {
 
 struct WorkShares {
@@ -17,5 +19,18 @@ struct WorkShares {
     double motion = 0;         ///< N, kinetic energy of the ice and of the water that moves with it
     double rest = 0;           ///< N, what steps of finite length lose: the load less all others
 };
+
+/// All of them, `rest` last.
+inline constexpr std::array all_work_shares{
+    &WorkShares::ice_friction,  &WorkShares::ice_crushing, &WorkShares::hull_friction, &WorkShares::hull_crushing,
+    &WorkShares::vertical_drag, &WorkShares::plane_drag,   &WorkShares::waves,         &WorkShares::joints,
+    &WorkShares::lifting,       &WorkShares::motion,       &WorkShares::rest};
+
+/// N
+inline double together(const WorkShares& shares) {
+    double sum = 0;
+    for (const auto share : all_work_shares) sum += shares.*share;
+    return sum;
+}
 
 }  // namespace floes

@@ -8,6 +8,7 @@
 
 #include "arrangement/arrangement.hpp"
 #include "simulation/simulation.hpp"
+#include "support/smoke_channel.hpp"
 #include "support/sweeping_scenario.hpp"
 
 namespace floes {
@@ -17,13 +18,7 @@ using test::scaled;
 
 /// configs/smoke.toml at 60 MPa.
 Scenario smoke() {
-    Scenario scenario = sweeping_scenario();
-    scenario.field.floes = 24;
-    scenario.field.begin = 2.0;
-    scenario.field.half_width = 1.25;
-    scenario.structure.shape = Shape({{-0.443, 0.43}, {0.0, 0.614}, {0.122, 0.736}});
-    scenario.structure.start = 1.38;
-    scenario.structure.speed = 0.1;
+    Scenario scenario = in_smoke_channel(sweeping_scenario());
     scenario.analysis.steady_start = 8;
     scenario.analysis.window = 18;
     return scenario;

@@ -6,19 +6,14 @@
 
 #include "arrangement/arrangement.hpp"
 #include "simulation/simulation.hpp"
+#include "support/smoke_channel.hpp"
 
 namespace floes {
 namespace {
 
-/// A short tow through packed floes in the channel of configs/smoke.toml.
+/// A short tow through packed floes.
 Scenario packed() {
-    Scenario scenario;
-    scenario.field.floes = 24;
-    scenario.field.begin = 2.0;
-    scenario.field.half_width = 1.25;
-    scenario.structure.shape = Shape({{-0.443, 0.43}, {0.0, 0.614}, {0.122, 0.736}});
-    scenario.structure.start = 1.38;
-    scenario.structure.speed = 0.1;
+    Scenario scenario = in_smoke_channel({});
     scenario.analysis.steady_start = 6;
     scenario.analysis.window = 10;
     scenario.analysis.segments = 1;
@@ -41,18 +36,13 @@ Found towed(const Scenario& scenario) {
     return found;
 }
 
-double sum(const WorkShares& s) {
-    return s.ice_friction + s.ice_crushing + s.hull_friction + s.hull_crushing + s.vertical_drag + s.plane_drag +
-           s.waves + s.joints + s.lifting + s.motion + s.rest;
-}
-
 // `rest` is the load less all that is computed from the ice's side, so a share that were missing or counted twice would
 // show in it.
 TEST(TowWork, IsTheLoadToOnePercent) {
     const Found found = towed(packed());
     ASSERT_GT(found.mean, 5);
     EXPECT_LT(std::abs(found.work.rest), 0.01 * found.mean);
-    EXPECT_NEAR(sum(found.work), found.mean, 0.05 * found.mean);  // one step in five
+    EXPECT_NEAR(together(found.work), found.mean, 0.05 * found.mean);  // one step in five
     for (const double loss : {found.work.ice_friction, found.work.hull_friction, found.work.ice_crushing,
                               found.work.vertical_drag, found.work.waves, found.work.lifting})
         EXPECT_GT(loss, 0);
@@ -76,7 +66,7 @@ TEST(TowWork, IsNothingBeforeTheWindow) {
     Scenario scenario = packed();
     Simulation simulation(scenario, make_arrangement(scenario, 1, 0));
     for (int i = 0; i < 10; ++i) simulation.step();
-    EXPECT_EQ(sum(simulation.work()), 0);
+    EXPECT_EQ(together(simulation.work()), 0);
 }
 
 }  // namespace
