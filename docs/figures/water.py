@@ -4,7 +4,8 @@
 Usage:
     water.py                    writes the tables
     water.py --check            writes nothing; fails if a table differs from the data
-    water.py --collect FOLDER   first takes the members of the campaign water_channel.h5 in FOLDER
+    water.py --collect FOLDER   first takes the members of the campaigns water_channel.h5 and water_tank.h5 in FOLDER,
+                                as far as they are there
 """
 import pathlib
 import sys
@@ -22,6 +23,7 @@ CASES = {"shares": "shares: damping under water too, no added mass", "no_damping
          "waves": "waves of the outline, no added mass", "outline": "**outline: waves and added mass (the default)**",
          "outline_at_rest": "outline, water at rest", "in_plane_0": "outline, added mass in the plane 0",
          "in_plane_0.2": "outline, added mass in the plane 0.2", "heave_drag_1.2": "outline, heave drag 1.2"}
+CAMPAIGNS = ["water_channel", "water_tank"]
 QUANTITIES = {"mean_N": "mean, N", "maximum_1s_N": "maxima, 1 s, N", "broken_percent": "broken floes, %"}
 WORK = {"ice_friction": "friction, ice on ice", "ice_crushing": "crushing and stopping, ice on ice",
         "hull_friction": "friction on the structure", "hull_crushing": "crushing and stopping on the structure",
@@ -71,12 +73,15 @@ def work(name):
 def main():
     arguments = sys.argv[1:]
     if arguments[:1] == ["--collect"]:
-        path = pathlib.Path(arguments[1]) / "water_channel.h5"
-        collected(path, {"case": "joint.name"}, [f"work_{key}" for key in WORK]).round(6).to_csv(
-            DATA / "water_channel.csv", index=False)
+        for name in CAMPAIGNS:
+            path = pathlib.Path(arguments[1]) / f"{name}.h5"
+            if path.exists():
+                collected(path, {"case": "joint.name"}, [f"work_{key}" for key in WORK]).round(6).to_csv(
+                    DATA / f"{name}.csv", index=False)
     elif arguments not in ([], ["--check"]):
         sys.exit(__doc__)
-    fill_or_check({DOCS / "water.md": {"channel": lambda: effects("water_channel"), "work": lambda: work("water_channel")}},
+    fill_or_check({DOCS / "water.md": {"channel": lambda: effects("water_channel"), "work": lambda: work("water_channel"),
+                                       "tank": lambda: effects("water_tank"), "tank_work": lambda: work("water_tank")}},
                   arguments == ["--check"], "water.py")
 
 

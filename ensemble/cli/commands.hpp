@@ -30,6 +30,7 @@ void add_hybrid(CommandLine& line);
 void add_report(CommandLine& line);
 void add_replay(CommandLine& line);
 void add_match(CommandLine& line);
+void add_vary(CommandLine& line);
 void add_verify(CommandLine& line);
 
 /// The tests of `floes laboratory`.

@@ -123,7 +123,8 @@ void add_summarize(CommandLine& line) {
     Option parts =
         verb.option("--parts", options->parts,
                     "Parts to show, comma-separated: overview, cases, points and sensitivity (of a design), pairs, "
-                    "extremes, exceedance, steady, energy, control, design, members and long (CSV and xlsx only)");
+                    "model (of floes vary), extremes, exceedance, steady, energy, control, design, members and long "
+                    "(CSV and xlsx only)");
     parts.comma_separated().one_of(part_names());
     verb.flag("--long", options->long_lines,
               "With --format csv: a line for each value of each simulation: case, arrangement, quantity, unit, value")

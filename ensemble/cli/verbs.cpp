@@ -10,6 +10,7 @@ void add_verbs(CommandLine& line, std::span<char* const> command) {
     add_merge(line);
     add_status(line);
     add_plan(line);
+    add_vary(line);
     add_summarize(line);
     add_design(line);
     add_config(line);

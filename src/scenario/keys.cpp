@@ -101,7 +101,16 @@ std::string canonical_text(const Scenario& scenario) {
 std::vector<std::string> differences(const Scenario& there, const Scenario& here) {
     Scenario one = there;
     Scenario other = here;
-    return key_differences(describe(one), describe(other));
+    Keys keys_there;
+    Keys keys_here;
+    const Keys all_there = describe(one);
+    const Keys all_here = describe(other);
+    for (std::size_t k = 0; k < all_there.size(); ++k) {
+        if (all_there[k].idle() && all_here[k].idle()) continue;
+        keys_there.push_back(all_there[k]);
+        keys_here.push_back(all_here[k]);
+    }
+    return key_differences(keys_there, keys_here);
 }
 
 std::string given(const Scenario& scenario, const std::string& path) {

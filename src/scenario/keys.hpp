@@ -30,7 +30,7 @@ bool is_superfluous(const Key& key);
 /// "path = value" in SI for all keys, with the paths and forms of 1.0.0: equal exactly when the scenarios are.
 std::string canonical_text(const Scenario& scenario);
 
-/// "general.iterations: 50 there, 20 here" for each key that differs.
+/// "general.iterations: 50 there, 20 here" for each key that differs and has an effect in one of them.
 std::vector<std::string> differences(const Scenario& there, const Scenario& here);
 
 /// "floe.element_m = 0.25": the key with its value, as a message shows it. `path` is a key of a scenario.

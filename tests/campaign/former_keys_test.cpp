@@ -168,8 +168,6 @@ TEST(FormerKeys, WhatIsWrittenHasThePresentOnesAndTheSameDigests) {
 TEST(FormerKeys, ConfigurationsOfFloesKeepTheirMembers) {
     const std::pair<const char*, const char*> digests[]{
         {"table3", "ebf7a12797d15664f2ff500d651ed3bf"},
-        {"table3_physical", "f1df1374d5ae662095f90629d951b891"},
-        {"full_scale", "495f0b944f4702f22ea3de32ca0ad5a9"},
         {"matching/physical_2", "1db2df1d244a4f3abdfafffc02b2956e"},
         {"validation/readings", "aed3425f0dc8b9e7b9d9596c64a59d5b"},
         {"validation/contact_choices", "5518cf383ad25c0705fef1b62927fab5"},

@@ -11,6 +11,7 @@
 #include "findings/common_ground.hpp"
 #include "findings/conditions.hpp"
 #include "findings/load_columns.hpp"
+#include "findings/model_width.hpp"
 #include "findings/pairs.hpp"
 #include "findings/printable.hpp"
 #include "findings/sensitivity_section.hpp"
@@ -89,11 +90,13 @@ std::vector<std::string> design_sentences(const Summary& summary) {
     return sentences;
 }
 
-std::vector<std::string> load_sentences(const Summary& summary, const DesignLoads& designs) {
+/// Of every case, or of one alone.
+std::vector<std::string> load_sentences(const Summary& summary, const DesignLoads& designs,
+                                        std::optional<std::size_t> alone) {
     std::vector<std::string> sentences;
     for (std::size_t k = 0; k < summary.cases.size(); ++k) {
         const CaseSummary& row = summary.cases[k];
-        if (row.done == 0) continue;
+        if (row.done == 0 || (alone && k != *alone)) continue;
         const Estimate& mean = row.of(quantity("mean_load"));
         const Estimate& broken = row.of(quantity("failure_ratio"));
         std::string told = fmt::format("{}: mean load {}{}.", summary.label_of(k),
@@ -129,11 +132,22 @@ std::vector<std::string> basis_sentences(const Evidence& evidence, const DesignL
     return sentences;
 }
 
-/// "E60 instead of E30 changes the mean load by +0.1 N (-0.3 to +0.5)." Over the arrangements that both have.
+/// "E60 instead of E30 changes the mean load by +0.1 N (-0.3 to +0.5)." Over the arrangements that both have; of the
+/// variations of a base case those that change it most, and what all do together.
 std::vector<std::string> case_sentences(const Evidence& evidence) {
     std::vector<std::string> sentences;
     const std::size_t reference = evidence.reference.value_or(0);
-    for (const PairRow& row : compare_with(evidence.table, reference, quantity("mean_load"), most_cases)) {
+    const bool variations = base_case(evidence.campaign).has_value();
+    std::vector<PairRow> rows = compare_with(evidence.table, reference, quantity("mean_load"),
+                                             variations ? evidence.table.cases.size() : most_cases);
+    if (variations) {
+        std::ranges::stable_sort(rows, std::ranges::greater{},
+                                 [](const PairRow& row) { return std::abs(row.found.difference); });
+        rows.resize(std::min(rows.size(), most_changes));
+        if (std::string told = width_sentence(find_model_width(evidence)); !told.empty())
+            sentences.push_back(std::move(told));
+    }
+    for (const PairRow& row : rows) {
         const LoadUnit unit = load_unit(std::abs(row.first_mean));
         const int decimals = few_decimals(unit.factor * std::abs(row.first_mean));
         const Limits& limits = row.found.interval;
@@ -180,7 +194,7 @@ CampaignAnswer find_answer(Evidence& evidence) {
     const DesignLoads designs = evidence.campaign.design.active() ? DesignLoads{} : designs_of(evidence);
     return {warnings_of(evidence.table, evidence.summary),
             evidence.campaign.design.active() ? design_sentences(evidence.summary)
-                                              : load_sentences(evidence.summary, designs),
+                                              : load_sentences(evidence.summary, designs, base_case(evidence.campaign)),
             basis_sentences(evidence, designs), changes(evidence)};
 }
 

@@ -8,6 +8,7 @@
 #include "findings/energy_section.hpp"
 #include "findings/levels.hpp"
 #include "findings/members.hpp"
+#include "findings/model_width.hpp"
 #include "findings/overview_section.hpp"
 #include "findings/pairs_section.hpp"
 #include "findings/points.hpp"
@@ -32,9 +33,13 @@ bool of_a_design(const Campaign& campaign) {
     return campaign.design.active();
 }
 
-/// Cases that somebody wrote down to compare them; the points of a design are told by their axes.
+bool with_base_case(const Campaign& campaign) {
+    return base_case(campaign).has_value();
+}
+
+/// Cases that somebody wrote down to compare them with each other; the points of a design are told by their axes.
 bool to_be_compared(const Campaign& campaign) {
-    return campaign.cases.size() > 1 && !campaign.design.active();
+    return campaign.cases.size() > 1 && !campaign.design.active() && !with_base_case(campaign);
 }
 
 bool with_levels(const Campaign& campaign) {
@@ -79,7 +84,8 @@ std::vector<Section> sensitivity(Evidence& evidence) {
 }
 
 Section pairs(Evidence& evidence) {
-    const PairOptions options{evidence.reference, evidence.resolve};
+    const bool others = !base_case(evidence.campaign) || evidence.reference != base_case(evidence.campaign);
+    const PairOptions options{.reference = evidence.reference, .others = others, .resolve = evidence.resolve};
     return pairs_section(evidence.summary, compare_pairs(evidence.table, options), options);
 }
 
@@ -139,6 +145,7 @@ constexpr std::array all{
             .page_title = "Do the cases differ?",
             .on_page = to_be_compared,
             .unasked_in_json = in_detail},
+    Finding{"model", one<model_section>, with_base_case, "What does the model leave open?", with_base_case},
     Finding{"", one<histories_section>, never, "Load over time", always},
     Finding{"", one<load_map_section>, never, "Where the load acts", always},
     Finding{"energy", one<energy_section>, never, "Where the work goes", always},

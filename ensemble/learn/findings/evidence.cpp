@@ -26,6 +26,7 @@ Evidence read_evidence(const CampaignFile& file, bool automatic_window, std::str
     }
     evidence.summary = summarise(evidence.table);
     evidence.summary.labels = point_labels(find_points(evidence.campaign));
+    evidence.reference = base_case(evidence.campaign);
     if (!reference.empty()) evidence.reference = case_index(evidence.summary, reference);
     return evidence;
 }
@@ -36,6 +37,7 @@ Evidence evidence_of(Campaign campaign, CampaignTable table) {
     evidence.table = std::move(table);
     evidence.summary = summarise(evidence.table);
     evidence.summary.labels = point_labels(find_points(evidence.campaign));
+    evidence.reference = base_case(evidence.campaign);
     return evidence;
 }
 

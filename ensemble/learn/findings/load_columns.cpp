@@ -103,12 +103,14 @@ std::string load_columns_text(const Summary& summary) {
     const std::string parts = same && segments == 1 ? "the window"
                               : same ? fmt::format("each of the window's {}", counted(segments, "segment"))
                                      : std::string{"each of the window's segments"};
-    return fmt::format("±: 95 % interval of the mean over arrangements (t){}. Largest: of {}, {}; their mean.",
-                       any_dash(summary) ? fmt::format("; –: of fewer than {}, or too wide", fewest_for_interval)
-                                         : std::string{},
-                       parts,
-                       largest.averaging == 0 ? std::string{"in a single step, which depends on the time step"}
-                                              : fmt::format("averaged over {:g} s", largest.averaging)) +
+    return fmt::format(
+               "±: 95 % interval of the mean over arrangements (t), of sampling alone (floes vary: of the model){}. "
+               "Largest: of {}, {}; their mean.",
+               any_dash(summary) ? fmt::format("; –: of fewer than {}, or too wide", fewest_for_interval)
+                                 : std::string{},
+               parts,
+               largest.averaging == 0 ? std::string{"in a single step, which depends on the time step"}
+                                      : fmt::format("averaged over {:g} s", largest.averaging)) +
            unseen_text(summary, false);
 }
 

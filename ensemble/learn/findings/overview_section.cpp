@@ -8,6 +8,7 @@
 #include "core/wording.hpp"
 #include "findings/key_words.hpp"
 #include "findings/load_columns.hpp"
+#include "findings/model_width.hpp"
 #include "findings/pairs.hpp"
 #include "findings/points.hpp"
 #include "findings/printable.hpp"
@@ -146,6 +147,8 @@ Section overview_section(const Evidence& evidence, const Sensitivity& sensitivit
     } else {
         section.table = case_table(evidence, loads);
     }
+    if (std::string told = width_sentence(find_model_width(evidence)); !told.empty())
+        section.notes.push_back(std::move(told));
     section.after = "\n" + load_columns_text(summary) + "\n";
     if (many && !design)
         section.notes.push_back(fmt::format("{} more cases: --full.", summary.cases.size() - most_overview_rows));

@@ -44,11 +44,13 @@ SharedMembers shared(const std::vector<ByArrangement>& rows, std::size_t first, 
     return pair;
 }
 
-std::vector<SharedMembers> find_pairs(const CampaignTable& table, std::optional<std::size_t> reference) {
+std::vector<SharedMembers> find_pairs(const CampaignTable& table, const PairOptions& options) {
+    const std::optional<std::size_t> reference = options.reference;
     const std::vector<ByArrangement> rows = all_by_arrangement(table);
     std::vector<SharedMembers> pairs;
     for (std::size_t one = 0; one < rows.size(); ++one) {
         for (std::size_t other = one + 1; other < rows.size(); ++other) {
+            if (!options.others && reference != one && reference != other) continue;
             SharedMembers pair = reference == other ? shared(rows, other, one) : shared(rows, one, other);
             if (pair.members.size() >= fewest_shared) pairs.push_back(std::move(pair));
         }
@@ -88,7 +90,7 @@ PairRow compare(const SharedMembers& pair, const Quantity& quantity, const PairO
 }  // namespace
 
 std::vector<PairRow> compare_pairs(const CampaignTable& table, const PairOptions& options) {
-    const std::vector<SharedMembers> pairs = find_pairs(table, options.reference);
+    const std::vector<SharedMembers> pairs = find_pairs(table, options);
     std::vector<PairRow> all;
     const std::vector<Quantity> known = table.quantities();
     for (const Quantity& quantity : shown_in(known, Shown::in_pairs)) {

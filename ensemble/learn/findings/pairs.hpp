@@ -27,12 +27,13 @@ struct PairRow {
 
 struct PairOptions {
     std::optional<std::size_t> reference;  ///< comes first in its pairs
+    bool others = true;                    ///< pairs without the reference, too
     double resolve = 0.1;                  ///< difference to be resolved, as a fraction of the first case's mean
     double power = 0.8;                    ///< probability of finding it at the 5 % level
 };
 
-/// Every pair of cases that share at least two done arrangements, for each quantity of Table 3 and of the averaged load
-/// in order; pairs in file order.
+/// Every pair of cases, or those with the reference, that share at least two done arrangements, for each quantity of
+/// Table 3 and of the averaged load in order; pairs in file order.
 std::vector<PairRow> compare_pairs(const CampaignTable& table, const PairOptions& options = {});
 
 /// One quantity of each of the first `most` cases less that of `reference`, in file order; p is of each pair alone.

@@ -218,8 +218,8 @@ std::vector<DataColumn<PairRow>> columns_of(const Summary& summary, const PairOp
 
 }  // namespace
 
-std::string left_out_text(const Summary& summary, const std::vector<PairRow>& rows) {
-    const std::size_t all = all_pairs(summary);
+std::string left_out_text(const Summary& summary, const std::vector<PairRow>& rows, const PairOptions& options) {
+    const std::size_t all = options.others ? all_pairs(summary) : summary.cases.size() - 1;
     const std::size_t left_out = all - pairs_in(rows);
     if (left_out == 0) return "";
     return fmt::format(
@@ -237,7 +237,7 @@ std::string unasked_text(const Summary& summary) {
 
 Section pairs_section(const Summary& summary, const std::vector<PairRow>& rows, const PairOptions& options) {
     Section section{.records = {make_rows<PairRow>("pairs", rows, columns_of(summary, options))}};
-    const std::string left_out = left_out_text(summary, rows);
+    const std::string left_out = left_out_text(summary, rows, options);
     if (rows.empty()) {
         section.before = summary.cases.size() < 2 ? "Pairs: there is only one case.\n" : left_out + "\n";
         return section;

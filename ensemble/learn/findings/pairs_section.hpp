@@ -9,7 +9,7 @@
 namespace floes {
 
 /// A sentence on the pairs that could not be compared; empty when there are none.
-std::string left_out_text(const Summary& summary, const std::vector<PairRow>& rows);
+std::string left_out_text(const Summary& summary, const std::vector<PairRow>& rows, const PairOptions& options = {});
 
 /// What a campaign of many cases shows instead of its pairs and extremes: how many pairs, and the command that shows
 /// them.

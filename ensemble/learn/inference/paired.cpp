@@ -63,6 +63,23 @@ PairedComparison compare_paired(std::span<const double> first, std::span<const d
     return found;
 }
 
+MeanDifference difference_of_means(std::span<const double> first, std::span<const double> second, double confidence) {
+    const double mean = mean_interval(second).estimate - mean_interval(first).estimate;
+    if (std::min(first.size(), second.size()) < 2) return {mean, undefined, {undefined, undefined}};
+    const auto error = [](std::span<const double> sample) {
+        return sample_variance(sample) / static_cast<double>(sample.size());
+    };
+    const double one = error(first);
+    const double other = error(second);
+    const double all = one + other;
+    if (!(all > 0)) return {mean, 0, {undefined, undefined}};
+    const double freedom =
+        all * all /
+        (one * one / static_cast<double>(first.size() - 1) + other * other / static_cast<double>(second.size() - 1));
+    const double half = student_t(freedom, (1 - confidence) / 2) * std::sqrt(all);
+    return {mean, std::sqrt(all), {mean - half, mean + half}};
+}
+
 std::vector<double> holm(std::span<const double> p) {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < p.size(); ++i) {

@@ -31,6 +31,17 @@ struct PairedComparison {
 PairedComparison compare_paired(std::span<const double> first, std::span<const double> second,
                                 double confidence = 0.95);
 
+/// Two samples that have nothing in common.
+struct MeanDifference {
+    double difference = 0;      ///< mean of second less mean of first
+    double standard_error = 0;  ///< NaN where a sample has fewer than two values
+    Limits interval{};          ///< Welch's t; NaN where nothing varies or a sample has fewer than two values
+};
+
+/// By B. L. Welch, Biometrika 34 (1947) 28-35. Values finite, at least one in each.
+MeanDifference difference_of_means(std::span<const double> first, std::span<const double> second,
+                                   double confidence = 0.95);
+
 /// Wilcoxon's signed-rank test of differences, two-sided. Zeros are left out, ties share the mean of their ranks. Up to
 /// 50 differences p is exact given the ranks, also with ties (all 2^n signs are counted); above that, normal with the
 /// variance corrected for ties, without continuity correction. scipy.stats.wilcoxon agrees except for ties and zeros in

@@ -27,6 +27,12 @@ std::uint64_t arrangement_seed(const Campaign& campaign, int case_index) {
     return digest64(fmt::format("seed {} case {}", campaign.seed, name));
 }
 
+std::optional<std::size_t> base_case(const Campaign& campaign) {
+    const auto found = std::ranges::find(campaign.cases, campaign.run.base_case, &Case::name);
+    if (found == campaign.cases.end()) return {};
+    return static_cast<std::size_t>(found - campaign.cases.begin());
+}
+
 std::vector<int> sharing_groups(const Campaign& campaign) {
     std::vector<int> groups;
     std::map<std::uint64_t, int> of_geometry;

@@ -1,7 +1,9 @@
 #pragma once
 // A campaign: cases times arrangements. Each pair is a member; its result is a pure function of (campaign, number).
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -59,6 +61,9 @@ MemberKey member_key(const Campaign& campaign, int number);
 /// Seed of the random streams that the case's arrangements are drawn from: the campaign's where arrangements are
 /// common, otherwise one that the case's name gives.
 std::uint64_t arrangement_seed(const Campaign& campaign, int case_index);
+
+/// Index of run.base_case; none where it is not given.
+std::optional<std::size_t> base_case(const Campaign& campaign);
 
 /// A number for each case, equal for two cases exactly when each arrangement of one has the same floes as that of the
 /// other: common arrangements and the same field geometry. From 0, in order of the first case of each.

@@ -153,6 +153,10 @@ Keys describe(RunRules& rules) {
         switch_key("run.nominal_modulus", rules.nominal_modulus, "E is the ice's",
                    "With joint.model = \"cfm\", where a case states both E and joint.cfm: true takes E for a "
                    "name, as in the paper, and does not compare them."));
+    keys.push_back(text_key("run.base_case", rules.base_case, "none",
+                            "The case of which all others are variations, as floes vary writes them: differences are "
+                            "formed with this one alone, and summaries say what the variations do together. Empty: "
+                            "every case is compared with every other."));
     keys.push_back(integer_key("run.attempts", rules.attempts, 1, 100, "one retry",
                                "Number of attempts at a failing member before it is set aside as failed."));
     return keys;

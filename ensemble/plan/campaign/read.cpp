@@ -17,6 +17,7 @@
 #include "campaign/write.hpp"
 #include "core/error.hpp"
 #include "core/utf8.hpp"
+#include "keys/literal.hpp"
 #include "keys/read.hpp"
 #include "scenario/keys.hpp"
 #include "scenario/validate.hpp"
@@ -72,6 +73,7 @@ class Reader {
         if (const auto fault = stop_quantity_fault(campaign))
             throw InputError(
                 fmt::format("{}: {}", origins_.contains("stop.of") ? origins_.at("stop.of") : source_.file, *fault));
+        refuse_base_case(campaign);
         // The campaign is stored and sent as this text, so one that could not be read again is refused at once.
         if (source_.from_user) write_campaign(campaign, fmt::format("{}, with all keys written out", source_.file));
         return campaign;
@@ -106,6 +108,14 @@ class Reader {
             const Key* key = find_key(keys, full_path(entry.path));
             if (key != nullptr && !key->preset) overridden_.emplace_back(entry, exact_text(*key));
         }
+    }
+
+    void refuse_base_case(const Campaign& campaign) const {
+        if (rules_.base_case.empty() || base_case(campaign)) return;
+        std::vector<std::string> names;
+        for (const Case& one : campaign.cases) names.push_back(one.name);
+        throw InputError(fmt::format("{}: run.base_case = {} names no case; the cases are {}",
+                                     origins_.at("run.base_case"), text_literal(rules_.base_case), name_list(names)));
     }
 
     void set(const Keys& keys, const Entry& entry, Origins& origins) const {
@@ -232,8 +242,7 @@ class Reader {
     Pairing pairing(const Scenario& scenario, const Origins& own) const {
         if (scenario.joint.model != JointModel::cfm) return Pairing::settled;
         const bool modulus = own.contains("ice.elastic_modulus_MPa");
-        if (!own.contains("joint.cfm"))
-            return source_.from_user || modulus ? Pairing::find_cfm : Pairing::settled;
+        if (!own.contains("joint.cfm")) return source_.from_user || modulus ? Pairing::find_cfm : Pairing::settled;
         if (!modulus) return Pairing::find_modulus;
         return source_.from_user && !rules_.nominal_modulus ? Pairing::check : Pairing::settled;
     }

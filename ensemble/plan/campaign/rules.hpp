@@ -26,6 +26,7 @@ struct RunRules {
     double member_deadline = 6 * 3600;            ///< s of wall clock for one attempt; 0: none
     double member_memory = 2048.0 * 1024 * 1024;  ///< bytes, for a member in a process of its own; 0: no limit
     bool nominal_modulus = false;                 ///< E of joints that follow Σ is a name only
+    std::string base_case = "";                   ///< whose variations all other cases are; empty: none
     int attempts = 2;                             ///< failed ones after which a member is set aside, >= 1
 };
 

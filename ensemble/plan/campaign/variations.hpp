@@ -1,0 +1,27 @@
+#pragma once
+// What a model leaves open, varied one at a time: a campaign whose cases show how far its loads depend on inputs that
+// are rarely measured.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "campaign/campaign.hpp"
+
+namespace floes {
+
+struct Variation {
+    std::string name;                                       ///< of its case: "ice_ice_friction_0.15"
+    std::string why;                                        ///< how far the input is open, a phrase
+    std::vector<std::pair<std::string, std::string>> sets;  ///< keys and their values as text
+};
+
+/// In the order in which the configuration has its tables. Inputs that have no effect in the scenario are left out, and
+/// so is what the user chose rather than measured: the hull, the tow, the floes' sizes, the far end.
+std::vector<Variation> variations_of(const Scenario& scenario);
+
+/// The case as a configuration: the keys that differ from their defaults, the case `base`, and a case for each
+/// variation.
+std::string variations_text(const Campaign& campaign, const Case& of);
+
+}  // namespace floes
