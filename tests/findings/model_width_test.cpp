@@ -100,6 +100,7 @@ TEST(ModelWidth, SaysWhichIsLarger) {
     EXPECT_THAT(width_sentence(find_model_width(alike)), HasSubstr("would narrow the result"));
     const std::vector<Section> sections{model_section(evidence)};
     EXPECT_THAT(text(sections, 120), testing::ContainsRegex("rough +\\+4.0 ± 0.0 "));
+    EXPECT_THAT(text(sections, 120), testing::ContainsRegex("base, n = 8 +33.5 ± 2.0 "));
     EXPECT_THAT(csv(sections), HasSubstr("smooth,contact.ice_ice_friction,mean_N,33.5,-3,"));
 }
 

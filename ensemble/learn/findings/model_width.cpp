@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <ranges>
 #include <set>
 
 #include "core/wording.hpp"
@@ -152,6 +153,7 @@ std::optional<ModelWidth> find_model_width(const Evidence& evidence) {
     const std::optional<std::size_t> base = base_case(evidence.campaign);
     if (!base) return {};
     ModelWidth width;
+    width.base = *base;
     width.loads = load_columns(evidence.summary);
     std::vector<std::map<int, double>> of_base;
     for (const LoadColumn& load : width.loads) {
@@ -182,6 +184,26 @@ std::optional<ModelWidth> find_model_width(const Evidence& evidence) {
     return width;
 }
 
+Table variations_table(const Summary& summary, const ModelWidth& width, std::size_t most) {
+    Table table{{"case, then changes from it"}};
+    for (const LoadColumn& load : width.loads) table.front().emplace_back(load.heading());
+    const auto add = [&](std::string words, auto&& cell_of) {
+        std::vector<Cell>& line = table.emplace_back(std::vector<Cell>{std::move(words)});
+        for (std::size_t column = 0; column < width.loads.size(); ++column) line.emplace_back(cell_of(column));
+    };
+    const CaseSummary& base = summary.cases[width.base];
+    add(fmt::format("{}, n = {}", summary.label_of(width.base), base.done),
+        [&](std::size_t column) { return width.loads[column].cell(base); });
+    for (const VariationRow& row : width.variations | std::views::take(most)) {
+        const bool paired = row.changes.front().paired;
+        add(summary.label_of(row.of_case) + (paired ? "" : " *"),
+            [&](std::size_t column) { return change_cell(width.loads[column], row.changes[column]); });
+    }
+    add("all inputs together",
+        [&](std::size_t column) { return width_text(width.loads[column], width.widths[column]); });
+    return table;
+}
+
 std::string width_sentence(const std::optional<ModelWidth>& width) {
     if (!width) return "";
     const LoadColumn& load = width->loads.front();
@@ -189,8 +211,8 @@ std::string width_sentence(const std::optional<ModelWidth>& width) {
     const double model = std::max(-row.down, row.up);
     return fmt::format(
         "Sampling leaves the mean load open by ± {} {}, the {} varied here by {} {} together: {}.",
-        fixed(load.factor * row.sampling, load.decimals), load.unit, counted(static_cast<std::int64_t>(width->inputs), "input"),
-        width_text(load, row), load.unit,
+        fixed(load.factor * row.sampling, load.decimals), load.unit,
+        counted(static_cast<std::int64_t>(width->inputs), "input"), width_text(load, row), load.unit,
         model > row.sampling ? "more arrangements do not narrow that" : "more arrangements would narrow the result");
 }
 
@@ -203,29 +225,12 @@ Section model_section(Evidence& evidence) {
     Section section{.title = fmt::format("What the model leaves open: {} of {}, one at a time",
                                          counted(std::ssize(width->variations), "variation"),
                                          counted(static_cast<std::int64_t>(width->inputs), "input"))};
-    section.table = {{"less the base case"}};
-    for (const LoadColumn& load : width->loads) section.table.front().emplace_back(load.heading());
-    const auto add = [&](std::string words, auto&& cell_of) {
-        std::vector<Cell>& line = section.table.emplace_back(std::vector<Cell>{std::move(words)});
-        for (std::size_t column = 0; column < width->loads.size(); ++column) line.emplace_back(cell_of(column));
-    };
-    bool unpaired = false;
-    for (const VariationRow& row : width->variations) {
-        const bool paired = row.changes.front().paired;
-        unpaired = unpaired || !paired;
-        add(evidence.summary.label_of(row.of_case) + (paired ? "" : " *"),
-            [&](std::size_t column) { return change_cell(width->loads[column], row.changes[column]); });
-    }
-    add("all inputs together",
-        [&](std::size_t column) { return width_text(width->loads[column], width->widths[column]); });
-    add("sampling, of the base case", [&](std::size_t column) {
-        return "± " +
-               fixed(width->loads[column].factor * width->widths[column].sampling, width->loads[column].decimals);
-    });
+    section.table = variations_table(evidence.summary, *width, width->variations.size());
     section.after =
         "\n±: 95 % interval over arrangements. All inputs together: root of the sum of the squared largest change of "
         "each input that way, less what sampling adds to it, as if inputs were independent.\n";
-    if (unpaired) section.notes.push_back("* other floes, because the field is another: not in pairs.");
+    if (std::ranges::any_of(width->variations, [](const VariationRow& row) { return !row.changes.front().paired; }))
+        section.notes.push_back("* other floes, because the field is another: not in pairs.");
     section.notes.push_back(width_sentence(width));
     section.records = {records_of(evidence, *width)};
     section.figures = {figure_of(evidence, *width)};

@@ -21,7 +21,7 @@ struct LoadChange {
 
 struct VariationRow {
     std::size_t of_case = 0;
-    std::string input;            ///< paths of the keys that differ: variations of one input share it
+    std::string input;                ///< paths of the keys that differ: variations of one input share it
     std::vector<LoadChange> changes;  ///< by load column
 };
 
@@ -34,6 +34,7 @@ struct WidthRow {
 };
 
 struct ModelWidth {
+    std::size_t base = 0;
     std::vector<LoadColumn> loads;
     std::vector<VariationRow> variations;  ///< those that moved the mean load most come first
     std::vector<WidthRow> widths;          ///< by load column
@@ -46,6 +47,9 @@ struct ModelWidth {
 /// these changes, which chance alone would add. As if inputs were independent and their ends equally likely (ISO/IEC
 /// Guide 98-3:2008, 5.1.2).
 std::optional<ModelWidth> find_model_width(const Evidence& evidence);
+
+/// The base case's loads, what the first `most` variations change, and what all inputs do together.
+Table variations_table(const Summary& summary, const ModelWidth& width, std::size_t most);
 
 /// One sentence on the mean load; empty without a width.
 std::string width_sentence(const std::optional<ModelWidth>& width);

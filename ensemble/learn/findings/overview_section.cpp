@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/wording.hpp"
 #include "findings/key_words.hpp"
@@ -144,11 +145,16 @@ Section overview_section(const Evidence& evidence, const Sensitivity& sensitivit
             section.table = point_table(find_points(evidence.campaign), summary, loads);
         }
         for (std::string& sentence : axis_sentences(sensitivity)) section.notes.push_back(std::move(sentence));
+    } else if (const std::optional<ModelWidth> width = find_model_width(evidence)) {
+        section.table = variations_table(summary, *width, most_overview_rows);
+        section.notes.push_back(width_sentence(width));
+        if (const std::size_t all = width->variations.size(); all > most_overview_rows)
+            section.notes.push_back(fmt::format("{} smaller changes: --parts model.", all - most_overview_rows));
+        section.after = "\n" + load_columns_text(summary) + "\n";
+        return section;
     } else {
         section.table = case_table(evidence, loads);
     }
-    if (std::string told = width_sentence(find_model_width(evidence)); !told.empty())
-        section.notes.push_back(std::move(told));
     section.after = "\n" + load_columns_text(summary) + "\n";
     if (many && !design)
         section.notes.push_back(fmt::format("{} more cases: --full.", summary.cases.size() - most_overview_rows));
