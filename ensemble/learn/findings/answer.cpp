@@ -111,8 +111,15 @@ std::vector<std::string> load_sentences(const Summary& summary, const DesignLoad
 std::vector<std::string> basis_sentences(const Evidence& evidence, const DesignLoads& designs) {
     std::vector<std::string> sentences{"Brackets are 95 % confidence intervals over arrangements.",
                                        field_words(evidence.campaign)};
-    for (std::string& line : variation_lines(evidence.campaign, evidence.summary)) sentences.push_back(std::move(line));
-    for (std::string& line : condition_lines(evidence.summary)) sentences.push_back(std::move(line));
+    Summary stated = evidence.summary;
+    if (const std::optional<std::size_t> base = base_case(evidence.campaign)) {
+        stated.cases = {stated.cases[*base]};
+        stated.labels.clear();
+    } else {
+        for (std::string& line : variation_lines(evidence.campaign, evidence.summary))
+            sentences.push_back(std::move(line));
+    }
+    for (std::string& line : condition_lines(stated)) sentences.push_back(std::move(line));
     int done = 0;
     int unsteady = 0;
     for (const CaseSummary& row : evidence.summary.cases) {
