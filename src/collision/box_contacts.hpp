@@ -21,7 +21,7 @@ namespace floes {
 struct ContactBox {
     Triple half_extent{};
     double reach = 0;    ///< a point lasts while its halves are nearer than this
-    bool fixed = false;  ///< never moves
+    bool fixed = false;  ///< never turns, and touches no other that is fixed
     bool is_box = true;  ///< otherwise only a number that is taken
     int piece = -1;      ///< boxes of one piece >= 0 do not touch
 };

@@ -81,7 +81,9 @@ void DirectFloes::store_water(std::size_t body) {
     const auto put = [&](int field, double value) {
         carried_[place(slots_.body[body], carried_field::count, field, kernels_->width)] = value;
     };
-    const Eigen::Matrix<double, 6, 6> inertia = inertia_of(body_of(of, Mat3::Identity()));
+    PieceBody free = body_of(of, Mat3::Identity());
+    free.rail = -1;  // what acts on a body on a rail from outside is along it
+    const Eigen::Matrix<double, 6, 6> inertia = inertia_of(free);
     const CarriedWater& water = of.water;
     const double moments[] = {water.in_plane, water.yaw, water.normal, water.x, water.z, water.xx, water.xz, water.zz};
     for (int i = 0; i < 8; ++i) put(i, moments[i]);

@@ -139,6 +139,16 @@ void LaneSystem::find_touched(std::span<const SolverContact> contacts) {
     }
 }
 
+/// Of the velocity changes of bodies on rails, what is not along them. One row of the sweep that is solved exactly.
+void LaneSystem::keep_on_rails() {
+    for (const auto& [slot, axis] : rails_) {
+        double* change = delta_.data() + 8 * static_cast<std::size_t>(slot);
+        for (int i = 0; i < 3; ++i)
+            if (i != axis) change[i] = 0;
+        std::fill_n(change + 4, 3, 0.0);
+    }
+}
+
 int LaneSystem::solve(std::span<SolverContact> contacts, const ContactLaw& law, const Sweeps& sweeps) {
     if (direct_) return solve_directly(contacts, law, sweeps);
     const int iterations = sweeps.most;
@@ -159,6 +169,7 @@ int LaneSystem::solve(std::span<SolverContact> contacts, const ContactLaw& law, 
         kernels_->sweep(all, touched_blocks_.data(), touched_blocks_.size(), 1);
         kernels_->to_contacts(all, touched_groups_.data(), touched_groups_.size());
         contact_rows_.sweep(*kernels_, all.delta);
+        keep_on_rails();
         kernels_->from_contacts(all, touched_groups_.data(), touched_groups_.size());
     }
     for (const LaneBlock& block : blocks_) kernels_->reactions(all, block, time_step_);

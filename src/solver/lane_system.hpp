@@ -85,6 +85,7 @@ class LaneSystem {
     void cover(std::size_t joint, double covered);
     LaneArrays arrays();
     void find_touched(std::span<const SolverContact> contacts);
+    void keep_on_rails();
     int solve_directly(std::span<SolverContact> contacts, const ContactLaw& law, const Sweeps& sweeps);
 
     const LaneKernels* kernels_;
@@ -92,6 +93,7 @@ class LaneSystem {
     std::vector<LaneBlock> blocks_;
     std::vector<std::uint32_t> slot_of_body_;  ///< group * width + lane
     std::vector<std::uint32_t> slot_of_joint_;
+    std::vector<std::pair<std::uint32_t, int>> rails_;  ///< slots of bodies on rails, and their axes
     std::vector<std::pair<std::uint32_t, std::uint32_t>> bodies_of_joint_;
     std::vector<std::uint32_t> block_of_body_;
     std::vector<std::uint8_t> block_touched_, group_touched_;  ///< in this step

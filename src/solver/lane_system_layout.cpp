@@ -132,6 +132,7 @@ void LaneSystem::fill(std::span<const SolverBody> bodies, std::span<const Solver
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         sweep_[place(slot_of_body_[i], sweep_field::count, sweep_field::inverse_mass, width())] =
             bodies[i].inverse_mass;
+        if (bodies[i].rail >= 0) rails_.emplace_back(slot_of_body_[i], bodies[i].rail);
         const auto put = [&](int field, double value) {
             body_[place(slot_of_body_[i], body_field::count, field, width())] = value;
         };

@@ -82,7 +82,7 @@ bool close(const Matrix& a, const Matrix& b, double size) {
 
 bool equal(const PieceBody& a, const PieceBody& b) {
     return close(a.mass, b.mass) && close(a.inertia, b.inertia, a.inertia.cwiseAbs().maxCoeff()) &&
-           close(a.turn, b.turn, 1.0) && a.water == b.water;
+           close(a.turn, b.turn, 1.0) && a.water == b.water && a.rail == b.rail;
 }
 
 bool equal(const PieceJoint& a, const PieceJoint& b) {
@@ -97,7 +97,7 @@ bool equal(const PieceJoint& a, const PieceJoint& b) {
 PieceBody body_of(const SolverBody& body, const Mat3& turn) {
     if (!(body.inverse_mass > 0)) return {};
     const Vec3 inertia(1 / body.inverse_inertia[0], 1 / body.inverse_inertia[1], 1 / body.inverse_inertia[2]);
-    return {1 / body.inverse_mass, turn * inertia.asDiagonal() * turn.transpose(), turn, body.water};
+    return {1 / body.inverse_mass, turn * inertia.asDiagonal() * turn.transpose(), turn, body.water, body.rail};
 }
 
 Eigen::Matrix<double, 6, 6> inertia_of(const PieceBody& body) {
@@ -105,6 +105,8 @@ Eigen::Matrix<double, 6, 6> inertia_of(const PieceBody& body) {
     if (!(body.mass > 0)) return inertia;
     inertia.topLeftCorner<3, 3>() *= body.mass;
     inertia.bottomRightCorner<3, 3>() = body.inertia;
+    for (int axis = 0; axis < 3; ++axis)
+        if (body.rail >= 0 && axis != body.rail) inertia(axis, axis) *= off_rail;
     const CarriedWater& water = body.water;
     if (water == CarriedWater{}) return inertia;
     Eigen::Matrix<double, 6, 6> added = Eigen::Matrix<double, 6, 6>::Zero();

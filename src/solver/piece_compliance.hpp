@@ -27,6 +27,7 @@ struct PieceBody {
     Mat3 inertia = Mat3::Zero();   ///< about the centre of mass, kg m²
     Mat3 turn = Mat3::Identity();  ///< body -> piece
     CarriedWater water{};          ///< in the body's axes
+    int rail = -1;                 ///< axis along which alone it moves, of a body by itself
 };
 
 /// The body in a piece in which it is turned by `turn`, body -> piece.

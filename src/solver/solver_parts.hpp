@@ -18,6 +18,9 @@ struct Sweeps {
     double tolerance = 0;
 };
 
+/// How much heavier a body on a rail is in every other direction.
+inline constexpr double off_rail = 1e12;
+
 /// What does not change about a body. Without mass: it never moves by itself.
 struct SolverBody {
     double inverse_mass = 0;                  ///< 1/kg
@@ -26,6 +29,7 @@ struct SolverBody {
     double crushing_pressure = 0;             ///< Pa, of its edges, above 0; 0: that of the contact law
     double weight = 0;                        ///< N, upwards, in every step
     CarriedWater water{};                     ///< where joints are solved directly
+    int rail = -1;                            ///< world axis 0-2 along which alone it moves, without turning; -1: free
 };
 
 /// A joint's frame in a body: rotation joint -> body row by row, origin in m from the centre of mass.

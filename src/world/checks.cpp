@@ -55,6 +55,12 @@ void check(const FixedBoxDefinition& box) {
     check_box(box.half_extents);
 }
 
+void check(const SlidingBoxDefinition& box) {
+    check_box(box.half_extents);
+    require(box.mass > 0, "the mass of a sliding box", box.mass, "above 0 kg");
+    require(box.axis >= 0 && box.axis <= 2, "the axis of a sliding box", box.axis, "0, 1 or 2");
+}
+
 void check(const JointDefinition& joint, std::size_t bodies, SolverKind solver) {
     const auto last = static_cast<double>(bodies) - 1;
     for (const BodyId body : {joint.a, joint.b}) {

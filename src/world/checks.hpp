@@ -14,6 +14,7 @@ namespace floes {
 void check(const WorldDefinition& definition);
 void check(const BoxDefinition& box);
 void check(const FixedBoxDefinition& box);
+void check(const SlidingBoxDefinition& box);
 void check(const JointDefinition& joint, std::size_t bodies, SolverKind solver);
 void check(const CarriedWater& water, SolverKind solver);
 void check_sleep(SolverKind solver);

@@ -22,6 +22,12 @@ FixedBoxDefinition FroudeUnits::to_own(FixedBoxDefinition box) const {
     return box;
 }
 
+SlidingBoxDefinition FroudeUnits::to_own(SlidingBoxDefinition box) const {
+    box.half_extents /= length_;
+    box.position = to_own(box.position);
+    return box;
+}
+
 JointDefinition FroudeUnits::to_own(JointDefinition joint) const {
     joint.pivot /= length_;
     if (joint.spring) {

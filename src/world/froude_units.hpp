@@ -27,6 +27,7 @@ class FroudeUnits {
     WorldDefinition to_own(WorldDefinition definition) const;
     BoxDefinition to_own(BoxDefinition box) const;
     FixedBoxDefinition to_own(FixedBoxDefinition box) const;
+    SlidingBoxDefinition to_own(SlidingBoxDefinition box) const;
     JointDefinition to_own(JointDefinition joint) const;
     ConvexSolid to_own(const ConvexSolid& solid) const { return solid.scaled(1 / length_); }
     CarriedWater to_own(CarriedWater water) const;

@@ -26,8 +26,9 @@ LaneSolver::LaneSolver(const WorldDefinition& definition, btCollisionDispatcher&
       width_(lane_kernels(definition.lanes > 0 ? definition.lanes : lane_widths().back()).width),
       structure_contacts_(dispatcher, info) {}
 
-void LaneSolver::add_body(const btRigidBody& body, int piece, double crushing_pressure) {
+void LaneSolver::add_body(const btRigidBody& body, int piece, double crushing_pressure, std::optional<int> rail) {
     const bool fixed = !(body.getInvMass() > 0);
+    const bool turns = !fixed && !rail;
     const Triple extent = half_extent(body);
     const double reach = body.getCollisionShape()->getContactBreakingThreshold(gContactBreakingThreshold);
     free_.push_back(fixed ? 0 : 1);
@@ -36,12 +37,17 @@ void LaneSolver::add_body(const btRigidBody& body, int piece, double crushing_pr
         added.parts = {body.getInvMass(), array_of(body.getInvInertiaDiagLocal()), {}, 0, 0, {}};
         added.parts.weight = -definition_.gravity * (1.0 / body.getInvMass());
     }
+    if (rail) {
+        added.parts.rail = *rail;
+        added.parts.weight = 0;
+        added.parts.inverse_inertia.fill(body.getInvMass() / (1e3 * off_rail));
+    }
     added.parts.half_extent = extent;
     added.parts.crushing_pressure = crushing_pressure;
     added.start = state_of(body);
     added.friction = body.getFriction();
-    boxes_.add({extent, reach, fixed, extent != Triple{}, piece});
-    structure_contacts_.add(fixed ? Triple{} : extent);
+    boxes_.add({extent, reach, !turns, extent != Triple{}, rail ? no_piece : piece});
+    structure_contacts_.add(turns ? extent : Triple{});
     stale_ = true;
 }
 
@@ -86,6 +92,12 @@ void LaneSolver::place(std::size_t body, const SolverState& state) {
 
 void LaneSolver::apply(std::size_t body, const Wrench& wrench) {
     if (!in_system_body(body)) lay_out();
+    if (const int rail = bodies_[body].parts.rail; rail >= 0) {
+        std::array<double, 3> along{};
+        along[static_cast<std::size_t>(rail)] = wrench.force[rail];
+        system_->add_force(body, along, {});
+        return;
+    }
     system_->add_force(body, {wrench.force.x(), wrench.force.y(), wrench.force.z()},
                        {wrench.moment.x(), wrench.moment.y(), wrench.moment.z()});
 }
@@ -153,7 +165,9 @@ void LaneSolver::push_apart() {
     if (!system_->pushed()) return;
     boxes_.distrust();
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        const std::array<double, 6> push = system_->push(i);
+        std::array<double, 6> push = system_->push(i);
+        for (std::size_t k = 0; k < 6 && bodies_[i].parts.rail >= 0; ++k)
+            if (k != static_cast<std::size_t>(bodies_[i].parts.rail)) push[k] = 0;
         if (push == std::array<double, 6>{}) continue;
         system_->set_state(i, pushed(system_->state(i), push, definition_.time_step));
         structure_contacts_.distrust(i);

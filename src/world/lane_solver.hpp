@@ -26,7 +26,8 @@ class LaneSolver {
     LaneSolver(const WorldDefinition& definition, btCollisionDispatcher& dispatcher, const btDispatcherInfo& info);
 
     /// Bodies are numbered from 0 in the order in which they are added. crushing_pressure: Pa; 0: that of the law.
-    void add_body(const btRigidBody& body, int piece, double crushing_pressure);
+    /// rail: axis along which alone the body moves.
+    void add_body(const btRigidBody& body, int piece, double crushing_pressure, std::optional<int> rail);
 
     /// The body that is moved from outside, by number.
     void set_structure(std::size_t body) { structure_ = body; }

@@ -31,6 +31,9 @@ namespace floes {
 
 namespace {
 
+/// Of sliding boxes and the structure, which do not touch each other. Elements' pieces are numbers of elements.
+constexpr int sheet_piece = std::numeric_limits<int>::max();
+
 /// Joints take their ERP and CFM from their own definition; of these only m_erp2 concerns contacts (m_erp is that of
 /// joints without one). A penetration is corrected by m_erp2 in the velocity impulse, so that the contact force
 /// contains the correction, unless split impulse is on and the penetration is deeper than the threshold.
@@ -82,10 +85,10 @@ class World::Bullet {
     /// Adds any body. Worlds in different threads share one datum: Bullet's counter of bodies, a debugging aid that is
     /// never read.
     BodyId add_body(btCollisionShape* shape, double mass, const Pose& pose, double material, int piece, int flags,
-                    double crushing_pressure) {
+                    double crushing_pressure, std::optional<int> rail = {}) {
         const BodyId id(bodies.size());
         btVector3 inertia(0, 0, 0);
-        if (mass > 0) shape->calculateLocalInertia(mass, inertia);
+        if (mass > 0 && !rail) shape->calculateLocalInertia(mass, inertia);
         btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, shape, inertia);
         info.m_startWorldTransform = to_bullet(pose);
         info.m_friction = material;
@@ -93,8 +96,14 @@ class World::Bullet {
         added.setCollisionFlags(added.getCollisionFlags() | flags);
         added.setActivationState(DISABLE_DEACTIVATION);  // floes as slow as the tow would fall asleep
         added.setUserIndex(static_cast<int>(id.index()));
+        if (rail) {
+            btVector3 along(0, 0, 0);
+            along[*rail] = 1;
+            added.setLinearFactor(along);
+            added.setFlags(BT_DISABLE_WORLD_GRAVITY);
+        }
         if (lanes) {
-            lanes->add_body(added, piece, crushing_pressure);
+            lanes->add_body(added, piece, crushing_pressure, rail);
         } else {
             world.addRigidBody(&added);
             added.setUserIndex2(piece);
@@ -148,6 +157,13 @@ BodyId World::add_fixed_box(const FixedBoxDefinition& given) {
     return bullet_->add_body(bullet_->box_shape(box.half_extents), 0, box.pose, bullet_->friction.ice, no_piece, 0, 0);
 }
 
+BodyId World::add_sliding_box(const SlidingBoxDefinition& given) {
+    check(given);
+    const SlidingBoxDefinition box = bullet_->units.to_own(given);
+    return bullet_->add_body(bullet_->box_shape(box.half_extents), box.mass, {box.position, Quat::Identity()},
+                             bullet_->friction.ice, sheet_piece, 0, 0, box.axis);
+}
+
 BodyId World::add_structure(std::span<const ConvexSolid> solids, const Vec3& position) {
     check_structure(solids, bullet_->structure.has_value());
     bullet_->structure_shape.emplace();
@@ -156,7 +172,7 @@ BodyId World::add_structure(std::span<const ConvexSolid> solids, const Vec3& pos
                                                 &bullet_->solids.emplace_back(bullet_->units.to_own(solid)));
     }
     const Pose pose{bullet_->units.to_own(position), Quat::Identity()};
-    bullet_->structure = bullet_->add_body(&*bullet_->structure_shape, 0, pose, bullet_->friction.structure, no_piece,
+    bullet_->structure = bullet_->add_body(&*bullet_->structure_shape, 0, pose, bullet_->friction.structure, sheet_piece,
                                            btCollisionObject::CF_KINEMATIC_OBJECT,
                                            std::numeric_limits<double>::infinity());  // it does not crush
     if (bullet_->lanes) bullet_->lanes->set_structure(bullet_->structure->index());
