@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "world/bullet_settings.hpp"
 #include "world/checks.hpp"
 #include "world/contact_load.hpp"
 #include "world/conversion.hpp"
@@ -28,24 +29,6 @@
 #include "world/solver_state.hpp"
 
 namespace floes {
-
-namespace {
-
-/// Of sliding boxes and the structure, which do not touch each other. Elements' pieces are numbers of elements.
-constexpr int sheet_piece = std::numeric_limits<int>::max();
-
-/// Joints take their ERP and CFM from their own definition; of these only m_erp2 concerns contacts (m_erp is that of
-/// joints without one). A penetration is corrected by m_erp2 in the velocity impulse, so that the contact force
-/// contains the correction, unless split impulse is on and the penetration is deeper than the threshold.
-void set_up(btContactSolverInfo& info, const WorldDefinition& definition) {
-    info.m_numIterations = definition.iterations;
-    info.m_erp2 = definition.contact.erp;
-    info.m_splitImpulse = definition.contact.split_impulse ? 1 : 0;
-    info.m_splitImpulsePenetrationThreshold = -definition.contact.split_impulse_depth;
-    info.m_solverMode = SOLVER_USE_WARMSTARTING | SOLVER_SIMD;  // without the first, contact forces are not kept
-}
-
-}  // namespace
 
 // Everything here, solvers included, is in `units`. Members are destroyed in reverse order: the world before what it
 // refers to.
