@@ -206,6 +206,10 @@ inline constexpr std::array quantities{
         "work_lifting",
         "work over the distance towed that goes into lifting and pushing ice under, against weight and buoyancy",
         at<&MemberOutputs::work, &WorkShares::lifting>()),
+    work_quantity("work_driving",
+                  "work over the distance towed that goes into ice sheets that give way and against the wind; negative "
+                  "where these push the ice",
+                  at<&MemberOutputs::work, &WorkShares::driving>(), 11),
     work_quantity("work_motion",
                   "work over the distance towed that goes into motion of the ice and the water it carries",
                   at<&MemberOutputs::work, &WorkShares::motion>()),

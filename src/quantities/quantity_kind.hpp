@@ -69,8 +69,8 @@ struct Quantity {
 };
 
 /// A share of the work of the tow (statistics/work_shares.hpp).
-constexpr Quantity work_quantity(const char* key, std::string_view long_name, Place place) {
-    return {.key = key, .unit = "N", .long_name = long_name, .place = place, .least = no_least, .since = 10};
+constexpr Quantity work_quantity(const char* key, std::string_view long_name, Place place, int since = 10) {
+    return {.key = key, .unit = "N", .long_name = long_name, .place = place, .least = no_least, .since = since};
 }
 
 }  // namespace floes

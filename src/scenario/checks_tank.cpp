@@ -29,7 +29,9 @@ void check_tow(const Scenario& scenario, Contradictions& found) {
     const Structure& structure = scenario.structure;
     const double radius = structure.shape.waterline_radius();
     const double duration = scenario.analysis.steady_start + scenario.analysis.window;
-    const double end = structure.start + structure.speed * duration;
+    // Ice that nothing holds drifts with the current while the structure comes.
+    const double drift = scenario.field.far_end == FarEnd::open ? scenario.water.current_velocity().x() : 0;
+    const double end = structure.start + (structure.speed - drift) * duration;
     const auto course = [&] {
         return fmt::format("{} and {}", given(scenario, "structure.start_m"), given(scenario, "structure.speed_m_s"));
     };
@@ -73,6 +75,22 @@ void check_tow(const Scenario& scenario, Contradictions& found) {
                  "field's end at {:.4g} m; tow for a shorter time or take more floes",
                  closed ? "into the ice sheet at the far end" : "out of the ice", course(), end + radius, duration,
                  scenario.field_end())});
+    }
+}
+
+void check_boundaries(const Scenario& scenario, Contradictions& found) {
+    const Field& field = scenario.field;
+    if (field.confining > 0 && field.sides == FieldSides::open && field.far_end == FarEnd::open) {
+        found.push_back({{"field.confining_N_m", "field.sides", "field.far_end"},
+                         fmt::format("{} needs an ice sheet that presses; close the sides or the far end, or take 0",
+                                     given(scenario, "field.confining_N_m"))});
+    }
+    for (const std::string key : {"water.current_m_s", "wind.speed_m_s"}) {
+        const double speed = key.starts_with("wind") ? scenario.wind.speed : scenario.water.current;
+        if (speed == 0 || field.wake_radius == 0) continue;
+        found.push_back({{"field.wake_radius_m", key},
+                         fmt::format("{} lets no floe rest, so {} cannot stand; take 0 for none at rest",
+                                     given(scenario, key), given(scenario, "field.wake_radius_m"))});
     }
 }
 

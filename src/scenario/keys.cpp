@@ -23,7 +23,7 @@ std::map<std::string_view, std::string> late_texts() {
 
 Keys describe(Scenario& scenario) {
     Keys keys;
-    keys.reserve(100);
+    keys.reserve(110);
     add_general(keys, scenario.general);
     add_ice(keys, scenario.floe, scenario.ice);
     add_floe(keys, scenario.floe);
@@ -33,6 +33,7 @@ Keys describe(Scenario& scenario) {
     add_structure(keys, scenario.structure);
     add_contact(keys, scenario.contact);
     add_water(keys, scenario.water);
+    add_wind(keys, scenario.wind);
     add_analysis(keys, scenario.analysis);
     add_paper(keys, scenario);
     return keys;
@@ -57,6 +58,7 @@ TableTitles scenario_titles() {
          "Contacts between floes, and between ice and the structure. The coefficient of restitution is 0 (Table 1) and "
          "not a key."},
         {"water", "Buoyancy and drag, which act on each element."},
+        {"wind", "The wind, which acts on ice above the water."},
         {"analysis", "The window in which the load is measured; the run ends with it."},
         {"paper",
          "What only a comparison with the paper needs: other readings of its equations, and what Bullet does by "

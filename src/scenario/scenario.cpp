@@ -25,6 +25,18 @@ Material Scenario::material() const {
     return {ice, joint};
 }
 
+double Scenario::closing_speed() const {
+    return field.closing_speed > 0 ? field.closing_speed : structure.speed;
+}
+
+Vec2 Water::current_velocity() const {
+    return current * Vec2(std::cos(current_direction), std::sin(current_direction));
+}
+
+Vec2 Wind::stress() const {
+    return air_density * drag * speed * speed * Vec2(std::cos(direction), std::sin(direction));
+}
+
 ContactLaw Scenario::contact_law(const Ice& of) const {
     ContactLaw law = contact;
     if (law.crushing_pressure == 0) law.crushing_pressure = of.compressive_strength;

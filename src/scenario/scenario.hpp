@@ -21,6 +21,7 @@ enum class ThresholdForm { force, as_printed };  ///< of Eqs. (1)-(2): L_e T_e �
 enum class ArrangementMethod { monte_carlo, lattice, file, scattered };
 enum class ArrangementStart { lattice, stripes };  ///< of the Monte Carlo chain; the result forgets it
 enum class FarEnd { ice_sheet, open };             ///< what stands behind the ice field
+enum class FieldSides { ice_sheet, open };              ///< what bounds it abeam of the tow
 enum class WaterFlow { potential, still };         ///< water velocity that drag is relative to
 /// Where added mass and the damping by waves come from: a share, alike for all elements, or the outline of each piece.
 enum class WaterFrom { share, outline };
@@ -98,6 +99,9 @@ struct Field {
     double half_width = 2.4;      ///< the field lies in |z| <= half_width, m (between the wall ice sheets)
     double sheet_width = 1.0;     ///< breadth of the fixed ice sheets along the walls and at the far end, m
     FarEnd far_end = FarEnd::ice_sheet;
+    FieldSides sides = FieldSides::ice_sheet;
+    double confining = 0;      ///< p, N/m: line load by which the ice sheets press on the field; 0: they are fixed
+    double closing_speed = 0;  ///< m/s, of a sheet that meets nothing; 0: that of the tow
     double wake_radius = 0;  ///< m from the structure's axis; untouched floes beyond it are at rest. 0: none are
 };
 
@@ -125,7 +129,7 @@ struct Structure {
     double speed = 0.07;  ///< V, m/s (Table 1)
 };
 
-/// Hydrostatics and hydrodynamics of an element; sources in scenario/tables_tank.cpp.
+/// Hydrostatics and hydrodynamics of an element; sources in scenario/tables_water.cpp.
 struct Water {
     double density = 1000.0;  ///< ρ_w, kg/m³ (Table 1)
     WaterFlow flow = WaterFlow::potential;
@@ -139,7 +143,22 @@ struct Water {
     double added_mass = 0.0;           ///< water that an element carries along in every direction, over its mass
     double added_mass_in_plane = 0.1;  ///< likewise along the surface, of an outline
 
+    double current = 0;                ///< speed of the current, m/s; ice that lies still moves with it
+    double current_direction = 0;      ///< towards which it flows, rad: 0 along the tow, π/2 towards +z
+    double turning = 0;  ///< θ, rad: skin drag is turned by it, anticlockwise from above, as seen from the ice
+
+    Vec2 current_velocity() const;  ///< along x and z, m/s
     double isotropic_mass() const { return added_mass_from == WaterFrom::share ? added_mass : 0.0; }
+};
+
+/// The wind, on ice above the water.
+struct Wind {
+    double speed = 0;           ///< U, m/s, at the height to which the drag coefficient belongs
+    double direction = 0;       ///< towards which it blows, rad: 0 along the tow, π/2 towards +z
+    double drag = 1.5e-3;       ///< C_a: the air's stress is ρ_a C_a U²
+    double air_density = 1.25;  ///< ρ_a, kg/m³
+
+    Vec2 stress() const;  ///< on ice, along x and z, Pa
 };
 
 /// The window in which the load is measured. It ends the run.
@@ -164,10 +183,12 @@ struct Scenario {
     Structure structure;
     ContactLaw contact = with_preset({}, ContactPreset::physical);
     Water water;
+    Wind wind;
     Analysis analysis;
 
     double field_length() const;                                 ///< m: covered area / (concentration * 2 half_width)
     double field_end() const;                                    ///< x of the field's far edge, m
+    double closing_speed() const;                                ///< of the field, or that of the tow, m/s
     Material material() const;                                   ///< of floes that have no other
     ContactLaw contact_law() const { return contact_law(ice); }  ///< contact, with the crushing pressure in force
     ContactLaw contact_law(const Ice& of) const;                 ///< for such ice

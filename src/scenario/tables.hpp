@@ -15,6 +15,7 @@ void add_arrangement(Keys& keys, ArrangementRule& arrangement);
 void add_structure(Keys& keys, Structure& structure);
 void add_contact(Keys& keys, ContactLaw& contact);
 void add_water(Keys& keys, Water& water);
+void add_wind(Keys& keys, Wind& wind);
 void add_analysis(Keys& keys, Analysis& analysis);
 void add_paper(Keys& keys, Scenario& scenario);
 

@@ -1,4 +1,4 @@
-// Keys of the tables [field], [arrangement], [structure], [water], [analysis]: the tank and what is measured in it.
+// Keys of the tables [field], [arrangement], [structure], [analysis]: the tank and what is measured in it.
 
 #include <fmt/format.h>
 
@@ -83,6 +83,23 @@ Key history_steps(Analysis& analysis) {
                        "and breaks are kept in any case and use every step."});
 }
 
+void add_confinement(Keys& keys, Field& field) {
+    constexpr double most = 1e8;  // N/m: floes of metres crush long before
+    keys.push_back(late_key(number_key(
+        "field.confining_N_m", field.confining, unit::one, at_least(0).at_most(most), "none: the paper's sheets are "
+        "fixed",
+        "Ice pressure as a line load. Each ice sheet is then a rigid body that moves along its normal: it presses on "
+        "the field with this load times the length (side sheets) or width (far sheet) of the field, and ice that "
+        "pushes harder moves it. 0: the sheets are fixed. A few kN/m at full scale; by Froude's law it goes with the "
+        "square of the length, so 1/30 of the size has 1/900.")));
+    keys.push_back(late_key(only_with(
+        "field.confining_N_m > 0", [&field] { return field.confining > 0; },
+        number_key("field.closing_speed_m_s", field.closing_speed, unit::one, at_least(0).at_most(farthest),
+                   "judgement: ice closes as fast as it drifts past",
+                   "Speed at which a sheet closes that meets nothing: its load falls linearly from all of "
+                   "field.confining_N_m at rest to nothing at this speed. 0: the speed of the tow."))));
+}
+
 }  // namespace
 
 void add_field(Keys& keys, Field& field) {
@@ -104,6 +121,10 @@ void add_field(Keys& keys, Field& field) {
         "field.far_end", field.far_end, {"ice_sheet", "open"}, "design decision; the paper names the walls only",
         "Far end of the field: closed by a fixed ice sheet, or open water. With an open far end, the "
         "load on a straight 45° wall is half as large and that on a 76° wall a fifth, and hardly any floe breaks."));
+    keys.push_back(late_key(word_key(
+        "field.sides", field.sides, {"ice_sheet", "open"}, "the paper: walls",
+        "Sides of the field: ice sheets along the walls, or open water, into which floes drift.")));
+    add_confinement(keys, field);
     keys.push_back(
         number_key("field.wake_radius_m", field.wake_radius, unit::one, at_least(0).at_most(farthest),
                    "off: every floe is computed",
@@ -160,51 +181,6 @@ void add_structure(Keys& keys, Structure& structure) {
                               "the paper, Simulation Design", "Initial position of the structure's axis along x."));
     keys.push_back(number_key("structure.speed_m_s", structure.speed, unit::one, above(0).at_most(100), "Table 1",
                               "Speed of the tow along +x, from the first step on."));
-}
-
-void add_water(Keys& keys, Water& water) {
-    const Range coefficient = at_least(0).at_most(100);
-    keys.push_back(number_key("water.density_kg_m3", water.density, unit::one, above(0).at_most(5000), "Table 1",
-                              "Density of water."));
-    keys.push_back(word_key(
-        "water.flow", water.flow, {"potential", "still"}, "design; the paper: a simple flow around the structure",
-        "Water velocity for the drag: potential flow round the moving waterline circle, or water at rest."));
-    keys.push_back(number_key(
-        "water.form_drag", water.form_drag, unit::one, coefficient, "Su, Aarsæther and Kristiansen 2019; others 0.5",
-        "Form drag coefficient on the wetted edge faces of a floe. It carries floes round the structure."));
-    keys.push_back(number_key("water.skin_drag", water.skin_drag, unit::one, coefficient,
-                              "laminar plate, 1.328 / sqrt(Re) at Re 2.3e4; others 0.002 to 0.01",
-                              "Skin drag coefficient on the bottom face."));
-    keys.push_back(number_key("water.heave_drag", water.heave_drag, unit::one, coefficient, "bluff plate, DNV-RP-C205",
-                              "Quadratic drag coefficient on vertical motion."));
-    const auto damped_by_share = [&water] { return water.heave_damping_from == WaterFrom::share; };
-    const auto mass_by_share = [&water] { return water.added_mass_from == WaterFrom::share; };
-    keys.push_back(late_key(word_key(
-        "water.heave_damping_from", water.heave_damping_from, {"share", "outline"},
-        "closed form, docs/water.md; ice under water makes no waves",
-        "Damping by waves. outline: what a plate of the outline of each connected piece radiates as it heaves, on "
-        "ice that cuts the surface. share: water.heave_damping of each element by itself, under water too.")));
-    keys.push_back(only_with("water.heave_damping_from = \"share\"", damped_by_share,
-                             number_key("water.heave_damping", water.heave_damping, unit::one, at_least(0).at_most(1),
-                                        "the paper's preset; usual 0.1 to 0.2",
-                                        "Linear damping of vertical motion, as a share of an element's critical "
-                                        "damping.")));
-    keys.push_back(late_key(word_key(
-        "water.added_mass_from", water.added_mass_from, {"share", "outline"}, "closed form, docs/water.md",
-        "Water that moves with the ice. outline: in heave, roll and pitch that of a plate of the outline of each "
-        "connected piece, 5 times the mass of the tank's floes; with solver direct only. share: water.added_mass in "
-        "every direction.")));
-    keys.push_back(only_with(
-        "water.added_mass_from = \"share\"", mass_by_share,
-        number_key("water.added_mass", water.added_mass, unit::one, coefficient, "none, as in the paper's preset",
-                   "Added mass: mass of water that moves with an element, equal in all directions, as a "
-                   "share of the element's own mass. The stiffness of joints that follow Σ is proportional to the "
-                   "total mass (see [joint]), so another value needs another cfm.")));
-    keys.push_back(late_key(only_with(
-        "water.added_mass_from = \"outline\"", [mass_by_share] { return !mass_by_share(); },
-        number_key("water.added_mass_in_plane", water.added_mass_in_plane, unit::one, coefficient,
-                   "between 0.04 for fast and 0.18 for slow motion of the tank's floes, docs/water.md",
-                   "Added mass along the surface and in yaw, as a share of the ice's mass."))));
 }
 
 void add_analysis(Keys& keys, Analysis& analysis) {

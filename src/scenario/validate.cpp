@@ -17,6 +17,7 @@ std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
     check_given_floes(scenario, found);
     if (!found.empty()) return found;  // the checks below would report the same again
     check_tow(scenario, found);
+    check_boundaries(scenario, found);
     check_wake(scenario, found);
     check_lattice(scenario, found);
     check_poses(scenario, found);

@@ -33,6 +33,7 @@ void check_levels(const Scenario& scenario, Contradictions& found);       ///< l
 void check_averaging(const Scenario& scenario, Contradictions& found);    ///< whole steps within a segment, rising
 void check_shape(const Scenario& scenario, Contradictions& found);        ///< a body that stands in the water
 void check_tow(const Scenario& scenario, Contradictions& found);          ///< it meets the ice and stays in it
+void check_boundaries(const Scenario& scenario, Contradictions& found);   ///< what presses has something to press on
 void check_wake(const Scenario& scenario, Contradictions& found);         ///< the structure strikes no resting floe
 void check_lattice(const Scenario& scenario, Contradictions& found);      ///< the floes fit
 void check_given_floes(const Scenario& scenario, Contradictions& found);  ///< each is ice that floats, in elements

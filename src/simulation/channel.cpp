@@ -1,5 +1,8 @@
 #include "simulation/channel.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace floes {
 namespace {
 
@@ -8,11 +11,22 @@ double room_for_a_floe(const FloeSet& floes) {
     return 5 * largest_side(floes) / 3;
 }
 
+/// How far wind and current can take floes beside what the tow pushes, at most: with the current, and by the wind
+/// against skin drag alone.
+double drift_of(const Scenario& scenario) {
+    const Water& water = scenario.water;
+    const double duration = scenario.analysis.steady_start + scenario.analysis.window;
+    const double least_drag = 0.5 * water.density * std::max(water.skin_drag, 1e-3);
+    return duration * (water.current + std::sqrt(scenario.wind.stress().norm() / least_drag));
+}
+
 IceSheet sheet(const Scenario& scenario, const Vec2& x_range, const Vec2& z_range) {
     const Vec2 x_part{x_range.mean(), 0.5 * (x_range.y() - x_range.x())};
     const Vec2 z_part{z_range.mean(), 0.5 * (z_range.y() - z_range.x())};
     return {{x_part.x(), scenario.floe.floating_height(scenario.ice, scenario.water.density), z_part.x()},
-            {x_part.y(), 0.5 * scenario.floe.thickness, z_part.y()}};
+            {x_part.y(), 0.5 * scenario.floe.thickness, z_part.y()},
+            Vec3::Zero(),
+            0};
 }
 
 }  // namespace
@@ -27,12 +41,23 @@ Channel make_channel(const Scenario& scenario, const FloeSet& floes) {
     channel.end = scenario.field_end() + field.sheet_width + (closed ? 0.0 : towed);
     channel.inner_edge = field.half_width;
     channel.outer_edge = field.half_width + field.sheet_width;
+    const bool moves = field.confining > 0;
+    const double drift = drift_of(scenario);
+    if (moves || field.sides == FieldSides::open || drift > 0) channel.drift = drift + towed;
     const Vec2 along{channel.begin, channel.end};
-    channel.sheets.push_back(sheet(scenario, along, {channel.inner_edge, channel.outer_edge}));
-    channel.sheets.push_back(sheet(scenario, along, {-channel.outer_edge, -channel.inner_edge}));
-    if (closed) {
-        const Vec2 across{-channel.inner_edge, channel.inner_edge};
-        channel.sheets.push_back(sheet(scenario, {scenario.field_end(), channel.end}, across));
+    const auto add = [&](const Vec2& x_range, const Vec2& z_range, const Vec3& inwards, double faces) {
+        IceSheet& added = channel.sheets.emplace_back(sheet(scenario, x_range, z_range));
+        added.inwards = inwards;
+        added.faces = faces;
+    };
+    if (field.sides == FieldSides::ice_sheet) {
+        const double faces = scenario.field_length();
+        add(along, {channel.inner_edge, channel.outer_edge}, -Vec3::UnitZ(), faces);
+        add(along, {-channel.outer_edge, -channel.inner_edge}, Vec3::UnitZ(), faces);
+    }
+    if (closed) {  // a sheet that moves leaves no gap at the corners when the sides give way
+        const double edge = moves ? channel.outer_edge : channel.inner_edge;
+        add({scenario.field_end(), channel.end}, {-edge, edge}, -Vec3::UnitX(), 2 * channel.inner_edge);
     }
     return channel;
 }

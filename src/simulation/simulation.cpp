@@ -23,12 +23,6 @@ BodyId add_structure(World& world, const Scenario& scenario) {
     return world.add_structure(solids, {scenario.structure.start, 0, 0});
 }
 
-void add_sheets(World& world, const Channel& channel) {
-    for (const IceSheet& sheet : channel.sheets) {
-        world.add_fixed_box({.half_extents = sheet.half_extents, .pose = {.position = sheet.centre}});
-    }
-}
-
 /// Of the structure in one step. More than the tank's ever are, and no bound: with more the memory grows.
 constexpr std::size_t most_contacts = 1024;
 
@@ -45,7 +39,7 @@ WaterLanes make_water(const Scenario& scenario, const FloeSet& floes, const std:
         const FloeShape& shape = floes.shape(i);
         models.emplace_back(scenario.water, scenario.general.gravity, ElementShape{shape.element, shape.thickness},
                             shape.element_mass(floes.material(i).ice), scenario.structure.shape.waterline_radius(),
-                            scenario.structure.speed);
+                            scenario.structure.speed, scenario.wind.stress());
     }
     std::vector<std::size_t> kind_of_element;
     for (const IceElement& element : elements)
@@ -63,12 +57,12 @@ Simulation::Simulation(const Scenario& scenario, const FloeSet& floes)
       world_(scenario_world(scenario)),
       structure_(add_structure(world_, scenario)),
       ice_(world_, scenario, floes),
+      sheets_(world_, scenario, channel_),
       water_(make_water(scenario, floes, ice_.elements())),
       piece_water_(scenario, floes),
       work_(scenario, floes, ice_, structure_),
       sleeping_(scenario.field.wake_radius, ice_.elements()),
       contact_bins_(scenario.structure.shape.bottom(), scenario.structure.shape.top()) {
-    add_sheets(world_, channel_);
     for (int floe = 0; floe < ice_.floes(); ++floe) piece_water_.share_out(floe, ice_, world_, water_);
     const auto steps = static_cast<std::size_t>(scenario.step_count());
     loads_.surge.reserve(steps);
@@ -78,7 +72,18 @@ Simulation::Simulation(const Scenario& scenario, const FloeSet& floes)
     states_.resize(ice_.elements().size());
     states_before_.resize(states_.size());
     read_states();
+    drift_with_current();
     sleeping_.lay_down(world_, states_, tow_.x(0));
+}
+
+/// Ice that lies still in the water moves with it.
+void Simulation::drift_with_current() {
+    const Vec2 current = scenario_.water.current_velocity();
+    if (current.isZero(0)) return;
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+        states_[i].velocity = {current.x(), 0, current.y()};
+        world_.place(ice_.elements()[i].body, states_[i]);
+    }
 }
 
 Simulation::Simulation(const Scenario& scenario, const FloeSet& floes, const SimulationState& state)
@@ -95,6 +100,8 @@ Simulation::Simulation(const Scenario& scenario, const FloeSet& floes, const Sim
     sleeping_.wake_all(world_);
     world_.place(structure_, {.position = {tow_.x(time()), 0, 0}, .velocity = {tow_.speed, 0, 0}});
     for (std::size_t i = 0; i < states_.size(); ++i) world_.place(ice_.elements()[i].body, state.elements[i]);
+    sheets_.place(world_, state.sheets);
+    sheets_.read(world_, tow_.x(time()), time());
     ice_.repeat_breaks(world_, state.breaks);
     share_out_water(0);
     read_states();
@@ -145,12 +152,14 @@ void Simulation::step() {
     move_structure();
     wake_floes();
     apply_water();
+    sheets_.press(world_);
     world_.step();
     sweeps_ += world_.sweeps();
     ++swept_steps_;
     if (work_.looks_at(steps_)) states_before_ = states_;
     read_states();
-    if (work_.looks_at(steps_)) work_.add(world_, ice_, piece_water_, states_before_, states_);
+    sheets_.read(world_, tow_.x(step_end()), step_end());
+    if (work_.looks_at(steps_)) work_.add(world_, ice_, sheets_, piece_water_, states_before_, states_);
     check_wellbeing();
     read_ice_load();
     if (steps_ >= scenario_.first_window_step()) map_contacts();

@@ -20,6 +20,7 @@
 #include "simulation/frame.hpp"
 #include "simulation/load_history.hpp"
 #include "simulation/piece_water.hpp"
+#include "simulation/sheets.hpp"
 #include "simulation/sleeping_floes.hpp"
 #include "simulation/tow_work.hpp"
 #include "simulation/wellbeing.hpp"
@@ -35,6 +36,7 @@ struct SimulationState {
     int steps = 0;                    ///< completed
     std::vector<BodyState> elements;  ///< at their end, in the order of IceField::elements()
     std::vector<BreakEvent> breaks;   ///< so far, by time
+    std::vector<SheetMotion> sheets;  ///< of ice sheets that give way; none: they are where they start
 };
 
 class Simulation;
@@ -73,7 +75,7 @@ class Simulation {
     /// Where the work of the tow went in the analysis window so far.
     WorkShares work() const { return work_.shares(); }
 
-    SimulationState state() const { return {steps_, states_, ice_.breaks()}; }
+    SimulationState state() const { return {steps_, states_, ice_.breaks(), sheets_.motions()}; }
 
     /// Refills `frame` with what there is to see at time(). Vectors keep their memory.
     void read_frame(Frame& frame) const;
@@ -81,12 +83,16 @@ class Simulation {
     /// Motion of every element at time(), in the order of ice().elements().
     const std::vector<BodyState>& element_states() const { return states_; }
 
+    /// How the ice sheets have moved that give way, in the order of the channel's sheets.
+    const std::vector<SheetMotion>& sheets() const { return sheets_.motions(); }
+
   private:
     FrameContact seen(const ContactForce& contact) const;
     double step_end() const { return (steps_ + 1) * scenario_.general.time_step; }
     void move_structure();
     void wake_floes();
     void apply_water();
+    void drift_with_current();
     void read_states();
     void check_wellbeing() const;
     void read_ice_load();
@@ -102,6 +108,7 @@ class Simulation {
     World world_;
     BodyId structure_;
     IceField ice_;
+    Sheets sheets_;
     WaterLanes water_;
     PieceWater piece_water_;
     TowWork work_;

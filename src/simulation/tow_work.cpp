@@ -26,7 +26,8 @@ TowWork::TowWork(const Scenario& scenario, const FloeSet& floes, const IceField&
       gravity_(scenario.general.gravity),
       structure_(structure),
       first_element_(ice.elements().front().body),
-      tow_(scenario.structure.speed, 0, 0) {
+      tow_(scenario.structure.speed, 0, 0),
+      blows_(scenario.wind.speed > 0) {
     const double carried = 1 + scenario.water.isotropic_mass();
     for (const IceElement& element : ice.elements()) {
         const auto floe = static_cast<std::size_t>(element.floe);
@@ -39,7 +40,7 @@ TowWork::TowWork(const Scenario& scenario, const FloeSet& floes, const IceField&
         inertia_.push_back(mass_.back() / 12 * Vec3(broad + thin, 2 * broad, broad + thin));
     }
     const std::size_t count = ice.elements().size();
-    for (std::vector<Wrench>* wrenches : {&plane_, &vertical_, &waves_, &buoyancy_}) wrenches->resize(count);
+    for (std::vector<Wrench>* wrenches : {&plane_, &vertical_, &waves_, &buoyancy_, &wind_}) wrenches->resize(count);
     for (std::vector<Vec3>* vectors : {&velocity_, &angular_velocity_, &position_}) vectors->resize(count);
     contacts_.reserve(8 * count);
 }
@@ -50,13 +51,15 @@ void TowWork::split_water(WaterLanes& water, double structure_x) {
         for (std::size_t i = 0; i < into.size(); ++i) into[i] = water.is_set(i) ? water.wrench(i) : Wrench{};
     };
     read(WaterTerms::buoyancy, buoyancy_);
-    read(WaterTerms::buoyancy_and_plane_drag, plane_);
+    if (blows_) read(WaterTerms::buoyancy_and_wind, wind_);
+    read(WaterTerms::and_plane_drag, plane_);
     read(WaterTerms::all_but_waves, vertical_);
     read(WaterTerms::all, waves_);
     for (std::size_t i = 0; i < waves_.size(); ++i) {
         waves_[i] = difference(waves_[i], vertical_[i]);
         vertical_[i] = difference(vertical_[i], plane_[i]);
-        plane_[i] = difference(plane_[i], buoyancy_[i]);
+        plane_[i] = difference(plane_[i], blows_ ? wind_[i] : buoyancy_[i]);
+        if (blows_) wind_[i] = difference(wind_[i], buoyancy_[i]);
     }
 }
 
@@ -64,8 +67,8 @@ double TowWork::power(const Wrench& wrench, std::size_t element) const {
     return wrench.force.dot(velocity_[element]) + wrench.moment.dot(angular_velocity_[element]);
 }
 
-void TowWork::add(const World& world, const IceField& ice, const PieceWater& water, std::span<const BodyState> before,
-                  std::span<const BodyState> after) {
+void TowWork::add(const World& world, const IceField& ice, const Sheets& sheets, const PieceWater& water,
+                  std::span<const BodyState> before, std::span<const BodyState> after) {
     for (std::size_t i = 0; i < before.size(); ++i) {
         velocity_[i] = 0.5 * (before[i].velocity + after[i].velocity);
         angular_velocity_[i] = 0.5 * (before[i].angular_velocity + after[i].angular_velocity);
@@ -73,7 +76,7 @@ void TowWork::add(const World& world, const IceField& ice, const PieceWater& wat
     }
     const double before_step = together(sum_);
     const double load = -world.contact_force(structure_).dot(tow_);
-    add_contacts(world);
+    add_contacts(world, sheets);
     add_water();
     add_motion(water, before, after);
     sum_.joints -= ice.joint_power(world, before, velocity_, angular_velocity_);
@@ -81,17 +84,22 @@ void TowWork::add(const World& world, const IceField& ice, const PieceWater& wat
     ++steps_;
 }
 
-void TowWork::add_contacts(const World& world) {
+void TowWork::add_contacts(const World& world, const Sheets& sheets) {
     world.read_contacts(contacts_);
     for (const ContactForce& contact : contacts_) {
         bool hull = false;
+        const Vec3 on_a = contact.normal + contact.friction;
         const auto velocity = [&](BodyId body) -> Vec3 {
             if (body == structure_) {
                 hull = true;
                 return tow_;
             }
             const std::size_t i = body.index() - first_element_.index();  // elements were added one after another
-            if (i >= velocity_.size()) return Vec3::Zero();               // an ice sheet
+            if (i >= velocity_.size()) {                                  // an ice sheet
+                const Vec3 sheet = sheets.velocity(body);
+                sum_.driving += (body == contact.a ? on_a : Vec3(-on_a)).dot(sheet);
+                return sheet;
+            }
             return velocity_[i] + angular_velocity_[i].cross(contact.point - position_[i]);
         };
         const Vec3 sliding = velocity(contact.a) - velocity(contact.b);
@@ -103,6 +111,7 @@ void TowWork::add_contacts(const World& world) {
 void TowWork::add_water() {
     for (std::size_t i = 0; i < velocity_.size(); ++i) {
         sum_.plane_drag -= power(plane_[i], i);
+        if (blows_) sum_.driving -= power(wind_[i], i);
         sum_.vertical_drag -= power(vertical_[i], i);
         sum_.waves -= power(waves_[i], i);
         sum_.lifting -= power(buoyancy_[i], i) - weight_[i] * velocity_[i].y();

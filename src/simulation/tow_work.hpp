@@ -11,6 +11,7 @@
 #include "scenario/floes.hpp"
 #include "scenario/scenario.hpp"
 #include "simulation/piece_water.hpp"
+#include "simulation/sheets.hpp"
 #include "statistics/work_shares.hpp"
 #include "water/water_lanes.hpp"
 #include "world/world.hpp"
@@ -30,8 +31,8 @@ class TowWork {
 
     /// After the step and before joints break: from the states of its beginning and its end, in the order of
     /// ice.elements().
-    void add(const World& world, const IceField& ice, const PieceWater& water, std::span<const BodyState> before,
-             std::span<const BodyState> after);
+    void add(const World& world, const IceField& ice, const Sheets& sheets, const PieceWater& water,
+             std::span<const BodyState> before, std::span<const BodyState> after);
 
     /// Means over the steps looked at, N; of none: zeros.
     WorkShares shares() const;
@@ -40,7 +41,7 @@ class TowWork {
     static constexpr int stride = 5;
 
     double power(const Wrench& wrench, std::size_t element) const;
-    void add_contacts(const World& world);
+    void add_contacts(const World& world, const Sheets& sheets);
     void add_water();
     void add_motion(const PieceWater& water, std::span<const BodyState> before, std::span<const BodyState> after);
 
@@ -50,10 +51,11 @@ class TowWork {
     BodyId structure_;
     BodyId first_element_;
     Vec3 tow_;                                                  ///< velocity of the structure, m/s
+    bool blows_;                                                ///< whether there is wind
     std::vector<double> mass_;                                  ///< by element, with isotropic added mass, kg
     std::vector<double> weight_;                                ///< by element, N
     std::vector<Vec3> inertia_;                                 ///< by element, principal, kg m²
-    std::vector<Wrench> plane_, vertical_, waves_, buoyancy_;   ///< by element
+    std::vector<Wrench> plane_, vertical_, waves_, buoyancy_, wind_;  ///< by element
     std::vector<Vec3> velocity_, angular_velocity_, position_;  ///< by element, mean over the step
     std::vector<ContactForce> contacts_;
     WorkShares sum_;

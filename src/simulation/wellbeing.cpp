@@ -15,9 +15,9 @@ bool within(double value, double low, double high) {
 
 Wellbeing::Wellbeing(const Scenario& scenario, const Channel& channel)
     : speed(scenario.general.runaway_speed),
-      begin(channel.begin - channel.room),
-      end(channel.end + channel.room),
-      outer_edge(channel.outer_edge),
+      begin(channel.begin - channel.room - channel.drift),
+      end(channel.end + channel.room + channel.drift),
+      outer_edge(channel.outer_edge + channel.drift),
       top(channel.room),
       bottom(scenario.structure.shape.bottom() - channel.room) {}
 

@@ -69,12 +69,25 @@ inline Column submerged_column(const Element& e, double x, double z, double thic
 }
 
 /// Velocity of the water relative to the element's material at `arm`; cos²θ is x²/r², and so on.
+template <bool drifts>
 inline V3 relative_velocity(const Element& e, const V3& arm, const WaterFactors& factors, double structure_x) {
     const Pack zero{};
     const Pack x = e.position.x + arm.x - structure_x;
     const Pack z = e.position.z + arm.z;
     const Pack r2 = x * x + z * z;
     const double radius2 = factors.radius * factors.radius;
+    if constexpr (drifts) {
+        const Pack near = r2 > radius2 ? radius2 / r2 : zero + 1.0;
+        const auto centre = r2 == 0.0;
+        const Pack twice_cos = centre ? zero + 1.0 : x * x / r2 - z * z / r2;
+        const Pack twice_sin = centre ? zero : 2.0 * (x * z / r2);
+        // At the centre, where the direction has no meaning, the water moves with the structure.
+        const Pack along = near * (factors.speed * twice_cos + factors.speed_across * twice_sin);
+        const Pack across =
+            near * (factors.speed * twice_sin + factors.speed_across * (centre ? zero + 1.0 : -twice_cos));
+        return V3{along + factors.current_x, zero, across + factors.current_z} -
+               (e.velocity + cross(e.angular_velocity, arm));
+    }
     const Pack strength = factors.speed * (r2 > radius2 ? radius2 / r2 : zero + 1.0);
     const Pack along = strength * (x * x / r2 - z * z / r2);
     const Pack across = strength * 2.0 * (x * z / r2);
@@ -82,16 +95,18 @@ inline V3 relative_velocity(const Element& e, const V3& arm, const WaterFactors&
     return water - (e.velocity + cross(e.angular_velocity, arm));
 }
 
+template <bool drifts>
 inline void add_form_drag(LaneWrench& total, const Element& e, Mask exposed, const V3& axis, double sign, double x,
                           double z, const WaterFactors& factors, double structure_x) {
     const Column column = submerged_column(e, x, z, factors.thickness);
     const V3 outward = axis * (Pack{} + sign);
-    const Pack approach = dot(relative_velocity(e, column.arm, factors, structure_x), outward);
+    const Pack approach = dot(relative_velocity<drifts>(e, column.arm, factors, structure_x), outward);
     const Pack area = factors.side * column.length;
     total.add(exposed & (column.length != 0.0) & (approach < 0.0),
               outward * (factors.form * area * approach * approach), column.arm);
 }
 
+template <bool drifts>
 inline LaneWrench drag_on_faces(const Element& e, const std::int64_t* exposed_edges, const WaterFactors& factors,
                                 double structure_x) {
     const Bits exposed = *reinterpret_cast<const Bits*>(exposed_edges);
@@ -99,13 +114,20 @@ inline LaneWrench drag_on_faces(const Element& e, const std::int64_t* exposed_ed
     for (int lane = 0; lane < lanes; ++lane) any |= exposed_edges[lane];
     const double half = factors.half_side;
     LaneWrench total{};
-    if (any & 1) add_form_drag(total, e, (exposed & 1) != 0, e.x, 1.0, half, 0.0, factors, structure_x);
-    if (any & 2) add_form_drag(total, e, (exposed & 2) != 0, e.x, -1.0, -half, 0.0, factors, structure_x);
-    if (any & 4) add_form_drag(total, e, (exposed & 4) != 0, e.z, 1.0, 0.0, half, factors, structure_x);
-    if (any & 8) add_form_drag(total, e, (exposed & 8) != 0, e.z, -1.0, 0.0, -half, factors, structure_x);
+    if (any & 1) add_form_drag<drifts>(total, e, (exposed & 1) != 0, e.x, 1.0, half, 0.0, factors, structure_x);
+    if (any & 2) add_form_drag<drifts>(total, e, (exposed & 2) != 0, e.x, -1.0, -half, 0.0, factors, structure_x);
+    if (any & 4) add_form_drag<drifts>(total, e, (exposed & 4) != 0, e.z, 1.0, 0.0, half, factors, structure_x);
+    if (any & 8) add_form_drag<drifts>(total, e, (exposed & 8) != 0, e.z, -1.0, 0.0, -half, factors, structure_x);
     return total;
 }
 
+/// Turned about the upward normal of the ice.
+inline V3 turned_layer(const V3& along, const Element& e, const WaterFactors& factors) {
+    const Pack up = e.normal.y >= 0.0 ? Pack{} + factors.turn_sin : Pack{} - factors.turn_sin;
+    return along * (Pack{} + factors.turn_cos) + cross(e.normal, along) * up;
+}
+
+template <bool drifts>
 inline void add_gauss_point(LaneWrench& buoyancy, LaneWrench& drag, const Element& e, Pack linear, double x, double z,
                             const WaterFactors& factors, double structure_x) {
     const Pack zero{};
@@ -116,16 +138,23 @@ inline void add_gauss_point(LaneWrench& buoyancy, LaneWrench& drag, const Elemen
     const V3 foot = column.arm - e.normal * dot(e.normal, column.arm);
     const Pack down = e.normal.y >= 0.0 ? zero - 0.5 : zero + 0.5;
     const V3 arm = foot + e.normal * down * (zero + factors.thickness);
-    const V3 relative = relative_velocity(e, arm, factors, structure_x);
+    const V3 relative = relative_velocity<drifts>(e, arm, factors, structure_x);
     const Pack through = dot(relative, e.normal);
     const V3 along = relative - e.normal * through;
-    const V3 skin = along * (factors.skin * square_root(dot(along, along)));
+    const V3 drawn = drifts ? turned_layer(along, e, factors) : along;
+    const V3 skin = drawn * (factors.skin * square_root(dot(along, along)));
     const Pack waves = column.length < factors.waves_below ? linear : zero;
     const Pack heave = (factors.heave * absolute(through) + waves) * through;
     drag.add(wet, skin + e.normal * heave, arm);
+    if constexpr (drifts) {
+        const Pack above = factors.thickness * (1 - 1e-9) + zero;
+        drag.add(column.length < above, {zero + factors.wind_x, zero, zero + factors.wind_z},
+                 foot - e.normal * down * (zero + factors.thickness));
+    }
 }
 
-void water(const WaterArrays& arrays, const WaterFactors& factors, std::size_t count, double structure_x) {
+template <bool drifts>
+void water_on_all(const WaterArrays& arrays, const WaterFactors& factors, std::size_t count, double structure_x) {
     const double g = factors.gauss_offset;
     for (std::size_t i = 0; i < count; i += lanes) {
         const Group group{arrays.state + i, arrays.stride};
@@ -134,11 +163,11 @@ void water(const WaterArrays& arrays, const WaterFactors& factors, std::size_t c
                         group.vector(water_field::velocity),     group.vector(water_field::angular_velocity)};
         const Pack linear = *reinterpret_cast<const Pack*>(arrays.linear + i);
         LaneWrench total{};
-        LaneWrench drag = drag_on_faces(e, arrays.exposed_edges + i, factors, structure_x);
-        add_gauss_point(total, drag, e, linear, -g, -g, factors, structure_x);
-        add_gauss_point(total, drag, e, linear, -g, g, factors, structure_x);
-        add_gauss_point(total, drag, e, linear, g, -g, factors, structure_x);
-        add_gauss_point(total, drag, e, linear, g, g, factors, structure_x);
+        LaneWrench drag = drag_on_faces<drifts>(e, arrays.exposed_edges + i, factors, structure_x);
+        add_gauss_point<drifts>(total, drag, e, linear, -g, -g, factors, structure_x);
+        add_gauss_point<drifts>(total, drag, e, linear, -g, g, factors, structure_x);
+        add_gauss_point<drifts>(total, drag, e, linear, g, -g, factors, structure_x);
+        add_gauss_point<drifts>(total, drag, e, linear, g, g, factors, structure_x);
         const Pack sum[wrench_fields] = {total.force.x + drag.force.x,   total.force.y + drag.force.y,
                                          total.force.z + drag.force.z,   total.moment.x + drag.moment.x,
                                          total.moment.y + drag.moment.y, total.moment.z + drag.moment.z};
@@ -146,6 +175,11 @@ void water(const WaterArrays& arrays, const WaterFactors& factors, std::size_t c
             *reinterpret_cast<Pack*>(arrays.wrench + f * arrays.stride + i) = sum[f];
         }
     }
+}
+
+void water(const WaterArrays& arrays, const WaterFactors& factors, std::size_t count, double structure_x) {
+    const auto act = factors.drifts ? water_on_all<true> : water_on_all<false>;
+    act(arrays, factors, count, structure_x);
 }
 
 }  // namespace

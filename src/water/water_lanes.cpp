@@ -62,7 +62,8 @@ void WaterLanes::set(std::size_t element, const ElementState& state) {
 void WaterLanes::compute(double structure_x, WaterTerms terms) {
     for (const Group& group : groups_) {
         WaterFactors factors = group.factors;
-        if (terms < WaterTerms::buoyancy_and_plane_drag) factors.form = factors.skin = 0;
+        if (terms < WaterTerms::buoyancy_and_wind) factors.wind_x = factors.wind_z = 0;
+        if (terms < WaterTerms::and_plane_drag) factors.form = factors.skin = 0;
         if (terms < WaterTerms::all_but_waves) factors.heave = 0;
         if (terms < WaterTerms::all) factors.waves_below = 0;
         kernel_({state_.data() + group.first, exposed_edges_.data() + group.first, linear_.data() + group.first,

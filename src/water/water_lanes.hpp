@@ -21,8 +21,8 @@
 
 namespace floes {
 
-/// Which forces of the water are computed; drag in the plane of the ice is form and skin drag.
-enum class WaterTerms { buoyancy, buoyancy_and_plane_drag, all_but_waves, all };
+/// Which forces of the water and the wind are computed; drag in the plane of the ice is form and skin drag.
+enum class WaterTerms { buoyancy, buoyancy_and_wind, and_plane_drag, all_but_waves, all };
 
 class WaterLanes {
   public:

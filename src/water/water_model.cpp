@@ -15,9 +15,11 @@ constexpr double rounding = 1e-9;
 }  // namespace
 
 WaterModel::WaterModel(const Water& water, double gravity, ElementShape shape, double mass, double waterline_radius,
-                       double speed) {
+                       double speed, const Vec2& wind_stress) {
     const double gauss_area = shape.side * shape.side / 4;
     const double half_area = 0.5 * water.density * gauss_area;
+    const Vec2 current = water.current_velocity();
+    const Vec2 through = water.flow == WaterFlow::still ? Vec2::Zero() : Vec2(Vec2(speed, 0) - current);
     const bool by_outline = water.heave_damping_from == WaterFrom::outline;
     factors_ = {.half_side = 0.5 * shape.side,
                 .side = shape.side,
@@ -29,7 +31,15 @@ WaterModel::WaterModel(const Water& water, double gravity, ElementShape shape, d
                 .heave = half_area * water.heave_drag,
                 .waves_below = by_outline ? shape.thickness * (1 - rounding) : std::numeric_limits<double>::infinity(),
                 .radius = waterline_radius,
-                .speed = water.flow == WaterFlow::still ? 0.0 : speed};
+                .speed = through.x(),
+                .drifts = !current.isZero(0) || water.turning != 0 || !wind_stress.isZero(0),
+                .speed_across = through.y(),
+                .current_x = current.x(),
+                .current_z = current.y(),
+                .turn_cos = std::cos(water.turning),
+                .turn_sin = std::sin(water.turning),
+                .wind_x = wind_stress.x() * gauss_area,
+                .wind_z = wind_stress.y() * gauss_area};
     if (by_outline) {
         const double draught = mass / (water.density * shape.side * shape.side);
         damping_ = water_of_piece({{Vec2::Zero()}}, shape.side, draught, {water.density, gravity}).front().damping;

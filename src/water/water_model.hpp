@@ -21,7 +21,12 @@
 // Flow. Horizontal potential flow round the structure's waterline circle of radius R, which moves at the speed V along
 // +x through water at rest: from the potential -V R² cosθ / r follow  u_r = V R² cosθ / r²,  u_θ = V R² sinθ / r²  for
 // r >= R (no flow through the circle, no vorticity). Inside the circle, the value at r = R in the same direction; at
-// the centre (V, 0). With WaterFlow::still u = 0.
+// the centre (V, 0). With WaterFlow::still u = 0. A current c makes it c and the flow of a circle that moves at V - c.
+//
+// Below the ice the boundary layer turns skin drag by θ, anticlockwise from above (Leppäranta, The Drift of Sea Ice,
+// 2011, chapter 5: τ = ρ C |U| (cosθ U + sinθ k × U), U the water's velocity relative to the ice).
+//
+// Wind. Where a column's top is above the water, ρ_a C_a U² (L²/4) along the wind at the top.
 
 #include "core/vector.hpp"
 #include "scenario/scenario.hpp"
@@ -33,9 +38,9 @@ namespace floes {
 class WaterModel {
   public:
     /// `gravity` m/s², `mass` of one element without added mass kg, `waterline_radius` of the structure m, `speed` of
-    /// its tow m/s.
+    /// its tow m/s, `wind_stress` along x and z Pa.
     WaterModel(const Water& water, double gravity, ElementShape shape, double mass, double waterline_radius,
-               double speed);
+               double speed, const Vec2& wind_stress = Vec2::Zero());
 
     /// c of an element alone, kg/s.
     double damping() const { return damping_; }

@@ -17,10 +17,14 @@ namespace {
 constexpr ElementShape shape{0.2, 0.033};
 constexpr double structure_x = 1.5;
 
-WaterModel model(WaterFlow flow, ElementShape size = shape) {
+WaterModel model(WaterFlow flow, ElementShape size = shape, double current = 0) {
     Water water;
     water.flow = flow;
-    return {water, 9.81, size, 930 * size.side * size.side * size.thickness, 0.614, 0.07};
+    water.current = current;
+    water.current_direction = 2;
+    water.turning = 4 * current;
+    const Vec2 wind_stress(current, -2 * current);
+    return {water, 9.81, size, 930 * size.side * size.side * size.thickness, 0.614, 0.07, wind_stress};
 }
 
 Mat3 turned(double angle, const Vec3& axis) {
@@ -73,12 +77,13 @@ std::vector<ElementState> every_kind_of_element() {
 class WaterLanesOf : public ::testing::TestWithParam<WaterFlow> {};
 
 TEST_P(WaterLanesOf, EveryWidthHasTheBitsOfOneElementAlone) {
-    const std::vector<WaterModel> models{model(GetParam()), model(GetParam(), {0.3, 0.05})};
+    const std::vector<WaterModel> models{model(GetParam()), model(GetParam(), {0.3, 0.05}),
+                                         model(GetParam(), shape, 0.1)};
     const std::vector<ElementState> elements = every_kind_of_element();
     std::vector<std::size_t> model_of;
-    for (std::size_t i = 0; i < elements.size(); ++i) model_of.push_back(i / 2 % 2);
+    for (std::size_t i = 0; i < elements.size(); ++i) model_of.push_back(i / 2 % 3);
     for (const int width : lane_widths()) {
-        // Two models by turns, and every third element left out: lanes are filled with what there is of a model.
+        // Three models by turns, one that drifts, and every third element left out: lanes are filled with what there is of a model.
         WaterLanes many(models, model_of, width);
         many.clear();
         for (std::size_t i = 0; i < elements.size(); ++i)

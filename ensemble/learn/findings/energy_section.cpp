@@ -27,6 +27,7 @@ constexpr std::array all_shares{
     Share{"work_waves", "waves"},
     Share{"work_joints", "bending and breaking"},
     Share{"work_lifting", "lifting and pushing under"},
+    Share{"work_driving", "against sheets that give way and wind"},
     Share{"work_motion", "motion of ice and water"},
     Share{"work_rest", "lost by finite steps"},
 };

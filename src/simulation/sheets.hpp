@@ -1,0 +1,60 @@
+#pragma once
+// The ice sheets round the field in the world: fixed, or, with field.confining_N_m, rigid bodies that give way.
+//
+// A sheet that gives way moves along its normal only. On it act the line load p times the edge of the field that it
+// faces, less the part u/u_c of it while it closes at the speed u (u_c: field.closing_speed_m_s, so that a sheet that
+// meets nothing comes to that speed), the water's skin drag, and the ice. The load falls with the speed of the step's
+// end, which is a mass Δt p l / u_c beside that of the sheet: stable at any load, and at rest all of it is there.
+
+#include <vector>
+
+#include "scenario/scenario.hpp"
+#include "simulation/channel.hpp"
+#include "world/world.hpp"
+
+namespace floes {
+
+/// How a sheet has moved.
+struct SheetMotion {
+    double way = 0;    ///< towards the field since the start, m
+    double speed = 0;  ///< towards the field, m/s
+};
+
+class Sheets {
+  public:
+    Sheets(World& world, const Scenario& scenario, const Channel& channel);
+
+    bool give_way() const { return confining_ > 0; }
+
+    /// Puts them where they came to; as many as there are sheets, or none for the start.
+    void place(World& world, const std::vector<SheetMotion>& motions) const;
+
+    /// Before each step: what acts on them besides the ice.
+    void press(World& world) const;
+
+    /// After a step. Throws MemberFailure when a sheet has closed as far as the structure, whose axis is at
+    /// x = `structure_x`, s `time`: a sheet cannot touch it.
+    void read(const World& world, double structure_x, double time);
+
+    const std::vector<SheetMotion>& motions() const { return motions_; }
+
+    /// Mean velocity of a body in the last step; zero for those that are no sheets that give way.
+    Vec3 velocity(BodyId body) const;
+
+  private:
+    struct Sheet {
+        BodyId body;
+        IceSheet form;
+        double load = 0;     ///< p times the edge, N
+        double skin = 0;     ///< ½ ρ_w C_s A, kg/m
+        double closing = 0;  ///< u_c, m/s
+    };
+
+    double confining_;
+    double radius_;  ///< of the structure
+    std::vector<Sheet> sheets_;
+    std::vector<SheetMotion> motions_;
+    std::vector<double> mean_speed_;  ///< in the last step, m/s
+};
+
+}  // namespace floes
