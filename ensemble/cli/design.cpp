@@ -1,4 +1,4 @@
-// floes design: the largest load in an exposure, with its uncertainty.
+// floes design: the largest load in an exposure, or the loads of a year, with their uncertainty.
 
 #include <cstdio>
 #include <memory>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/design_year.hpp"
 #include "cli/given_file.hpp"
 #include "cli/terminal.hpp"
 #include "core/units.hpp"
@@ -22,6 +23,7 @@ struct DesignOptions {
     DesignLoadRequest request;
     std::string format = "table";
     std::string window = "given";
+    YearOptions year;
 };
 
 std::string answer(const DesignOptions& options) {
@@ -35,18 +37,45 @@ std::string answer(const DesignOptions& options) {
     return written(sections, options.format);
 }
 
+void answer_of_year(const DesignOptions& options, const std::string& program) {
+    YearOptions year = options.year;
+    year.file = options.file;
+    year.load = options.request;
+    year.format = options.format;
+    year.automatic_window = options.window == "auto";
+    year.program = program;
+    expect_campaign_file(year.file);
+    tell_year(year);
+}
+
+void add_year(Verb& verb, YearOptions& year, const Option& exposure, const Option& quantile) {
+    Option regimes =
+        verb.option("--regimes", year.regimes,
+                    "The loads of a year instead: TOML file with a [[regime]] for each kind of ice, its hours a year and "
+                    "its case or place in the design; or a scatter diagram (.csv)");
+    regimes.excludes(exposure).excludes(quantile);
+    verb.option("--per-year", year.per_year, "Probabilities of exceedance in a year, comma-separated")
+        .comma_separated()
+        .within(1e-7, 0.5)
+        .shows_default()
+        .needs(regimes);
+    verb.flag("--next", year.next, "Of a year: the command that runs what its loads are least certain of").needs(regimes);
+    verb.option("-o,--output", year.output,
+                "Of a year: write a page (.html), the exceedance curve (.svg) or a workbook (.xlsx)")
+        .needs(regimes);
+}
+
 }  // namespace
 
 void add_design(CommandLine& line) {
     auto options = std::make_shared<DesignOptions>();
-    Verb verb = line.verb("design", "Design load: the largest load in an exposure, with its uncertainty");
+    Verb verb = line.verb("design", "Design load: the largest load in an exposure, or in a year, with its uncertainty");
     verb.option("campaign", options->file, "The campaign file (CAMPAIGN.h5)").required();
-    verb.option("--exposure-h", options->exposure_h, "Exposure, h at full scale").within(1e-3, 1e6).shows_default();
-    verb.option("--quantile", options->request.quantiles,
-                "Probabilities that the load is not exceeded in the exposure, comma-separated")
-        .comma_separated()
-        .within(0.001, 0.99999)
-        .shows_default();
+    Option exposure = verb.option("--exposure-h", options->exposure_h, "Exposure, h at full scale");
+    exposure.within(1e-3, 1e6).shows_default();
+    Option quantile = verb.option("--quantile", options->request.quantiles,
+                                  "Probabilities that the load is not exceeded in the exposure, comma-separated");
+    quantile.comma_separated().within(0.001, 0.99999).shows_default();
     verb.option("--averaging-s", options->request.averaging,
                 "Time that the load is averaged over, s at full scale: one of the campaign's analysis.averaging_s")
         .positive()
@@ -60,6 +89,7 @@ void add_design(CommandLine& line) {
         .within(0.01, 0.9)
         .shows_default();
     verb.flag("--rising", options->request.rising, "Extrapolate also a load that still rises in the measured window");
+    add_year(verb, options->year, exposure, quantile);
     add_window(verb, options->window);
     add_format(verb, options->format);
     verb.footer(
@@ -67,8 +97,13 @@ void add_design(CommandLine& line) {
         "steps depend on the time step and are no design loads; averaged ones do not (docs/convergence.md).\n\n"
         "  floes design table3_physical.h5\n"
         "  floes design table3_physical.h5 --exposure-h 10 --quantile 0.5,0.9,0.99 --averaging-s 2\n"
-        "  floes design table3_physical.h5 --scale 36 --averaging-s 6 --exposure-h 3      loads at full scale");
-    verb.runs([options] {
+        "  floes design table3_physical.h5 --scale 36 --averaging-s 6 --exposure-h 3      loads at full scale\n"
+        "  floes design table3_physical.h5 --regimes year.toml                            10^-2 and 10^-4 a year");
+    verb.runs([options, &line] {
+        if (!options->year.regimes.empty()) {
+            answer_of_year(*options, line.program_name());
+            return 0;
+        }
         std::fputs(answer(*options).c_str(), stdout);
         return 0;
     });

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "findings/case_peaks.hpp"
 
 namespace floes {
 
@@ -90,31 +91,21 @@ std::vector<CaseDesignLoad> find_design_loads(const CampaignTable& table, const 
         one.case_index = index;
         one.trend = trends[index];
         one.separation = about.analysis.peak_separation;
-        std::vector<PeakRow> rows;
-        double mean = 0;
-        for (const MemberRow& row : table.members) {
-            const AveragedLoad* averaged = row.averaged_over(time);
-            if (row.case_index != static_cast<int>(index) || averaged == nullptr) continue;
-            rows.push_back({averaged->peaks, averaged->segment_maximum});
-            one.arrangements.push_back(row.arrangement);
-            one.members.push_back(static_cast<int>(&row - table.members.data()));
-            one.peaks.insert(one.peaks.end(), averaged->peaks.begin(), averaged->peaks.end());
-            mean += row.load.mean;
-        }
+        const CasePeaks found = case_peaks(table, index, time);
+        one.arrangements = found.arrangements;
+        one.members = found.members;
+        for (const PeakRow& row : found.rows) one.peaks.insert(one.peaks.end(), row.peaks.begin(), row.peaks.end());
         std::ranges::sort(one.peaks, std::ranges::greater{});
-        mean /= std::max(1.0, static_cast<double>(rows.size()));
-        const Measured measured{about.analysis.window, about.analysis.window / about.analysis.segments,
-                                about.analysis.peak_separation, mean};
         if (one.trend.rises() && !request.rising) {
             one.refused = true;
-            one.load.arrangements = rows.size();
+            one.load.arrangements = found.rows.size();
             one.over_shares.assign(std::size(threshold_shares), std::nan(""));
             designs.push_back(std::move(one));
             continue;
         }
-        one.load = design_load(rows, measured, exposure);
+        one.load = design_load(found.rows, found.measured, exposure);
         for (const auto& quantiles :
-             over_thresholds(rows, measured, exposure, {std::begin(threshold_shares), std::end(threshold_shares)}))
+             over_thresholds(found.rows, found.measured, exposure, {std::begin(threshold_shares), std::end(threshold_shares)}))
             one.over_shares.push_back(quantiles.front());
         designs.push_back(std::move(one));
     }

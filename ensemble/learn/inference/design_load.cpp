@@ -14,7 +14,6 @@ namespace {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr double fit_budget = 5e5;          // peaks fitted in all resamples; at least 199 resamples, at most 999
-constexpr double highest_share = 0.9;       // of the peaks, of which a threshold is averaged over
 constexpr double no_expected_from = 0.9;    // the shape from which the mean of the largest is near infinite or is
 constexpr std::size_t most_left_out = 100;  // rows, or groups of rows, that the jackknife leaves out in turn
 
@@ -137,10 +136,9 @@ int resamples_for(std::size_t values) {
 
 /// Both tails of members that differ.
 void add_posterior(MemberPeakSpans peaks, const Measured& measured, const Exposure& exposure, DesignLoad& load) {
-    PosteriorAsked asked{measured.window, measured.separation, measured.mean, {}};
-    for (const double part : exposure.quick ? std::vector{1.0} : std::vector{2.0, 1.0, 0.4})
-        asked.shares.push_back(std::min(part * exposure.share, highest_share));
-    const PosteriorLoad found(peaks, load.unlike.out, asked);
+    const PosteriorLoad found(peaks, load.unlike.out,
+                              {measured.window, measured.separation, measured.mean,
+                               averaged_shares(exposure.share, exposure.quick)});
     if (!found.valid()) return;
     load.weibull_weight = found.weibull_weight();
     load.scatter = found.scatter();

@@ -188,7 +188,29 @@ UnlikeTails draw_tails(TailKind kind, const TailData& data, const WalkOptions& o
     return made;
 }
 
+namespace {
+
+/// Log of the probability that a member's largest peak stays below x, where that is nearly impossible.
+double log_hardly_below(const UnlikeTail& tail, double window, double x) {
+    std::vector<double> logs;
+    const auto add = [&](double share, double middle, double scatter) {
+        for (const Node& node : nodes)
+            logs.push_back(std::log(share * node.share) -
+                           window * rate_of(tail, x, middle * std::exp(scatter * node.at)));
+    };
+    add(1 - tail.out_share, 1, tail.scatter);
+    if (tail.out_share > 0) add(tail.out_share, tail.out_factor, tail.out_scatter);
+    const double most = *std::ranges::max_element(logs);
+    if (!std::isfinite(most)) return impossible;
+    double sum = 0;
+    for (const double one : logs) sum += std::exp(one - most);
+    return most + std::log(sum);
+}
+
+}  // namespace
+
 double log_below(const UnlikeTail& tail, double window, double members, double x) {
+    constexpr double nearly_all = 1 - 1e-12;
     const auto above = [&](double middle, double scatter) {
         if (scatter == 0) return -std::expm1(-window * rate_of(tail, x, middle));
         double sum = 0;
@@ -198,7 +220,7 @@ double log_below(const UnlikeTail& tail, double window, double members, double x
     };
     double sum = (1 - tail.out_share) * above(1, tail.scatter);
     if (tail.out_share > 0) sum += tail.out_share * above(tail.out_factor, tail.out_scatter);
-    return members * std::log1p(-std::min(sum, 1.0));
+    return members * (sum < nearly_all ? std::log1p(-sum) : log_hardly_below(tail, window, x));
 }
 
 double largest_at(const UnlikeTail& tail, double window, double members, double log_p) {

@@ -13,6 +13,7 @@ namespace {
 constexpr double weibull_before = 1.0 / 3;
 constexpr double most_weibull = 7.0 / 9;
 constexpr double highest_origin = 0.9;  // of the threshold
+constexpr double highest_share = 0.9;   // of the peaks, of which a threshold is averaged over
 constexpr int kept = 300;
 constexpr double most_kept = 0.4;         // declustered peaks in a separation above a threshold that is averaged over
 constexpr std::size_t each_expected = 3;  // of the draws one in so many gives an expected load, which takes longest
@@ -81,6 +82,13 @@ PosteriorFigure figure_of(std::vector<Weighted> values) {
 }
 
 }  // namespace
+
+std::vector<double> averaged_shares(double share, bool quick) {
+    std::vector<double> shares;
+    for (const double part : quick ? std::vector{1.0} : std::vector{2.0, 1.0, 0.4})
+        shares.push_back(std::min(part * share, highest_share));
+    return shares;
+}
 
 PosteriorLoad::PosteriorLoad(MemberPeakSpans peaks, const std::vector<std::size_t>& out, const PosteriorAsked& asked)
     : window_(asked.window) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "inference/bootstrap.hpp"
@@ -22,6 +23,9 @@ struct PosteriorAsked {
     std::vector<double> shares;  ///< of the peaks, the highest, each a threshold
 };
 
+/// Shares of the peaks above which both tails are averaged: 2, 1 and 0.4 times `share`; `quick`: that alone.
+std::vector<double> averaged_shares(double share, bool quick);
+
 struct PosteriorFigure {
     double value;  ///< median, N
     Limits interval;
@@ -29,8 +33,17 @@ struct PosteriorFigure {
 
 class PosteriorLoad {
   public:
+    /// One tail; the weights of all draws add up to one.
+    struct Draw {
+        UnlikeTail tail;
+        double weight;
+    };
+
     /// `out`: rows that stand out, rising.
     PosteriorLoad(MemberPeakSpans peaks, const std::vector<std::size_t>& out, const PosteriorAsked& asked);
+
+    /// Tails that are known.
+    PosteriorLoad(double window, std::vector<Draw> draws) : window_(window), draws_(std::move(draws)) {}
 
     bool valid() const { return !draws_.empty(); }  ///< there are peaks enough
 
@@ -39,16 +52,14 @@ class PosteriorLoad {
     /// The mean of the largest load in `exposure`, s.
     PosteriorFigure expected(double exposure) const;
 
+    const std::vector<Draw>& draws() const { return draws_; }
+    double window() const { return window_; }  ///< s, of each member
+
     double weibull_weight() const;
     double scatter() const;  ///< median of the SD of log s over members that do not stand out
     double alike() const;    ///< probability that these do not differ at all
 
   private:
-    struct Draw {
-        UnlikeTail tail;
-        double weight;
-    };
-
     void add(const TailData& data, std::uint32_t number);
 
     double window_;

@@ -6,39 +6,11 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "match/divided_runs.hpp"
 #include "match/predict.hpp"
 
 namespace floes {
 namespace {
-
-/// A run whose load is divided by the emulated mean maximum at its point.
-struct DividedRun {
-    double mean_maximum;  ///< N
-    bool left;            ///< whether its point is not ruled out
-    double mean;          ///< load
-    PeakRow row;
-};
-
-/// The rows, and the mean of their loads.
-struct DividedRows {
-    std::vector<PeakRow> rows;
-    double mean = 0;
-};
-
-DividedRows rows_of(std::span<const DividedRun> runs) {
-    DividedRows made;
-    for (const DividedRun& run : runs) {
-        made.rows.push_back(run.row);
-        made.mean += run.mean / static_cast<double>(runs.size());
-    }
-    return made;
-}
-
-/// How the rows of a case were measured, and its runs.
-struct CaseRuns {
-    Measured measured;
-    std::vector<DividedRun> runs;
-};
 
 /// For each point, whether no target rules it out.
 std::vector<bool> points_left(const MatchData& data, const std::vector<EmulatedTarget>& targets) {
@@ -47,31 +19,6 @@ std::vector<bool> points_left(const MatchData& data, const std::vector<EmulatedT
         left.push_back(std::ranges::none_of(
             targets, [x = coordinates_of(point)](const EmulatedTarget& target) { return target.rules_out(x); }));
     return left;
-}
-
-CaseRuns runs_of(std::span<const MatchWave> waves, const MatchData& data, const std::vector<bool>& left,
-                 const EmulatedTarget& mean_maximum, const DesignLoadRequest& request) {
-    CaseRuns made;
-    for (std::size_t k = 0; k < data.points.size(); ++k) {
-        const MatchPoint& point = data.points[k];
-        const MatchWave& wave = waves[static_cast<std::size_t>(point.wave)];
-        const double time = averaging_time(wave.table, request);
-        const double index = mean_maximum.mean().at(coordinates_of(point)).mean;
-        for (const MemberRow& row : wave.table.members) {
-            const auto number = static_cast<std::size_t>(row.case_index);
-            const Case& about = wave.campaign.cases[number];
-            if (about.point != point.number || about.base != mean_maximum.target().case_name) continue;
-            const AveragedLoad* averaged = row.averaged_over(time);
-            if (averaged == nullptr) continue;
-            DividedRun run{index, left[k], row.load.mean / index, {averaged->peaks, averaged->segment_maximum}};
-            for (double& peak : run.row.peaks) peak /= index;
-            for (double& maximum : run.row.segment_maxima) maximum /= index;
-            made.runs.push_back(std::move(run));
-            const Analysis& analysis = wave.table.cases[number].analysis;
-            made.measured = {analysis.window, analysis.window / analysis.segments, analysis.peak_separation, 0};
-        }
-    }
-    return made;
 }
 
 /// Growth of the quantile, of runs in order of their mean maxima.
