@@ -49,17 +49,18 @@ void answer_of_year(const DesignOptions& options, const std::string& program) {
 }
 
 void add_year(Verb& verb, YearOptions& year, const Option& exposure, const Option& quantile) {
-    Option regimes =
-        verb.option("--regimes", year.regimes,
-                    "The loads of a year instead: TOML file with a [[regime]] for each kind of ice, its hours a year and "
-                    "its case or place in the design; or a scatter diagram (.csv)");
+    Option regimes = verb.option(
+        "--regimes", year.regimes,
+        "The loads of a year instead: TOML file with a [[regime]] for each kind of ice, its hours a year and "
+        "its case or place in the design; or a scatter diagram (.csv)");
     regimes.excludes(exposure).excludes(quantile);
     verb.option("--per-year", year.per_year, "Probabilities of exceedance in a year, comma-separated")
         .comma_separated()
         .within(1e-7, 0.5)
         .shows_default()
         .needs(regimes);
-    verb.flag("--next", year.next, "Of a year: the command that runs what its loads are least certain of").needs(regimes);
+    verb.flag("--next", year.next, "Of a year: the command that runs what its loads are least certain of")
+        .needs(regimes);
     verb.option("-o,--output", year.output,
                 "Of a year: write a page (.html), the exceedance curve (.svg) or a workbook (.xlsx)")
         .needs(regimes);

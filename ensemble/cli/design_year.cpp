@@ -54,12 +54,13 @@ void write_output(const YearOptions& options, const std::vector<Section>& sectio
 }  // namespace
 
 void tell_year(const YearOptions& options) {
-    const bool known = options.output.empty() || options.output.ends_with(".html") || options.output.ends_with(".svg") ||
-                       options.output.ends_with(".xlsx");
+    const bool known = options.output.empty() || options.output.ends_with(".html") ||
+                       options.output.ends_with(".svg") || options.output.ends_with(".xlsx");
     if (!known)
-        throw InputError(fmt::format("{} would be a page, a picture or a workbook: give a name that ends with .html, .svg "
-                                     "or .xlsx.",
-                                     options.output));
+        throw InputError(
+            fmt::format("{} would be a page, a picture or a workbook: give a name that ends with .html, .svg "
+                        "or .xlsx.",
+                        options.output));
     const bool table = options.regimes.ends_with(".csv");
     const std::string text = read_text(options.regimes);
     const std::vector<Regime> regimes =

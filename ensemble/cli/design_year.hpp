@@ -9,12 +9,12 @@
 namespace floes {
 
 struct YearOptions {
-    std::string file;      ///< the campaign file
-    std::string regimes;   ///< TOML, or CSV by its name
+    std::string file;     ///< the campaign file
+    std::string regimes;  ///< TOML, or CSV by its name
     DesignLoadRequest load;
     std::vector<double> per_year{1e-2, 1e-4};
     std::string format = "table";
-    std::string output;    ///< .html, .svg or .xlsx by its name; empty: none
+    std::string output;  ///< .html, .svg or .xlsx by its name; empty: none
     bool automatic_window = false;
     bool next = false;
     std::string program;

@@ -120,11 +120,11 @@ void add_summarize(CommandLine& line) {
         .shows_default();
     verb.option("-o,--output", options->output, "Write a file instead; a name that ends with .xlsx makes a workbook");
     verb.option("--reference", options->reference, "Reference case: the others are compared with it, in percent");
-    Option parts =
-        verb.option("--parts", options->parts,
-                    "Parts to show, comma-separated: overview, cases, points and sensitivity (of a design), pairs, "
-                    "model (of floes vary), extremes, exceedance, steady, energy, control, design, members and long "
-                    "(CSV and xlsx only)");
+    Option parts = verb.option(
+        "--parts", options->parts,
+        "Parts to show, comma-separated: overview, cases, points and sensitivity (of a design), pairs, "
+        "model (of floes vary), extremes, exceedance, fatigue, steady, energy, control, design, members and long "
+        "(CSV and xlsx only)");
     parts.comma_separated().one_of(part_names());
     verb.flag("--long", options->long_lines,
               "With --format csv: a line for each value of each simulation: case, arrangement, quantity, unit, value")

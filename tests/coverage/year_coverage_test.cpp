@@ -125,8 +125,9 @@ TEST_P(YearCoverage, IsAsTheIntervalsSay) {
         }
     }
     for (std::size_t k = 0; k < levels.size(); ++k) {
-        fmt::print("| year | {} | {} | {:g} | {:.0f} % | {:.0f} % | {:+.0f} % | {:.1f} |\n", kind.name, members, levels[k],
-                   100.0 * within[k] / count, 100.0 * below[k] / count, 100 * (median(centre[k]) - 1), median(width[k]));
+        fmt::print("| year | {} | {} | {:g} | {:.0f} % | {:.0f} % | {:+.0f} % | {:.1f} |\n", kind.name, members,
+                   levels[k], 100.0 * within[k] / count, 100.0 * below[k] / count, 100 * (median(centre[k]) - 1),
+                   median(width[k]));
         EXPECT_GE(static_cast<double>(within[k]) / count, 0.85 - 3 * std::sqrt(0.85 * 0.15 / count)) << levels[k];
     }
     std::fflush(stdout);

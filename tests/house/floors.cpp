@@ -44,7 +44,7 @@ const std::vector<Room>& rooms() {
         {8, "inference", "Boost, Eigen, NLopt", "learn"},
         {11, "findings", "", "learn"},
         {12, "match", "Boost, Eigen", "learn"},
-        {13, "year", "Eigen", "learn"},
+        {13, "year", "", "learn"},
         {8, "wire", "MPI, POSIX", "run"},
         {8, "attempt", "POSIX", "run"},
         {11, "driver", "POSIX, TBB", "run"},

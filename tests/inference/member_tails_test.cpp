@@ -52,8 +52,8 @@ TEST(MemberTails, OfMembersThatAreAlikeAreTheTailsThemselves) {
 // A member that has such peaks nearly surely still counts by its time.
 TEST(MemberTails, AreTheTailsThemselvesFarBelowTheThreshold) {
     const UnlikeTail tail = alike(TailKind::pareto, 0);
-    const double expected = window * rate_above({.kind = TailKind::pareto, .rate = 0.05, .scale = 20}, 0) *
-                            std::exp(50.0 / 20);
+    const double expected =
+        window * rate_above({.kind = TailKind::pareto, .rate = 0.05, .scale = 20}, 0) * std::exp(50.0 / 20);
     EXPECT_NEAR(log_below(tail, window, 0.01, 0) / (-0.01 * expected), 1, 1e-6);
 }
 

@@ -92,9 +92,8 @@ TEST(YearLoad, OfOneExponentialRegimeIsGumbels) {
 TEST(YearLoad, OfAMixtureIsTheRootOfTheSum) {
     const KnownYear year = year_of(two, hours);
     for (const double p : {0.3, 1e-2, 1e-4}) {
-        const double truth =
-            root([](double x) { return 300 * hour * exponential_rate(x) + 40 * hour * weibull_rate(x); },
-                 -std::log1p(-p));
+        const double truth = root(
+            [](double x) { return 300 * hour * exponential_rate(x) + 40 * hour * weibull_rate(x); }, -std::log1p(-p));
         EXPECT_NEAR(year.load(p).value / truth, 1, 1e-5);
         EXPECT_NEAR(year.load(p).interval.high / truth, 1, 1e-5);  // nothing is uncertain
         EXPECT_NEAR(year.exceeded(truth).front(), p, 1e-6 + 1e-4 * p);
@@ -158,8 +157,8 @@ TEST(YearLoad, IsExceededInThatShareOfDrawnYears) {
             for (double at = known::exponential(random); at < 0.05 * few[0].time; at += known::exponential(random))
                 largest = std::max(largest, 50 + 20 * known::exponential(random));
             for (double at = known::exponential(random); at < 0.02 * few[1].time; at += known::exponential(random))
-                largest = std::max(largest,
-                                   30 + 50 * std::pow(1 + 1.5 * 15 / 50 * known::exponential(random), 1 / 1.5));
+                largest =
+                    std::max(largest, 30 + 50 * std::pow(1 + 1.5 * 15 / 50 * known::exponential(random), 1 / 1.5));
             exceeded += largest > load;
         }
         EXPECT_NEAR(static_cast<double>(exceeded) / years, p, 4 * std::sqrt(p * (1 - p) / years)) << p;

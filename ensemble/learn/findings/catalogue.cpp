@@ -6,6 +6,7 @@
 #include "findings/control_section.hpp"
 #include "findings/design_load_section.hpp"
 #include "findings/energy_section.hpp"
+#include "findings/fatigue.hpp"
 #include "findings/levels.hpp"
 #include "findings/members.hpp"
 #include "findings/model_width.hpp"
@@ -153,6 +154,7 @@ constexpr std::array all{
     Finding{"extremes", one<extremes>, in_detail, "Extremes", in_detail},
     Finding{"", one<levels>, never, "Extremes", with_levels},
     Finding{"exceedance", exceedance, never},
+    Finding{"fatigue", one<fatigue_section>, never},
     Finding{"steady", one<steady>, never},
     Finding{"control", one<control>, never},
     Finding{"", one<convergence_section>, never, "Uncertainty of the mean", always},

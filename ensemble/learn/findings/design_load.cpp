@@ -104,8 +104,8 @@ std::vector<CaseDesignLoad> find_design_loads(const CampaignTable& table, const 
             continue;
         }
         one.load = design_load(found.rows, found.measured, exposure);
-        for (const auto& quantiles :
-             over_thresholds(found.rows, found.measured, exposure, {std::begin(threshold_shares), std::end(threshold_shares)}))
+        for (const auto& quantiles : over_thresholds(found.rows, found.measured, exposure,
+                                                     {std::begin(threshold_shares), std::end(threshold_shares)}))
             one.over_shares.push_back(quantiles.front());
         designs.push_back(std::move(one));
     }

@@ -136,9 +136,9 @@ int resamples_for(std::size_t values) {
 
 /// Both tails of members that differ.
 void add_posterior(MemberPeakSpans peaks, const Measured& measured, const Exposure& exposure, DesignLoad& load) {
-    const PosteriorLoad found(peaks, load.unlike.out,
-                              {measured.window, measured.separation, measured.mean,
-                               averaged_shares(exposure.share, exposure.quick)});
+    const PosteriorLoad found(
+        peaks, load.unlike.out,
+        {measured.window, measured.separation, measured.mean, averaged_shares(exposure.share, exposure.quick)});
     if (!found.valid()) return;
     load.weibull_weight = found.weibull_weight();
     load.scatter = found.scatter();

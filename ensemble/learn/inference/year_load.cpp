@@ -26,13 +26,15 @@ std::vector<double> latin(std::size_t count, RandomStream& random) {
     std::vector<double> values(count);
     for (std::size_t k = 0; k < count; ++k)
         values[k] = (static_cast<double>(k) + random.uniform(1e-9, 1)) / static_cast<double>(count);
-    for (std::size_t k = count; k > 1; --k) std::swap(values[k - 1], values[random.below(static_cast<std::uint32_t>(k))]);
+    for (std::size_t k = count; k > 1; --k)
+        std::swap(values[k - 1], values[random.below(static_cast<std::uint32_t>(k))]);
     return values;
 }
 
 YearFigure figure_of(std::vector<double> values) {
     // A year without such a load in some of the draws has none to quote.
-    if (std::ranges::any_of(values, [](double value) { return std::isnan(value); })) return {undefined, {undefined, undefined}};
+    if (std::ranges::any_of(values, [](double value) { return std::isnan(value); }))
+        return {undefined, {undefined, undefined}};
     std::ranges::sort(values);
     return {quantile_of_sorted(values, 0.5), {quantile_of_sorted(values, 0.025), quantile_of_sorted(values, 0.975)}};
 }
@@ -105,19 +107,16 @@ YearFigure YearLoad::load(double probability) const {
 
 std::vector<YearShare> YearLoad::shares(double probability) const {
     const std::vector<double> found = loads(probability);
-    const YearFigure middle = figure_of(found);
+    const double expected = -std::log1p(-probability);
     std::vector<YearShare> made;
     for (std::size_t regime = 0; regime < regimes_.size(); ++regime) {
-        std::vector<double> parts, rates;
+        std::vector<double> parts;
         for (std::size_t k = 0; k < years_.size(); ++k) {
             const double all = expected_above(years_[k], found[k]);
             parts.push_back(all > 0 ? expected_above(regime, years_[k], found[k]) / all : undefined);
-            rates.push_back(expected_above(regime, years_[k], middle.value));
         }
         const double mean = std::accumulate(parts.begin(), parts.end(), 0.0) / static_cast<double>(parts.size());
-        std::ranges::sort(rates);
-        made.push_back({mean, percentile_interval(std::move(parts)),
-                        regimes_[regime].time / quantile_of_sorted(rates, 0.5)});
+        made.push_back({mean, percentile_interval(std::move(parts)), regimes_[regime].time / (mean * expected)});
     }
     return made;
 }

@@ -34,7 +34,7 @@ struct YearFigure {
 struct YearShare {
     double value = 0;  ///< mean of the draws; those of all regimes add up to one
     Limits interval{};
-    double exceeded_once_in = 0;  ///< s of this regime, at the median of the load
+    double exceeded_once_in = 0;  ///< s of this regime in which it has one such peak on average, by that mean
 };
 
 class YearLoad {

@@ -23,20 +23,22 @@ double number_of(const Entry& entry) {
 
 std::string design_case(const MatchWave& campaign, const Regime& regime) {
     if (!campaign.campaign.design.active())
-        throw InputError(fmt::format("{}: the regime {} gives {}, and {} has no design to interpolate; name one of its "
-                                     "cases with case = \"…\", or run a [design] over {}",
-                                     regime.where, regime.name, regime.values.front().path, campaign.file,
-                                     regime.values.front().path));
+        throw InputError(fmt::format(
+            "{}: the regime {} gives {}, and {} has no design to interpolate; name one of its "
+            "cases with case = \"…\", or run a [design] over {}",
+            regime.where, regime.name, regime.values.front().path, campaign.file, regime.values.front().path));
     const std::vector<std::string> bases = match_cases({&campaign, 1});
     if (regime.case_name.empty() && bases.size() == 1) return bases.front();
     if (std::ranges::find(bases, regime.case_name) != bases.end()) return regime.case_name;
     if (bases.size() == 1 && bases.front().empty())
-        throw InputError(fmt::format("{}: the design of {} has no [[case]] named {}; leave case out, or leave out the "
-                                     "values of axes to name one of its points",
-                                     regime.where, campaign.file, regime.case_name));
-    throw InputError(fmt::format("{}: the regime {} has to say which [[case]] of the design it means: case = \"…\", one "
-                                 "of {}",
-                                 regime.where, regime.name, fmt::join(bases, ", ")));
+        throw InputError(
+            fmt::format("{}: the design of {} has no [[case]] named {}; leave case out, or leave out the "
+                        "values of axes to name one of its points",
+                        regime.where, campaign.file, regime.case_name));
+    throw InputError(
+        fmt::format("{}: the regime {} has to say which [[case]] of the design it means: case = \"…\", one "
+                    "of {}",
+                    regime.where, regime.name, fmt::join(bases, ", ")));
 }
 
 InterpolatedDesign::InterpolatedDesign(const MatchWave& campaign, const std::string& base,
@@ -48,9 +50,10 @@ InterpolatedDesign::InterpolatedDesign(const MatchWave& campaign, const std::str
     index_ = emulate(data_);
     const EmulatedTarget& index = index_.front();
     if (!index.emulated() || !index.mean().fault().empty())
-        throw InputError(fmt::format("{}: the mean maximum cannot be interpolated between the points of the design: {}; "
-                                     "run more points, or name points as cases",
-                                     campaign.file, index.emulated() ? index.mean().fault() : "no point is done"));
+        throw InputError(
+            fmt::format("{}: the mean maximum cannot be interpolated between the points of the design: {}; "
+                        "run more points, or name points as cases",
+                        campaign.file, index.emulated() ? index.mean().fault() : "no point is done"));
     const CaseRuns runs = runs_of(waves, data_, std::vector<bool>(data_.points.size(), true), index, request);
     DividedRows divided = rows_of(runs.runs);
     measured_ = runs.measured;
@@ -87,18 +90,20 @@ Emulated InterpolatedDesign::at(const Regime& regime) const {
         const bool on_scale = axis.scale == AxisScale::linear || value > 0;
         const double coordinate = on_scale ? axis.coordinate(value) : -std::numeric_limits<double>::infinity();
         if (!(std::abs(coordinate) <= 1 + rounding))
-            throw InputError(fmt::format("{}: {} = {:g} is outside of the design, which has it from {:g} to {:g}; between "
-                                         "its points loads are interpolated, beyond them nothing is known: run a "
-                                         "design that reaches there",
-                                         found->where, keys[k], value, axis.from, axis.to));
+            throw InputError(
+                fmt::format("{}: {} = {:g} is outside of the design, which has it from {:g} to {:g}; between "
+                            "its points loads are interpolated, beyond them nothing is known: run a "
+                            "design that reaches there",
+                            found->where, keys[k], value, axis.from, axis.to));
         at[static_cast<Eigen::Index>(k)] = coordinate;
     }
     Emulated index = index_.front().mean().at(at);
     index.variance += index_.front().common_variance(at);
     if (!(index.mean > 0))
-        throw InputError(fmt::format("{}: the emulated mean maximum of the regime {} is {:.3g} N, which is no load; run "
-                                     "more points of the design near it",
-                                     regime.where, regime.name, index.mean));
+        throw InputError(
+            fmt::format("{}: the emulated mean maximum of the regime {} is {:.3g} N, which is no load; run "
+                        "more points of the design near it",
+                        regime.where, regime.name, index.mean));
     return index;
 }
 

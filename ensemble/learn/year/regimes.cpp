@@ -41,14 +41,17 @@ Regime regime_of(const Block& block) {
         throw InputError(fmt::format("{}: this [[regime]] has no hours_per_year; say how many hours of a year have it",
                                      block.where));
     if (regime.case_name.empty() && regime.values.empty())
-        throw InputError(fmt::format("{}: this [[regime]] says nothing of its ice; give case = \"…\", a case of the "
-                                     "campaign file, or the values of its design's axes, as ice.thickness_m = 0.5",
-                                     block.where));
+        throw InputError(
+            fmt::format("{}: this [[regime]] says nothing of its ice; give case = \"…\", a case of the "
+                        "campaign file, or the values of its design's axes, as ice.thickness_m = 0.5",
+                        block.where));
     for (const Entry& value : regime.values)
-        if (!std::holds_alternative<double>(value.value.data) && !std::holds_alternative<std::int64_t>(value.value.data))
-            throw InputError(fmt::format("{}: {} = {} is no number; a regime lies between the points of a design by "
-                                         "the numbers of its axes",
-                                         value.where, value.path, to_text(value.value)));
+        if (!std::holds_alternative<double>(value.value.data) &&
+            !std::holds_alternative<std::int64_t>(value.value.data))
+            throw InputError(
+                fmt::format("{}: {} = {} is no number; a regime lies between the points of a design by "
+                            "the numbers of its axes",
+                            value.where, value.path, to_text(value.value)));
     regime.time = hours * unit::hour;
     if (regime.name.empty()) regime.name = place_of(regime);
     return regime;
@@ -59,13 +62,15 @@ void refuse_twice(const std::vector<Regime>& regimes) {
     for (const Regime& regime : regimes) {
         const auto [named, new_name] = names.emplace(regime.name, regime.where);
         if (!new_name)
-            throw InputError(fmt::format("{}: {} is a regime already, at {}; give it another name, or add its hours to "
-                                         "that one",
-                                         regime.where, regime.name, named->second));
+            throw InputError(
+                fmt::format("{}: {} is a regime already, at {}; give it another name, or add its hours to "
+                            "that one",
+                            regime.where, regime.name, named->second));
         const auto [placed, new_place] = places.emplace(place_of(regime), regime.where);
         if (!new_place)
-            throw InputError(fmt::format("{}: the regime {} is the ice of another one, at {}; add its hours to that one",
-                                         regime.where, regime.name, placed->second));
+            throw InputError(
+                fmt::format("{}: the regime {} is the ice of another one, at {}; add its hours to that one",
+                            regime.where, regime.name, placed->second));
     }
 }
 
@@ -73,9 +78,10 @@ void refuse_too_long(const std::vector<Regime>& regimes, const std::string& file
     double sum = 0;
     for (const Regime& regime : regimes) sum += regime.time / unit::hour;
     if (sum > year_hours)
-        throw InputError(fmt::format("{}: the regimes have {:.6g} h together, and a year has {:g}; hours_per_year is of "
-                                     "each regime alone, and open water is none",
-                                     file, sum, year_hours));
+        throw InputError(
+            fmt::format("{}: the regimes have {:.6g} h together, and a year has {:g}; hours_per_year is of "
+                        "each regime alone, and open water is none",
+                        file, sum, year_hours));
 }
 
 std::vector<Regime> regimes_of(const std::vector<Block>& blocks, const std::string& file) {
@@ -85,9 +91,10 @@ std::vector<Regime> regimes_of(const std::vector<Block>& blocks, const std::stri
     refuse_too_long(regimes, file);
     std::erase_if(regimes, [](const Regime& regime) { return regime.time == 0; });
     if (regimes.empty())
-        throw InputError(fmt::format("{}: no regime has any hours; write [[regime]] with hours_per_year, and a case or "
-                                     "values of axes, for each kind of ice",
-                                     file));
+        throw InputError(
+            fmt::format("{}: no regime has any hours; write [[regime]] with hours_per_year, and a case or "
+                        "values of axes, for each kind of ice",
+                        file));
     return regimes;
 }
 
@@ -101,17 +108,18 @@ std::vector<Regime> read_regimes(std::string_view text, const std::string& file)
                                      to_text(document.entries.front().value)));
     for (const Block& block : document.blocks)
         if (block.path != regime_block)
-            throw InputError(fmt::format("{}: [[{}]] is not a table of regimes; did you mean [[regime]]?", block.where,
-                                         block.path));
+            throw InputError(
+                fmt::format("{}: [[{}]] is not a table of regimes; did you mean [[regime]]?", block.where, block.path));
     return regimes_of(document.blocks, file);
 }
 
 std::vector<Regime> read_regime_table(std::string_view text, const std::string& file) {
     const std::vector<CsvLine> lines = csv_lines(text, file);
     if (lines.empty())
-        throw InputError(fmt::format("{}: the table is empty; its first line names the columns: regime, hours_per_year, "
-                                     "and case or axes of the design",
-                                     file));
+        throw InputError(
+            fmt::format("{}: the table is empty; its first line names the columns: regime, hours_per_year, "
+                        "and case or axes of the design",
+                        file));
     std::vector<std::string> columns = lines.front().cells;
     for (std::string& column : columns)
         if (column == "regime") column = "name";
@@ -125,7 +133,8 @@ std::vector<Regime> read_regime_table(std::string_view text, const std::string& 
         for (std::size_t k = 0; k < columns.size(); ++k) {
             if (lines[row].cells[k].empty()) continue;
             const bool words = columns[k] == "name" || columns[k] == "case";
-            block.entries.push_back({columns[k], words ? Value{lines[row].cells[k]} : number_or_words(lines[row].cells[k]), where});
+            block.entries.push_back(
+                {columns[k], words ? Value{lines[row].cells[k]} : number_or_words(lines[row].cells[k]), where});
         }
     }
     return regimes_of(blocks, file);

@@ -11,10 +11,10 @@ namespace floes {
 
 struct Regime {
     std::string name;
-    double time = 0;             ///< s in a year, above 0, at full scale
-    std::string case_name;       ///< of the campaign; of a design, with values, its [[case]]; may be empty then
-    std::vector<Entry> values;   ///< of a design's axes: path and number; empty: it is the case itself
-    std::string where;           ///< "year.toml:12"
+    double time = 0;            ///< s in a year, above 0, at full scale
+    std::string case_name;      ///< of the campaign; of a design, with values, its [[case]]; may be empty then
+    std::vector<Entry> values;  ///< of a design's axes: path and number; empty: it is the case itself
+    std::string where;          ///< "year.toml:12"
 };
 
 /// Hours of a year with its share of a leap day.

@@ -42,9 +42,9 @@ struct YearRegimeRow {
 
 struct YearLevel {
     double per_year = 0;
-    YearFigure load;                   ///< N, at the scale of the campaign
-    std::vector<YearShare> shares;     ///< one a regime
-    std::vector<double> uncertainty;   ///< one a source: YearLoad::uncertainty()
+    YearFigure load;                  ///< N, at the scale of the campaign
+    std::vector<YearShare> shares;    ///< one a regime
+    std::vector<double> uncertainty;  ///< one a source: YearLoad::uncertainty()
     /// The longest time that a regime with a tenth of the load's peaks or more would have to last for one of them, over
     /// the time run of its source.
     double beyond_run = 0;
@@ -63,8 +63,8 @@ struct Year {
     std::vector<YearCurvePoint> curve;  ///< per_year falling
 };
 
-/// Throws InputError, one sentence, where a regime has no case or lies outside of the design's ranges, where a source has
-/// too few members or peaks or a load that rises, and as averaging_time() and match_axes() do.
+/// Throws InputError, one sentence, where a regime has no case or lies outside of the design's ranges, where a source
+/// has too few members or peaks or a load that rises, and as averaging_time() and match_axes() do.
 Year find_year(const MatchWave& campaign, const std::vector<Regime>& regimes, const YearRequest& request);
 
 }  // namespace floes

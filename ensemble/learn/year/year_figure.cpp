@@ -27,8 +27,8 @@ Figure year_figure(const Year& year, const YearRequest& request) {
     }
     const double rarest = year.curve.back().per_year;
     Figure figure{.description = "Probability that the largest load of a year exceeds a load",
-                  .x = axis_around(fmt::format("largest load of a year, averaged over {:g} s, {}", request.load.averaging,
-                                               unit.name),
+                  .x = axis_around(fmt::format("largest load of a year, averaged over {:g} s, {}",
+                                               request.load.averaging, unit.name),
                                    values, true),
                   .y = {"probability of exceedance in a year", rarest * 0.7, 1, true},
                   .size = {720, 380}};
@@ -50,7 +50,8 @@ Figure year_figure(const Year& year, const YearRequest& request) {
     figure.legend.emplace_back("ink", "all regimes");
     for (const YearLevel& level : year.levels) figure.level(level.per_year, "dashed");
     figure.caption = fmt::format(
-        "Probability that the largest load of a year exceeds a load: of all regimes (thick, with its 95 % interval), and "
+        "Probability that the largest load of a year exceeds a load: of all regimes (thick, with its 95 % interval), "
+        "and "
         "of each as if there were no other{}. Dashed: the probabilities asked for.",
         colours ? "" : " (thin)");
     return figure;

@@ -11,15 +11,15 @@ namespace floes {
 std::vector<DataRows> year_records(const Year& year, const YearRequest& request) {
     const double factor = request.load.force_factor();
     const double hours = std::sqrt(request.load.scale) / unit::hour;
-    const auto loads = make_rows<YearLevel>(
-        "year/loads", year.levels,
-        {{"exceeded_a_year", [](const YearLevel& one) { return one.per_year; }},
-         {"averaging_s", [&](const YearLevel&) { return request.load.averaging; }},
-         {"scale", [&](const YearLevel&) { return request.load.scale; }},
-         {"load_N", [=](const YearLevel& one) { return factor * one.load.value; }},
-         {"low", [=](const YearLevel& one) { return factor * one.load.interval.low; }},
-         {"high", [=](const YearLevel& one) { return factor * one.load.interval.high; }},
-         {"hours_for_one_over_hours_run", [](const YearLevel& one) { return one.beyond_run; }}});
+    const auto loads =
+        make_rows<YearLevel>("year/loads", year.levels,
+                             {{"exceeded_a_year", [](const YearLevel& one) { return one.per_year; }},
+                              {"averaging_s", [&](const YearLevel&) { return request.load.averaging; }},
+                              {"scale", [&](const YearLevel&) { return request.load.scale; }},
+                              {"load_N", [=](const YearLevel& one) { return factor * one.load.value; }},
+                              {"low", [=](const YearLevel& one) { return factor * one.load.interval.low; }},
+                              {"high", [=](const YearLevel& one) { return factor * one.load.interval.high; }},
+                              {"hours_for_one_over_hours_run", [](const YearLevel& one) { return one.beyond_run; }}});
     struct Part {
         const YearLevel* level;
         std::size_t row;
@@ -44,14 +44,14 @@ std::vector<DataRows> year_records(const Year& year, const YearRequest& request)
          {"share_high", [=](const Part& part) { return share_of(part).interval.high; }},
          {"hours_for_one", [=](const Part& part) { return hours * share_of(part).exceeded_once_in; }}});
     const auto source_of = [&](const Part& part) -> const TailSource& { return year.sources[part.row]; };
-    const auto basis = make_rows<Part>(
-        "year/sources", sources,
-        {{"source", [=](const Part& part) { return source_of(part).words(); }},
-         {"members", [=](const Part& part) { return source_of(part).members.size(); }},
-         {"hours_run", [=](const Part& part) { return hours * source_of(part).time_run; }},
-         {"stand_out", [=](const Part& part) { return source_of(part).unlike.out.size(); }},
-         {"exceeded_a_year", [](const Part& part) { return part.level->per_year; }},
-         {"share_of_uncertainty", [](const Part& part) { return part.level->uncertainty[part.row]; }}});
+    const auto basis =
+        make_rows<Part>("year/sources", sources,
+                        {{"source", [=](const Part& part) { return source_of(part).words(); }},
+                         {"members", [=](const Part& part) { return source_of(part).members.size(); }},
+                         {"hours_run", [=](const Part& part) { return hours * source_of(part).time_run; }},
+                         {"stand_out", [=](const Part& part) { return source_of(part).unlike.out.size(); }},
+                         {"exceeded_a_year", [](const Part& part) { return part.level->per_year; }},
+                         {"share_of_uncertainty", [](const Part& part) { return part.level->uncertainty[part.row]; }}});
     const auto curve = make_rows<YearCurvePoint>(
         "year/curve", year.curve,
         {{"exceeded_a_year", [](const YearCurvePoint& one) { return one.per_year; }},

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "core/units.hpp"
@@ -12,15 +13,10 @@
 #include "findings/printable.hpp"
 #include "tables/number_text.hpp"
 #include "year/year_records.hpp"
+#include "year/year_words.hpp"
 
 namespace floes {
 namespace {
-
-std::string per_year_text(double per_year) {
-    const double exponent = std::log10(per_year);
-    return std::abs(exponent - std::round(exponent)) < 1e-9 ? fmt::format("10^{:.0f}", exponent)
-                                                            : fmt::format("{:g}", per_year);
-}
 
 /// ISO 19906's names of the levels.
 std::string level_name(double per_year) {
@@ -29,14 +25,14 @@ std::string level_name(double per_year) {
     return per_year_text(per_year);
 }
 
-std::string percent_of(double share) {
-    if (!std::isfinite(share)) return "–";
-    return share > 0 && share < 0.005 ? "<1 %" : fixed(share / unit::percent, 0) + " %";
-}
-
 std::string hours_text(double seconds) {
     const double hours = seconds / unit::hour;
     return hours < 1e4 ? fmt::format("{:.3g}", hours) : fmt::format("{:.1e}", hours);
+}
+
+std::string capital(std::string sentence) {
+    sentence.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
+    return sentence;
 }
 
 LoadUnit unit_for(const Year& year, const YearRequest& request) {
@@ -47,6 +43,16 @@ LoadUnit unit_for(const Year& year, const YearRequest& request) {
     return {unit.name, unit.factor * request.load.force_factor()};
 }
 
+/// "it asks for 3e+04 h of thin ice, and 2.1 h were run"
+std::string hours_asked(const Year& year, const YearLevel& level, const YearRequest& request) {
+    const double time = std::sqrt(request.load.scale);
+    const auto most = std::ranges::max_element(level.shares, {}, &YearShare::value) - level.shares.begin();
+    const YearRegimeRow& row = year.regimes[static_cast<std::size_t>(most)];
+    return fmt::format("it asks for {} h of {}, and {} h were run",
+                       hours_text(time * level.shares[static_cast<std::size_t>(most)].exceeded_once_in),
+                       row.regime.name, hours_text(time * year.sources[row.tail.source].time_run));
+}
+
 /// Members that stand out, and loads asked for farther than anybody tried.
 std::string doubt_lines(const Year& year, const YearRequest& request) {
     std::string lines;
@@ -54,24 +60,17 @@ std::string doubt_lines(const Year& year, const YearRequest& request) {
         if (source.unlike.out.empty()) continue;
         std::vector<int> numbers;
         for (const std::size_t row : source.unlike.out) numbers.push_back(source.members[row]);
-        lines += fmt::format("! {}: {} of {} members stand out: replay {}. They are a kind of member whose share is "
-                             "uncertain.\n",
-                             source.words(), numbers.size(), source.members.size(), fmt::join(numbers, ", "));
+        lines += fmt::format(
+            "! {}: {} of {} members stand out: replay {}. They are a kind of member whose share is "
+            "uncertain.\n",
+            source.words(), numbers.size(), source.members.size(), fmt::join(numbers, ", "));
     }
-    const double time = std::sqrt(request.load.scale);
-    for (const YearLevel& level : year.levels) {
-        if (!(level.beyond_run > tried_beyond)) continue;
-        double asked = 0, run = 0;
-        for (std::size_t k = 0; k < year.regimes.size(); ++k) {
-            const double own = year.sources[year.regimes[k].tail.source].time_run;
-            if (level.shares[k].exceeded_once_in / own < level.beyond_run * 0.999) continue;
-            asked = time * level.shares[k].exceeded_once_in;
-            run = time * own;
-        }
-        lines += fmt::format("! The load of {} a year is farther from what was run than these intervals were ever tried: "
-                             "a regime has it once in {} h, and {} h were run.\n",
-                             per_year_text(level.per_year), hours_text(asked), hours_text(run));
-    }
+    for (const YearLevel& level : year.levels)
+        if (level.beyond_run > tried_beyond)
+            lines += fmt::format(
+                "! The load of {} a year is farther from what was run than these intervals were ever "
+                "tried: {}.\n",
+                per_year_text(level.per_year), hours_asked(year, level, request));
     return lines;
 }
 
@@ -82,19 +81,24 @@ Section loads_section(const Year& year, const YearRequest& request, const LoadUn
     for (const TailSource& source : year.sources) fewest = std::min(fewest, source.members.size());
     for (const YearLevel& level : year.levels) {
         const bool said = says_something(level.load.value, level.load.interval, static_cast<int>(fewest));
-        table.push_back({level_name(level.per_year), range_cell({level.load.value, level.load.interval}, unit.factor, said)});
+        table.push_back(
+            {level_name(level.per_year),
+             said ? range_cell({level.load.value, level.load.interval}, unit.factor, said) : Cell{"–", "–"}});
         if (!std::isfinite(level.load.value))
             notes.push_back(fmt::format("{}: the regimes have so few hours that no load is exceeded so often.",
                                         per_year_text(level.per_year)));
         else if (!said)
             notes.push_back(fmt::format(
-                "{}: the tail cannot say: its interval is wider than four times the load. More members of what --next "
-                "names, or longer windows.",
-                per_year_text(level.per_year)));
+                "{}: the tail cannot say: its interval is from {:.3g} to {:.3g} {}, wider than four times the load. "
+                "{}; "
+                "run more members of what --next names, or longer windows.",
+                per_year_text(level.per_year), unit.factor * level.load.interval.low,
+                unit.factor * level.load.interval.high, unit.name, capital(hours_asked(year, level, request))));
     }
     return {.title = fmt::format("Loads of a year: the largest averaged over {:g} s", request.load.averaging),
             .table = std::move(table),
-            .after = "\nBrackets: 95 %, from draws of each regime's tails (both tails, docs/design_load.md). docs/year.md\n",
+            .after =
+                "\nBrackets: 95 %, from draws of each regime's tails (both tails, docs/design_load.md). docs/year.md\n",
             .notes = std::move(notes)};
 }
 
@@ -102,7 +106,7 @@ Section regimes_section(const Year& year, const YearRequest& request) {
     const double time = std::sqrt(request.load.scale);
     Table table{{"regime", "h a year", "tail of"}};
     for (const YearLevel& level : year.levels) {
-        table.front().push_back({fmt::format("share at {}", per_year_text(level.per_year)), "95 %"});
+        table.front().emplace_back(fmt::format("share at {}", per_year_text(level.per_year)));
         table.front().emplace_back("once in, h");
     }
     for (std::size_t k = 0; k < year.regimes.size(); ++k) {
@@ -115,16 +119,14 @@ Section regimes_section(const Year& year, const YearRequest& request) {
                                          : fmt::format("{} ± {:.0f} %", source.words(), 196 * row.tail.factor_sd));
         for (const YearLevel& level : year.levels) {
             const bool known = std::isfinite(level.load.value);
-            const YearShare share = known ? level.shares[k] : YearShare{std::nan(""), {}, 0};
-            line.push_back({percent_of(share.value),
-                            known ? fmt::format("[{}, {}]", percent_of(share.interval.low), percent_of(share.interval.high))
-                                  : std::string{}});
-            line.emplace_back(known ? hours_text(time * share.exceeded_once_in) : "–");
+            line.emplace_back(known ? percent_of(level.shares[k].value) : "–");
+            line.emplace_back(known ? hours_text(time * level.shares[k].exceeded_once_in) : "–");
         }
     }
     return {.table = std::move(table),
-            .after = "\nShare: of the expected number of peaks above the load, by regime. Once in: the hours of the "
-                     "regime in which it exceeds the load once on average.\n"};
+            .after =
+                "\nShare: of the expected number of peaks above the load, by regime. Once in: the hours of the "
+                "regime in which it exceeds the load once on average.\n"};
 }
 
 Section sources_section(const Year& year, const YearRequest& request) {
@@ -142,11 +144,11 @@ Section sources_section(const Year& year, const YearRequest& request) {
             line.emplace_back(level.uncertainty.empty() ? "–" : percent_of(level.uncertainty[k]));
     }
     return {.table = std::move(table),
-            .after = fmt::format("\nOf the uncertainty: the part of the variance of the load's logarithm that would go if "
-                                 "this tail were known. A kind of member that is none of the {} may be {} of all; its "
-                                 "loads are not in the figures.\n",
-                                 year.sources.front().members.size(),
-                                 percent_of(unseen_share(year.sources.front().members.size())))};
+            .after = fmt::format(
+                "\nOf the uncertainty: the part of the variance of the load's logarithm that would go if "
+                "this tail were known. A kind of member that is none of the {} may be {} of all; its "
+                "loads are not in the figures.\n",
+                year.sources.front().members.size(), percent_of(unseen_share(year.sources.front().members.size())))};
 }
 
 }  // namespace
@@ -170,22 +172,6 @@ std::vector<Section> year_sections(const Evidence& evidence, const Year& year, c
             std::move(loads),
             regimes_section(year, request),
             std::move(basis)};
-}
-
-Section year_next(const Evidence& evidence, const Year& year, const std::string& program) {
-    const YearLevel& rarest = *std::ranges::min_element(year.levels, {}, &YearLevel::per_year);
-    if (rarest.uncertainty.empty())
-        return {.before = "Next: nothing, because no regime has the load so often; check hours_per_year.\n"};
-    const auto widest = static_cast<std::size_t>(std::ranges::max_element(rarest.uncertainty) - rarest.uncertainty.begin());
-    const TailSource& source = year.sources[widest];
-    const std::string& name = evidence.campaign.name;
-    const int arrangements = 2 * std::max(evidence.campaign.arrangements, static_cast<int>(source.arrangements));
-    return {.before = fmt::format(
-                "Next: {} wants more members: it has {} of the uncertainty of the load of {} a year.\n  {} run {}.toml -o "
-                "{} --set campaign.arrangements={} --resume\nThis doubles the arrangements of all cases; what is done is "
-                "not computed again.\n",
-                source.words(), percent_of(rarest.uncertainty[widest]), per_year_text(rarest.per_year), program, name,
-                evidence.file.string(), arrangements)};
 }
 
 }  // namespace floes

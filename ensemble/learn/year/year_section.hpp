@@ -11,7 +11,7 @@
 namespace floes {
 
 /// How far beyond the time run the intervals were tried (docs/year.md); farther, the output says so.
-inline constexpr double tried_beyond = 1e6;
+inline constexpr double tried_beyond = 1e7;
 
 /// Loads with their intervals; regimes and what each has of the loads; what the answer rests on; a figure. Records:
 /// year/loads, year/regimes, year/sources and year/curve.

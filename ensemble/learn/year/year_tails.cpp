@@ -32,7 +32,9 @@ void refuse_rising(const JointTrend& trend, const std::string& who, const YearRe
 class TailFinder {
   public:
     TailFinder(const MatchWave& campaign, const YearRequest& request)
-        : campaign_(campaign), request_(request), time_(averaging_time(campaign.table, request.load)),
+        : campaign_(campaign),
+          request_(request),
+          time_(averaging_time(campaign.table, request.load)),
           trends_(joint_trends(campaign.table)) {}
 
     YearRegimeRow row(const Regime& regime) {
@@ -67,9 +69,8 @@ class TailFinder {
     void interpolate(YearRegimeRow& row) {
         const Regime& regime = row.regime;
         const std::string base = design_case(campaign_, regime);
-        auto known = std::ranges::find_if(made.sources, [&](const TailSource& one) {
-            return !one.of_case && one.name == base;
-        });
+        auto known =
+            std::ranges::find_if(made.sources, [&](const TailSource& one) { return !one.of_case && one.name == base; });
         if (known == made.sources.end()) {
             for (std::size_t k = 0; k < trends_.size(); ++k)
                 if (campaign_.campaign.cases[k].base == base)
@@ -91,9 +92,10 @@ class TailFinder {
 
     void add(TailSource source, const std::vector<PeakRow>& rows, const Measured& measured, const Regime& regime) {
         if (rows.size() < fewest_members)
-            throw InputError(fmt::format("{}: {} has {} of the {} members that a tail needs; 8 or more are a beginning, "
-                                         "50 say something of rare loads",
-                                         regime.where, source.words(), rows.size(), fewest_members));
+            throw InputError(
+                fmt::format("{}: {} has {} of the {} members that a tail needs; 8 or more are a beginning, "
+                            "50 say something of rare loads",
+                            regime.where, source.words(), rows.size(), fewest_members));
         std::vector<std::span<const double>> peaks;
         for (const PeakRow& one : rows) peaks.emplace_back(one.peaks);
         source.unlike = unlike_members(peaks, request_.load.share);
@@ -103,9 +105,10 @@ class TailFinder {
             PosteriorAsked{measured.window, measured.separation, measured.mean,
                            averaged_shares(request_.load.share, campaign_.table.cases.size() > most_averaged_cases)});
         if (!posterior->valid())
-            throw InputError(fmt::format("{}: {} has too few peaks for a tail in its {:.3g} h (a fit needs {}); run more "
-                                         "arrangements or longer windows",
-                                         regime.where, source.words(), source.time_run / unit::hour, fewest_peaks));
+            throw InputError(
+                fmt::format("{}: {} has too few peaks for a tail in its {:.3g} h (a fit needs {}); run more "
+                            "arrangements or longer windows",
+                            regime.where, source.words(), source.time_run / unit::hour, fewest_peaks));
         made.sources.push_back(std::move(source));
         made.posteriors.push_back(std::move(posterior));
     }

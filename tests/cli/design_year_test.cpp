@@ -1,0 +1,96 @@
+// floes design --regimes, from files on the disk to standard output, pages and workbooks.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "campaign_file/publish.hpp"
+#include "cli/verb_output.hpp"
+#include "core/error.hpp"
+#include "core/random.hpp"
+#include "support/refusal.hpp"
+#include "support/synthetic.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace floes {
+namespace {
+
+using testing::HasSubstr;
+
+/// Of the synthetic campaign with exponential peaks of 20 N above 30 N, eight in a window.
+class DesignYear : public testing::Test {
+  protected:
+    DesignYear() {
+        Campaign campaign = synthetic::campaign(24);
+        for (Case& one : campaign.cases) one.scenario.analysis.peak_separation = 0.01;  // peaks hide none
+        std::vector<MemberRecord> records = synthetic::all_done_records(campaign);
+        for (std::size_t number = 0; number < records.size(); ++number) {
+            RandomStream random{3, static_cast<std::uint32_t>(number), StreamId::bootstrap, 0};
+            MemberResult& result = records[number].result;
+            result.load.mean = 20;
+            result.load.trend = 0;
+            for (AveragedLoad& averaged : result.averaged) {
+                averaged.peaks.resize(8);
+                for (double& peak : averaged.peaks) peak = 30 - 20 * std::log(random.uniform(1e-16, 1));
+                std::ranges::sort(averaged.peaks, std::ranges::greater{});
+                std::ranges::fill(averaged.segment_maximum, averaged.peaks.front());
+            }
+        }
+        publish(file_, campaign, records, std::vector<Session>{synthetic::session()});
+        put("year.toml",
+            "[[regime]]\nhours_per_year = 3\ncase = \"soft\"\n[[regime]]\nhours_per_year = 1\ncase = "
+            "\"stiff\"\n");
+        put("year.csv", "case,hours_per_year\nsoft,3\nstiff,1\n");
+    }
+
+    std::string got(const std::string& name) const {
+        std::ifstream file(folder_ / name);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+
+    void put(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
+
+    std::string year(const std::string& regimes, const std::string& arguments = {}) {
+        return verb_output(add_design, "design " + file_.string() + " --averaging-s 0.4 --regimes " +
+                                           (folder_ / regimes).string() + " " + arguments);
+    }
+
+    TemporaryFolder folder_;
+    std::filesystem::path file_ = folder_ / "synthetic.h5";
+};
+
+TEST_F(DesignYear, IsTheSameFromTomlAndFromAScatterDiagram) {
+    const std::string told = year("year.toml", "--format json");
+    EXPECT_EQ(told, year("year.csv", "--format json"));
+    const auto loads = nlohmann::json::parse(told).at("year").at("loads");
+    EXPECT_EQ(loads.size(), 2u);
+    EXPECT_GT(loads.at(1).at("load_N").get<double>(), loads.at(0).at("load_N").get<double>());
+}
+
+TEST_F(DesignYear, IsAlsoAPageAPictureAndAWorkbook) {
+    for (const char* name : {"y.html", "y.svg", "y.xlsx"}) year("year.toml", "-o " + (folder_ / name).string());
+    EXPECT_THAT(got("y.html"), HasSubstr("probability of exceedance in a year"));
+    EXPECT_THAT(got("y.svg"), testing::StartsWith("<svg xmlns="));
+    EXPECT_THAT(got("y.xlsx"), testing::StartsWith("PK"));
+    EXPECT_THAT(refusal([&] { year("year.toml", "-o y.pdf"); }), HasSubstr("ends with .html, .svg or .xlsx"));
+}
+
+TEST_F(DesignYear, NamesTheCommandThatHelps) {
+    const std::string told = year("year.toml", "--next --per-year 0.1");
+    EXPECT_THAT(told, HasSubstr("10^-1"));
+    EXPECT_THAT(told, HasSubstr("--set campaign.arrangements=48 --resume"));
+}
+
+TEST_F(DesignYear, RefusesWhatItCannotAnswer) {
+    EXPECT_THAT(refusal([&] { year("missing.toml"); }), HasSubstr("missing.toml"));
+    EXPECT_THROW(year("year.toml", "--exposure-h 3"), CommandLineEnd);
+    EXPECT_THROW(verb_output(add_design, "design " + file_.string() + " --next"), CommandLineEnd);
+    EXPECT_THROW(year("year.toml", "--per-year 2"), CommandLineEnd);
+}
+
+}  // namespace
+}  // namespace floes
