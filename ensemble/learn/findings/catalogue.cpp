@@ -154,7 +154,7 @@ constexpr std::array all{
     Finding{"extremes", one<extremes>, in_detail, "Extremes", in_detail},
     Finding{"", one<levels>, never, "Extremes", with_levels},
     Finding{"exceedance", exceedance, never},
-    Finding{"fatigue", one<fatigue_section>, never},
+    Finding{"fatigue", fatigue_sections, never},
     Finding{"steady", one<steady>, never},
     Finding{"control", one<control>, never},
     Finding{"", one<convergence_section>, never, "Uncertainty of the mean", always},

@@ -45,6 +45,6 @@ struct LoadWindow {
 Fatigue find_fatigue(std::span<const LoadWindow> windows);
 
 /// Of the stored histories, averaged over the shortest of analysis.averaging_s. Reads the file.
-Section fatigue_section(Evidence& evidence);
+std::vector<Section> fatigue_sections(Evidence& evidence);
 
 }  // namespace floes

@@ -12,7 +12,7 @@
 namespace floes {
 namespace {
 
-constexpr std::size_t most_cases = 4;  // whose bins are shown; of more they are in CSV
+constexpr std::size_t most_tabled = 4;  // whose bins are shown; of more they are in CSV
 
 std::vector<LoadWindow> windows_of(const Evidence& evidence) {
     std::vector<LoadWindow> windows;
@@ -49,9 +49,8 @@ Table case_table(const Summary& summary, const Fatigue& found) {
     return table;
 }
 
-/// A line for each edge, below the table of cases.
-std::string edge_lines(const Summary& summary, const Fatigue& found) {
-    if (found.cases.size() > most_cases) return "";
+/// A line for each edge.
+Table edge_table(const Summary& summary, const Fatigue& found) {
     Table table{{"N"}};
     for (const CaseFatigue& one : found.cases) {
         table.front().emplace_back(summary.label_of(one.case_index) + ": cycles per hour");
@@ -65,8 +64,7 @@ std::string edge_lines(const Summary& summary, const Fatigue& found) {
             line.emplace_back(fixed(one.time_above[k] / unit::percent, 3));
         }
     }
-    constexpr int wide = 112;
-    return "\n" + text_columns(table, wide);
+    return table;
 }
 
 struct Line {
@@ -99,22 +97,25 @@ std::vector<DataRows> records_of(const Summary& summary, const Fatigue& found) {
 
 }  // namespace
 
-Section fatigue_section(Evidence& evidence) {
+std::vector<Section> fatigue_sections(Evidence& evidence) {
     const Fatigue found = find_fatigue(windows_of(evidence));
     if (found.cases.empty())
-        return {.missing = "Fatigue: unknown, because the file keeps no load histories (analysis.history_steps).\n"};
+        return {{.missing = "Fatigue: unknown, because the file keeps no load histories (analysis.history_steps).\n"}};
+    Section cycles{.title = "Cycles and duration of the load",
+                   .table = case_table(evidence.summary, found),
+                   .after =
+                       "\nRainflow cycles (ASTM E1049) of the surge load in the window. Equivalent range: met once a "
+                       "second, it does the damage of all cycles, by Palmgren and Miner with an S-N curve of slope m; "
+                       "brackets: 95 % over arrangements (t).\n",
+                   .records = records_of(evidence.summary, found)};
+    if (found.cases.size() > most_tabled) {
+        cycles.notes = {"Cycles and time above levels are in --format csv."};
+        return {std::move(cycles)};
+    }
     return {
-        .title = "Cycles and duration of the load",
-        .table = case_table(evidence.summary, found),
-        .after = edge_lines(evidence.summary, found) +
-                 "\nRainflow cycles (ASTM E1049) of the surge load in the window. Equivalent range: met once a second, "
-                 "it does the damage of all cycles, by Palmgren and Miner with an S-N curve of slope m; brackets: 95 "
-                 "% over arrangements (t).\n" +
-                 (found.cases.size() > most_cases
-                      ? "Cycles and time above levels: --format csv.\n"
-                      : "Between: cycles per hour with a range of at least so much, and share of the time with a load "
-                        "above it.\n"),
-        .records = records_of(evidence.summary, found)};
+        std::move(cycles),
+        {.table = edge_table(evidence.summary, found),
+         .after = "\nCycles per hour with a range of at least so much, and share of the time with a load above it.\n"}};
 }
 
 }  // namespace floes
