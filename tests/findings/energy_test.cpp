@@ -17,7 +17,7 @@ Evidence with_work() {
     CampaignTable table = example::campaign();
     for (MemberRow& row : table.members) {
         const double nothing = row.case_index == 2 ? std::nan("") : 0;
-        row.work = {nothing, nothing, nothing, nothing, nothing, nothing, nothing, nothing, nothing, nothing, nothing};
+        for (const auto share : all_work_shares) row.work.*share = nothing;
         row.work.ice_friction = 0.6 * row.load.mean + nothing;
         row.work.lifting = 0.4 * row.load.mean + nothing;
     }
@@ -26,13 +26,13 @@ Evidence with_work() {
 
 TEST(Energy, IsTheMeanLoadByCase) {
     const std::vector<EnergyRow> rows = find_energy(with_work().table);
-    ASSERT_EQ(rows.size(), 22U);  // of two cases
+    ASSERT_EQ(rows.size(), 2 * all_work_shares.size());  // of two cases
     EXPECT_EQ(rows[0].key, "work_ice_friction");
     EXPECT_DOUBLE_EQ(rows[0].force.estimate, 0.6 * 27);
     EXPECT_DOUBLE_EQ(rows[0].share, 0.6);
     EXPECT_EQ(rows[0].members, 4);
-    EXPECT_EQ(rows[11].case_index, 1U);
-    EXPECT_EQ(rows[11].members, 2);  // the others failed or are missing
+    EXPECT_EQ(rows[all_work_shares.size()].case_index, 1U);
+    EXPECT_EQ(rows[all_work_shares.size()].members, 2);  // the others failed or are missing
     double sum = 0;
     for (const EnergyRow& row : rows) sum += row.case_index == 0 ? row.force.estimate : 0;
     EXPECT_NEAR(sum, 27, 1e-12);
@@ -45,6 +45,13 @@ TEST(Energy, IsATableWithADashForCasesThatDidNotMeasureIt) {
     EXPECT_THAT(shown, testing::ContainsRegex("friction, ice on ice +16.20 ± 2.4[0-9] +60 +19.20 ± [0-9.]+ +60 +–"));
     EXPECT_THAT(shown, testing::ContainsRegex("together +27.00 +100 +32.00 +100"));
     EXPECT_THAT(csv(sections), HasSubstr("E30,work_lifting,10.8,"));
+}
+
+TEST(Energy, ShowsWhatDrivesTheIceOnlyWhereSomethingDoes) {
+    Evidence evidence = with_work();
+    EXPECT_THAT(text(std::vector{energy_section(evidence)}, 120), testing::Not(HasSubstr("give way")));
+    evidence.table.members.front().work.driving = -1;
+    EXPECT_THAT(text(std::vector{energy_section(evidence)}, 120), HasSubstr("sheets that give way and wind"));
 }
 
 TEST(Energy, SaysWhereNobodyMeasuredIt) {

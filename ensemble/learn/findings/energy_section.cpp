@@ -76,7 +76,10 @@ Section energy_section(Evidence& evidence) {
         line.emplace_back(std::string{words});
         for (const std::size_t k : shown) line.push_back(cell_of(k));
     };
+    const auto drives = [](const EnergyRow& row) { return row.key == "work_driving" && row.force.estimate != 0; };
+    const bool driven = std::ranges::any_of(rows, drives);
     for (const auto& [key, words] : all_shares) {
+        if (key == "work_driving" && !driven) continue;  // most campaigns have neither
         add(words, [&, key = key](std::size_t k) -> Cell {
             const auto row =
                 std::ranges::find_if(rows, [&](const EnergyRow& one) { return one.case_index == k && one.key == key; });
