@@ -8,5 +8,8 @@ if(TARGET floes AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   add_test(NAME docs.tutorial
            COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/docs/tutorial_test.py $<TARGET_FILE:floes>
                    ${PROJECT_SOURCE_DIR}/docs/tutorial.md)
-  set_tests_properties(docs.tutorial PROPERTIES LABELS default TIMEOUT 900 PROCESSORS 2)
+  add_test(NAME docs.year_tutorial
+           COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/docs/tutorial_test.py $<TARGET_FILE:floes>
+                   ${PROJECT_SOURCE_DIR}/docs/year.md)
+  set_tests_properties(docs.tutorial docs.year_tutorial PROPERTIES LABELS default TIMEOUT 900 PROCESSORS 2)
 endif()

@@ -30,8 +30,9 @@ TEST(Fatigue, OfASineIsItsRangeOnceASecond) {
     EXPECT_NEAR(one.equivalent[1].estimate, 6, 0.03);
     EXPECT_NEAR(one.equivalent[1].low, one.equivalent[1].high, 1e-9);
     for (std::size_t k = 0; k < found.edges.size(); ++k) {
-        if (std::abs(found.edges[k] - 6) > 1e-6)  // which rounding decides
+        if (std::abs(found.edges[k] - 6) > 1e-6) {  // which rounding decides
             EXPECT_NEAR(one.cycles_above[k], found.edges[k] < 6 ? 3600 : 0, 40) << found.edges[k];
+        }
         const double height = (found.edges[k] - 10) / 3;
         const double above = height <= -1 ? 1 : height >= 1 ? 0 : std::acos(height) / M_PI;
         EXPECT_NEAR(one.time_above[k], above, 0.01) << found.edges[k];

@@ -20,7 +20,7 @@ Section year_next(const Evidence& evidence, const Year& year, const std::string&
         .before = fmt::format(
             "Next: {} wants more members: it has {} of the uncertainty of the load of {} a year.\n  {} run {}.toml -o "
             "{} --set campaign.arrangements={} --resume\nThis doubles the arrangements of all cases; what is done is "
-            "not computed again.\n",
+            "not computed again. Give every --set of the first run as well.\n",
             source.words(), percent_of(rarest.uncertainty[widest]), per_year_text(rarest.per_year), program, name,
             evidence.file.string(), arrangements)};
 }
