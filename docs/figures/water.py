@@ -4,7 +4,8 @@
 Usage:
     water.py                    writes the tables
     water.py --check            writes nothing; fails if a table differs from the data
-    water.py --collect FOLDER   first takes the members of the campaigns water_channel.h5 and water_tank.h5 in FOLDER,
+    water.py --collect FOLDER   first takes the members of the campaigns water_channel.h5, water_tank.h5 and
+                                boundaries.h5 in FOLDER,
                                 as far as they are there
 """
 import pathlib
@@ -14,7 +15,7 @@ import pandas as pd
 
 from contact import collected
 from page_blocks import fill_or_check
-from validation_data import half_width, interval
+from validation_data import change, half_width, interval
 from validation_tables import difference, table, with_interval
 
 DOCS = pathlib.Path(__file__).resolve().parent.parent
@@ -23,7 +24,7 @@ CASES = {"shares": "shares: damping under water too, no added mass", "no_damping
          "waves": "waves of the outline, no added mass", "outline": "**outline: waves and added mass (the default)**",
          "outline_at_rest": "outline, water at rest", "in_plane_0": "outline, added mass in the plane 0",
          "in_plane_0.2": "outline, added mass in the plane 0.2", "heave_drag_1.2": "outline, heave drag 1.2"}
-CAMPAIGNS = ["water_channel", "water_tank"]
+CAMPAIGNS = ["water_channel", "water_tank", "boundaries"]
 QUANTITIES = {"mean_N": "mean, N", "maximum_1s_N": "maxima, 1 s, N", "broken_percent": "broken floes, %"}
 WORK = {"ice_friction": "friction, ice on ice", "ice_crushing": "crushing and stopping, ice on ice",
         "hull_friction": "friction on the structure", "hull_crushing": "crushing and stopping on the structure",
@@ -51,6 +52,29 @@ def effects(name):
         lines.append(cells)
     return table(["water", "arrangements"] + [cell for one in QUANTITIES.values() for cell in (one, "beside the default")],
                  lines)
+
+
+BOUNDARIES = {"fixed": "**fixed sheets, half width 1.25 m, 24 floes (the channel of smoke.toml)**",
+              "width_0.75": "0.75 times as wide, as long", "width_1.5": "1.5 times as wide", "width_2": "2 times as wide",
+              "width_3": "3 times as wide", "length_0.75": "0.75 times as long", "length_2": "2 times as long",
+              "length_3": "3 times as long", "far_end_open": "far end open", "sides_open": "sides open",
+              "both_open": "far end and sides open", "pressure_5": "sheets press with 5 N/m",
+              "pressure_20": "sheets press with 20 N/m", "pressure_80": "sheets press with 80 N/m",
+              "sides_press_20": "sides press with 20 N/m, far end open"}
+
+
+def boundaries():
+    """Beside the fixed sheets: in pairs where the floes are the same ones, else by Welch's t."""
+    rows = members("boundaries")
+    lines = []
+    for case, words in BOUNDARIES.items():
+        own = rows[rows.case == case]
+        cells = [words, f"{len(own)}"]
+        for quantity in QUANTITIES:
+            cells += [with_interval(own[quantity].to_numpy()),
+                      "" if case == "fixed" else difference(*change(rows, quantity, case, "fixed"))]
+        lines.append(cells)
+    return table(["channel", "arrangements"] + [cell for one in QUANTITIES.values() for cell in (one, "beside fixed")], lines)
 
 
 def work(name):
@@ -81,6 +105,7 @@ def main():
     elif arguments not in ([], ["--check"]):
         sys.exit(__doc__)
     fill_or_check({DOCS / "water.md": {"channel": lambda: effects("water_channel"), "work": lambda: work("water_channel"),
+                                       "boundaries": boundaries,
                                        "tank": lambda: effects("water_tank"), "tank_work": lambda: work("water_tank")}},
                   arguments == ["--check"], "water.py")
 

@@ -97,7 +97,7 @@ def check_bash():
     check(complete_in_bash("floes", "run", "--isolation", "") == ["none", "process"],
           "bash does not know the isolations")
     check(complete_in_bash("floes", "config", str(FOLDER / "_fl")) == [str(FOLDER / "_floes")], "bash completes no files")
-    check(complete_in_bash("floes", "run", "--set", "field.con") == ["field.concentration_percent="],
+    check(complete_in_bash("floes", "run", "--set", "field.conc") == ["field.concentration_percent="],
           "bash does not know the keys")
     with tempfile.TemporaryDirectory() as folder:
         for name in ("a.toml", "a.h5", "a.journal", "a.txt"):
@@ -149,7 +149,7 @@ def check_fish():
         missing = options_of(verb) - offered(f"floes {' '.join(verb)} --") - {"--help"}
         check(not missing, f"fish does not offer {missing} of {verb}")
     check({"none", "process"} <= offered("floes run --isolation "), "fish does not know the isolations")
-    check(offered("floes run --set field.con") == {"field.concentration_percent="}, "fish does not know the keys")
+    check(offered("floes run --set field.conc") == {"field.concentration_percent="}, "fish does not know the keys")
 
 
 check(len(verbs()) > 10, f"--help lists only {verbs()}")
