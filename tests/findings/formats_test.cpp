@@ -218,6 +218,28 @@ TEST(SummaryTable, OfACaseWithoutResultsHasNoFigures) {
 
 // -- conditions
 
+TEST(Conditions, SayWhatHoldsAndDrivesTheIce) {
+    CampaignTable table = example::campaign();
+    for (CaseRow& row : table.cases) {
+        row.shape = Shape({{-0.4, 0.5}, {0.0, 0.5}, {0.1, 0.6}});
+        row.field.half_width = 1.25;
+        row.field_length = 4.61;
+    }
+    EXPECT_THAT(
+        condition_lines(summarise(table)),
+        testing::Contains(
+            "Channel: 2.5 m wide (2.5 times the hull at the waterline), field 4.61 m long, between ice sheets."));
+    EXPECT_THAT(condition_lines(summarise(table)), Not(testing::Contains(testing::StartsWith("Drift"))));
+    table.cases[2].field.confining = 20;
+    table.cases[2].current = {0, 0.1};
+    table.cases[2].wind.speed = 5;
+    const auto lines = condition_lines(summarise(table));
+    EXPECT_THAT(lines,
+                testing::Contains("Channel: 2.5 m wide (2.5 times the hull at the waterline), field 4.61 m long, "
+                                  "between ice sheets; its sheets press with 20 N/m (E200)."));
+    EXPECT_THAT(lines, testing::Contains("Drift: current 0.1 m/s towards 90°, wind 5 m/s towards 0° (E200)."));
+}
+
 TEST(Conditions, SayWhichCasesDiffer) {
     CampaignTable table = example::campaign();
     table.cases[1].far_end = FarEnd::open;

@@ -46,6 +46,30 @@ std::string_view word(const std::array<std::string_view, count>& words, Enum val
     return words.at(static_cast<std::size_t>(value));
 }
 
+/// "2.5 m wide (2.0 times the hull), field 4.61 m long, between ice sheets that press with 20 N/m".
+std::string channel_words(const CaseRow& row) {
+    const double width = 2 * row.field.half_width;
+    std::string words = fmt::format("{:.4g} m wide ({:.1f} times the hull at the waterline), field {:.3g} m long, {}",
+                                    width, 0.5 * width / row.shape.waterline_radius(), row.field_length,
+                                    row.field.sides == FieldSides::open ? "open at its sides" : "between ice sheets");
+    if (row.field.confining > 0) words += fmt::format("; its sheets press with {:.4g} N/m", row.field.confining);
+    return words;
+}
+
+std::string direction_words(double speed, double direction) {
+    return fmt::format("{:.3g} m/s towards {:.0f}°", speed, direction / unit::degree);
+}
+
+/// "current 0.1 m/s towards 90°, wind 5 m/s towards 0°"; directions from the tow's, towards +z.
+std::string drift_words(const CaseRow& row) {
+    std::string words;
+    if (const double current = row.current.norm(); current > 0)
+        words = "current " + direction_words(current, std::atan2(row.current.y(), row.current.x()));
+    if (row.wind.speed > 0)
+        words += (words.empty() ? "wind " : ", wind ") + direction_words(row.wind.speed, row.wind.direction);
+    return words.empty() ? "none" : words;
+}
+
 bool has_beam_joints(const CaseRow& row) {
     return std::isnan(row.cfm);
 }
@@ -86,8 +110,12 @@ std::vector<std::string> condition_lines(const Summary& summary) {
     std::vector<std::string> lines;
     add_condition(
         summary, "Structure wall", [](const CaseRow& row) { return row.shape.words(); }, lines);
+    if (std::ranges::all_of(summary.cases, [](const CaseSummary& row) { return row.about.field_length > 0; }))
+        add_condition(summary, "Channel", channel_words, lines);
     add_condition(
         summary, "Far end", [](const CaseRow& row) { return far_end_words(row.far_end); }, lines);
+    if (std::ranges::any_of(summary.cases, [](const CaseSummary& row) { return drift_words(row.about) != "none"; }))
+        add_condition(summary, "Drift", drift_words, lines);
     if (std::ranges::any_of(summary.cases, [](const CaseSummary& row) { return has_beam_joints(row.about); })) {
         add_condition(
             summary, "Joints",

@@ -27,6 +27,10 @@ struct CaseRow {
     Shape shape;           ///< of the structure
     Analysis analysis;     ///< when the load was measured; its levels are those of CampaignTable
     double time_step = 0;  ///< Δt, s
+    Field field = {};
+    double field_length = 0;      ///< m; 0: unknown
+    Vec2 current = Vec2::Zero();  ///< along x and z, m/s
+    Wind wind = {};
 
     double window_steps() const { return analysis.window / time_step; }
 };

@@ -39,7 +39,11 @@ CaseRow case_row(const Case& one) {
             scenario.contact_law(),
             scenario.structure.shape,
             scenario.analysis,
-            scenario.general.time_step};
+            scenario.general.time_step,
+            scenario.field,
+            scenario.field_length(),
+            scenario.water.current_velocity(),
+            scenario.wind};
 }
 
 CampaignTable table_without_members(const Campaign& campaign) {
