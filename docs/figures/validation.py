@@ -91,6 +91,8 @@ def collect(folder, program):
         summary(name, "members")
     for name in filter(is_here, WAYS):
         summary(name, "pairs")
+    if is_here("vary_channel"):
+        summary("vary_channel", "model")
     for name in filter(is_here, ["fit_paper", "fit_physical"]):
         windows(folder / f"{name}.h5").to_csv(SUMMARIES / f"{name}.windows.csv", index=False, float_format="%.6g")
     for name in filter(is_here, ["table3", "table3_physical"]):

@@ -8,7 +8,7 @@ from scipy import stats
 
 SUMMARIES = pathlib.Path(__file__).resolve().parent.parent / "validation"
 # Table 3 computed in three ways, 30, 60 and 200 MPa each: campaign -> what the tables call it.
-WAYS = {"table3": "paper's contacts, scattered", "table3_physical": "physical contacts, scattered",
+WAYS = {"table3": "paper's contacts, scattered", "table3_physical": "physics, scattered",
         "crystalline": "paper's contacts, crystalline"}
 CAMPAIGNS = [*WAYS, "readings", "wall_far_end_erp", "fit_crystalline", "one_at_a_time", "convergence"]
 CONFIGS = SUMMARIES.parent.parent / "configs" / "validation"
@@ -40,6 +40,11 @@ def members(name):
 
 def pairs(name):
     return pd.read_csv(SUMMARIES / f"{name}.pairs.csv")
+
+
+def variations(name):
+    """What each case of a study by floes vary changes, sorted by the mean load, by quantity."""
+    return pd.read_csv(SUMMARIES / f"{name}.model.csv")
 
 
 def windows(name):

@@ -6,7 +6,7 @@ import numpy as np
 from scipy import stats
 
 from validation_data import (CONFIGS, EXPERIMENT, FITTED_TO, LABELS, MODULI, PAPER, WAYS, WINDOW_START, across, half_width,
-                             hybrid, interval, is_maximum, largest, members, pairs, paper, windows)
+                             hybrid, interval, is_maximum, largest, members, pairs, paper, variations, windows)
 
 SHOWN = ["mean_N", "sd_N", "mean_maximum_N", "failure_ratio"]
 COMPARED = SHOWN + ["mean_maximum_1s_N"]
@@ -101,7 +101,7 @@ def window():
             trends = own[own.start_s == start].groupby("arrangement").trend_N_per_100s.mean()
             row.append(difference(trends.mean(), half_width(trends)))
         rows.append(row)
-    return table(["window, s", "trend with the paper's contacts, N in 100 s", "with physical contacts"], rows)
+    return table(["window, s", "trend with the paper's contacts, N in 100 s", "with physical contacts, sweeps and the water of before"], rows)
 
 
 # -- Table 3
@@ -151,7 +151,7 @@ def experiment():
                 for campaign, peak in peaks.items()}
         rows.append(row(f"largest load over {time:g} s, N", EXPERIMENT["maximum_N"], over, positive=True))
     rows.append(row("broken floes, %", 100 * EXPERIMENT["failure_ratio"], {c: own[c].failure_ratio for c in ways}))
-    return table(["60 MPa", "experiment", "physical contacts [95 %]", "one run", "paper's contacts [95 %]", "one run"], rows)
+    return table(["60 MPa", "experiment", "physics [95 %]", "one run", "paper's contacts [95 %]", "one run"], rows)
 
 
 # -- the paper's question
@@ -211,13 +211,13 @@ def averaging():
             own = members(campaign)
             row += [with_interval(own[own.case == case][f"mean_maximum{time}_N"]) for case in MODULI]
         rows.append(row)
-    return table(["mean of the maxima, N, averaged over"] + [f"{contacts}, {modulus} MPa" for contacts in ["paper's", "physical"]
+    return table(["mean of the maxima, N, averaged over"] + [f"{contacts}, {modulus} MPa" for contacts in ["paper's", "physics"]
                                                 for modulus in MODULI.values()], rows)
 
 
 def modes():
     rows = []
-    for campaign, contacts in {"table3": "paper's", "table3_physical": "physical"}.items():
+    for campaign, contacts in {"table3": "paper's", "table3_physical": "physics"}.items():
         table_ = members(campaign)
         for case, modulus in MODULI.items():
             own = table_[table_.case == case]
@@ -250,7 +250,7 @@ def hybrid_points():
                      number(curve.loc[modulus, "hybrid_N"])] + [with_interval(rows_[rows_.case == case].mean_N) for rows_ in own]
                     + [number(paper(case, "mean_N"))])
     return table(["E, MPa", "limit stress, N", "limit momentum, N", "hybrid, N", "paper's contacts, N [95 %]",
-                  "physical contacts, N [95 %]", "paper's simulation, N"], rows)
+                  "physics, N [95 %]", "paper's simulation, N"], rows)
 
 
 def readings():
@@ -271,6 +271,42 @@ def readings():
     return table(["E, MPa", "moment about", "form drag on", "contact Γ", "n"] + [LABELS[q] for q in SHOWN], rows)
 
 
-BLOCKS = {"answer": answer, "table3": lambda: table3("table3"), "experiment": experiment,
+# -- what the model leaves open
+
+VARIED = {"mean_N": 1, "mean_maximum_1s_N": 1, "failure_ratio": 100}
+
+
+def vary():
+    own = variations("vary_channel")
+    rows = [["*as it is*"] + [f"{scale * row.base:.1f} ± {scale * row.sampling:.1f}" for row, scale in varied(own, own.case[0])]]
+    for case in own.case.unique():
+        row = [f"`{case}`" + ("" if own[own.case == case].paired.iloc[0] else " (other floes)")]
+        row += [difference(scale * one.change, scale * (one.high - one.low) / 2) for one, scale in varied(own, case)]
+        rows.append(row)
+    rows.append(["all inputs together"]
+                + [f"{scale * one.all_down:+.1f} to {scale * one.all_up:+.1f}" for one, scale in varied(own, own.case[0])])
+    return table(["case, then changes from it", "mean load, N", "largest over 1 s, N", "broken floes, %"], rows)
+
+
+def varied(own, case):
+    """One row for each quantity shown, with what turns it into the unit shown."""
+    of_case = own[own.case == case].set_index("quantity")
+    return [(of_case.loc[quantity], scale) for quantity, scale in VARIED.items()]
+
+
+def vary_says():
+    own = variations("vary_channel")
+    mean, _ = varied(own, own.case[0])[0]
+    down, up = mean.all_down / mean.base, mean.all_up / mean.base
+    tank = members("table3_physical").query("case == 'E60'").mean_N.mean()
+    low, high = tank * (1 + down), tank * (1 + up)
+    inside = "inside" if low <= EXPERIMENT["mean_N"] <= high else "outside"
+    return (f"Sampling leaves the channel's {mean.base:.1f} N open by ± {mean.sampling:.1f} N, the {own.input.nunique()} inputs "
+            f"together by {mean.all_down:+.1f} to {mean.all_up:+.1f} N, which is\n{100 * down:+.0f} to {100 * up:+.0f} %. "
+            f"If the tank is as sensitive, its {tank:.1f} N are {low:.0f} to {high:.0f} N, and the {EXPERIMENT['mean_N']} N of the "
+            f"test lie {inside}.\n")
+
+
+BLOCKS = {"answer": answer, "vary": vary, "vary_says": vary_says, "table3": lambda: table3("table3"), "experiment": experiment,
           "physical": lambda: table3("table3_physical"), "averaging": averaging, "modes": modes, "differences": differences,
           "trend": trend, "readings": readings, "window": window, "fit": fit, "hybrid": hybrid_points}
