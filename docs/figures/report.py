@@ -45,7 +45,7 @@ def main(report, *wanted):
         for name, titles in PICTURES.items():
             if wanted and name not in wanted:
                 continue
-            body = "".join(f"<section><h2>{title}</h2>{sections[title]}</section>" for title in titles)
+            body = "".join(f"<section><h2>{title}</h2>{sections[title]}</section>" for title in titles if title in sections)
             photograph(head + body + "</body></html>", FOLDER / f"{name}.png", pathlib.Path(folder))
 
 
