@@ -21,7 +21,7 @@ enum class ThresholdForm { force, as_printed };  ///< of Eqs. (1)-(2): L_e T_e �
 enum class ArrangementMethod { monte_carlo, lattice, file, scattered };
 enum class ArrangementStart { lattice, stripes };  ///< of the Monte Carlo chain; the result forgets it
 enum class FarEnd { ice_sheet, open };             ///< what stands behind the ice field
-enum class FieldSides { ice_sheet, open };              ///< what bounds it abeam of the tow
+enum class FieldSides { ice_sheet, open };         ///< what bounds it abeam of the tow
 enum class WaterFlow { potential, still };         ///< water velocity that drag is relative to
 /// Where added mass and the damping by waves come from: a share, alike for all elements, or the outline of each piece.
 enum class WaterFrom { share, outline };
@@ -102,7 +102,7 @@ struct Field {
     FieldSides sides = FieldSides::ice_sheet;
     double confining = 0;      ///< p, N/m: line load by which the ice sheets press on the field; 0: they are fixed
     double closing_speed = 0;  ///< m/s, of a sheet that meets nothing; 0: that of the tow
-    double wake_radius = 0;  ///< m from the structure's axis; untouched floes beyond it are at rest. 0: none are
+    double wake_radius = 0;    ///< m from the structure's axis; untouched floes beyond it are at rest. 0: none are
 };
 
 /// How the initial positions of the floes are generated.
@@ -143,8 +143,8 @@ struct Water {
     double added_mass = 0.0;           ///< water that an element carries along in every direction, over its mass
     double added_mass_in_plane = 0.1;  ///< likewise along the surface, of an outline
 
-    double current = 0;                ///< speed of the current, m/s; ice that lies still moves with it
-    double current_direction = 0;      ///< towards which it flows, rad: 0 along the tow, π/2 towards +z
+    double current = 0;            ///< speed of the current, m/s; ice that lies still moves with it
+    double current_direction = 0;  ///< towards which it flows, rad: 0 along the tow, π/2 towards +z
     double turning = 0;  ///< θ, rad: skin drag is turned by it, anticlockwise from above, as seen from the ice
 
     Vec2 current_velocity() const;  ///< along x and z, m/s

@@ -86,7 +86,8 @@ Key history_steps(Analysis& analysis) {
 void add_confinement(Keys& keys, Field& field) {
     constexpr double most = 1e8;  // N/m: floes of metres crush long before
     keys.push_back(late_key(number_key(
-        "field.confining_N_m", field.confining, unit::one, at_least(0).at_most(most), "none: the paper's sheets are "
+        "field.confining_N_m", field.confining, unit::one, at_least(0).at_most(most),
+        "none: the paper's sheets are "
         "fixed",
         "Ice pressure as a line load. Each ice sheet is then a rigid body that moves along its normal: it presses on "
         "the field with this load times the length (side sheets) or width (far sheet) of the field, and ice that "
@@ -95,7 +96,7 @@ void add_confinement(Keys& keys, Field& field) {
     keys.push_back(late_key(only_with(
         "field.confining_N_m > 0", [&field] { return field.confining > 0; },
         number_key("field.closing_speed_m_s", field.closing_speed, unit::one, at_least(0).at_most(farthest),
-                   "judgement: ice closes as fast as it drifts past",
+                   "ice closes as fast as it drifts past; docs/water.md",
                    "Speed at which a sheet closes that meets nothing: its load falls linearly from all of "
                    "field.confining_N_m at rest to nothing at this speed. 0: the speed of the tow."))));
 }
@@ -121,9 +122,9 @@ void add_field(Keys& keys, Field& field) {
         "field.far_end", field.far_end, {"ice_sheet", "open"}, "design decision; the paper names the walls only",
         "Far end of the field: closed by a fixed ice sheet, or open water. With an open far end, the "
         "load on a straight 45° wall is half as large and that on a 76° wall a fifth, and hardly any floe breaks."));
-    keys.push_back(late_key(word_key(
-        "field.sides", field.sides, {"ice_sheet", "open"}, "the paper: walls",
-        "Sides of the field: ice sheets along the walls, or open water, into which floes drift.")));
+    keys.push_back(
+        late_key(word_key("field.sides", field.sides, {"ice_sheet", "open"}, "the paper: walls",
+                          "Sides of the field: ice sheets along the walls, or open water, into which floes drift.")));
     add_confinement(keys, field);
     keys.push_back(
         number_key("field.wake_radius_m", field.wake_radius, unit::one, at_least(0).at_most(farthest),

@@ -55,11 +55,11 @@ void add_water(Keys& keys, Water& water) {
         "water.current_m_s > 0", [&water] { return water.current > 0; },
         number_key("water.current_direction_deg", water.current_direction, unit::degree, angle, "along the tow",
                    "Direction towards which the current flows: 0 along the tow, 90 towards +z."))));
-    keys.push_back(late_key(number_key(
-        "water.turning_deg", water.turning, unit::degree, at_least(-90).at_most(90),
-        "none in a tank; at sea 20 to 25 (Leppäranta, The Drift of Sea Ice, 2011, chapter 5)",
-        "Turning angle of the boundary layer below the ice: the water's skin drag is turned by it "
-        "from the water's motion relative to the ice, anticlockwise from above (northern hemisphere).")));
+    keys.push_back(late_key(
+        number_key("water.turning_deg", water.turning, unit::degree, at_least(-90).at_most(90),
+                   "none in a tank; at sea 20 to 25 (Leppäranta, The Drift of Sea Ice, 2011, chapter 5)",
+                   "Turning angle of the boundary layer below the ice: the water's skin drag is turned by it "
+                   "from the water's motion relative to the ice, anticlockwise from above (northern hemisphere).")));
 }
 
 void add_wind(Keys& keys, Wind& wind) {
@@ -71,15 +71,14 @@ void add_wind(Keys& keys, Wind& wind) {
         needs, blows,
         number_key("wind.direction_deg", wind.direction, unit::degree, at_least(-360).at_most(360), "along the tow",
                    "Direction towards which the wind blows: 0 along the tow, 90 towards +z."))));
-    keys.push_back(late_key(only_with(
-        needs, blows,
-        number_key("wind.drag", wind.drag, unit::one, at_least(0).at_most(1),
-                   "1e-3 to 2e-3 for the wind at 10 m (Leppäranta, The Drift of Sea Ice, 2011, chapter 5)",
-                   "Drag coefficient C_a of the air on the ice."))));
-    keys.push_back(late_key(only_with(
-        needs, blows,
-        number_key("wind.air_density_kg_m3", wind.air_density, unit::one, above(0).at_most(10), "cold air",
-                   "Density of the air."))));
+    keys.push_back(late_key(
+        only_with(needs, blows,
+                  number_key("wind.drag", wind.drag, unit::one, at_least(0).at_most(1),
+                             "1e-3 to 2e-3 for the wind at 10 m (Leppäranta, The Drift of Sea Ice, 2011, chapter 5)",
+                             "Drag coefficient C_a of the air on the ice."))));
+    keys.push_back(late_key(only_with(needs, blows,
+                                      number_key("wind.air_density_kg_m3", wind.air_density, unit::one,
+                                                 above(0).at_most(10), "cold air", "Density of the air."))));
 }
 
 }  // namespace floes

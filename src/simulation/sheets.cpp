@@ -25,10 +25,8 @@ Sheets::Sheets(World& world, const Scenario& scenario, const Channel& channel)
         const double carried = scenario.water.added_mass_from == WaterFrom::outline ? scenario.water.added_mass_in_plane
                                                                                     : scenario.water.added_mass;
         const double mass = ice * (1 + carried) + scenario.general.time_step * load / closing;
-        const BodyId body = world.add_sliding_box({.half_extents = form.half_extents,
-                                                   .position = form.centre,
-                                                   .mass = mass,
-                                                   .axis = side ? 2 : 0});
+        const BodyId body = world.add_sliding_box(
+            {.half_extents = form.half_extents, .position = form.centre, .mass = mass, .axis = side ? 2 : 0});
         sheets_.push_back({body, form, load, skin, closing});
     }
     motions_.resize(sheets_.size());

@@ -50,13 +50,13 @@ class TowWork {
     double gravity_;
     BodyId structure_;
     BodyId first_element_;
-    Vec3 tow_;                                                  ///< velocity of the structure, m/s
-    bool blows_;                                                ///< whether there is wind
-    std::vector<double> mass_;                                  ///< by element, with isotropic added mass, kg
-    std::vector<double> weight_;                                ///< by element, N
-    std::vector<Vec3> inertia_;                                 ///< by element, principal, kg m²
+    Vec3 tow_;                                                        ///< velocity of the structure, m/s
+    bool blows_;                                                      ///< whether there is wind
+    std::vector<double> mass_;                                        ///< by element, with isotropic added mass, kg
+    std::vector<double> weight_;                                      ///< by element, N
+    std::vector<Vec3> inertia_;                                       ///< by element, principal, kg m²
     std::vector<Wrench> plane_, vertical_, waves_, buoyancy_, wind_;  ///< by element
-    std::vector<Vec3> velocity_, angular_velocity_, position_;  ///< by element, mean over the step
+    std::vector<Vec3> velocity_, angular_velocity_, position_;        ///< by element, mean over the step
     std::vector<ContactForce> contacts_;
     WorkShares sum_;
     int steps_ = 0;

@@ -16,9 +16,9 @@ struct WorkShares {
     double waves = 0;          ///< N, linear damping of heave
     double joints = 0;         ///< N, bending: damped, released where floes break, or still stored
     double lifting = 0;        ///< N, against weight and buoyancy: ice that is pushed down or up
-    double driving = 0;        ///< N, on ice sheets that give way and against the wind; negative where these push the ice
-    double motion = 0;         ///< N, kinetic energy of the ice and of the water that moves with it
-    double rest = 0;           ///< N, what steps of finite length lose: the load less all others
+    double driving = 0;  ///< N, on ice sheets that give way and against the wind; negative where these push the ice
+    double motion = 0;   ///< N, kinetic energy of the ice and of the water that moves with it
+    double rest = 0;     ///< N, what steps of finite length lose: the load less all others
 };
 
 /// All of them, `rest` last.

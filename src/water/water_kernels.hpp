@@ -25,18 +25,18 @@ struct WaterFactors {
     double side;
     double thickness;
     double gauss_offset;
-    double buoyancy;     ///< ρ_w g L²/4
-    double form;         ///< -½ ρ_w C_d
-    double skin;         ///< ½ ρ_w C_s L²/4
-    double heave;        ///< ½ ρ_w C_h L²/4
-    double waves_below;  ///< m: columns submerged by less make waves, so that linear damping acts there
-    double radius;       ///< of the waterline circle
-    double speed;        ///< of the tow; 0 in still water
-    bool drifts;         ///< whether any of what follows is not 0
-    double speed_across;        ///< of the structure through the water along z; `speed` is that along x then
-    double current_x, current_z;    ///< of the water far away, m/s
-    double turn_cos, turn_sin;      ///< of the turning angle
-    double wind_x, wind_z;          ///< force on a quarter of an element's top, N
+    double buoyancy;              ///< ρ_w g L²/4
+    double form;                  ///< -½ ρ_w C_d
+    double skin;                  ///< ½ ρ_w C_s L²/4
+    double heave;                 ///< ½ ρ_w C_h L²/4
+    double waves_below;           ///< m: columns submerged by less make waves, so that linear damping acts there
+    double radius;                ///< of the waterline circle
+    double speed;                 ///< of the tow; 0 in still water
+    bool drifts;                  ///< whether any of what follows is not 0
+    double speed_across;          ///< of the structure through the water along z; `speed` is that along x then
+    double current_x, current_z;  ///< of the water far away, m/s
+    double turn_cos, turn_sin;    ///< of the turning angle
+    double wind_x, wind_z;        ///< force on a quarter of an element's top, N
 };
 
 /// Structure of arrays: field f of element i is at [f * stride + i]. All start on a vector boundary; the stride is a

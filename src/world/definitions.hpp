@@ -49,10 +49,10 @@ struct FixedBoxDefinition {
 /// A box of ice that moves along one of the world's axes only and never turns: an ice sheet that gives way. It has no
 /// weight, floes touch it, and it touches neither the structure nor boxes like itself.
 struct SlidingBoxDefinition {
-    Vec3 half_extents = Vec3::Zero();   ///< m, along the world's axes
-    Vec3 position = Vec3::Zero();       ///< of the centre
-    double mass = 0;                    ///< kg, > 0
-    int axis = 2;                       ///< 0 x, 1 y, 2 z
+    Vec3 half_extents = Vec3::Zero();  ///< m, along the world's axes
+    Vec3 position = Vec3::Zero();      ///< of the centre
+    double mass = 0;                   ///< kg, > 0
+    int axis = 2;                      ///< 0 x, 1 y, 2 z
 };
 
 /// A fixed joint between two moving bodies: relaxed in the configuration in which it is made.

@@ -37,7 +37,8 @@ Scenario mine() {
 
 TEST(Variations, TextHasTheCaseAsItIsAndOneChangeInEachOther) {
     const Campaign campaign = of(mine());
-    const Campaign read = read_campaign({variations_text(campaign, campaign.cases[0]), "varied.toml", {}, true}, nullptr);
+    const Campaign read =
+        read_campaign({variations_text(campaign, campaign.cases[0]), "varied.toml", {}, true}, nullptr);
     EXPECT_EQ(read.name, "varied");
     EXPECT_EQ(read.seed, 7U);
     EXPECT_EQ(read.arrangements, 3);

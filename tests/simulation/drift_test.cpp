@@ -55,8 +55,7 @@ TEST(Drift, InWindCountsFormDragOnTheEdge) {
     scenario.water.form_drag = 1;
     scenario.wind.speed = 5;
     const double draught = 0.93 * 0.033;
-    const double expected =
-        5 * std::sqrt(1.25 * 1.5e-3 * 0.36 / (0.5 * 1000 * (0.009 * 0.36 + 1.0 * 0.6 * draught)));
+    const double expected = 5 * std::sqrt(1.25 * 1.5e-3 * 0.36 / (0.5 * 1000 * (0.009 * 0.36 + 1.0 * 0.6 * draught)));
     const Vec2 drift = drift_of(scenario);
     EXPECT_NEAR(drift.x(), expected, 0.01 * expected);
     EXPECT_NEAR(drift.y(), 0, 1e-3 * expected);

@@ -31,7 +31,8 @@ double mass_of(const Scenario& scenario, const IceSheet& sheet) {
     return 1.1 * scenario.ice.density * (2 * sheet.half_extents).prod();
 }
 
-// m u' = p l (1 - u/u_c): u = u_c (1 - exp(-t p l/(m u_c))), by steps of Δt implicit: u_c (1 - (1 + Δt p l/(m u_c))^-n).
+// m u' = p l (1 - u/u_c): u = u_c (1 - exp(-t p l/(m u_c))), by steps of Δt implicit: u_c (1 - (1 + Δt p l/(m
+// u_c))^-n).
 TEST(Sheets, CloseAtTheirSpeedWhereTheyMeetNothing) {
     Scenario scenario = empty_channel(3);
     scenario.field.closing_speed = 0.05;

@@ -68,12 +68,12 @@ Heap random_heap() {
 }
 
 struct Balance {
-    double momentum = 0;      ///< largest error of a body, N s
-    double own_points = 0;    ///< of its angular momentum about a far axis, N m s
-    double middles = 0;       ///< the same with impulses between the two surfaces
-    double together = 0;      ///< of all, less the couples of friction across the overlaps
-    double couples = 0;       ///< these, N m s
-    double largest = 0;       ///< impulse, N s
+    double momentum = 0;    ///< largest error of a body, N s
+    double own_points = 0;  ///< of its angular momentum about a far axis, N m s
+    double middles = 0;     ///< the same with impulses between the two surfaces
+    double together = 0;    ///< of all, less the couples of friction across the overlaps
+    double couples = 0;     ///< these, N m s
+    double largest = 0;     ///< impulse, N s
 };
 
 Balance balance_of(SolverKind solver) {

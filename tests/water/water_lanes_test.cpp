@@ -83,7 +83,8 @@ TEST_P(WaterLanesOf, EveryWidthHasTheBitsOfOneElementAlone) {
     std::vector<std::size_t> model_of;
     for (std::size_t i = 0; i < elements.size(); ++i) model_of.push_back(i / 2 % 3);
     for (const int width : lane_widths()) {
-        // Three models by turns, one that drifts, and every third element left out: lanes are filled with what there is of a model.
+        // Three models by turns, one that drifts, and every third element left out: lanes are filled with what there is
+        // of a model.
         WaterLanes many(models, model_of, width);
         many.clear();
         for (std::size_t i = 0; i < elements.size(); ++i)

@@ -57,9 +57,8 @@ TEST(SlidingBox, PressesARowOfBoxesWithItsForce) {
         constexpr double mass = 1.2;
         std::vector<BodyId> row;
         for (int i = 0; i < 3; ++i) {
-            row.push_back(world.add_element({.half_extents = {0.1, 0.0165, 0.1},
-                                             .mass = mass,
-                                             .pose = {.position = {0, 0, -0.2 + 0.2 * i}}}));
+            row.push_back(world.add_element(
+                {.half_extents = {0.1, 0.0165, 0.1}, .mass = mass, .pose = {.position = {0, 0, -0.2 + 0.2 * i}}}));
         }
         const BodyId low = world.add_sliding_box(sheet(-0.8));
         const BodyId high = world.add_sliding_box(sheet(0.8));
@@ -104,8 +103,8 @@ TEST(SlidingBox, HoldsByFrictionWithoutMovingAlong) {
             d.contact.friction = Friction::cone;
             World world(d);
             constexpr double mass = 2;
-            const BodyId box = world.add_element(
-                {.half_extents = {0.1, 0.0165, 0.1}, .mass = mass, .pose = {.position = {0, 0, 0}}});
+            const BodyId box =
+                world.add_element({.half_extents = {0.1, 0.0165, 0.1}, .mass = mass, .pose = {.position = {0, 0, 0}}});
             const BodyId low = world.add_sliding_box(sheet(-0.6));
             const BodyId high = world.add_sliding_box(sheet(0.6));
             for (int i = 0; i < 100; ++i) {
@@ -130,11 +129,11 @@ TEST(SlidingBox, HasTheSameBitsAtEveryWidth) {
             World world(definition(solver, lanes));
             std::vector<BodyId> boxes;
             for (int i = 0; i < 9; ++i) {
-                boxes.push_back(world.add_element(
-                    {.half_extents = {0.1, 0.0165, 0.1},
-                     .mass = 1.2,
-                     .pose = {.position = {0.21 * (i % 3), 0, 0.203 * (i / 3)},
-                              .orientation = Quat(Eigen::AngleAxisd(0.07 * i, Vec3::UnitY()))}}));
+                boxes.push_back(
+                    world.add_element({.half_extents = {0.1, 0.0165, 0.1},
+                                       .mass = 1.2,
+                                       .pose = {.position = {0.21 * (i % 3), 0, 0.203 * (i / 3)},
+                                                .orientation = Quat(Eigen::AngleAxisd(0.07 * i, Vec3::UnitY()))}}));
             }
             const BodyId low = world.add_sliding_box(sheet(-0.64));
             const BodyId high = world.add_sliding_box(sheet(1.05));
