@@ -19,6 +19,23 @@ std::map<std::string_view, std::string> late_texts() {
     return texts;
 }
 
+/// The keys of two scenarios that have an effect in one of them, in the same order.
+struct KeyPairs {
+    Keys there, here;
+};
+
+KeyPairs effective_keys(Scenario& there, Scenario& here) {
+    KeyPairs pairs;
+    const Keys all_there = describe(there);
+    const Keys all_here = describe(here);
+    for (std::size_t k = 0; k < all_there.size(); ++k) {
+        if (all_there[k].idle() && all_here[k].idle()) continue;
+        pairs.there.push_back(all_there[k]);
+        pairs.here.push_back(all_here[k]);
+    }
+    return pairs;
+}
+
 }  // namespace
 
 Keys describe(Scenario& scenario) {
@@ -103,16 +120,20 @@ std::string canonical_text(const Scenario& scenario) {
 std::vector<std::string> differences(const Scenario& there, const Scenario& here) {
     Scenario one = there;
     Scenario other = here;
-    Keys keys_there;
-    Keys keys_here;
-    const Keys all_there = describe(one);
-    const Keys all_here = describe(other);
-    for (std::size_t k = 0; k < all_there.size(); ++k) {
-        if (all_there[k].idle() && all_here[k].idle()) continue;
-        keys_there.push_back(all_there[k]);
-        keys_here.push_back(all_here[k]);
+    const KeyPairs keys = effective_keys(one, other);
+    return key_differences(keys.there, keys.here);
+}
+
+std::vector<std::string> differing_keys(const Scenario& there, const Scenario& here) {
+    Scenario one = there;
+    Scenario other = here;
+    const KeyPairs keys = effective_keys(one, other);
+    std::vector<std::string> paths;
+    for (std::size_t k = 0; k < keys.there.size(); ++k) {
+        if (keys.here[k].derived() || exact_text(keys.there[k]) == exact_text(keys.here[k])) continue;
+        paths.emplace_back(keys.here[k].path);
     }
-    return key_differences(keys_there, keys_here);
+    return paths;
 }
 
 std::string given(const Scenario& scenario, const std::string& path) {

@@ -33,6 +33,9 @@ std::string canonical_text(const Scenario& scenario);
 /// "general.iterations: 50 there, 20 here" for each key that differs and has an effect in one of them.
 std::vector<std::string> differences(const Scenario& there, const Scenario& here);
 
+/// "general.iterations": the paths of these keys.
+std::vector<std::string> differing_keys(const Scenario& there, const Scenario& here);
+
 /// "floe.element_m = 0.25": the key with its value, as a message shows it. `path` is a key of a scenario.
 std::string given(const Scenario& scenario, const std::string& path);
 

@@ -87,8 +87,7 @@ void add_confinement(Keys& keys, Field& field) {
     constexpr double most = 1e8;  // N/m: floes of metres crush long before
     keys.push_back(late_key(number_key(
         "field.confining_N_m", field.confining, unit::one, at_least(0).at_most(most),
-        "none: the paper's sheets are "
-        "fixed",
+        "none: the paper's sheets are fixed",
         "Ice pressure as a line load. Each ice sheet is then a rigid body that moves along its normal: it presses on "
         "the field with this load times the length (side sheets) or width (far sheet) of the field, and ice that "
         "pushes harder moves it. 0: the sheets are fixed. A few kN/m at full scale; by Froude's law it goes with the "

@@ -17,21 +17,6 @@
 namespace floes {
 namespace {
 
-/// Paths of the keys in which two scenarios differ and that have an effect in one of them.
-std::string changed_keys(const Scenario& base, const Scenario& other) {
-    Scenario one = base;
-    Scenario two = other;
-    const Keys here = describe(one);
-    const Keys there = describe(two);
-    std::string paths;
-    for (std::size_t k = 0; k < here.size(); ++k) {
-        if (here[k].derived() || (here[k].idle() && there[k].idle())) continue;
-        if (exact_text(here[k]) == exact_text(there[k])) continue;
-        paths += (paths.empty() ? "" : ", ") + std::string(here[k].path);
-    }
-    return paths;
-}
-
 /// Values of done members by arrangement.
 std::map<int, double> values_of(const CampaignTable& table, std::size_t of_case, const Quantity& quantity) {
     std::map<int, double> values;
@@ -165,8 +150,11 @@ std::optional<ModelWidth> find_model_width(const Evidence& evidence) {
     std::set<std::string> inputs;
     for (std::size_t k = 0; k < evidence.campaign.cases.size(); ++k) {
         if (k == *base || done_members(evidence.table, k).size() < 2) continue;
-        VariationRow row{
-            k, changed_keys(evidence.campaign.cases[*base].scenario, evidence.campaign.cases[k].scenario), {}};
+        VariationRow row{k,
+                         fmt::format("{}", fmt::join(differing_keys(evidence.campaign.cases[*base].scenario,
+                                                                    evidence.campaign.cases[k].scenario),
+                                                     ", ")),
+                         {}};
         for (std::size_t column = 0; column < width.loads.size(); ++column)
             row.changes.push_back(
                 change_between(of_base[column], values_of(evidence.table, k, width.loads[column].quantity)));
