@@ -61,6 +61,14 @@ std::optional<FailureMode> failure(const JointReaction& reaction, const Threshol
     return static_cast<FailureMode>(largest - ratios.begin());
 }
 
+JointReaction without_bending(const JointReaction& reaction) {
+    return {.axial = reaction.axial,
+            .shear_vertical = reaction.shear_vertical,
+            .shear_in_plane = reaction.shear_in_plane,
+            .torsion = reaction.torsion,
+            .in_plane_bending = reaction.in_plane_bending};
+}
+
 PeakReactions raised(const PeakReactions& peaks, const JointReaction& r) {
     return {.compression = std::max(peaks.compression, compression(r)),
             .tension = std::max(peaks.tension, tension(r)),

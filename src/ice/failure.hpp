@@ -44,6 +44,9 @@ double utilisation(const JointReaction& reaction, const Thresholds& thresholds);
 /// the first in the order of FailureMode.
 std::optional<FailureMode> failure(const JointReaction& reaction, const Thresholds& thresholds);
 
+/// What is left of a reaction where bending is looked at by other means.
+JointReaction without_bending(const JointReaction& reaction);
+
 /// The peaks updated with this reaction of a joint.
 PeakReactions raised(const PeakReactions& peaks, const JointReaction& reaction);
 

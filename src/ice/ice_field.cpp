@@ -13,7 +13,8 @@
 
 namespace floes {
 
-IceField::IceField(World& world, const Scenario& scenario, const FloeSet& floes) {
+IceField::IceField(World& world, const Scenario& scenario, const FloeSet& floes)
+    : by_stress_(scenario.joint.fails_by_stress()), time_step_(scenario.general.time_step) {
     std::vector<std::vector<GridJoint>> orders;
     for (const FloeShape& shape : floes.shapes) orders.push_back(joint_order(grid_of(shape)));
     std::size_t elements = 0;
@@ -38,7 +39,9 @@ void IceField::add_floe(World& world, const Scenario& scenario, const PlanarPose
     const std::optional<JointSpring> spring = joint_spring(shape, material);
     const int floe = floes();
     const int first = static_cast<int>(elements_.size());
-    floes_.push_back({first, grid, make_thresholds(shape, material)});
+    floes_.push_back({first, grid, make_thresholds(shape, material), ice_section(shape, material),
+                      spring ? spring->moment[2] : 0.0,
+                      material.ice.fracture_energy * shape.element * shape.thickness});
     const Turn half = turn_of(0.5 * pose.yaw);
     const Quat yaw(half.cos, 0, half.sin, 0);
     const Vec3 middle(pose.x, shape.floating_height(material.ice, water.density), pose.z);
@@ -52,6 +55,10 @@ void IceField::add_floe(World& world, const Scenario& scenario, const PlanarPose
         const bool outline = water.form_drag_on == FormDragOn::outline;
         const std::uint8_t edges = outline ? grid.outline_edges(index) : std::uint8_t{every_edge};
         elements_.push_back({body, floe, index, first, edges});
+        if (by_stress_) {
+            const double crushing = pressure > 0 ? pressure : material.ice.compressive_strength;
+            stress_.add_element(body, {shape.element, shape.thickness, material.ice.poisson_ratio, crushing});
+        }
     }
     for (int number = 0; number < static_cast<int>(order.size()); ++number) {
         const GridJoint& joint = order[static_cast<std::size_t>(number)];
@@ -62,17 +69,20 @@ void IceField::add_floe(World& world, const Scenario& scenario, const PlanarPose
                                             .cfm = material.joint.cfm,
                                             .erp = material.joint.erp,
                                             .spring = spring});
-        joints_.push_back({id, floe, number, joint});
+        if (by_stress_) {
+            stress_.add_joint(id, static_cast<std::size_t>(first + joint.a), static_cast<std::size_t>(first + joint.b),
+                              joint.axis);
+        }
+        joints_.push_back({id, floe, number, joint, joints_.size()});
     }
 }
 
 int IceField::break_joints(World& world, double time) {
     const std::size_t before = breaks_.size();
     auto kept = joints_.begin();
-    for (const Joint& joint : joints_) {
-        const JointReaction reaction = world.reaction(joint.id);
-        peaks_ = raised(peaks_, reaction);
-        const std::optional<FailureMode> mode = failure(reaction, floe_of(joint).thresholds);
+    if (by_stress_) stress_.read(world);
+    for (Joint& joint : joints_) {
+        const std::optional<FailureMode> mode = failing(world, joint);
         if (!mode) {
             *kept++ = joint;
             continue;
@@ -80,20 +90,8 @@ int IceField::break_joints(World& world, double time) {
         fail(world, joint, {time, joint.floe, joint.number, *mode});
     }
     joints_.erase(kept, joints_.end());
-    split_floes(world, before);
+    split_broken(world, before);
     return static_cast<int>(breaks_.size() - before);
-}
-
-void IceField::read_utilisation(const World& world, std::vector<double>& worst) const {
-    worst.assign(elements_.size(), 0.0);
-    for (const Joint& joint : joints_) {
-        const double used = utilisation(world.reaction(joint.id), floe_of(joint).thresholds);
-        const auto first = static_cast<std::size_t>(floe_of(joint).first);
-        for (const int index : {joint.grid.a, joint.grid.b}) {
-            double& element = worst[first + static_cast<std::size_t>(index)];
-            element = std::max(element, used);
-        }
-    }
 }
 
 double IceField::joint_power(const World& world, std::span<const BodyState> before, std::span<const Vec3> velocity,
@@ -128,16 +126,20 @@ void IceField::repeat_breaks(World& world, std::span<const BreakEvent> breaks) {
         fail(world, *joint, event);
         joints_.erase(joint);
     }
-    split_floes(world, before);
+    split_broken(world, before);
 }
 
 void IceField::fail(World& world, const Joint& joint, const BreakEvent& event) {
     world.remove_joint(joint.id);
+    if (by_stress_) failed_.push_back(joint.place);
+    floes_[static_cast<std::size_t>(joint.floe)].cracked = true;
     expose_edges(joint);
     breaks_.push_back(event);
 }
 
-void IceField::split_floes(World& world, std::size_t first_break) {
+void IceField::split_broken(World& world, std::size_t first_break) {
+    for (const std::size_t joint : failed_) stress_.remove_joint(joint);
+    failed_.clear();
     for (std::size_t i = first_break; i < breaks_.size(); ++i) {
         if (i == first_break || breaks_[i].floe != breaks_[i - 1].floe) split_pieces(world, breaks_[i].floe);
     }
@@ -166,16 +168,6 @@ void IceField::split_pieces(World& world, int floe) {
         element.piece = piece;
         world.set_piece(element.body, piece);
     }
-}
-
-int IceField::broken_floes() const {
-    std::vector<bool> broken(floes_.size(), false);
-    for (const BreakEvent& event : breaks_) broken[static_cast<std::size_t>(event.floe)] = true;
-    return static_cast<int>(std::count(broken.begin(), broken.end(), true));
-}
-
-double IceField::failure_ratio() const {
-    return floes_.empty() ? 0.0 : static_cast<double>(broken_floes()) / floes();
 }
 
 }  // namespace floes

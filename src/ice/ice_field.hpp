@@ -5,13 +5,16 @@
 //   ... world.step();  ice.break_joints(world, time);
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/vector.hpp"
+#include "ice/crack.hpp"
 #include "ice/failure.hpp"
 #include "ice/failure_mode.hpp"
 #include "ice/floe_grid.hpp"
+#include "ice/stress_field.hpp"
 #include "scenario/floes.hpp"
 #include "scenario/scenario.hpp"
 #include "world/world.hpp"
@@ -37,12 +40,13 @@ class IceField {
     const std::vector<IceElement>& elements() const { return elements_; }
 
     /// To be called after every step of the world, which must be the one given to the constructor. Every joint whose
-    /// reaction exceeds a threshold fails and is removed; pieces, exposed edges, the break log and the peaks are
-    /// updated. `time`: end of the step, s. Returns the number of joints that failed.
+    /// reaction exceeds a threshold fails and is removed, or begins to crack and fails when the crack is open; pieces,
+    /// exposed edges, the break log and the peaks are updated. `time`: end of the step, s. Returns the number of joints
+    /// that failed.
     int break_joints(World& world, double time);
 
     /// Refills `worst` with the largest utilisation of the live joints of each element, in the order of elements(); 0
-    /// without any. Of the world's last step.
+    /// without any. Of the world's last step; a joint that cracks is utilised as 1.
     void read_utilisation(const World& world, std::vector<double>& worst) const;
 
     /// Power that the joints gave to the ice in the world's last step, W: their reactions times how the elements moved,
@@ -62,16 +66,23 @@ class IceField {
     int first_element(int floe) const { return floes_[static_cast<std::size_t>(floe)].first; }  ///< in elements()
 
     int floes() const { return static_cast<int>(floes_.size()); }
-    int broken_floes() const;      ///< floes with at least one failed joint
-    double failure_ratio() const;  ///< broken floes / floes, 0-1
+    int broken_floes() const;                                                ///< floes with at least one failed joint
+    double failure_ratio() const { return share_of_floes(broken_floes()); }  ///< 0-1
+    int split_floes() const;                                                 ///< floes in more than one piece
+    int cracked_floes() const;  ///< floes of which a joint reached its strength, whether or not it failed
+    double fracture_work() const { return fracture_work_; }  ///< J, that cracks have taken, of joints that soften
+    double share_of_floes(int some) const { return floes_.empty() ? 0.0 : static_cast<double>(some) / floes(); }
+    int pieces() const;  ///< of all floes
     int live_joints() const { return static_cast<int>(joints_.size()); }
 
   private:
     struct Joint {
         JointId id;
         int floe;
-        int number;      // in joint_order()
-        GridJoint grid;  // indices within the floe
+        int number;         // in joint_order()
+        GridJoint grid;     // indices within the floe
+        std::size_t place;  // among all joints ever made
+        std::optional<Crack> crack{};
     };
 
     /// A floe as its elements and joints need it.
@@ -79,13 +90,28 @@ class IceField {
         int first;  // of its elements
         FloeGrid grid;
         Thresholds thresholds;
+        IceSection section;
+        double stiffness;     // K of a joint against bending, N m
+        double crack_energy;  // of a joint, N m
+        bool cracked = false;
     };
+
+    /// How far a joint is turned out of the plane, bending and torsion together, and how fast that grows.
+    struct Turned {
+        double angle = 0;  ///< rad
+        double rate = 0;   ///< rad/s
+    };
+    Turned turned(const World& world, const Joint& joint) const;
+
+    /// Whether the joint fails now, and how; it may begin to crack, or crack on.
+    std::optional<FailureMode> failing(World& world, Joint& joint);
+    std::optional<FailureMode> crack_on(World& world, Joint& joint);
 
     void add_floe(World& world, const Scenario& scenario, const PlanarPose& pose, const FloeShape& shape,
                   const Material& material, const std::vector<GridJoint>& order);
     const Sheet& floe_of(const Joint& joint) const { return floes_[static_cast<std::size_t>(joint.floe)]; }
     void fail(World& world, const Joint& joint, const BreakEvent& event);
-    void split_floes(World& world, std::size_t first_break);
+    void split_broken(World& world, std::size_t first_break);
     void expose_edges(const Joint& joint);
     void split_pieces(World& world, int floe);
 
@@ -94,6 +120,11 @@ class IceField {
     std::vector<Joint> joints_;  // live, in order of creation
     std::vector<BreakEvent> breaks_;
     PeakReactions peaks_;
+    bool by_stress_;
+    double time_step_;
+    StressField stress_;               // empty unless joints fail by stress
+    std::vector<std::size_t> failed_;  // in this step, still in stress_
+    double fracture_work_ = 0;
 };
 
 }  // namespace floes

@@ -59,7 +59,12 @@ void take_statistics(MemberResult& result, const Scenario& scenario, const Simul
     result.mean_sway = mean_of(in_window(result.history.sway));
     result.mean_heave = mean_of(in_window(result.history.heave));
     result.work = simulation.work();
-    result.failure_ratio = simulation.ice().failure_ratio();
+    const IceField& ice = simulation.ice();
+    result.failure_ratio = ice.failure_ratio();
+    result.split_ratio = ice.share_of_floes(ice.split_floes());
+    result.cracked_ratio = ice.share_of_floes(ice.cracked_floes());
+    result.pieces = ice.pieces();
+    result.fracture_work = ice.fracture_work();
     result.mean_sweeps = simulation.mean_sweeps();
 }
 

@@ -19,6 +19,10 @@ struct MemberOutputs {
     double mean_sway = 0;                                      ///< N, over the window
     double mean_heave = 0;                                     ///< N, over the window
     double failure_ratio = 0;                                  ///< broken floes / floes at the end of the run, 0-1
+    double split_ratio = 0;                                    ///< floes in more than one piece / floes, 0-1
+    double cracked_ratio = 0;                                  ///< floes that began to crack / floes, 0-1
+    double pieces = 0;                                         ///< of ice, at the end of the run
+    double fracture_work = 0;                                  ///< J, taken by cracks over the run
     std::array<double, failure_mode_names.size()> failures{};  ///< failed joints by mode
     double local_order = 0;     ///< of the arrangement, arrangement/order.hpp; its psi4 is stored with the poses
     double coverage_ahead = 0;  ///< share of the structure's path covered by ice at t = 0, 0-1

@@ -78,7 +78,7 @@ FloeSet floes_of(const Scenario& scenario, const Draw&) {
     Material material;
     Keys keys;
     add_floe(keys, shape);
-    add_ice(keys, shape, material.ice);
+    add_ice(keys, shape, material.ice, material.joint);
     add_joint(keys, material.joint);
     const std::vector<const Key*> columns = named_keys(keys, rule.columns);
     std::vector<SingleFloe> given;

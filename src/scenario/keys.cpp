@@ -42,7 +42,7 @@ Keys describe(Scenario& scenario) {
     Keys keys;
     keys.reserve(110);
     add_general(keys, scenario.general);
-    add_ice(keys, scenario.floe, scenario.ice);
+    add_ice(keys, scenario.floe, scenario.ice, scenario.joint);
     add_floe(keys, scenario.floe);
     add_joint(keys, scenario.joint);
     add_field(keys, scenario.field);
@@ -89,6 +89,7 @@ Scenario paper_scenario() {
     scenario.general.solver = SolverKind::lanes;
     scenario.general.tolerance = 0;
     scenario.joint.model = JointModel::cfm;
+    scenario.joint.failure = JointFailure::moment;
     scenario.contact = with_preset(scenario.contact, ContactPreset::paper);
     scenario.water.heave_damping_from = WaterFrom::share;
     scenario.water.added_mass_from = WaterFrom::share;

@@ -14,6 +14,8 @@
 namespace floes {
 
 enum class JointModel { cfm, beam };  ///< Σ and Γ, or an elastic beam from centre to centre
+/// What is compared with the bending strength: the moment of a joint, Eq. (3), or the stress of its outer fibres.
+enum class JointFailure { moment, stress };
 /// The point about which the bending moment of Eq. (3) is taken: where the joint is, or the centre of its first
 /// element, about which Bullet reports a joint's torque.
 enum class MomentAbout { pivot, element_centre };
@@ -45,11 +47,12 @@ struct Ice {
     double bending_strength = 36.4e3;       ///< σ_b, Pa
     double compressive_strength = 145.6e3;  ///< σ_c, Pa
     double shear_strength = 72.8e3;         ///< σ_s, Pa
-    double tensile_strength = 0;            ///< Pa; 0: no criterion (the paper has none)
+    double tensile_strength = 0;            ///< Pa; 0: by moment no criterion (the paper has none), by stress σ_b
     double torsion_strength = 0;            ///< Pa; 0: no criterion
     double in_plane_bending_strength = 0;   ///< Pa; 0: no criterion
     double elastic_modulus = 60e6;          ///< E, Pa; of joints that follow Σ it is what a plate test shows
     double poisson_ratio = 0.3;             ///< ν, of beam joints
+    double fracture_energy = 0;             ///< G_f, J/m², of joints that fail by stress; 0: they lose all at once
 
     friend auto operator<=>(const Ice&, const Ice&) = default;
 };
@@ -74,11 +77,14 @@ struct FloeShape {
 /// The fixed joints between elements.
 struct Joint {
     JointModel model = JointModel::beam;
-    double cfm = 0.016;           ///< Σ, Bullet's relative number (docs/calibration.md); below 1
-    double erp = 0.8;             ///< Γ (Table 1)
-    double damping_ratio = 0.05;  ///< of beam joints, of critical
+    double cfm = 0.016;                           ///< Σ, Bullet's relative number (docs/calibration.md); below 1
+    double erp = 0.8;                             ///< Γ (Table 1)
+    double damping_ratio = 0.05;                  ///< of beam joints, of critical
+    JointFailure failure = JointFailure::stress;  ///< of beam joints; others fail by moment
     ThresholdForm threshold_form = ThresholdForm::force;
     MomentAbout moment_about = MomentAbout::pivot;
+
+    bool fails_by_stress() const { return model == JointModel::beam && failure == JointFailure::stress; }
 
     friend auto operator<=>(const Joint&, const Joint&) = default;
 };

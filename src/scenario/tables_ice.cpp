@@ -34,7 +34,7 @@ void add_general(Keys& keys, General& general) {
         "If an element exceeds this speed, the member ends as failed, because the simulation has diverged."));
 }
 
-void add_ice(Keys& keys, FloeShape& floe, Ice& ice) {
+void add_ice(Keys& keys, FloeShape& floe, Ice& ice, const Joint& joint) {
     const Range strength = above(0).at_most(1e6);
     const Range criterion = at_least(0).at_most(1e6);
     keys.push_back(number_key("ice.thickness_m", floe.thickness, unit::one, above(0).at_most(10), "Table 1",
@@ -42,7 +42,8 @@ void add_ice(Keys& keys, FloeShape& floe, Ice& ice) {
     keys.push_back(number_key("ice.density_kg_m3", ice.density, unit::one, above(0).at_most(5000), "Table 1",
                               "Density of ice. The draught is thickness x density / water density."));
     keys.push_back(number_key("ice.bending_strength_kPa", ice.bending_strength, unit::kilopascal, strength, "Table 1",
-                              "Bending strength, Eq. (3). With a lower value more floes break."));
+                              "Bending (flexural) strength: of the outer fibres with joint.failure = \"stress\", by "
+                              "Eq. (3) with \"moment\". With a lower value more floes break."));
     keys.push_back(number_key("ice.compressive_strength_kPa", ice.compressive_strength, unit::kilopascal, strength,
                               "Table 1",
                               "Compressive strength, Eq. (1); four times the bending strength in the paper."));
@@ -50,7 +51,8 @@ void add_ice(Keys& keys, FloeShape& floe, Ice& ice) {
                               "Shear strength, Eq. (2); twice the bending strength in the paper."));
     keys.push_back(number_key("ice.tensile_strength_kPa", ice.tensile_strength, unit::kilopascal, criterion,
                               "the paper has none",
-                              "Tensile strength; 0: no failure criterion, but reactions are still recorded."));
+                              "Tensile strength, of ice that is split in its plane. 0: the bending strength with "
+                              "joint.failure = \"stress\", no failure criterion with \"moment\"."));
     keys.push_back(number_key("ice.torsion_strength_kPa", ice.torsion_strength, unit::kilopascal, criterion,
                               "the paper has none",
                               "Strength in torsion about the joint's axis; 0: no failure criterion."));
@@ -65,6 +67,13 @@ void add_ice(Keys& keys, FloeShape& floe, Ice& ice) {
         "5 % in a plate test; and if only joint.cfm is given, this E is what that test shows."));
     keys.push_back(late_key(number_key("ice.poisson_ratio", ice.poisson_ratio, unit::one, at_least(0).at_most(0.5),
                                        "usual for ice", "Poisson's ratio ν, with joint.model = \"beam\".")));
+    keys.push_back(late_key(only_with(
+        "joint.failure = \"stress\"", [&joint] { return joint.fails_by_stress(); },
+        number_key("ice.fracture_energy_J_m2", ice.fracture_energy, unit::one, at_least(0).at_most(1e6),
+                   "docs/fracture.md",
+                   "Energy G_f that a crack takes per area. A joint at its strength softens until it has taken "
+                   "this; 0: it loses all it carries at once. Below some 0.2 strength² thickness / E, 0.15 J/m² for "
+                   "the tank's ice and 10 for sea ice of 1 m, the strength decides and it changes little."))));
 }
 
 void add_floe(Keys& keys, FloeShape& floe) {
@@ -101,6 +110,12 @@ void add_joint(Keys& keys, Joint& joint) {
         "How stiff joints are. beam: an elastic beam from centre to centre, whose stiffness follows from "
         "ice.elastic_modulus_MPa, ice.poisson_ratio, element side and thickness; with general.solver = \"direct\" only "
         "(docs/ice.md). cfm: by cfm and erp, together with element size, time step and iterations, as in the paper.")));
+    keys.push_back(with_beams(late_key(word_key(
+        "joint.failure", joint.failure, {"moment", "stress"}, "does not know the grid; docs/fracture.md",
+        "What cracks a joint. stress: the largest principal tension in its outer fibres by bending, twist and thrust, "
+        "with the peak below contacts that a grid of elements does not show, reaches ice.bending_strength_kPa; then it "
+        "softens as ice.fracture_energy_J_m2 says. moment: its bending moment exceeds Eq. (3), and it is gone at once; "
+        "fewer floes break, and how many depends on floe.element_m."))));
     keys.push_back(with_beams(
         late_key(number_key("joint.damping_ratio", joint.damping_ratio, unit::one, at_least(0).at_most(10), "judgement",
                             "Damping of joints: share of critical for two elements that swing against each other."))));

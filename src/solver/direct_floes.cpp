@@ -61,6 +61,13 @@ void DirectFloes::remove_joint(std::size_t joint) {
     store_spring(joint, {}, {});
 }
 
+void DirectFloes::soften_joint(std::size_t joint, double sound) {
+    if (joints_[joint].sound == sound) return;
+    joints_[joint].sound = sound;
+    pieces_[piece_of_body_[joints_[joint].a]].compliance = nullptr;
+    stale_ = true;
+}
+
 void DirectFloes::set_water(std::size_t body, const CarriedWater& water) {
     if (bodies_[body].water == water) return;
     bodies_[body].water = water;

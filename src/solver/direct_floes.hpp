@@ -33,6 +33,9 @@ class DirectFloes {
     /// Takes effect in the next step.
     void remove_joint(std::size_t joint);
 
+    /// The share of its stiffness against bending and torsion that the joint has left. Takes effect in the next step.
+    void soften_joint(std::size_t joint, double sound);
+
     /// Takes effect in the next step.
     void set_water(std::size_t body, const CarriedWater& water);
 

@@ -20,6 +20,11 @@ Vec3 origin_of(const SolverFrame& frame) {
     return Vec3(frame.origin[0], frame.origin[1], frame.origin[2]);
 }
 
+/// Of the six parts of a joint: torsion and bending. What is left of the section still holds shear.
+bool opens(std::size_t part) {
+    return part == 3 || part == 5;
+}
+
 }  // namespace
 
 void DirectFloes::split(std::size_t piece) {
@@ -85,6 +90,10 @@ PieceJoint DirectFloes::at_rest(const Piece& piece, const SolverJoint& joint, co
             stiffness[i] = joint.erp * per_step / step;
             damping = (1 - joint.erp) * per_step;
         }
+        if (joint.sound < 1 && opens(i)) {
+            damping *= std::sqrt(joint.sound);
+            stiffness[i] *= joint.sound;
+        }
         found.hold[i] = step * damping + step * step * stiffness[i];
     }
     return found;
@@ -126,6 +135,11 @@ void DirectFloes::make_compliance(Piece& piece) {
 }
 
 void DirectFloes::find_compliance(Piece& piece, std::vector<PieceBody> bodies, std::vector<PieceJoint> joints) {
+    const auto cracks = [&](std::uint32_t joint) { return joints_[joint].sound < 1; };
+    if (std::ranges::any_of(piece.joints, cracks)) {  // no other piece is like it
+        piece.compliance = std::make_shared<PieceCompliance>(std::move(bodies), std::move(joints));
+        return;
+    }
     const auto found =
         std::ranges::find_if(compliances_, [&](const auto& compliance) { return compliance->is_of(bodies, joints); });
     if (found != compliances_.end()) {

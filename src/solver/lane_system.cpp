@@ -37,6 +37,11 @@ void LaneSystem::remove_joint(std::size_t joint) {
     }
 }
 
+void LaneSystem::soften_joint(std::size_t joint, double sound) {
+    if (!direct_) throw RunError("Only the direct solver softens joints.");
+    direct_->soften_joint(joint, sound);
+}
+
 void LaneSystem::set_water(std::size_t body, const CarriedWater& water) {
     if (!direct_) throw RunError("Only the direct solver lets bodies carry water.");
     direct_->set_water(body, water);

@@ -43,6 +43,10 @@ class LaneSystem {
 
     void remove_joint(std::size_t joint);
 
+    /// From the coming step on the joint has this share, above 0, of the stiffness against bending and torsion that it
+    /// was made with. Throws RunError where joints are not solved directly.
+    void soften_joint(std::size_t joint, double sound);
+
     void set_state(std::size_t body, const SolverState& state);
 
     /// Adds up until the coming step; the torque is about the centre of mass.

@@ -52,6 +52,12 @@ std::optional<Refusal> refused_water(SolverKind solver) {
                    "general.solver = \"direct\", or water.added_mass_from = \"share\""};
 }
 
+std::optional<Refusal> refused_cracks(SolverKind solver) {
+    if (solver == SolverKind::direct) return std::nullopt;
+    return Refusal{"joint.failure", solver_key, "what a crack takes off a joint's stiffness goes into an exact solve",
+                   "general.solver = \"direct\", or joint.failure = \"moment\""};
+}
+
 std::optional<Refusal> refused_sleep(SolverKind solver) {
     if (solver != SolverKind::stock) return std::nullopt;
     return Refusal{"field.wake_radius_m", solver_key, "Bullet's own solver lets no floes rest",

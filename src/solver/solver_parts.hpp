@@ -47,6 +47,8 @@ struct SolverJoint {
     double cfm = 0;                     ///< Σ, relative to the row's inverse effective mass; below 1
     double erp = 0;                     ///< Γ
     std::optional<JointSpring> spring;  ///< in place of Σ and Γ, where joints are solved directly
+    /// Share, above 0, that is left of its stiffness against bending and torsion; below 1 where joints are solved directly.
+    double sound = 1;
 };
 
 /// Motion of a body. World axes, SI units.

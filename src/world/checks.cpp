@@ -98,6 +98,11 @@ void check(const CarriedWater& water, SolverKind solver) {
             "the first moment of the water along x", water.x, "that of a mass somewhere");
 }
 
+void check_softening(double sound, SolverKind solver) {
+    if (const auto refusal = refused_cracks(solver)) refuse(*refusal);
+    require(sound > 0 && sound <= 1, "the share of a joint's stiffness that is left", sound, "above 0 and at most 1");
+}
+
 void check_sleep(SolverKind solver) {
     if (const auto refusal = refused_sleep(solver)) refuse(*refusal);
 }

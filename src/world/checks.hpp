@@ -18,6 +18,7 @@ void check(const SlidingBoxDefinition& box);
 void check(const JointDefinition& joint, std::size_t bodies, SolverKind solver);
 void check(const CarriedWater& water, SolverKind solver);
 void check_sleep(SolverKind solver);
+void check_softening(double sound, SolverKind solver);
 void check_structure(std::span<const ConvexSolid> solids, bool present);
 
 }  // namespace floes

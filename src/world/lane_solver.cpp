@@ -69,6 +69,11 @@ void LaneSolver::remove_joint(std::size_t joint) {
     if (in_system(joint)) system_->remove_joint(joint_in_system_[joint]);
 }
 
+void LaneSolver::soften_joint(std::size_t joint, double sound) {
+    joints_[joint].sound = sound;
+    if (in_system(joint)) system_->soften_joint(joint_in_system_[joint], sound);
+}
+
 void LaneSolver::set_asleep(std::size_t body, bool asleep) {
     bodies_[body].asleep = asleep;
     boxes_.set_asleep(static_cast<std::uint32_t>(body), asleep);

@@ -39,6 +39,9 @@ class LaneSolver {
     void add_joint(const JointDefinition& definition, const btRigidBody& a, const btRigidBody& b);
     void remove_joint(std::size_t joint);
 
+    /// From the next step on; with the direct solver only.
+    void soften_joint(std::size_t joint, double sound);
+
     /// From the next step on.
     void set_piece(std::size_t body, int piece) { boxes_.set_piece(static_cast<std::uint32_t>(body), piece); }
 

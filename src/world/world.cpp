@@ -186,6 +186,11 @@ void World::remove_joint(JointId joint) {
     removed.reset();
 }
 
+void World::soften_joint(JointId joint, double sound) {
+    check_softening(sound, bullet_->definition.solver);
+    bullet_->lanes->soften_joint(joint.index(), sound);
+}
+
 void World::set_piece(BodyId body, int piece) {
     if (bullet_->lanes)
         bullet_->lanes->set_piece(body.index(), piece);

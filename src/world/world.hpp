@@ -44,6 +44,10 @@ class World {
     /// Removes the joint; the order of the others stays. Its reaction reads zero from then on.
     void remove_joint(JointId joint);
 
+    /// A joint that cracks: from the next step on it has this share of the stiffness with which it was made against
+    /// bending and torsion. Throws InputError with other solvers than direct, and unless 0 < sound <= 1.
+    void soften_joint(JointId joint, double sound);
+
     /// Bodies of the same piece >= 0 do not collide; no_piece for none. In force from the next step on.
     void set_piece(BodyId body, int piece);
 

@@ -78,6 +78,14 @@ class Open {
     std::vector<Variation> found_;
 };
 
+/// Fracture energy, J/m², at which the energy of a crack decides and no longer the strength (docs/fracture.md).
+double tough(const Scenario& scenario) {
+    const Ice& ice = scenario.ice;
+    const double energy =
+        1.4 * ice.bending_strength * ice.bending_strength * scenario.floe.thickness / ice.elastic_modulus;
+    return std::stod(fmt::format("{:.2g}", energy));
+}
+
 /// The keys that are not as by default, without comments.
 std::string tables_text(const Campaign& campaign, const Scenario& scenario) {
     CampaignHead head{"", campaign.seed, campaign.arrangements, campaign.common_arrangements};  // named by its file
@@ -110,6 +118,7 @@ std::vector<Variation> variations_of(const Scenario& scenario) {
     if (scenario.joint.model == JointModel::beam)
         open.times("ice.elastic_modulus_MPa", {0.5, 2}, "methods of measuring E differ by this");
     open.times("ice.compressive_strength_kPa", {0.5, 2}, "rarely measured, depends on the rate");
+    open.at("ice.fracture_energy_J_m2", {tough(scenario)}, "ice so tough that cracks wait for their energy");
     open.times("contact.ice_ice_friction", {0.5, 2}, "0.02 to 0.7 in the sources of the paper");
     open.times("contact.ice_structure_friction", {0.75, 1.25}, "of a hull whose friction was measured");
     open.word("water.flow", "still", "the flow past the structure is that of a cylinder");

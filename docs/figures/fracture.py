@@ -1,0 +1,238 @@
+#!/usr/bin/python3
+"""The tables of docs/fracture.md.
+
+Usage:
+    fracture.py                   writes the tables from docs/fracture/*.csv
+    fracture.py --check           writes nothing; fails if a table differs from the data
+    fracture.py --grid            first solves the grid of beams at rest on water, a minute; its own lines, not those of floes
+    fracture.py --collect FOLDER  first takes the members of the campaign fracture_tank.h5 in FOLDER
+"""
+import math
+import pathlib
+import sys
+
+import numpy as np
+import pandas as pd
+
+from contact import collected
+from page_blocks import fill_or_check
+from validation_data import half_width
+from validation_tables import difference, number, table, with_interval
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+DOCS = ROOT / "docs"
+DATA = DOCS / "fracture"
+E, NU, T, K, STRENGTH, CRUSHING = 60e6, 0.3, 0.033, 9810.0, 36.4e3, 145.6e3  # the tank's ice, SI
+D = E * T**3 / 12 / (1 - NU**2)
+LENGTH = (D / K) ** 0.25
+ELEMENTS = [0.3, 0.2, 0.15, 0.1, 0.05]
+PATCH = {"edge": (0.6, 0.66), "interior": (1.0, 0.92)}  # as src/ice/contact_stress.cpp has it
+PER_DECADE = {"edge": 4 * 0.529 * (1 + 0.54 * NU), "interior": 4 * 0.275 * (1 + NU)}
+GIVEN_OVER_OWN = 3  # as src/ice/crack.cpp has it
+
+
+def felt(load):
+    """b₀, m: of the circle that a load crushes."""
+    return math.sqrt(1.6 * load / (math.pi * CRUSHING) + T * T) - 0.675 * T
+
+
+def westergaard(where, b):
+    """Pa for 1 N."""
+    decades = math.log10(E * T**3 / (K * b**4))
+    return PER_DECADE[where] / 4 / T**2 * (decades - (0.71 if where == "edge" else 0))
+
+
+class Grid:
+    """Square elements of side L on water, joined by the beams of docs/ice.md; the loaded one is in the middle of the rim
+    of a half plate or of a wide sheet. Motion of an element: down, and its slopes along x and z."""
+
+    def __init__(self, side, where):
+        self.side, self.where = side, where
+        half = math.ceil(4 * LENGTH / side)
+        self.long, self.broad = 2 * half + 1, half + 1 if where == "edge" else 2 * half + 1
+        self.loaded = (half, 0 if where == "edge" else half)
+
+    def dof(self, i, k):
+        return 3 * (i + k * self.long)
+
+    def solve(self, x, z, without=None):
+        """Motion under 1 N at (x, z) from the middle of the loaded element; `without` that joint."""
+        from scipy.sparse import coo_matrix
+        from scipy.sparse.linalg import spsolve
+
+        side = self.side
+        shear = 12 * D / (side**2 * (1 + 12 * D / (5 / 6 * E / (2 * (1 + NU)) * T * side**2)))
+        rows, columns, values = [], [], []
+
+        def add(parts, stiffness):
+            for one, share in parts:
+                for other, more in parts:
+                    rows.append(one), columns.append(other), values.append(stiffness * share * more)
+
+        for k in range(self.broad):
+            for i in range(self.long):
+                a = self.dof(i, k)
+                add([(a, 1)], K * side**2)
+                add([(a + 1, 1)], K * side**4 / 12)
+                add([(a + 2, 1)], K * side**4 / 12)
+                for along, (b_i, b_k) in enumerate([(i + 1, k), (i, k + 1)], 1):
+                    if b_i == self.long or b_k == self.broad or (i, k, along) == without:
+                        continue
+                    b = self.dof(b_i, b_k)
+                    add([(b, 1), (b + along, -side / 2), (a, -1), (a + along, -side / 2)], shear)
+                    add([(b + 1, 1), (a + 1, -1)], D)
+                    add([(b + 2, 1), (a + 2, -1)], D)
+        size = 3 * self.long * self.broad
+        load = np.zeros(size)
+        a = self.dof(*self.loaded)
+        load[a], load[a + 1], load[a + 2] = 1, x, z
+        return spsolve(coo_matrix((values, (rows, columns)), (size, size)).tocsc(), load)
+
+    def moments(self, motion, i, k, along):
+        """Bending and torsion of the joint behind element (i, k), N m; 0 where there is none."""
+        b_i, b_k = (i + 1, k) if along == 1 else (i, k + 1)
+        if i < 0 or k < 0 or b_i >= self.long or b_k >= self.broad:
+            return 0.0, 0.0
+        turned = motion[self.dof(b_i, b_k):][:3] - motion[self.dof(i, k):][:3]
+        return -D * turned[along], -D * turned[3 - along]
+
+    def at_joint(self, x, z):
+        """Stresses at the loaded element's joint towards +x, Pa: along its normal, across it, twist; and its rotation."""
+        motion = self.solve(x, z)
+        i, k = self.loaded
+        bending, torsion = self.moments(motion, i, k, 1)
+        across = sum(self.moments(motion, column, row, 2)[0] for column in (i, i + 1) for row in (k, k - 1)) / 4
+        by_moment = 6 / (self.side * T**2)
+        return (by_moment * (bending + NU * across), by_moment * (across + NU * bending), by_moment * (1 - NU) * torsion,
+                math.hypot(bending, torsion) / D)
+
+
+def principal(along, across, twist):
+    return (along + across) / 2 + math.hypot((along - across) / 2, twist)
+
+
+def patches():
+    """Radius b_L, over the side, with which the formula fills what the grid's joint lacks; and with the constants used,
+    the stress over the formula's."""
+    rows = []
+    for where in PATCH:
+        for side in ELEMENTS:
+            grid = Grid(side, where)
+            for share in [0.0, 0.25, 0.49]:
+                along, across, twist, _ = grid.at_joint(share * side, -side / 2 if where == "edge" else 0.0)
+                load = 10.0
+                wanted = westergaard(where, felt(load))
+                per_decade = PER_DECADE[where] / T**2
+
+                def stress(patch):
+                    added = per_decade * math.log10(patch * side / felt(load))
+                    return principal(along + added, across + (added if where == "interior" else 0), twist)
+
+                low, high = 1e-3, 10.0
+                for _ in range(50):
+                    middle = math.sqrt(low * high)
+                    low, high = (middle, high) if stress(middle) < wanted else (low, middle)
+                used = PATCH[where][0] * 10 ** (-PATCH[where][1] * share)
+                rows.append({"where": where, "element_m": side, "towards_joint": share, "patch": low, "patch_used": used,
+                             "stress_over_formula": stress(used) / wanted})
+    return pd.DataFrame(rows).round(4)
+
+
+def first_cracks():
+    """Load of the first crack at the rim of a half plate, N, by the grid alone, with what contacts add, and with an
+    energy; and how much further a joint turns when it is gone."""
+    rows = []
+    for side in ELEMENTS:
+        grid = Grid(side, "edge")
+        along, across, twist, turned = grid.at_joint(0.0, -side / 2)
+        i, k = grid.loaded
+        motion = grid.solve(0.0, -side / 2, without=(i, k, 1))
+        without = math.hypot(*grid.moments(motion, i, k, 1)) / D
+
+        def cracked(load, energy):
+            added = PER_DECADE["edge"] / T**2 * math.log10(PATCH["edge"][0] * side / felt(load))
+            with_contact = load * principal(along + max(0, added), across, twist) / STRENGTH
+            smooth = load * principal(along, across, twist) / STRENGTH
+            if energy is None:
+                return load * along / STRENGTH
+            enough = load * turned * math.sqrt(GIVEN_OVER_OWN * D / (2 * energy * side * T)) if energy else math.inf
+            return min(with_contact, max(smooth, enough))
+
+        row = {"element_m": side, "turns_further": without / turned}
+        for energy, name in [(None, "moment"), (0, "energy_0"), (0.1, "energy_0.1"), (0.5, "energy_0.5"), (1, "energy_1")]:
+            low, high = 0.1, 200.0
+            for _ in range(50):
+                middle = (low + high) / 2
+                low, high = (low, middle) if cracked(middle, energy) > 1 else (middle, high)
+            row[name] = high
+        rows.append(row)
+    return pd.DataFrame(rows).round(3)
+
+
+def data(name):
+    return pd.read_csv(DATA / f"{name}.csv")
+
+
+def patch_table():
+    rows = [[{"edge": "rim", "interior": "inside"}[row.where], f"{row.element_m:g}", f"{row.towards_joint:g}",
+             f"{row.patch:.2f}", f"{row.patch_used:.2f}", f"{row.stress_over_formula:.2f}"] for row in data("patches").itertuples()]
+    return table(["load at", "element, m", "towards the joint, sides", "b_L needed, sides", "used", "stress / formula"], rows)
+
+
+def crack_table():
+    rows = data("first_cracks")
+    return table(["element, m", "moment, Eq. (3)", "stress", "0.1 J/m²", "0.5 J/m²", "1 J/m²", "turns further"],
+                 [[f"{row.element_m:g}"] + [f"{value:.1f}" for value in row[["moment", "energy_0", "energy_0.1", "energy_0.5",
+                                                                             "energy_1", "turns_further"]]]
+                  for _, row in rows.iterrows()])
+
+
+WORDS = {"moment": "moment, Eq. (3)", "stress": "stress (the default)", "energy_0.1": "and 0.1 J/m²", "energy_1": "and 1 J/m²"}
+
+
+def tank_table():
+    rows = data("fracture_tank")
+    shown = {"mean_N": "mean, N", "maximum_1s_N": "maxima, 1 s, N", "broken_percent": "broken floes, %",
+             "split_percent": "cracked through, %", "pieces": "pieces"}
+    own = {name: rows[rows.way == name].set_index("arrangement") for name in WORDS}
+    common = sorted(set.intersection(*(set(one.index) for one in own.values())))
+    lines = []
+    for name, words in WORDS.items():
+        cells = [words]
+        for quantity in shown:
+            values = own[name].loc[common, quantity].to_numpy()
+            apart = values - own["moment"].loc[common, quantity].to_numpy()
+            cells.append(with_interval(values))
+            if quantity in ("mean_N", "maximum_1s_N"):
+                cells.append("" if name == "moment" else difference(apart.mean(), half_width(apart)))
+        lines.append(cells)
+    heading = ["what cracks a joint"]
+    for quantity, words in shown.items():
+        heading += [words] + (["beside moment"] if quantity in ("mean_N", "maximum_1s_N") else [])
+    return table(heading, lines)
+
+
+def tank_count():
+    rows = data("fracture_tank")
+    return f"{number(rows.arrangement.nunique())} arrangements."
+
+
+def main():
+    arguments = sys.argv[1:]
+    DATA.mkdir(exist_ok=True)
+    if arguments == ["--grid"]:
+        patches().to_csv(DATA / "patches.csv", index=False)
+        first_cracks().to_csv(DATA / "first_cracks.csv", index=False)
+    elif arguments[:1] == ["--collect"]:
+        rows = collected(pathlib.Path(arguments[1]) / "fracture_tank.h5", {"way": "joint.name"}, ["split_ratio", "pieces"])
+        rows["split_percent"] = (100 * rows.pop("split_ratio")).round(6)
+        rows.to_csv(DATA / "fracture_tank.csv", index=False)
+    elif arguments not in ([], ["--check"]):
+        sys.exit(__doc__)
+    fill_or_check({DOCS / "fracture.md": {"patches": patch_table, "first_cracks": crack_table, "tank": tank_table,
+                                          "tank_count": tank_count}},
+                  arguments == ["--check"], "fracture.py")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,105 @@
+// How joints of an IceField fail: at once by moment, or as cracks by stress.
+
+#include <algorithm>
+#include <cmath>
+
+#include "ice/ice_field.hpp"
+
+namespace floes {
+namespace {
+
+Vec2 horizontal(const Vec3& v) {
+    return {v.x(), v.z()};
+}
+
+}  // namespace
+
+IceField::Turned IceField::turned(const World& world, const Joint& joint) const {
+    const auto first = static_cast<std::size_t>(floe_of(joint).first);
+    const BodyState a = world.state(elements_[first + static_cast<std::size_t>(joint.grid.a)].body);
+    const BodyState b = world.state(elements_[first + static_cast<std::size_t>(joint.grid.b)].body);
+    const Mat3 between = a.rotation.transpose() * b.rotation;
+    const Vec2 angles(0.5 * (between(2, 1) - between(1, 2)), 0.5 * (between(1, 0) - between(0, 1)));
+    const double angle = angles.norm();
+    if (!(angle > 0)) return {};
+    return {angle, angles.dot(horizontal(a.rotation.transpose() * (b.angular_velocity - a.angular_velocity))) / angle};
+}
+
+std::optional<FailureMode> IceField::failing(World& world, Joint& joint) {
+    const Sheet& sheet = floe_of(joint);
+    if (!by_stress_) {
+        const JointReaction reaction = world.reaction(joint.id);
+        peaks_ = raised(peaks_, reaction);
+        return failure(reaction, sheet.thresholds);
+    }
+    peaks_ = raised(peaks_, stress_.reaction(joint.place));
+    if (joint.crack) return crack_on(world, joint);
+    const Utilisation used = utilisation(stress_.load(joint.place), sheet.section, sheet.thresholds);
+    if (!(used.share > 1)) return std::nullopt;
+    if (used.mode != FailureMode::bending) return used.mode;
+    const Turned now = turned(world, joint);
+    const double smooth =
+        fibre_stress(smoothed(stress_.load(joint.place)), sheet.section) / sheet.section.flexural_strength;
+    const double over = cracking(used.share, smooth, sheet.stiffness, now.angle, sheet.crack_energy);
+    if (!(over > 1)) return std::nullopt;
+    floes_[static_cast<std::size_t>(joint.floe)].cracked = true;
+    joint.crack.emplace(cohesive_law(sheet.stiffness, now.angle / over, sheet.crack_energy));
+    return crack_on(world, joint);
+}
+
+std::optional<FailureMode> IceField::crack_on(World& world, Joint& joint) {
+    const Turned now = turned(world, joint);
+    Crack& crack = *joint.crack;
+    const double sound = crack.sound();
+    const double energy = crack.energy();
+    crack.follow(now.angle, now.rate, time_step_);
+    fracture_work_ += crack.energy() - energy;
+    if (crack.is_open()) return FailureMode::bending;
+    if (crack.sound() < sound) world.soften_joint(joint.id, crack.sound());
+    // Cracked ice still shears off, and a thrust still crushes it.
+    return failure(without_bending(stress_.reaction(joint.place)), floe_of(joint).thresholds);
+}
+
+void IceField::read_utilisation(const World& world, std::vector<double>& worst) const {
+    worst.assign(elements_.size(), 0.0);
+    for (const Joint& joint : joints_) {
+        const Sheet& sheet = floe_of(joint);
+        double used = 1;
+        if (!by_stress_)
+            used = utilisation(world.reaction(joint.id), sheet.thresholds);
+        else if (!joint.crack)
+            used = utilisation(stress_.load(joint.place), sheet.section, sheet.thresholds).share;
+        const auto first = static_cast<std::size_t>(sheet.first);
+        for (const int index : {joint.grid.a, joint.grid.b}) {
+            double& element = worst[first + static_cast<std::size_t>(index)];
+            element = std::max(element, used);
+        }
+    }
+}
+
+int IceField::broken_floes() const {
+    std::vector<bool> broken(floes_.size(), false);
+    for (const BreakEvent& event : breaks_) broken[static_cast<std::size_t>(event.floe)] = true;
+    return static_cast<int>(std::count(broken.begin(), broken.end(), true));
+}
+
+int IceField::split_floes() const {
+    std::vector<bool> split(floes_.size(), false);
+    for (const IceElement& element : elements_) {
+        const auto floe = static_cast<std::size_t>(element.floe);
+        if (element.piece != floes_[floe].first) split[floe] = true;
+    }
+    return static_cast<int>(std::count(split.begin(), split.end(), true));
+}
+
+int IceField::pieces() const {
+    int found = 0;
+    for (std::size_t i = 0; i < elements_.size(); ++i) found += elements_[i].piece == static_cast<int>(i) ? 1 : 0;
+    return found;
+}
+
+int IceField::cracked_floes() const {
+    return static_cast<int>(std::ranges::count_if(floes_, &Sheet::cracked));
+}
+
+}  // namespace floes

@@ -1,0 +1,53 @@
+#include "ice/joint_stress.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace floes {
+
+IceSection ice_section(const FloeShape& shape, const Material& material) {
+    const Ice& ice = material.ice;
+    return {shape.element, shape.thickness, ice.poisson_ratio, ice.bending_strength,
+            ice.tensile_strength > 0 ? ice.tensile_strength : ice.bending_strength};
+}
+
+double fibre_stress(const JointLoad& load, const IceSection& section) {
+    const double by_moment = 6 / (section.side * section.thickness * section.thickness);
+    const double nu = section.poisson_ratio;
+    const double normal = by_moment * (load.reaction.bending + nu * load.across) + load.local;
+    const double across = by_moment * (load.across + nu * load.reaction.bending) + load.local_across;
+    const double twist = by_moment * (1 - nu) * load.reaction.torsion;
+    const double axial = load.reaction.axial / (section.side * section.thickness);
+    const auto in_fibre = [&](double sign) {  // +1 the lower one
+        const double n = axial + sign * normal;
+        const double t = sign * across;
+        return n < t ? n : 0.5 * (n + t) + std::sqrt(0.25 * (n - t) * (n - t) + twist * twist);
+    };
+    return std::max(in_fibre(1), in_fibre(-1));
+}
+
+double tension_in_plane(const JointReaction& reaction, const IceSection& section) {
+    const double area = section.side * section.thickness;
+    return (reaction.axial + 6 * std::abs(reaction.in_plane_bending) / section.side) / area;
+}
+
+JointLoad smoothed(const JointLoad& load) {
+    return {.reaction = load.reaction, .across = load.across};
+}
+
+Utilisation utilisation(const JointLoad& load, const IceSection& section, const Thresholds& thresholds) {
+    Utilisation worst{std::max(0.0, fibre_stress(load, section) / section.flexural_strength), FailureMode::bending};
+    const auto meet = [&](double share, FailureMode mode) {
+        if (share > worst.share) worst = {share, mode};
+    };
+    const JointReaction& r = load.reaction;
+    meet(std::sqrt(r.shear_vertical * r.shear_vertical + r.shear_in_plane * r.shear_in_plane) / thresholds.shear,
+         FailureMode::shear);
+    meet(-r.axial / thresholds.compression, FailureMode::compression);
+    meet(tension_in_plane(r, section) / section.tensile_strength, FailureMode::tension);
+    meet(std::abs(r.torsion) / thresholds.torsion, FailureMode::torsion);
+    meet(std::abs(r.in_plane_bending) / thresholds.in_plane_bending, FailureMode::in_plane_bending);
+    return worst;
+}
+
+}  // namespace floes

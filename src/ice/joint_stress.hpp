@@ -1,0 +1,59 @@
+#pragma once
+// The stress in the outer fibres of the ice at a joint, and the strength that it meets.
+//
+// The grid of beams has the curvatures of the plate: a joint carries D w_xx per width and twists with D w_xz. The
+// plate's moments follow with Poisson's ratio (docs/ice.md):
+//
+//   m_n = M_n + ν M_t,   m_t = M_t + ν M_n,   m_nt = (1 - ν) M_nt
+//
+// M_t, across the joint, is the mean of the four joints beside it, 0 at free faces. With σ = 6 m/T², the axial stress
+// N/(L T) and what contacts add (ice/contact_stress.hpp), both fibres have a largest principal tension; where it pulls
+// along the joint's normal rather than across it, it is this joint that cracks.
+//
+//   bending  σ_1 of either fibre                          flexural strength
+//   tension  N/(L T) + 6 |M_in plane|/(T L²)              tensile strength
+//
+// Compression and shear are Eqs. (1) and (2) of the paper, as in ice/failure.hpp.
+
+#include "ice/failure.hpp"
+#include "world/state.hpp"
+
+namespace floes {
+
+/// The ice of a floe as its stress needs it. SI.
+struct IceSection {
+    double side = 0;       ///< L, of an element
+    double thickness = 0;  ///< T
+    double poisson_ratio = 0;
+    double flexural_strength = 0;  ///< Pa
+    double tensile_strength = 0;   ///< Pa
+};
+
+IceSection ice_section(const FloeShape& shape, const Material& material);
+
+/// What acts at a joint.
+struct JointLoad {
+    JointReaction reaction;
+    double across = 0;        ///< N m: mean bending moment of the joints beside it, M_t L
+    double local = 0;         ///< Pa, by contacts, tension in the lower fibre positive: along the joint's normal
+    double local_across = 0;  ///< and across it
+};
+
+/// Largest principal tension of either fibre that pulls at this joint, Pa.
+double fibre_stress(const JointLoad& load, const IceSection& section);
+
+/// Largest tension in the plane, Pa; negative under compression.
+double tension_in_plane(const JointReaction& reaction, const IceSection& section);
+
+struct Utilisation {
+    double share = 0;  ///< of the strength; above 1 the joint fails
+    FailureMode mode = FailureMode::bending;
+};
+
+/// Without what contacts add to the moments that the grid shows.
+JointLoad smoothed(const JointLoad& load);
+
+/// By stress: bending and tension as above, the other modes as the thresholds have them.
+Utilisation utilisation(const JointLoad& load, const IceSection& section, const Thresholds& thresholds);
+
+}  // namespace floes

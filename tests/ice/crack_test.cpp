@@ -1,0 +1,103 @@
+// A crack takes the energy of its area: the law of a cohesive hinge, and two elements that it holds together.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "ice/crack.hpp"
+#include "ice_scene.hpp"
+
+namespace floes::test {
+namespace {
+
+TEST(CohesiveLaw, TakesTheEnergyWhateverThePeak) {
+    for (const double peak : {0.002, 0.004, 0.008}) {
+        const CohesiveLaw law = cohesive_law(200, peak, 0.01);
+        EXPECT_FALSE(law.snaps_back());
+        EXPECT_NEAR(law.work(law.open_rotation), 0.01, 1e-12);
+        EXPECT_NEAR(law.moment(peak), 200 * peak, 1e-12);
+        EXPECT_EQ(law.moment(1.01 * law.open_rotation), 0);
+        EXPECT_NEAR(law.mean_moment(0, law.open_rotation), 0.01 / law.open_rotation, 1e-12);
+    }
+    EXPECT_TRUE(cohesive_law(200, 0.02, 0.01).snaps_back()) << "½ K θ₀² is four times the energy";
+    EXPECT_TRUE(cohesive_law(200, 0.002, 0).snaps_back());
+}
+
+TEST(Crack, OpensAtOnceWhereTheJointHoldsMoreThanTheCrackTakes) {
+    Crack crack(cohesive_law(200, 0.02, 0.01));
+    crack.follow(0.0201, 0.1, 0.02);
+    EXPECT_TRUE(crack.is_open());
+    EXPECT_EQ(crack.sound(), 0);
+    EXPECT_NEAR(crack.energy(), 0.5 * 200 * 0.0201 * 0.0201, 1e-12) << "counted as it is";
+}
+
+TEST(Crack, DoesNotHealAndGivesBackWhatItStores) {
+    Crack crack(cohesive_law(200, 0.002, 0.01));
+    crack.follow(0.006, 0, 0.02);
+    const double sound = crack.sound();
+    EXPECT_NEAR(sound * 200 * 0.006, cohesive_law(200, 0.002, 0.01).moment(0.006), 1e-12);
+    crack.follow(0.001, -0.1, 0.02);
+    crack.follow(0.0055, 0.0, 0.02);
+    EXPECT_EQ(crack.sound(), sound);
+}
+
+struct Parting {
+    double element;
+    double time_step;
+};
+
+class ElementsThatPart : public testing::TestWithParam<Parting> {};
+
+/// Two heavy elements turn against each other; what they lose until they are free is the crack's energy.
+TEST_P(ElementsThatPart, LoseTheEnergyOfTheCrack) {
+    const auto [element, time_step] = GetParam();
+    Scenario scenario;
+    scenario.general.time_step = time_step;
+    scenario.water.added_mass_from = WaterFrom::share;
+    scenario.floe = {.length = 2 * element, .breadth = element, .element = element};
+    scenario.ice.density = 3e7 * std::pow(0.2 / element, 3);  // some six times the energy of the crack
+    scenario.ice.fracture_energy = 1.5;
+    scenario.joint.damping_ratio = 0;
+    WorldDefinition definition{.time_step = time_step, .gravity = 0, .solver = SolverKind::direct};
+    definition.contact = scenario.contact_law();
+    World world(definition);
+    IceField ice(world, scenario, floes_at(scenario, std::vector<PlanarPose>{{0, 0, 0.4}}));
+    const double rate = 0.01;  // rad/s of each
+    const double inertia = element_mass(scenario) * (element * element / 12 + 0.033 * 0.033 / 12);
+    for (const int side : {0, 1}) {
+        BodyState state = world.state(ice.elements()[static_cast<std::size_t>(side)].body);
+        const double way = side == 0 ? -1 : 1;
+        state.angular_velocity = state.rotation * Vec3(0, 0, way * rate);
+        state.velocity = state.rotation * Vec3(0, rate * element / 2, 0);  // the pivot stays where it is
+        world.place(ice.elements()[static_cast<std::size_t>(side)].body, state);
+    }
+    const auto kinetic = [&] {
+        double sum = 0;
+        for (const IceElement& one : ice.elements()) {
+            const BodyState state = world.state(one.body);
+            const Vec3 turning = state.rotation.transpose() * state.angular_velocity;
+            sum +=
+                0.5 * inertia * turning.z() * turning.z() + 0.5 * element_mass(scenario) * state.velocity.squaredNorm();
+        }
+        return sum;
+    };
+    const double before = kinetic();
+    int steps = 0;
+    while (ice.live_joints() > 0 && ++steps < 10000) {
+        world.step();
+        ice.break_joints(world, steps * time_step);
+    }
+    ASSERT_EQ(ice.broken_floes(), 1);
+    const double crack = 1.5 * element * 0.033;
+    ASSERT_GT(before, 3 * crack);
+    EXPECT_NEAR((before - kinetic()) / crack, 1, 0.05);
+    EXPECT_NEAR(ice.fracture_work() / crack, 1, 0.05);
+    EXPECT_EQ(ice.breaks().front().mode, FailureMode::bending);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ice, ElementsThatPart,
+                         testing::Values(Parting{0.2, 0.02}, Parting{0.2, 0.01}, Parting{0.2, 0.0025},
+                                         Parting{0.1, 0.02}, Parting{0.1, 0.005}, Parting{0.05, 0.02}));
+
+}  // namespace
+}  // namespace floes::test

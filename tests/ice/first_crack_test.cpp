@@ -1,0 +1,131 @@
+// When the ice below a contact cracks: the grid's moments with the stress that contacts add, beside Westergaard's
+// formulas, for elements of any size.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "ice/contact_stress.hpp"
+#include "ice/crack.hpp"
+#include "lattice.hpp"
+#include "theory/westergaard.hpp"
+
+namespace floes::test {
+namespace {
+
+constexpr double modulus = 60e6;
+constexpr double thickness = 0.033;
+constexpr double poisson = 0.3;
+constexpr double strength = 36.4e3;
+constexpr double crushing = 145.6e3;
+const FloatingPlate plate{.thickness = thickness};
+
+/// Stress by 1 N at (x, z) on an element in the middle of the rim of a half plate, or of a wide sheet, at the joint on
+/// its +x face. `load`: N, decides the size of the contact.
+class Sheet {
+  public:
+    Sheet(double element, bool at_edge)
+        : half_(static_cast<int>(std::ceil(4 * plate.characteristic_length(modulus) / element))),
+          side_(element),
+          lattice_({modulus, poisson, thickness, 0}, element, 2 * half_ + 1, at_edge ? half_ + 1 : 2 * half_ + 1,
+                   plate.foundation()),
+          loaded_(half_ + (at_edge ? 0 : half_ * (2 * half_ + 1))),
+          joined_(at_edge ? edge_plus_x | edge_minus_x | edge_plus_z : every_edge) {}
+
+    double stress(double x, double z, double load) {
+        lattice_.press(loaded_, x, z);
+        JointLoad at = lattice_.load_at_plus_x(loaded_);
+        const auto added =
+            contact_stress({side_, thickness, poisson, crushing, static_cast<std::uint8_t>(joined_)}, {x, z, load});
+        EXPECT_EQ(added[0].face, edge_plus_x);
+        at.local = added[0].stress / load;
+        at.local_across = added[1].stress / load;
+        return fibre_stress(at, section());
+    }
+
+    /// Load of the first crack, N, with a fracture energy, J/m².
+    double first_crack(double energy) {
+        double low = 0.1;
+        double high = 200;
+        for (int i = 0; i < 60; ++i) {
+            const double load = (low + high) / 2;
+            const double with = stress(0, -side_ / 2, load) * load / strength;
+            const double smooth = fibre_stress(lattice_.load_at_plus_x(loaded_), section()) * load / strength;
+            const double over = cracking(with, smooth, lattice_.joint_stiffness(),
+                                         lattice_.rotation_at_plus_x(loaded_) * load, energy * side_ * thickness);
+            (over > 1 ? high : low) = load;
+        }
+        return high;
+    }
+
+  private:
+    IceSection section() const { return {side_, thickness, poisson, strength, strength}; }
+
+    int half_;
+    double side_;
+    Lattice lattice_;
+    int loaded_;
+    int joined_;
+};
+
+double contact_radius(double load) {
+    return felt_radius(std::sqrt(load / (std::numbers::pi * crushing)), thickness);
+}
+
+class Elements : public testing::TestWithParam<double> {};
+
+TEST_P(Elements, HaveTheStressOfAnEdgeLoadWhereverItActsOnTheirRim) {
+    Sheet rim(GetParam(), true);
+    const double load = 10;
+    const double expected = edge_load_stress(plate, modulus, 1, contact_radius(load));
+    for (const double x : {0.0, 0.25, 0.49}) {
+        EXPECT_NEAR(rim.stress(x * GetParam(), -GetParam() / 2, load) / expected, 1, 0.06) << x;
+    }
+}
+
+TEST_P(Elements, HaveTheStressOfALoadFarFromEdges) {
+    Sheet middle(GetParam(), false);
+    const double load = 10;
+    const double expected = interior_load_stress(plate, modulus, 1, contact_radius(load));
+    for (const double x : {0.0, 0.25, 0.49}) {
+        EXPECT_NEAR(middle.stress(x * GetParam(), 0, load) / expected, 1, 0.03) << x;
+        EXPECT_NEAR(middle.stress(x * GetParam(), x * GetParam(), load) / expected, 1, 0.09) << x;
+    }
+}
+
+/// By strength alone: the load at which the formula has the strength. The smallest contact, 0.325 T, gives 9.9 N.
+TEST_P(Elements, CrackAtTheSameLoadByStrength) {
+    double expected = 10;
+    for (int i = 0; i < 20; ++i) expected = strength / edge_load_stress(plate, modulus, 1, contact_radius(expected));
+    EXPECT_NEAR(strength / edge_load_stress(plate, modulus, 1, 0.325 * thickness), 9.9, 0.05);
+    EXPECT_NEAR(expected, 10.1, 0.1);
+    EXPECT_NEAR(Sheet(GetParam(), true).first_crack(0) / expected, 1, 0.06);
+}
+
+/// With an energy to pay the crack waits, whatever the elements, for what the ice around gives. Tough ice cracks where
+/// the grid itself reaches the strength.
+TEST_P(Elements, CrackAtTheSameLoadByEnergy) {
+    const double expected = Sheet(0.1, true).first_crack(0.5);
+    EXPECT_GT(expected, 12);
+    EXPECT_NEAR(Sheet(GetParam(), true).first_crack(0.5) / expected, 1, GetParam() > 0.2 ? 0.3 : 0.12);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ice, Elements, testing::Values(0.3, 0.2, 0.15, 0.1, 0.05));
+
+TEST(ContactStress, EndsAtACornerAndTurnsWithTheLoad) {
+    PressedElement corner{0.2, thickness, poisson, crushing, edge_minus_x | edge_plus_z};
+    const auto at_corner = contact_stress(corner, {0.1, -0.1, 10});
+    EXPECT_EQ(at_corner[0].face, edge_minus_x) << "the only joint along x";
+    EXPECT_EQ(at_corner[0].stress, 0) << "the moment of a quarter plate below its load is finite";
+    const auto beside = contact_stress(corner, {0.05, -0.1, 10});
+    EXPECT_GT(beside[0].stress, 0);
+    EXPECT_EQ(beside[1].stress, 0) << "nothing bends across a free edge";
+    corner.joined = edge_minus_x | edge_plus_x | edge_plus_z;
+    EXPECT_GT(contact_stress(corner, {0.05, -0.1, 10})[0].stress, beside[0].stress) << "and the corner is gone";
+    EXPECT_EQ(contact_stress(corner, {0.05, -0.1, -10})[0].stress, -contact_stress(corner, {0.05, -0.1, 10})[0].stress);
+    EXPECT_EQ(contact_stress({0.2, thickness, poisson, crushing, 0}, {0, 0, 10})[0].face, 0) << "an element by itself";
+}
+
+}  // namespace
+}  // namespace floes::test
