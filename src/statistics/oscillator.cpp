@@ -1,0 +1,54 @@
+#include "statistics/oscillator.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace floes {
+
+double Oscillator::angular_frequency() const {
+    return std::sqrt(stiffness / mass);
+}
+
+double Oscillator::period() const {
+    return 2 * std::numbers::pi / angular_frequency();
+}
+
+double Oscillator::damping() const {
+    return 2 * damping_ratio * mass * angular_frequency();
+}
+
+double Oscillator::decay_rate() const {
+    return damping_ratio * angular_frequency();
+}
+
+std::vector<OscillatorState> motion_under(const Oscillator& oscillator, std::span<const double> load, double step,
+                                          OscillatorState start) {
+    const bool real = oscillator.stiffness > 0 && oscillator.mass > 0 && oscillator.damping_ratio >= 0 &&
+                      oscillator.damping_ratio < 1 && step > 0;
+    if (!real)
+        throw std::invalid_argument("An oscillator has stiffness and mass, damping below the critical, and a step.");
+    const double omega = oscillator.angular_frequency();
+    const double decay = oscillator.decay_rate();
+    const double omega_damped = omega * std::sqrt(1 - oscillator.damping_ratio * oscillator.damping_ratio);
+    const double fall = std::exp(-decay * step);
+    const double cosine = std::cos(omega_damped * step);
+    const double sine = std::sin(omega_damped * step) / omega_damped;  // s
+    const double offset_of_offset = fall * (cosine + decay * sine);
+    const double offset_of_velocity = fall * sine;
+    const double velocity_of_offset = -fall * omega * omega * sine;
+    const double velocity_of_velocity = fall * (cosine - decay * sine);
+    std::vector<OscillatorState> states;
+    states.reserve(load.size());
+    OscillatorState at = start;
+    for (const double force : load) {
+        const double rest = force / oscillator.stiffness;
+        const double aside = at.offset - rest;
+        at = {rest + offset_of_offset * aside + offset_of_velocity * at.velocity,
+              velocity_of_offset * aside + velocity_of_velocity * at.velocity};
+        states.push_back(at);
+    }
+    return states;
+}
+
+}  // namespace floes

@@ -1,0 +1,43 @@
+#pragma once
+// A mass on a spring and a damper under a load that is known beforehand: a hull on its moorings, in one direction.
+//
+//   m ẍ + c ẋ + k x = F(t),   ω² = k / m,   c = 2 ζ m ω
+//
+// A stored load is a mean over each interval, so F is taken as constant there, which keeps its impulse. Then y = x -
+// F/k moves freely, and the state at the end of an interval of length h follows from that at its beginning without
+// error:
+//
+//   y' = e^(-ζωh) ( (cos ω_d h + ζω s) y + s v ),   v' = e^(-ζωh) ( -ω² s y + (cos ω_d h - ζω s) v ),
+//   s = sin(ω_d h) / ω_d,   ω_d = ω √(1 - ζ²)
+//
+// (free motion of a damped mass from y and v). There is no time step to choose and no numerical damping.
+
+#include <span>
+#include <vector>
+
+namespace floes {
+
+struct Oscillator {
+    double stiffness = 0;      ///< k, N/m, > 0
+    double mass = 0;           ///< m, kg, > 0; of a floating hull with its added mass
+    double damping_ratio = 0;  ///< ζ, c over the critical one, in [0, 1)
+
+    double angular_frequency() const;  ///< ω, rad/s
+    double period() const;             ///< 2π/ω, s: the natural period without damping
+    double damping() const;            ///< c, N s/m
+    double decay_rate() const;         ///< ζω, 1/s: free motion falls as e^(-ζωt)
+};
+
+struct OscillatorState {
+    double offset = 0;    ///< x, m, positive along the load
+    double velocity = 0;  ///< ẋ, m/s
+};
+
+/// The states at the ends of the intervals, in their order: between two ends, the offset may be larger by at most
+/// 1 - cos(ωh/2) of its swing, which is 1.2 % where a period has 20 intervals. `load`: N, constant in each interval of
+/// `step` s, > 0; `start`: before the first. Throws std::invalid_argument for an oscillator or a step outside these
+/// ranges.
+std::vector<OscillatorState> motion_under(const Oscillator& oscillator, std::span<const double> load, double step,
+                                          OscillatorState start = {});
+
+}  // namespace floes
