@@ -13,15 +13,15 @@ namespace {
 
 constexpr double right_angle = std::numbers::pi / 2;
 
-LevelIce ice_of(const Scenario& scenario) {
+}  // namespace
+
+LevelIce level_ice_of(const Scenario& scenario) {
     return {.thickness = scenario.floe.thickness,
             .bending_strength = scenario.ice.bending_strength,
             .density = scenario.ice.density,
             .water_density = scenario.water.density,
             .gravity = scenario.general.gravity};
 }
-
-}  // namespace
 
 IceHull hull_of(const Scenario& scenario) {
     const double diameter = 2 * scenario.structure.shape.waterline_radius();
@@ -40,7 +40,7 @@ IceHull hull_of(const Scenario& scenario) {
 }
 
 HybridModel hybrid_model(const Scenario& scenario) {
-    return {hull_of(scenario), ice_of(scenario), scenario.field.concentration, scenario.floe.length,
+    return {hull_of(scenario), level_ice_of(scenario), scenario.field.concentration, scenario.floe.length,
             scenario.structure.speed};
 }
 

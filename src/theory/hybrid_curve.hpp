@@ -31,6 +31,9 @@ struct HybridCurve {
 /// Throws InputError if the wall is vertical or overhangs there.
 IceHull hull_of(const Scenario& scenario);
 
+/// The ice of the scenario's floes, without a modulus.
+LevelIce level_ice_of(const Scenario& scenario);
+
 /// The model without KPR coefficients. Throws InputError as hull_of() and lindqvist_load() do.
 HybridModel hybrid_model(const Scenario& scenario);
 

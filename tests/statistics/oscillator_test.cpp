@@ -51,7 +51,9 @@ TEST(Oscillator, OvershootsAStep) {
         EXPECT_NEAR(largest_offset(states) * oscillator.stiffness / 30, overshoot, 1e-9) << zeta;
         EXPECT_NEAR(states[49].offset * oscillator.stiffness / 30, overshoot, 1e-12) << zeta;
         EXPECT_NEAR(states[49].velocity, 0, 1e-12) << zeta;
-        if (zeta > 0) EXPECT_NEAR(states.back().offset * oscillator.stiffness / 30, 1, 1e-6) << zeta;
+        if (zeta > 0) {
+            EXPECT_NEAR(states.back().offset * oscillator.stiffness / 30, 1, 1e-6) << zeta;
+        }
     }
 }
 
