@@ -2,16 +2,19 @@
 
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/design_year.hpp"
 #include "cli/given_file.hpp"
+#include "cli/mooring_options.hpp"
 #include "cli/terminal.hpp"
 #include "core/units.hpp"
 #include "findings/design_load_section.hpp"
 #include "findings/evidence.hpp"
+#include "findings/moored_cases.hpp"
 #include "findings/warnings.hpp"
 
 namespace floes {
@@ -24,15 +27,30 @@ struct DesignOptions {
     std::string format = "table";
     std::string window = "given";
     YearOptions year;
+    MooringOptions mooring;
 };
+
+/// Design mooring forces instead of loads, and what they come from.
+std::vector<Section> moored(const Evidence& evidence, DesignLoadRequest request, const Oscillator& hull) {
+    request.mooring_force = true;
+    const MooredRequest asked{hull, request.scale, request.averaging};
+    const std::vector<MooredCase> found = find_moored(evidence, asked);
+    const std::vector<CasePeaks> peaks = moored_peaks(evidence.table, found);
+    std::vector<Section> sections =
+        design_load_sections(evidence.summary, find_design_loads(evidence.table, request, peaks), request);
+    sections.push_back(moored_section(evidence.summary, found, asked));
+    return sections;
+}
 
 std::string answer(const DesignOptions& options) {
     DesignLoadRequest request = options.request;
     request.exposure = options.exposure_h * unit::hour;
     expect_campaign_file(options.file);
+    const std::optional<Oscillator> hull = options.mooring.hull();
     const Evidence evidence = read_evidence(CampaignFile(options.file), options.window == "auto");
-    const std::vector<CaseDesignLoad> designs = find_design_loads(evidence.table, request);
-    std::vector<Section> sections = design_load_sections(evidence.summary, designs, request);
+    std::vector<Section> sections =
+        hull ? moored(evidence, request, *hull)
+             : design_load_sections(evidence.summary, find_design_loads(evidence.table, request), request);
     sections.front().before = warning_lines(warnings_of(evidence.table, evidence.summary)) + sections.front().before;
     return written(sections, options.format);
 }
@@ -48,12 +66,12 @@ void answer_of_year(const DesignOptions& options, const std::string& program) {
     tell_year(year);
 }
 
-void add_year(Verb& verb, YearOptions& year, const Option& exposure, const Option& quantile) {
+void add_year(Verb& verb, YearOptions& year, const Option& exposure, const Option& quantile, const Option& mooring) {
     Option regimes = verb.option(
         "--regimes", year.regimes,
         "The loads of a year instead: TOML file with a [[regime]] for each kind of ice, its hours a year and "
         "its case or place in the design; or a scatter diagram (.csv)");
-    regimes.excludes(exposure).excludes(quantile);
+    regimes.excludes(exposure).excludes(quantile).excludes(mooring);
     verb.option("--per-year", year.per_year, "Probabilities of exceedance in a year, comma-separated")
         .comma_separated()
         .within(1e-7, 0.5)
@@ -90,7 +108,7 @@ void add_design(CommandLine& line) {
         .within(0.01, 0.9)
         .shows_default();
     verb.flag("--rising", options->request.rising, "Extrapolate also a load that still rises in the measured window");
-    add_year(verb, options->year, exposure, quantile);
+    add_year(verb, options->year, exposure, quantile, add_mooring(verb, options->mooring));
     add_window(verb, options->window);
     add_format(verb, options->format);
     verb.footer(
@@ -99,6 +117,7 @@ void add_design(CommandLine& line) {
         "  floes design table3_physical.h5\n"
         "  floes design table3_physical.h5 --exposure-h 10 --quantile 0.5,0.9,0.99 --averaging-s 2\n"
         "  floes design table3_physical.h5 --scale 36 --averaging-s 6 --exposure-h 3      loads at full scale\n"
+        "  floes design full_scale.h5 --mooring-kN-m 2600 --mass-t 42000 --damping-percent 10    of a moored hull\n"
         "  floes design table3_physical.h5 --regimes year.toml                            10^-2 and 10^-4 a year");
     verb.runs([options, &line] {
         if (!options->year.regimes.empty()) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/given_file.hpp"
+#include "cli/mooring_options.hpp"
 #include "cli/shell_words.hpp"
 #include "cli/terminal.hpp"
 #include "cli/workbook_sheets.hpp"
@@ -34,6 +36,8 @@ struct SummarizeOptions {
     double resolve_percent = 10;
     std::string window = "given";
     bool full = false;
+    MooringOptions mooring;
+    double scale = 1;
 };
 
 /// What is shown unless parts are named: one screen as a table, with --full and as JSON the parts suited to the
@@ -91,8 +95,11 @@ int answer(SummarizeOptions options, const std::string& program) {
         throw InputError(fmt::format("{} would be a workbook, and --format {} is a text; give another name.",
                                      options.output, options.format));
     if (options.long_lines) options.parts = {"long"};
+    const std::optional<Oscillator> hull = options.mooring.hull();
+    if (hull && options.parts.empty()) options.parts = {"moored"};
     expect_campaign_file(options.file);
     Evidence evidence = read_evidence(CampaignFile(options.file), options.window == "auto", options.reference);
+    if (hull) evidence.moored = MooredRequest{*hull, options.scale};
     evidence.resolve = options.resolve_percent * unit::percent;
     write(options, evidence, program);
     if (!options.output.empty()) std::printf("%s\n", options.output.c_str());
@@ -120,11 +127,12 @@ void add_summarize(CommandLine& line) {
         .shows_default();
     verb.option("-o,--output", options->output, "Write a file instead; a name that ends with .xlsx makes a workbook");
     verb.option("--reference", options->reference, "Reference case: the others are compared with it, in percent");
-    Option parts = verb.option(
-        "--parts", options->parts,
-        "Parts to show, comma-separated: overview, cases, points and sensitivity (of a design), pairs, "
-        "model (of floes vary), extremes, exceedance, fatigue, steady, energy, control, design, members and long "
-        "(CSV and xlsx only)");
+    Option parts =
+        verb.option("--parts", options->parts,
+                    "Parts to show, comma-separated: overview, cases, points and sensitivity (of a design), pairs, "
+                    "model (of floes vary), extremes, exceedance, fatigue, moored, steady, energy, control, design, "
+                    "members and long "
+                    "(CSV and xlsx only)");
     parts.comma_separated().one_of(part_names());
     verb.flag("--long", options->long_lines,
               "With --format csv: a line for each value of each simulation: case, arrangement, quantity, unit, value")
@@ -134,6 +142,12 @@ void add_summarize(CommandLine& line) {
                 "first case")
         .positive()
         .shows_default();
+    Option mooring = add_mooring(verb, options->mooring);
+    verb.option("--scale", options->scale,
+                "Of the moored hull: length at full scale over length in the campaign (Froude)")
+        .within(1.0, 1000.0)
+        .shows_default()
+        .needs(mooring);
     add_window(verb, options->window);
     verb.runs([options, &line] { return answer(*options, line.program_name()); });
 }

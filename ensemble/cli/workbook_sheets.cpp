@@ -20,7 +20,7 @@ std::string sheet_name(std::string_view part) {
 }
 
 /// Parts in the order of their sheets, and what a sheet holds.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kinds{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 13> kinds{{
     {"cases",
      "a line for each case: means over arrangements with their 95 % intervals: _low and _high by "
      "Student's t, _bca_ by bootstrap, _prediction_ of one further run"},
@@ -33,6 +33,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kinds{{
     {"extremes", "fits of the maxima, and return levels"},
     {"exceedance", "how often maxima exceed a load"},
     {"fatigue", "rainflow cycles, equivalent ranges, and time above levels"},
+    {"moored", "a hull on moorings: offset, mooring force and amplification, and these over its natural period"},
     {"steady", "when the load became steady"},
     {"energy", "where the work of the tow goes, over the distance towed"},
 }};

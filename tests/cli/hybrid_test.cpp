@@ -67,5 +67,30 @@ TEST(Hybrid, PrintsATable) {
     EXPECT_EQ(large.find(".0 "), std::string::npos) << large;
 }
 
+// OpenFAST's IceFloe prints these figures for its example (modules/icefloe/test/GLA_proto_flex_ISO.log).
+TEST(Hybrid, HasIsosLevelIceOfAConfiguration) {
+    const std::string example = std::string(FLOES_SOURCE_DIR) +
+                                "/configs/full_scale.toml --set structure.profile_m=[[-2,2],[0,2.5],[1.7320508,3.5]] "
+                                "--set ice.bending_strength_kPa=700 --set ice.density_kg_m3=916.2 "
+                                "--set water.density_kg_m3=999.8 --set contact.ice_structure_friction=0.15 "
+                                "--rubble-ice-friction 0.05 --modulus-MPa 8000 --format json";
+    const nlohmann::json answer = nlohmann::json::parse(hybrid(example));
+    const nlohmann::json& row = answer.at("sloping").at("rows").at(0);
+    EXPECT_NEAR(row.at("load_N").get<double>(), 2.65997e6, 20);
+    EXPECT_NEAR(row.at("lifting_N").get<double>(), 209678, 1);
+    EXPECT_NEAR(answer.at("crushing").at("load_N").get<double>(), 8.50271e6, 5);
+    EXPECT_EQ(answer.at("sloping").at("rubble").at("height_m"), 3.0);
+}
+
+TEST(Hybrid, RefusesRubbleThatIsNone) {
+    EXPECT_THROW(hybrid("--rubble-deg 50"), InputError);  // steeper than the wall of 45°
+    EXPECT_THROW(hybrid("--rubble-m -1"), InputError);
+    EXPECT_THROW(hybrid("--rubble-porosity 1"), InputError);
+    EXPECT_THROW(hybrid("--crushing-MPa 0"), CommandLineEnd);
+    EXPECT_EQ(nlohmann::json::parse(hybrid("--rubble-m 0 --format json")).at("sloping").at("rubble").at("height_m"), 0);
+    // No load of bending in ice as soft as this: a sentence in place of the table, the rest stands.
+    EXPECT_NE(hybrid("--modulus-MPa 0.001").find("ISO's formula has no load"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace floes

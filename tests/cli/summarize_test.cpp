@@ -184,5 +184,25 @@ TEST_F(Summarize, WritesFilesOnRequest) {
     EXPECT_THROW(summarize("-o " + (folder_ / "no/a.xlsx").string()), RunError);
 }
 
+TEST_F(Summarize, MovesAMooredHull) {
+    Campaign campaign = synthetic::campaign();
+    for (Case& one : campaign.cases) one.scenario.analysis.window = 3;
+    publish(file_, campaign, synthetic::records(campaign), std::vector<Session>{synthetic::session()});
+    const std::string hull = "--mooring-kN-m 1000 --mass-t 6.333 --damping-percent 30";
+    const std::string told = summarize(hull);
+    EXPECT_THAT(told, HasSubstr("natural period 0.5 s"));
+    EXPECT_THAT(told, HasSubstr("Response spectrum"));
+    EXPECT_THAT(told, Not(HasSubstr("nan")));
+    EXPECT_THAT(summarize("--parts moored"), HasSubstr("with 10 % of the critical damping"));
+    // Froude: the same hull of a model at 1 : 4.
+    const auto amplification = [&](const std::string& options) {
+        return json::parse(summarize(options + " --format json")).at("moored").at("cases").at(0).at("amplification");
+    };
+    EXPECT_NEAR(amplification(hull).get<double>(),
+                amplification("--mooring-kN-m 16000 --mass-t 405.3 --damping-percent 30 --scale 4").get<double>(), 0.2);
+    EXPECT_THROW(summarize("--scale 4"), CommandLineEnd);
+    EXPECT_THAT(summarize(hull + " --parts fatigue"), HasSubstr("Cycles and duration of the mooring force k x"));
+}
+
 }  // namespace
 }  // namespace floes

@@ -10,6 +10,7 @@
 #include "findings/levels.hpp"
 #include "findings/members.hpp"
 #include "findings/model_width.hpp"
+#include "findings/moored_cases.hpp"
 #include "findings/overview_section.hpp"
 #include "findings/pairs_section.hpp"
 #include "findings/points.hpp"
@@ -155,6 +156,7 @@ constexpr std::array all{
     Finding{"", one<levels>, never, "Extremes", with_levels},
     Finding{"exceedance", exceedance, never},
     Finding{"fatigue", fatigue_sections, never},
+    Finding{"moored", moored_sections, never, "On moorings", in_detail},
     Finding{"steady", one<steady>, never},
     Finding{"control", one<control>, never},
     Finding{"", one<convergence_section>, never, "Uncertainty of the mean", always},

@@ -81,17 +81,23 @@ std::string standing_out_text(const CaseDesignLoad& one) {
 
 std::vector<CaseDesignLoad> find_design_loads(const CampaignTable& table, const DesignLoadRequest& request) {
     const double time = averaging_time(table, request);
+    std::vector<CasePeaks> peaks;
+    for (std::size_t index = 0; index < table.cases.size(); ++index) peaks.push_back(case_peaks(table, index, time));
+    return find_design_loads(table, request, peaks);
+}
+
+std::vector<CaseDesignLoad> find_design_loads(const CampaignTable& table, const DesignLoadRequest& request,
+                                              const std::vector<CasePeaks>& peaks) {
     const Exposure exposure{request.model_exposure(), request.quantiles, request.share,
                             table.cases.size() > most_averaged_cases};
     std::vector<CaseDesignLoad> designs;
     const std::vector<JointTrend> trends = joint_trends(table);
     for (std::size_t index = 0; index < table.cases.size(); ++index) {
-        const CaseRow& about = table.cases[index];
         CaseDesignLoad one;
         one.case_index = index;
         one.trend = trends[index];
-        one.separation = about.analysis.peak_separation;
-        const CasePeaks found = case_peaks(table, index, time);
+        const CasePeaks& found = peaks.at(index);
+        one.separation = found.measured.separation;
         one.arrangements = found.arrangements;
         one.members = found.members;
         for (const PeakRow& row : found.rows) one.peaks.insert(one.peaks.end(), row.peaks.begin(), row.peaks.end());

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/units.hpp"
+#include "findings/case_peaks.hpp"
 #include "findings/joint_trend.hpp"
 #include "findings/summary.hpp"
 #include "inference/design_load.hpp"
@@ -20,6 +21,7 @@ struct DesignLoadRequest {
     double scale = 1;                    ///< length at full scale / length in the campaign
     bool rising = false;                 ///< extrapolate a load that still rises in the measured window
     double share = 0.25;                 ///< of the peaks, the highest, that the tails are fitted to
+    bool mooring_force = false;          ///< the peaks are those of a mooring force k x, not of the load
 
     double model_exposure() const;   ///< s
     double model_averaging() const;  ///< s
@@ -62,5 +64,9 @@ inline constexpr std::size_t most_averaged_cases = 12;
 
 /// One for each case. Throws InputError if the members did not average over that time.
 std::vector<CaseDesignLoad> find_design_loads(const CampaignTable& table, const DesignLoadRequest& request);
+
+/// The same of other peaks, one for each case.
+std::vector<CaseDesignLoad> find_design_loads(const CampaignTable& table, const DesignLoadRequest& request,
+                                              const std::vector<CasePeaks>& peaks);
 
 }  // namespace floes

@@ -103,6 +103,8 @@ std::string scale_words(const DesignLoadRequest& request) {
 }
 
 std::string design_title(const DesignLoadRequest& request) {
+    if (request.mooring_force)
+        return fmt::format("Design mooring force: the largest k x in {:g} h", request.exposure / unit::hour);
     return fmt::format("Design load: the largest load averaged over {:g} s in {:g} h", request.averaging,
                        request.exposure / unit::hour);
 }

@@ -11,6 +11,7 @@
 #include "campaign_file/read_details.hpp"
 #include "findings/design_load.hpp"
 #include "findings/extremes.hpp"
+#include "findings/moored.hpp"
 #include "findings/sensitivity.hpp"
 #include "findings/steady.hpp"
 #include "findings/summary.hpp"
@@ -36,6 +37,7 @@ struct Evidence {
     std::optional<std::vector<BreakRow>> breaks = {};
     Reference reference;                       ///< case that the others are compared with
     double resolve = 0.1;                      ///< difference that pairs are to resolve, of the first case's mean
+    std::optional<MooredRequest> moored = {};  ///< hull that the loads move; none: nobody asks
     std::vector<CurvePoint> plate_tests = {};  ///< of the first case's ice; empty: not made
     bool pictured = false;                     ///< the page has pictures of the member with the largest load
 };

@@ -44,7 +44,8 @@ struct LoadWindow {
 /// Twelve edges of a round width up to the largest load or range.
 Fatigue find_fatigue(std::span<const LoadWindow> windows);
 
-/// Of the stored histories, averaged over the shortest of analysis.averaging_s. Reads the file.
+/// Of the stored histories, averaged over the shortest of analysis.averaging_s; of the mooring force that they make,
+/// where Evidence::moored has a hull. Reads the file.
 std::vector<Section> fatigue_sections(Evidence& evidence);
 
 }  // namespace floes

@@ -6,6 +6,7 @@
 #include "campaign_file/read_history.hpp"
 #include "core/units.hpp"
 #include "findings/fatigue.hpp"
+#include "findings/moored_cases.hpp"
 #include "findings/printable.hpp"
 #include "tables/number_text.hpp"
 
@@ -26,6 +27,22 @@ std::vector<LoadWindow> windows_of(const Evidence& evidence) {
         const double averaging = analysis.averaging.empty() ? 0 : std::ranges::min(analysis.averaging);
         windows.push_back({static_cast<std::size_t>(member.case_index), history.step, averaging,
                            std::vector<double>(loads.begin(), loads.end())});
+    });
+    return windows;
+}
+
+/// Of the mooring force of a moored hull, at full scale.
+std::vector<LoadWindow> moored_windows(const Evidence& evidence, const MooredRequest& request) {
+    std::vector<bool> answered(evidence.table.cases.size(), false);
+    for (const MooredCase& one : find_moored(evidence, request)) answered[one.case_index] = one.refused.empty();
+    std::vector<LoadWindow> windows;
+    for_each_history(evidence.file, [&](const SurgeHistory& history) {
+        const auto index =
+            static_cast<std::size_t>(evidence.table.members[static_cast<std::size_t>(history.member)].case_index);
+        if (!answered[index]) return;
+        LoadWindow& window = windows.emplace_back(LoadWindow{index, request.time_factor() * history.step, 0, {}});
+        window.loads = mooring_force(history.surge, history.step, evidence.table.cases[index].analysis, request);
+        for (double& force : window.loads) force *= request.force_factor();
     });
     return windows;
 }
@@ -98,16 +115,19 @@ std::vector<DataRows> records_of(const Summary& summary, const Fatigue& found) {
 }  // namespace
 
 std::vector<Section> fatigue_sections(Evidence& evidence) {
-    const Fatigue found = find_fatigue(windows_of(evidence));
+    const Fatigue found =
+        find_fatigue(evidence.moored ? moored_windows(evidence, *evidence.moored) : windows_of(evidence));
+    const std::string subject = evidence.moored ? "mooring force k x" : "load";
     if (found.cases.empty())
         return {{.missing = "Fatigue: unknown, because the file keeps no load histories (analysis.history_steps).\n"}};
-    Section cycles{.title = "Cycles and duration of the load",
-                   .table = case_table(evidence.summary, found),
-                   .after =
-                       "\nRainflow cycles (ASTM E1049) of the surge load in the window. Equivalent range: met once a "
-                       "second, it does the damage of all cycles, by Palmgren and Miner with an S-N curve of slope m; "
-                       "brackets: 95 % over arrangements (t).\n",
-                   .records = records_of(evidence.summary, found)};
+    Section cycles{
+        .title = "Cycles and duration of the " + subject,
+        .table = case_table(evidence.summary, found),
+        .after = "\nRainflow cycles (ASTM E1049) of the surge " + subject +
+                 " in the window. Equivalent range: met once a "
+                 "second, it does the damage of all cycles, by Palmgren and Miner with an S-N curve of slope m; "
+                 "brackets: 95 % over arrangements (t).\n",
+        .records = records_of(evidence.summary, found)};
     if (found.cases.size() > most_tabled) {
         cycles.notes = {"Cycles and time above levels are in --format csv."};
         return {std::move(cycles)};
