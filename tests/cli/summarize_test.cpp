@@ -186,7 +186,10 @@ TEST_F(Summarize, WritesFilesOnRequest) {
 
 TEST_F(Summarize, MovesAMooredHull) {
     Campaign campaign = synthetic::campaign();
-    for (Case& one : campaign.cases) one.scenario.analysis.window = 3;
+    for (Case& one : campaign.cases) {
+        one.scenario.structure.speed = 0.3;  // or the hull meets the field's end
+        one.scenario.analysis.window = 3;
+    }
     publish(file_, campaign, synthetic::records(campaign), std::vector<Session>{synthetic::session()});
     const std::string hull = "--mooring-kN-m 1000 --mass-t 6.333 --damping-percent 30";
     const std::string told = summarize(hull);
