@@ -34,12 +34,12 @@ struct Range {
 };
 
 /// Of every case, at full scale: from the shortest period that its histories have to the longest that its window has.
-Range range_of(const Evidence& evidence, double averaging, double scale) {
+Range range_of(const Evidence& evidence, double scale) {
     Range range;
     const double to_full = std::sqrt(scale);
     for (const CaseRow& one : evidence.table.cases) {
         const double step = one.time_step * one.analysis.history_stride;
-        range.low = std::min(range.low, std::max(to_full * fewest_values * step * 1.001, 2 * averaging));
+        range.low = std::min(range.low, to_full * fewest_values * step * 1.001);
         range.high = std::max(range.high, to_full * one.analysis.window / fewest_periods * 0.999);
     }
     return range;
@@ -133,7 +133,7 @@ Table table_of(const Summary& summary, const std::vector<Point>& points) {
 }  // namespace
 
 Section moored_spectrum(const Evidence& evidence, double damping_ratio, double averaging, double scale) {
-    const Range range = range_of(evidence, averaging, scale);
+    const Range range = range_of(evidence, scale);
     std::vector<MooredRequest> hulls;
     if (range.low < range.high)
         for (const double period : periods_in(range)) hulls.push_back(hull_of(period, damping_ratio, averaging, scale));
