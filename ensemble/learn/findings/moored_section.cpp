@@ -125,7 +125,7 @@ Section moored_section(const Summary& summary, const std::vector<MooredCase>& fo
                 name, ratio / unit::percent);
     }
     return {
-        .title = fmt::format("Moored hull: {:.4g} kN/m, {:.4g} t, {:g} % of the critical damping; natural period "
+        .title = fmt::format("Moored hull: {:.6g} kN/m, {:.6g} t, {:g} % of the critical damping; natural period "
                              "{:.3g} s",
                              hull.stiffness / 1e3, hull.mass / 1e3, hull.damping_ratio / unit::percent, hull.period()),
         .before = std::move(doubts),
