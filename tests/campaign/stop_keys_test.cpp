@@ -48,6 +48,35 @@ TEST(StopKeys, MayNameAnAveragedLoadThatEveryCaseTakes) {
                     testing::HasSubstr("is not allowed; use \"mean_load\" or \"sd_load\" or"));
 }
 
+TEST(StopKeys, MayNameADesignLoad) {
+    const std::string rule = "[stop]\nhalf_width_percent = 20\nof = \"design_load\"\n";
+    const StopRule usual = read(rule).stop;
+    EXPECT_TRUE(usual.of_design_load());
+    EXPECT_EQ(usual.exposure, 3 * 3600);
+    EXPECT_EQ(usual.averaging, 1);
+    EXPECT_EQ(usual.quantile, 0.9);
+    const Campaign other = read(rule + "exposure_h = 10\naveraging_s = 0.5\nquantile = 0\n");
+    EXPECT_EQ(other.stop.exposure, 10 * 3600);
+    EXPECT_EQ(read(write_campaign(other)).stop, other.stop);
+    EXPECT_EQ(fingerprint(other), fingerprint(read("")));
+}
+
+TEST(StopKeys, RefuseADesignLoadThatNobodyMeasures) {
+    const std::string rule = "[stop]\nof = \"design_load\"\n";
+    const auto said = [&](const std::string& more) { return refusal([&] { read(rule + more); }); };
+    EXPECT_EQ(
+        said("averaging_s = 0.3\n[[case]]\nname = \"A\"\n"),
+        "a.toml:2: stop.of = \"design_load\" wants peaks of the load averaged over stop.averaging_s = 0.3 s, which "
+        "case A does not take; its times are 0.1, 0.5, 1, 2 s (analysis.averaging_s)");
+    EXPECT_THAT(said("[analysis]\naveraging_s = []\n"),
+                testing::HasSubstr("does not take; it averages over no time (analysis.averaging_s)"));
+    EXPECT_THAT(said("averaging_s = 60\n"),
+                testing::HasSubstr("stop.averaging_s = 60 is longer than a segment of case"));
+    EXPECT_THAT(said("quantile = 0.0001\n"), testing::HasSubstr("stop.quantile = 0.0001 is below 0.001"));
+    EXPECT_THAT(said("contrast = \"all\"\n"), testing::HasSubstr("has no paired difference"));
+    EXPECT_THAT(said("quantile = 1\n"), testing::HasSubstr("stop.quantile"));
+}
+
 TEST(StopKeys, AreForAllCases) {
     EXPECT_THAT(refusal([] { read("[[case]]\nname = \"A\"\nstop.minimum = 3\n"); }),
                 testing::HasSubstr("stop.minimum = 3 is for all cases; write it in [stop]"));

@@ -11,7 +11,6 @@
 #include "campaign_file/publish.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
-#include "core/random.hpp"
 #include "support/refusal.hpp"
 #include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
@@ -27,19 +26,9 @@ class DesignYear : public testing::Test {
     DesignYear() {
         Campaign campaign = synthetic::campaign(24);
         for (Case& one : campaign.cases) one.scenario.analysis.peak_separation = 0.01;  // peaks hide none
-        std::vector<MemberRecord> records = synthetic::all_done_records(campaign);
-        for (std::size_t number = 0; number < records.size(); ++number) {
-            RandomStream random{3, static_cast<std::uint32_t>(number), StreamId::bootstrap, 0};
-            MemberResult& result = records[number].result;
-            result.load.mean = 20;
-            result.load.trend = 0;
-            for (AveragedLoad& averaged : result.averaged) {
-                averaged.peaks.resize(8);
-                for (double& peak : averaged.peaks) peak = 30 - 20 * std::log(random.uniform(1e-16, 1));
-                std::ranges::sort(averaged.peaks, std::ranges::greater{});
-                std::ranges::fill(averaged.segment_maximum, averaged.peaks.front());
-            }
-        }
+        std::vector<MemberRecord> records;
+        for (int number = 0; number < member_count(campaign); ++number)
+            records.push_back(synthetic::record_with_peaks(campaign, number));
         publish(file_, campaign, records, std::vector<Session>{synthetic::session()});
         put("year.toml",
             "[[regime]]\nhours_per_year = 3\ncase = \"soft\"\n[[regime]]\nhours_per_year = 1\ncase = "

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "driver/campaign_status.hpp"
 #include "driver/fakes.hpp"
+#include "driver/status_words.hpp"
 
 namespace floes {
 namespace {
@@ -79,6 +80,70 @@ TEST(Precision, SaysThatItHadNotHeldLongEnough) {
     run.campaign.arrangements = enough_for_a_quarter - 1;
     EXPECT_EQ(run(fake::compute), 0) << run.said;
     EXPECT_THAT(run.said, HasSubstr("target 25 %, but not met for stop.look_ahead = 2 arrangements in a row"));
+}
+
+MemberResult compute_peaks(const Campaign& of, int number, std::stop_token) {
+    std::this_thread::sleep_for(std::chrono::milliseconds((number * 7) % 11));
+    return synthetic::record_with_peaks(of, number).result;
+}
+
+/// Of one case: as many peaks as 4 windows of exposure have, so that the tail is hardly extrapolated.
+Campaign load_campaign(double half_width) {
+    Campaign made = synthetic::campaign(60);
+    made.cases.resize(1);
+    made.cases[0].scenario.analysis.peak_separation = 0.01;  // peaks hide none
+    made.stop = {
+        .half_width = half_width, .of = std::string{design_load_word}, .minimum = 10, .look_ahead = 2, .batch = 4};
+    made.stop.exposure = 4 * made.cases[0].scenario.analysis.window;
+    made.stop.averaging = 0.4;
+    return made;
+}
+
+TEST(Precision, OfADesignLoadEndsTheCampaignAfterTheSameArrangementOnAnyThreads) {
+    std::optional<std::size_t> arrangements;
+    for (const int threads : {1, 3}) {
+        TemporaryFolder folder;
+        fake::Run run(folder / "a.h5", load_campaign(0.6));
+        EXPECT_EQ(run(compute_peaks, Existing::refuse, threads), 0) << run.said;
+        EXPECT_THAT(run.said, HasSubstr("precise enough after "));
+        const std::size_t members = read_campaign_file(run.file).members.size();
+        EXPECT_EQ(members % 4, 0u);  // the end of a batch
+        EXPECT_GE(members, 12u);
+        EXPECT_LT(members, 60u);
+        if (!arrangements) arrangements = members;
+        EXPECT_EQ(members, *arrangements);
+        const CampaignStatus status = read_status(run.file);
+        EXPECT_TRUE(status.stop->met);
+        EXPECT_EQ(status.stop->arrangements, static_cast<int>(members));
+        EXPECT_LE(status.stop->achieved, 0.6);
+        EXPECT_THAT(
+            stop_sentence(*status.stop),
+            HasSubstr("Half-width for the 90 % quantile of the largest load in 0.00133333 h, averaged over 0.4 s, "
+                      "of every case: "));
+    }
+}
+
+TEST(Precision, OfADesignLoadSaysWhatWasReachedWhenArrangementsRunOut) {
+    TemporaryFolder folder;
+    fake::Run run(folder / "a.h5", load_campaign(0.01));
+    run.campaign.arrangements = 14;  // no end of a batch
+    EXPECT_EQ(run(compute_peaks), 0) << run.said;
+    EXPECT_THAT(run.said, HasSubstr("all 14 arrangements are done and the half-width is "));
+    EXPECT_THAT(run.said, HasSubstr("% after 12 arrangements, target 1 %"));
+    const CampaignStatus status = read_status(run.file);
+    EXPECT_FALSE(status.stop->met);
+    EXPECT_GT(status.stop->achieved, 0.1);
+}
+
+// Peaks that one member has are too few.
+TEST(Precision, OfADesignLoadSaysWhyItIsNotKnown) {
+    TemporaryFolder folder;
+    Campaign few = load_campaign(0.5);
+    few.arrangements = 12;
+    fake::Run run(folder / "a.h5", few);
+    EXPECT_EQ(run(fake::compute), 0) << run.said;
+    EXPECT_THAT(run.said,
+                HasSubstr("all 12 arrangements are done and the half-width is not known, target 50 %: case soft: "));
 }
 
 TEST(Precision, RefusesARuleOfNoCase) {

@@ -1,6 +1,7 @@
 #pragma once
 // A small campaign with synthetic results, for tests of storage: every field has a different value.
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -10,6 +11,7 @@
 #include "campaign/identity.hpp"
 #include "campaign/read.hpp"
 #include "campaign/write.hpp"
+#include "core/random.hpp"
 #include "records/calibration_record.hpp"
 #include "records/member_record.hpp"
 #include "records/session.hpp"
@@ -128,6 +130,21 @@ inline MemberRecord failed_record(const Campaign& campaign, int number) {
     made.result.status = MemberStatus::failed;
     made.result.reason = "an element ran away at 12.34 s: 11 m/s, allowed ≤ 10 m/s";
     made.result.load.mean = std::numeric_limits<double>::infinity();
+    return made;
+}
+
+/// The same of a steady load with exponential peaks of 20 N above 30 N, eight in each window.
+inline MemberRecord record_with_peaks(const Campaign& campaign, int number) {
+    MemberRecord made = record(campaign, number);
+    RandomStream random{3, static_cast<std::uint32_t>(number), StreamId::bootstrap, 0};
+    made.result.load.mean = 20;
+    made.result.load.trend = 0;
+    for (AveragedLoad& averaged : made.result.averaged) {
+        averaged.peaks.resize(8);
+        for (double& peak : averaged.peaks) peak = 30 - 20 * std::log(random.uniform(1e-16, 1));
+        std::ranges::sort(averaged.peaks, std::ranges::greater{});
+        std::ranges::fill(averaged.segment_maximum, averaged.peaks.front());
+    }
     return made;
 }
 

@@ -59,9 +59,6 @@ inline constexpr double threshold_shares[]{0.5, 0.35, 0.25, 0.15, 0.1};
 /// none.
 double averaging_time(const CampaignTable& table, const DesignLoadRequest& request);
 
-/// More cases than these have one threshold each.
-inline constexpr std::size_t most_averaged_cases = 12;
-
 /// One for each case. Throws InputError if the members did not average over that time.
 std::vector<CaseDesignLoad> find_design_loads(const CampaignTable& table, const DesignLoadRequest& request);
 

@@ -144,7 +144,8 @@ void add_posterior(MemberPeakSpans peaks, const Measured& measured, const Exposu
     load.scatter = found.scatter();
     load.alike = found.alike();
     const auto figure = [](const PosteriorFigure& one) { return DesignLoadFigure{one.value, one.interval}; };
-    DesignLoadEstimate made{LargestBy::both_tails, figure(found.expected(exposure.time)), {}};
+    DesignLoadEstimate made{LargestBy::both_tails, {.value = undefined, .interval = {undefined, undefined}}, {}};
+    if (exposure.expected) made.expected = figure(found.expected(exposure.time));
     for (const double p : exposure.probabilities) made.quantiles.push_back(figure(found.quantile(exposure.time, p)));
     load.estimates.push_back(std::move(made));
 }
@@ -227,7 +228,7 @@ std::string_view name_of(LargestBy method) {
     return "GEV";
 }
 
-DesignLoad design_load(const std::vector<PeakRow>& rows, const Measured& measured, const Exposure& exposure) {
+DesignLoad load_by_both_tails(const std::vector<PeakRow>& rows, const Measured& measured, const Exposure& exposure) {
     DesignLoad load;
     load.arrangements = rows.size();
     load.time_run = measured.window * static_cast<double>(rows.size());
@@ -239,14 +240,19 @@ DesignLoad design_load(const std::vector<PeakRow>& rows, const Measured& measure
     for (const PeakRow& row : rows) peaks.emplace_back(row.peaks);
     load.unlike = unlike_members(peaks, exposure.share);
     if (rows.size() < fewest_members || load.peaks < fewest_peaks || !(load.threshold > measured.mean)) return load;
-    const TailFitter fitter(rows, measured, load.threshold);
-    const BothTails tails = fitter.fit(all_rows(rows.size()));
+    const BothTails tails = TailFitter(rows, measured, load.threshold).fit(all_rows(rows.size()));
     if (!tails.valid()) return load;
     load.pareto = tails.pareto;
     load.weibull = tails.weibull;
     add_posterior(peaks, measured, exposure, load);
+    return load;
+}
+
+DesignLoad design_load(const std::vector<PeakRow>& rows, const Measured& measured, const Exposure& exposure) {
+    DesignLoad load = load_by_both_tails(rows, measured, exposure);
     if (!load.valid()) return load;
-    add_tails(rows, fitter, tails, exposure, load);
+    const TailFitter fitter(rows, measured, load.threshold);
+    add_tails(rows, fitter, {load.pareto, load.weibull}, exposure, load);
     add_maxima(rows, measured.segment, exposure, ExtremeKind::gumbel, load);
     add_maxima(rows, measured.segment, exposure, ExtremeKind::gev, load);
     return load;

@@ -34,7 +34,11 @@ struct Exposure {
     std::vector<double> probabilities;  ///< of not being exceeded, each in (0, 1)
     double share = 0.25;                ///< of the peaks, the highest, that the tails are fitted to
     bool quick = false;                 ///< both tails above one threshold; else averaged over 2, 1 and 0.4 times share
+    bool expected = true;  ///< also the expected largest by both tails, which takes longest; else it is NaN
 };
+
+/// More cases than these have `quick` thresholds.
+inline constexpr std::size_t most_averaged_cases = 12;
 
 /// How the largest load is extrapolated.
 enum class LargestBy {
@@ -81,6 +85,9 @@ struct DesignLoad {
 inline constexpr std::size_t fewest_members = 4;
 
 DesignLoad design_load(const std::vector<PeakRow>& rows, const Measured& measured, const Exposure& exposure);
+
+/// The same with the estimate by both tails alone, and without draws.
+DesignLoad load_by_both_tails(const std::vector<PeakRow>& rows, const Measured& measured, const Exposure& exposure);
 
 /// The quantiles of both_tails fitted to the highest `shares` of the peaks: their sensitivity to the threshold.
 std::vector<std::vector<double>> over_thresholds(const std::vector<PeakRow>& rows, const Measured& measured,

@@ -12,6 +12,12 @@
 // met), and must also hold at each of the `look_ahead` arrangements before the stop, because it is often met once by
 // chance. After K. Hoad, S. Robinson and R. Davies, "Automated selection of the number of replications for a
 // discrete-event simulation", J. Oper. Res. Soc. 61 (2010) 1632-1644.
+//
+// Of a design load (load_precision.hpp) it is the longer side of its interval over its estimate, for each case that the
+// rule names. A tail is fitted in tenths of a second to seconds, so it is judged at ends of batches only, and not at
+// each while the target is far: the next judgement is at half of the arrangements that an interval would need that
+// shrinks as 1/√n, but a tenth to four tenths more than now. Once it holds it must hold again after `look_ahead`
+// further ones.
 
 #include <limits>
 #include <map>
@@ -20,7 +26,8 @@
 #include <string>
 #include <vector>
 
-#include "campaign/rules.hpp"
+#include "campaign/campaign.hpp"
+#include "inference/load_precision.hpp"
 
 namespace floes {
 
@@ -31,8 +38,14 @@ class PrecisionStop {
     /// the rule names an unknown case, names nothing, or asks for the difference of cases that cannot be paired.
     PrecisionStop(const StopRule& rule, const std::vector<std::string>& cases, const std::vector<int>& groups = {});
 
-    /// Adds the value of one member, in any order; NaN if it failed: it is then not counted, but leaves no gap. Of two
-    /// values for one member the first counts.
+    /// The rule of a campaign, which is active, over its cases; throws likewise.
+    explicit PrecisionStop(const Campaign& campaign);
+
+    /// Adds one member, in any order; nullptr if it failed: it is then not counted, but leaves no gap. Of two records
+    /// of one member the first counts.
+    void put_member(int arrangement, int case_index, const MemberOutputs* outputs);
+
+    /// The same with the value that is to be precise, NaN if the member failed; not of a design load.
     void put(int arrangement, int case_index, double value);
 
     /// The rule is met: the campaign ends after arrangements().
@@ -41,14 +54,27 @@ class PrecisionStop {
     /// Number of leading arrangements of which every member is known; once met, the number at which the rule stopped.
     int arrangements() const { return arrangements_; }
 
-    /// Largest half-width over its mean, of all targets, at arrangements(); a fraction. NaN before there are two values
-    /// of each.
+    /// Largest half-width over its mean, of all targets, at judged(); a fraction. NaN before there are two values of
+    /// each, and where there is no design load.
     double achieved() const;
+
+    /// Number of leading arrangements that achieved() is of: arrangements(), or fewer where it is of a design load.
+    int judged() const { return loads_ ? judged_ : arrangements_; }
+
+    /// Why achieved() is not known, without a full stop; empty if that is plain.
+    std::string obstacle() const { return loads_ ? loads_->obstacle() : std::string{}; }
+
+    /// Brings achieved() to arrangements(), for who wants to know; when the rule is met does not depend on it.
+    void look();
 
     double target() const { return rule_.half_width; }
 
     /// Arrangements before which the rule is not applied.
     int minimum() const { return minimum_; }
+
+    /// The share of all members in which a kind of member is missing, in at most one of twenty campaigns, of so many
+    /// arrangements as the rule asks for where stop.minimum is not given.
+    static double share_seen(const StopRule& rule);
 
   private:
     // One case, or the difference of two, over the leading arrangements; mean and squares after Welford.
@@ -66,20 +92,35 @@ class PrecisionStop {
         double by_student() const;
     };
 
+    static std::vector<Target> targets_of(const StopRule& rule, const std::vector<std::string>& cases,
+                                          const std::vector<int>& groups);
+
+    struct Waiting {
+        std::vector<double> values;
+        std::vector<std::optional<MemberLoad>> loads;
+        std::vector<bool> known;
+    };
+
+    Waiting* place_for(int arrangement, int case_index);
+    void take_leading();
     void take(const std::vector<double>& values);
+    void take_loads(std::vector<std::optional<MemberLoad>> loads);
+    int end_of_batch(double arrangements) const;
+    int next_judgement(bool holds) const;
 
     StopRule rule_;
     int minimum_;
     std::size_t cases_;
     std::vector<Target> targets_;
-    struct Waiting {
-        std::vector<double> values;
-        std::vector<bool> known;
-    };
     std::map<int, Waiting> waiting_;  ///< later arrangements, by number
     int arrangements_ = 0;
     int held_for_ = 0;  ///< consecutive arrangements
     bool met_ = false;
+
+    std::optional<LoadPrecision> loads_;  ///< of a design load
+    int judged_ = 0;                      ///< arrangements of its last judgement
+    int next_ = 0;                        ///< of the next one that counts
+    int held_from_ = 0;                   ///< of the first one of those that hold now; 0: it does not hold
 };
 
 }  // namespace floes

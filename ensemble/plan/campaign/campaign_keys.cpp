@@ -35,8 +35,10 @@ std::string about_stop_of() {
         if (one.stops) stoppable.push_back(one.key.view());
     return fmt::format(
         "Member result to which the rule applies: {}; sd_load and mean_maximum also averaged over a time of "
-        "analysis.averaging_s, as \"mean_maximum_0.5s\".",
-        fmt::join(stoppable, ", "));
+        "analysis.averaging_s, as \"mean_maximum_0.5s\". Or \"{}\": the largest load in stop.exposure_h, as floes "
+        "design "
+        "gives it by both tails.",
+        fmt::join(stoppable, ", "), design_load_word);
 }
 
 constexpr const char* about_files =
@@ -91,7 +93,8 @@ Keys describe(StopRule& stop) {
     keys.push_back(
         number_key("stop.half_width_percent", stop.half_width, unit::percent, at_least(0).below(100), "off",
                    "The campaign ends when the half-width of the 95 % confidence interval of the mean over "
-                   "arrangements is at most this percentage of the mean; campaign.arrangements is then the maximum. 0: "
+                   "arrangements is at most this percentage of the mean (of a design load: the longer side of its "
+                   "interval, of the load); campaign.arrangements is then the maximum. 0: "
                    "all arrangements are run. Only arrangements in index order count, whatever finishes first."));
     static const std::string stoppable = about_stop_of();
     keys.push_back(text_key("stop.of", stop.of, "the first of Table 3", stoppable));
@@ -104,13 +107,25 @@ Keys describe(StopRule& stop) {
                                "Minimum number of arrangements before the rule is applied: with fewer, the estimate of "
                                "the scatter is itself uncertain. 0: at least 20, and so many that a kind of member in "
                                "a share of half_width_percent of all is among them with 95 % (59 for 5 %): such "
-                               "members with twice the load move the mean by that much."));
+                               "members with twice the load move the mean by that much. Of a design load: at "
+                               "least 59."));
     keys.push_back(integer_key("stop.look_ahead", stop.look_ahead, 0, 1000000, source,
                                "Number of further arrangements for which the rule must stay satisfied, so that the "
                                "campaign does not stop by chance."));
     keys.push_back(integer_key("stop.batch", stop.batch, 1, 1000000, "a few per core",
                                "Number of arrangements that are handed out together, longest members first. A small "
-                               "batch wastes fewer members beyond the stop; a large one leaves fewer cores idle."));
+                               "batch wastes fewer members beyond the stop; a large one leaves fewer cores idle. A "
+                               "design load is looked at when a batch ends."));
+    keys.push_back(number_key("stop.exposure_h", stop.exposure, unit::hour, at_least(1e-3).at_most(1e6), "floes design",
+                              "For of = \"design_load\": the time whose largest load it is, at the campaign's scale "
+                              "(that at full scale over the square root of the scale)."));
+    keys.push_back(
+        number_key("stop.averaging_s", stop.averaging, unit::one, above(0), "floes design",
+                   "For of = \"design_load\": what the load is averaged over, one of analysis.averaging_s."));
+    keys.push_back(
+        number_key("stop.quantile", stop.quantile, unit::one, at_least(0).at_most(0.99999), "floes design",
+                   "For of = \"design_load\": the probability that the load is not exceeded in the exposure, "
+                   "0.001 or more. 0: the expected largest."));
     return keys;
 }
 

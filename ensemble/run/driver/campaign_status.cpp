@@ -61,15 +61,21 @@ CampaignStatus status_of(const Campaign& campaign, const StoredMembers& members,
 
 std::optional<StopStatus> stop_status(const Campaign& campaign, const std::optional<PrecisionStop>& rule) {
     if (!rule) return {};
-    return StopStatus{campaign.stop,         rule->met(),     rule->arrangements(),
-                      campaign.arrangements, rule->minimum(), rule->achieved()};
+    return StopStatus{.rule = campaign.stop,
+                      .met = rule->met(),
+                      .arrangements = rule->arrangements(),
+                      .most_arrangements = campaign.arrangements,
+                      .minimum = rule->minimum(),
+                      .achieved = rule->achieved(),
+                      .obstacle = rule->obstacle()};
 }
 
 /// The rule with every member that has a record.
 std::optional<PrecisionStop> told_rule(const Campaign& campaign, const StoredMembers& members, const Matched& records) {
     std::optional<PrecisionStop> rule = stop_rule_of(campaign);
     for (std::size_t k = 0; rule && k < records.size(); ++k)
-        if (records[k]) tell(rule, campaign, member_key(campaign, static_cast<int>(k)), members.read(*records[k]));
+        if (records[k]) tell(rule, member_key(campaign, static_cast<int>(k)), members.read(*records[k]));
+    if (rule) rule->look();
     return rule;
 }
 

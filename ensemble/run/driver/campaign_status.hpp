@@ -45,6 +45,7 @@ struct StopStatus {
     int most_arrangements = 0;  ///< number without the rule
     int minimum = 0;            ///< arrangements before which the rule is not applied
     double achieved = 0;  ///< largest half-width over its mean, a fraction; NaN before there are two values of each
+    std::string obstacle = {};  ///< why it is NaN, without a full stop; empty if that is plain
 };
 
 struct CampaignStatus {

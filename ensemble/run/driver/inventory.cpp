@@ -1,11 +1,9 @@
 #include "driver/inventory.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "campaign/identity.hpp"
 #include "driver/precision.hpp"
-#include "quantities/quantity.hpp"
 
 namespace floes {
 
@@ -20,7 +18,7 @@ Inventory take_inventory(const Campaign& campaign, const StoredMembers& members,
     found.precision = stop_rule_of(campaign, part);
     const std::vector<std::optional<std::size_t>> kept = match_records(campaign, members.notes());
     const auto tell_rule = [&](const MemberKey& key, std::size_t record) {
-        if (found.precision) tell(found.precision, campaign, key, members.read(record));
+        if (found.precision) tell(found.precision, key, members.read(record));
     };
     const std::vector<std::string> case_keys = case_fingerprints(campaign);
     for (int number = 0; number < member_count(campaign); ++number) {
@@ -67,13 +65,14 @@ std::vector<std::string> case_fingerprints(const Campaign& campaign) {
     return keys;
 }
 
-void tell(std::optional<PrecisionStop>& rule, const Campaign& campaign, const MemberKey& member,
-          const MemberRecord& record) {
+void tell(std::optional<PrecisionStop>& rule, const MemberKey& member, const MemberRecord& record) {
     if (!rule) return;
-    const bool done = record.result.status == MemberStatus::done;
-    rule->put(member.arrangement, member.case_index,
-              done ? any_quantity(campaign.stop.of)->of(record.whole(MemberRecord::Arrays::in_table))
-                   : std::numeric_limits<double>::quiet_NaN());
+    if (record.result.status != MemberStatus::done) {
+        rule->put_member(member.arrangement, member.case_index, nullptr);
+        return;
+    }
+    const MemberResult whole = record.whole(MemberRecord::Arrays::in_table);
+    rule->put_member(member.arrangement, member.case_index, &whole);
 }
 
 }  // namespace floes

@@ -54,7 +54,6 @@ Inventory take_inventory(const Campaign& campaign, const StoredMembers& members,
 std::vector<std::string> case_fingerprints(const Campaign& campaign);
 
 /// Passes a member that is done or set aside to the stop rule, if there is one.
-void tell(std::optional<PrecisionStop>& rule, const Campaign& campaign, const MemberKey& member,
-          const MemberRecord& record);
+void tell(std::optional<PrecisionStop>& rule, const MemberKey& member, const MemberRecord& record);
 
 }  // namespace floes

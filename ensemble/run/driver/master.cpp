@@ -236,7 +236,8 @@ ProgressState Master::state() const {
     if (const auto& precision = tally.precision()) {
         state.half_width = precision->achieved();
         state.half_width_target = precision->target();
-        state.in_order = precision->arrangements();
+        state.in_order = precision->judged();
+        state.obstacle = precision->obstacle();
     }
     state.finished_now = scheduler_.done();
     state.elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();

@@ -4,9 +4,7 @@ namespace floes {
 
 std::optional<PrecisionStop> stop_rule_of(const Campaign& campaign) {
     if (!campaign.stop.active()) return {};
-    std::vector<std::string> names;
-    for (const Case& one : campaign.cases) names.push_back(one.name);
-    return PrecisionStop(campaign.stop, names, sharing_groups(campaign));
+    return PrecisionStop(campaign);
 }
 
 std::optional<PrecisionStop> stop_rule_of(const Campaign& campaign, const CampaignTable& table) {
@@ -15,8 +13,9 @@ std::optional<PrecisionStop> stop_rule_of(const Campaign& campaign, const Campai
         const MemberRow& row = table.members[k];
         const MemberKey key = member_key(campaign, static_cast<int>(k));
         if (row.status != RowStatus::missing)
-            rule->put(key.arrangement, key.case_index, row.value(*any_quantity(campaign.stop.of)));
+            rule->put_member(key.arrangement, key.case_index, row.done() ? &row : nullptr);
     }
+    if (rule) rule->look();
     return rule;
 }
 

@@ -39,6 +39,9 @@ std::string progress_text(const ProgressState& state) {
         if (std::isfinite(state.half_width)) {
             text += fmt::format(", half-width {:.1f} % after {}, target {:g} %", 100 * state.half_width,
                                 counted(state.in_order, "arrangement"), 100 * state.half_width_target);
+        } else if (!state.obstacle.empty()) {
+            text += fmt::format(", half-width not known after {} ({}), target {:g} %",
+                                counted(state.in_order, "arrangement"), state.obstacle, 100 * state.half_width_target);
         }
         return text;
     }

@@ -21,6 +21,7 @@ struct ProgressState {
     double half_width = 0;         ///< for the stop rule, a fraction; NaN while unknown
     double half_width_target = 0;  ///< 0: there is no stop rule
     int in_order = 0;              ///< arrangements evaluated by the rule
+    std::string obstacle = {};     ///< why it is unknown, without a full stop; empty if that is plain
 
     /// Remaining cost over the measured rate, s; negative while nothing has finished.
     double time_left() const;
@@ -30,7 +31,7 @@ struct ProgressState {
 std::string rate_text(double per_second);
 
 /// "12 of 36 done, 1 failed, 2 running, 4.2 members/min, 5 min left". With a stop rule the time left is unknown, and
-/// "half-width 7.1 % after 20 arrangements, target 5 %" takes its place.
+/// "half-width 7.1 % after 20 arrangements, target 5 %" takes its place, or why it is not known.
 std::string progress_text(const ProgressState& state);
 
 class Progress {

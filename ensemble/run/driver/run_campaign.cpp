@@ -47,6 +47,22 @@ Session session_of(int ranks, int cores) {
     return describe_session(ranks, cores, std::array{Software{"MPI", library_version()}});
 }
 
+/// After all arrangements, where the stop rule is not met.
+std::string imprecise_sentence(const Campaign& campaign, PrecisionStop precision) {
+    precision.look();
+    const std::string all = fmt::format("all {} arrangements are done and", campaign.arrangements);
+    if (const std::string obstacle = precision.obstacle(); !obstacle.empty())
+        return fmt::format("{} the half-width is not known, target {:g} %: {}", all, 100 * precision.target(),
+                           obstacle);
+    const std::string reached =
+        precision.achieved() <= precision.target()
+            ? fmt::format(", but not met for stop.look_ahead = {} arrangements in a row after {}",
+                          campaign.stop.look_ahead, precision.minimum())
+            : "; to continue, raise campaign.arrangements and resume";
+    return fmt::format("{} the half-width is {:.1f} %, target {:g} %{}", all, 100 * precision.achieved(),
+                       100 * precision.target(), reached);
+}
+
 /// Prints the final messages and returns the exit status.
 int conclude(const Campaign& campaign, const RunOptions& options, Recorder& recorder, Progress& progress,
              const std::string& stopped_by) {
@@ -69,16 +85,8 @@ int conclude(const Campaign& campaign, const RunOptions& options, Recorder& reco
     }
     if (resumed) progress.say(harvest(tally));
     recorder.finish(tally.failed() > 0 ? "complete, members failed" : "complete");
-    if (const auto& precision = tally.precision(); precision && !tally.precise()) {
-        const std::string reached =
-            precision->achieved() <= precision->target()
-                ? fmt::format(", but not met for stop.look_ahead = {} arrangements in a row after {}",
-                              campaign.stop.look_ahead, precision->minimum())
-                : "; to continue, raise campaign.arrangements and resume";
-        progress.say(fmt::format("all {} arrangements are done and the half-width is {:.1f} %, target {:g} %{}",
-                                 campaign.arrangements, 100 * precision->achieved(), 100 * precision->target(),
-                                 reached));
-    }
+    if (const auto& precision = tally.precision(); precision && !tally.precise())
+        progress.say(imprecise_sentence(campaign, *precision));
     if (tally.failed() > 0) {
         progress.say(fmt::format("{} of {} failed and {} missing in {}; floes status {} shows the reasons",
                                  tally.failed(), counted(total, "member"), tally.failed() == 1 ? "is" : "are", file,

@@ -4,8 +4,10 @@
 
 #include <cmath>
 
+#include "core/units.hpp"
 #include "core/wording.hpp"
 #include "driver/progress.hpp"
+#include "inference/precision_stop.hpp"
 
 namespace floes {
 namespace {
@@ -62,6 +64,11 @@ std::string work_sentence(const CampaignStatus& status) {
 
 std::string what_of(const StopRule& rule) {
     std::string text = rule.of;
+    if (rule.of_design_load())
+        text = fmt::format("the {} load in {:g} h, averaged over {:g} s,",
+                           rule.quantile == 0 ? "expected largest"
+                                              : fmt::format("{:g} % quantile of the largest", 100 * rule.quantile),
+                           rule.exposure / unit::hour, rule.averaging);
     if (rule.case_name != "none") text += rule.case_name == "all" ? " of every case" : " of case " + rule.case_name;
     if (rule.contrast != "none") {
         text += rule.case_name != "none" ? " and" : "";
@@ -73,9 +80,10 @@ std::string what_of(const StopRule& rule) {
 std::string stop_sentence(const StopStatus& stop) {
     const std::string most =
         stop.most_arrangements > stop.arrangements ? fmt::format(" of at most {}", stop.most_arrangements) : "";
+    const std::string why = stop.obstacle.empty() ? "" : fmt::format(" ({})", stop.obstacle);
     const std::string reached =
         std::isnan(stop.achieved)
-            ? fmt::format("not known yet, target {:g} %", 100 * stop.rule.half_width)
+            ? fmt::format("not known yet{}, target {:g} %", why, 100 * stop.rule.half_width)
             : fmt::format("{:.1f} %, target {:g} %", 100 * stop.achieved, 100 * stop.rule.half_width);
     if (stop.met)
         return fmt::format("Precise enough after {}{}, no more are needed. Half-width for {}: {}.",
@@ -83,7 +91,7 @@ std::string stop_sentence(const StopStatus& stop) {
     const std::string early =
         stop.rule.minimum == 0 && stop.arrangements < stop.minimum
             ? fmt::format(" Not before {}: of fewer, a kind of member that is {:g} % of all may be missing.",
-                          counted(stop.minimum, "arrangement"), 100 * stop.rule.half_width)
+                          counted(stop.minimum, "arrangement"), 100 * PrecisionStop::share_seen(stop.rule))
             : std::string{};
     return fmt::format("Half-width for {} after {}{}: {}.{}", what_of(stop.rule),
                        counted(stop.arrangements, "arrangement"), most, reached, early);

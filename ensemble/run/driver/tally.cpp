@@ -34,7 +34,7 @@ void Tally::kept(const MemberRecord& record) {
     finished_cost_ += expected_cost(campaign_, static_cast<int>(known - case_keys_.begin()));
     for (std::size_t k = 0; k < case_keys_.size(); ++k) {
         if (case_keys_[k] != record.case_key) continue;
-        tell(precision_, campaign_, {static_cast<int>(k), record.arrangement}, record);
+        tell(precision_, {static_cast<int>(k), record.arrangement}, record);
     }
 }
 
