@@ -31,6 +31,8 @@ MEAN_COLUMNS = ["members", "n", "none_met_percent", "within_of_the_others_percen
 PAIR_COLUMNS = ["pairs", "n", "none_met_percent", "within_percent", "student_within_percent", "width", "student_width"]
 STOP_COLUMNS = ["members", "target_percent", "minimum", "median_n", "by_30_percent", "none_met_percent", "within_percent",
                 "near_percent"]
+LOAD_STOP_COLUMNS = ["members", "target_percent", "campaigns", "median_n", "within_percent", "below_percent",
+                     "error_percent"]
 SHOWN = ["both tails", "Pareto tail", "Weibull tail", "Gumbel", "GEV"]
 COLOURS = {"E30": "#0072B2", "E60": "#D55E00", "E200": "#009E73"}
 
@@ -40,7 +42,8 @@ def take_coverage(lines):
     rows = [[cell.strip() for cell in line.strip().strip("|").split("|")] for line in lines if line.startswith("| ")]
     for kind, columns, name in [("design", COLUMNS, "coverage"), ("unlike", UNLIKE_COLUMNS, "coverage_unlike"),
                                 ("mean", MEAN_COLUMNS, "coverage_means"), ("pair", PAIR_COLUMNS, "coverage_pairs"),
-                                ("stop", STOP_COLUMNS, "coverage_stops")]:
+                                ("stop", STOP_COLUMNS, "coverage_stops"),
+                                ("loadstop", LOAD_STOP_COLUMNS, "coverage_load_stops")]:
         own = [row[1:2] + [cell.removesuffix(" %") for cell in row[2:]] for row in rows if row[0] == kind]
         if own:
             put_rows(DATA / f"{name}.csv", pd.DataFrame(own, columns=columns))
@@ -87,6 +90,13 @@ def stop_coverage():
                    whole(one.by_30_percent), whole(one.none_met_percent), whole(one.within_percent),
                    whole(one.near_percent)]
                   for one in pd.read_csv(DATA / "coverage_stops.csv").itertuples()])
+
+
+def load_stop_coverage():
+    return table(["members", "target", "campaigns", "median n", "interval holds", "interval ends below", "error"],
+                 [[one.members, f"{one.target_percent:g} %", str(one.campaigns), f"{one.median_n:.0f}",
+                   whole(one.within_percent), whole(one.below_percent), f"{one.error_percent:+.0f} %"]
+                  for one in pd.read_csv(DATA / "coverage_load_stops.csv").itertuples()])
 
 
 def unlike_coverage():
@@ -177,7 +187,8 @@ def main(arguments):
         take_tails(arguments[1], arguments[2] if len(arguments) > 2 else "./floes")
     check = arguments == ["--check"]
     fill_or_check({PAGE: {"coverage": coverage, "unlike": unlike_coverage},
-                   STATISTICS: {"means": mean_coverage, "pairs": pair_coverage, "stops": stop_coverage}},
+                   STATISTICS: {"means": mean_coverage, "pairs": pair_coverage, "stops": stop_coverage,
+                                "loadstops": load_stop_coverage}},
                   check, "design_load.py")
     if not check:
         draw(DATA / "tails.svg")

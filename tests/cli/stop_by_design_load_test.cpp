@@ -32,7 +32,8 @@ class StopByDesignLoad : public testing::Test {
         const std::string told = verb_output(
             add_design, "design " + file_.string() + " --averaging-s 0.4 --exposure-h 0.01 --format json " + arguments);
         double longest = 0;
-        for (const auto& load : nlohmann::json::parse(told).at("design").at("loads")) {
+        const auto all = nlohmann::json::parse(told);
+        for (const auto& load : all.at("design").at("loads")) {
             if (load.at("method") != "both tails") continue;
             if (load.at("figure") != which) continue;
             const double value = load.at("load_N");
@@ -65,7 +66,9 @@ TEST_F(StopByDesignLoad, HasTheHalfWidthThatDesignPrints) {
 
 TEST_F(StopByDesignLoad, HasThatOfTheExpectedLargest) {
     campaign_.stop.quantile = 0;
-    EXPECT_NEAR(by_rule(), by_design("--quantile 0.9", "expected"), 1e-12);
+    const double rule = by_rule();
+    EXPECT_GT(rule, 0.05);
+    EXPECT_NEAR(rule, by_design("--quantile 0.9", "expected"), 1e-12);
 }
 
 }  // namespace
