@@ -24,6 +24,7 @@ void add_status(CommandLine& line);
 void add_plan(CommandLine& line);
 void add_summarize(CommandLine& line);
 void add_design(CommandLine& line);
+void add_contour(CommandLine& line);
 void add_config(CommandLine& line);
 void add_laboratory(CommandLine& line);
 void add_hybrid(CommandLine& line);

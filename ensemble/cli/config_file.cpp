@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -9,6 +10,7 @@
 #include <iterator>
 #include <vector>
 
+#include "campaign/name_list.hpp"
 #include "campaign/read.hpp"
 #include "cli/given_file.hpp"
 #include "core/error.hpp"
@@ -48,6 +50,18 @@ std::string find_config(const std::string& name) {
 Campaign load_campaign(const std::string& name, const std::vector<std::string>& overrides) {
     const std::string path = find_config(name);
     return read_campaign({read_text(path), path, overrides, true}, read_text);
+}
+
+const Case& chosen_case(const Campaign& campaign, const std::string& name) {
+    if (campaign.cases.size() == 1 && name.empty()) return campaign.cases.front();
+    const auto found = std::ranges::find(campaign.cases, name, &Case::name);
+    if (found != campaign.cases.end()) return *found;
+    std::vector<std::string> names;
+    for (const Case& one : campaign.cases) names.push_back(one.name);
+    throw InputError(
+        name.empty()
+            ? fmt::format("one case is taken, and this campaign has several; name it with --case: {}", name_list(names))
+            : fmt::format("there is no case {}; the cases are {}", name, name_list(names)));
 }
 
 }  // namespace floes

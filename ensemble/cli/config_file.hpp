@@ -19,4 +19,7 @@ std::string find_config(const std::string& name);
 /// InputError.
 Campaign load_campaign(const std::string& name, const std::vector<std::string>& overrides);
 
+/// The campaign's case of that name, or its only one where none is named. Throws InputError if there is none.
+const Case& chosen_case(const Campaign& campaign, const std::string& name);
+
 }  // namespace floes

@@ -1,18 +1,13 @@
 // floes vary: the configuration of a study that varies what the model leaves open, one input at a time.
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "campaign/name_list.hpp"
 #include "campaign/variations.hpp"
 #include "cli/commands.hpp"
 #include "cli/config_file.hpp"
-#include "core/error.hpp"
 
 namespace floes {
 namespace {
@@ -23,21 +18,9 @@ struct VaryOptions {
     std::vector<std::string> overrides;
 };
 
-const Case& varied_case(const Campaign& campaign, const std::string& name) {
-    if (campaign.cases.size() == 1 && name.empty()) return campaign.cases.front();
-    const auto found = std::ranges::find(campaign.cases, name, &Case::name);
-    if (found != campaign.cases.end()) return *found;
-    std::vector<std::string> names;
-    for (const Case& one : campaign.cases) names.push_back(one.name);
-    throw InputError(name.empty()
-                         ? fmt::format("one case is varied, and this campaign has several; name it with --case: {}",
-                                       name_list(names))
-                         : fmt::format("there is no case {}; the cases are {}", name, name_list(names)));
-}
-
 int vary(const VaryOptions& options) {
     const Campaign campaign = load_campaign(options.file, options.overrides);
-    std::fputs(variations_text(campaign, varied_case(campaign, options.case_name)).c_str(), stdout);
+    std::fputs(variations_text(campaign, chosen_case(campaign, options.case_name)).c_str(), stdout);
     return 0;
 }
 

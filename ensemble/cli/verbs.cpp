@@ -13,6 +13,7 @@ void add_verbs(CommandLine& line, std::span<char* const> command) {
     add_vary(line);
     add_summarize(line);
     add_design(line);
+    add_contour(line);
     add_config(line);
     add_laboratory(line);
     add_hybrid(line);

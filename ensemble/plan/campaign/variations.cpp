@@ -86,11 +86,12 @@ double tough(const Scenario& scenario) {
     return std::stod(fmt::format("{:.2g}", energy));
 }
 
-/// The keys that are not as by default, without comments.
-std::string tables_text(const Campaign& campaign, const Scenario& scenario) {
+/// The keys that are not as by default, without comments. `base`: the case whose variations all others are; may be
+/// empty.
+std::string tables_text(const Campaign& campaign, const Scenario& scenario, std::string_view base) {
     CampaignHead head{"", campaign.seed, campaign.arrangements, campaign.common_arrangements};  // named by its file
     RunRules rules = campaign.run;
-    rules.base_case = base_name;
+    rules.base_case = base;
     Scenario own = scenario;
     Keys keys = describe(head);
     for (Key& key : describe(rules)) keys.push_back(std::move(key));
@@ -108,6 +109,15 @@ std::string tables_text(const Campaign& campaign, const Scenario& scenario) {
         if (!keys[k].derived() && !keys[k].idle() && exact_text(keys[k]) != exact_text(usual[k]))
             written.push_back(std::move(keys[k]));
     return write_tables(written, {}, Comments::none);
+}
+
+std::string cases_text(const std::vector<Variation>& cases) {
+    std::string text;
+    for (const Variation& one : cases) {
+        text += fmt::format("\n[[case]]  # {}\nname = {}\n", one.why, text_literal(one.name));
+        for (const auto& [key, value] : one.sets) text += fmt::format("{} = {}\n", key, value);
+    }
+    return text;
 }
 
 }  // namespace
@@ -138,13 +148,13 @@ std::string variations_text(const Campaign& campaign, const Case& of) {
         "together.\n"
         "# Keys that are not here have their defaults.\n\n",
         of.name, campaign.name);
-    text += tables_text(campaign, of.scenario);
+    text += tables_text(campaign, of.scenario, base_name);
     text += fmt::format("\n[[case]]\nname = {}\n", text_literal(std::string(base_name)));
-    for (const Variation& one : variations_of(of.scenario)) {
-        text += fmt::format("\n[[case]]  # {}\nname = {}\n", one.why, text_literal(one.name));
-        for (const auto& [key, value] : one.sets) text += fmt::format("{} = {}\n", key, value);
-    }
-    return text;
+    return text + cases_text(variations_of(of.scenario));
+}
+
+std::string study_text(const Campaign& campaign, const Case& of, const std::vector<Variation>& cases) {
+    return tables_text(campaign, of.scenario, "") + cases_text(cases);
 }
 
 }  // namespace floes

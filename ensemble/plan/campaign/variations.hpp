@@ -24,4 +24,7 @@ std::vector<Variation> variations_of(const Scenario& scenario);
 /// variation.
 std::string variations_text(const Campaign& campaign, const Case& of);
 
+/// The case with other values, as a configuration: the keys that differ from their defaults, and `cases`.
+std::string study_text(const Campaign& campaign, const Case& of, const std::vector<Variation>& cases);
+
 }  // namespace floes

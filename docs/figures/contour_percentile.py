@@ -1,0 +1,72 @@
+#!/usr/bin/python3
+"""The table of docs/year.md: which quantile of the largest load of a state, on the contour of a probability, is the load
+that years exceed with that probability. Loads and their variability are given by formula, so both are known.
+
+Usage: contour_percentile.py ICE [FLOES] [--write]
+
+ICE is what floes contour reads; --write puts the table on the page.
+"""
+import json
+import pathlib
+import subprocess
+import sys
+
+import numpy as np
+from scipy.optimize import brentq
+from scipy.stats import norm
+
+from page_blocks import fill_or_check
+from validation_tables import table
+
+PAGE = pathlib.Path(__file__).resolve().parents[1] / "year.md"
+GROWTH = {"thickness": (1, 0), "thickness^2": (2, 0), "thickness^1.5 · speed^0.5": (1.5, 0.5)}
+VARIABILITY = {"6 %": 0.06, "14 %": 0.14, "30 %": 0.30}  # scale of Gumbel's distribution over its location
+
+
+def value(law, score, given):
+    first, second = ((lambda p: p["a"] + (p["b"] * given ** p["c"] if p["b"] else 0))(law[name])
+                     for name in ("first", "second"))
+    if law["distribution"] == "weibull":
+        return first * (-norm.logsf(score)) ** (1 / second)
+    if law["distribution"] == "lognormal":
+        return first * np.exp(second * score)
+    if law["distribution"] == "exponential":
+        return first * -norm.logsf(score)
+    return first + second * score
+
+
+def main(arguments):
+    write = "--write" in arguments
+    ice, *program = [one for one in arguments if one != "--write"]
+    command = [*(program or ["./floes"]), "contour", ice, "--points", "360", "--format", "json"]
+    told = json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout)
+    one, other = told["inputs"]
+    scores = np.linspace(-8, 8, 801)
+    weights = norm.pdf(scores)
+    weights /= weights.sum()
+    x = value(one, scores, 0.0)[:, None]
+    y = value(other, scores[None, :], x)
+    both = weights[:, None] * weights[None, :]
+    rows = []
+    for name, (power, speed) in GROWTH.items():
+        for words, spread in VARIABILITY.items():
+            cells = []
+            for level in sorted({point["per_year"] for point in told["contours"]}, reverse=True):
+                own = [point for point in told["contours"] if point["per_year"] == level]
+                beyond = norm.sf(own[0]["radius"])  # of one state, of the year's load as of the contour
+                location = x ** power * y ** speed
+                below = lambda load: np.sum(both * np.exp(-np.exp(-(load / location - 1) / spread)))
+                top = 20 * location[scores < 7][-1].max()
+                load = brentq(lambda load: 1 - below(load) - beyond, 1e-6 * top, top, xtol=1e-12 * top)
+                keys = [law["key"] for law in told["inputs"]]
+                largest = max(point[keys[0]] ** power * point[keys[1]] ** speed for point in own)
+                cells.append(f"{100 * np.exp(-np.exp(-(load / largest - 1) / spread)):.0f} %")
+            rows.append([name, words, *cells])
+    text = table(["load grows with", "variability", "quantile for 10^-2", "quantile for 10^-4"], rows)
+    print(text)
+    if write:
+        fill_or_check({PAGE: {"percentile": lambda: text}}, False, "docs/figures/contour_percentile.py")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
