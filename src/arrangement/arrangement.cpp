@@ -15,6 +15,7 @@
 #include "arrangement/starts.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
+#include "scenario/sizes.hpp"
 
 namespace floes {
 
@@ -27,7 +28,19 @@ std::vector<PlanarPose> lattice_for(const Scenario& scenario, Shapes shapes) {
                          static_cast<int>(shapes.size()));
 }
 
+/// Floes of mixed sizes begin where they were scattered: dense ones fit on no lattice of cells for the largest.
+std::vector<PlanarPose> monte_carlo_of_mixed(const Scenario& scenario, Shapes shapes, RandomStream random) {
+    const ArrangementRule& rule = scenario.arrangement;
+    const Walls walls = field_walls(scenario);
+    HardRectangles floes(walls.shrunk(rule.clearance), shapes, rule.clearance,
+                         scattered(walls, shapes, rule.clearance, random));
+    const Step step = tune(floes, random);
+    for (int i = 0; i < rule.sweeps; ++i) floes.sweep(step, random);
+    return floes.poses();
+}
+
 std::vector<PlanarPose> monte_carlo(const Scenario& scenario, Shapes shapes, RandomStream random) {
+    if (scenario.sizes.law != SizeLaw::one) return monte_carlo_of_mixed(scenario, shapes, random);
     const ArrangementRule& rule = scenario.arrangement;
     const Walls walls = field_walls(scenario);
     const auto begin_at = [&](const std::vector<PlanarPose>& poses) {
@@ -61,10 +74,12 @@ std::vector<PlanarPose> scattered_and_ordered(const Scenario& scenario, Shapes s
     if (rule.ordering_sweeps == 0) return poses;
     RandomStream ordering(seed, number, StreamId::ordering, geometry);
     const Walls room = walls.shrunk(rule.clearance);
-    // The step of method monte_carlo, which is tuned on the lattice.
-    HardRectangles lattice(room, shapes, rule.clearance, lattice_for(scenario, shapes));
-    const Step step = tune(lattice, ordering);
     HardRectangles floes(room, shapes, rule.clearance, poses);
+    // The step of method monte_carlo, which is tuned on the lattice; of mixed sizes, where they are.
+    HardRectangles tuned = scenario.sizes.law != SizeLaw::one
+                               ? floes
+                               : HardRectangles(room, shapes, rule.clearance, lattice_for(scenario, shapes));
+    const Step step = tune(tuned, ordering);
     for (int i = 0; i < rule.ordering_sweeps; ++i) floes.sweep(step, ordering);
     return floes.poses();
 }
@@ -84,6 +99,14 @@ std::vector<PlanarPose> find_poses(const Scenario& scenario, Shapes shapes, std:
     return monte_carlo(scenario, shapes, RandomStream(seed, number, StreamId::monte_carlo, geometry));
 }
 
+/// Every floe's sides, in the order of the law.
+std::string sizes_text(const Scenario& scenario) {
+    std::string text;
+    for (const FloeShape& shape : floe_sizes(scenario))
+        text += fmt::format("size {} {}\n", shape.length, shape.breadth);
+    return text;
+}
+
 }  // namespace
 
 std::uint64_t geometry_key(const Scenario& scenario) {
@@ -99,6 +122,7 @@ std::uint64_t geometry_key(const Scenario& scenario) {
     if (!rule.columns.empty()) text += fmt::format("columns {}\n", rule.columns);
     for (const std::vector<double>& values : rule.values)
         if (!values.empty()) text += fmt::format("values {}\n", fmt::join(values, " "));
+    if (scenario.sizes.law != SizeLaw::one) text += sizes_text(scenario);
     for (const PlanarPose& pose : rule.poses) text += fmt::format("pose {} {} {}\n", pose.x, pose.z, pose.yaw);
     return digest64(text);
 }

@@ -54,6 +54,10 @@ Vec2 pressed_point(const TurnedRectangle& pressed, const TurnedRectangle& other,
     return deepest - (low_depth * low + high_depth * high) / (low_depth + high_depth) * tangent;
 }
 
+double area(const Rectangle& shape) {
+    return shape.half_length * shape.half_breadth;
+}
+
 template <class Body>
 void shift(Body& body, const Vec2& arm, const Vec2& normal, double push) {
     body.place += push * normal;
@@ -73,7 +77,10 @@ Crowd::Crowd(const Walls& walls, std::span<const Rectangle> shapes, std::span<co
     : walls_(walls), diagonal_(2 * widest_reach(shapes)), skin_(0.25 * widest_reach(shapes)) {
     for (std::size_t i = 0; i < poses.size(); ++i) {
         const double reach = shapes[i].half_diagonal();
-        bodies_.push_back({.shape = shapes[i], .turn_weight = turning / (reach * reach), .turn = {}});
+        bodies_.push_back({.shape = shapes[i],
+                           .weight = area(shapes.front()) / area(shapes[i]),
+                           .turn_weight = turning / (reach * reach),
+                           .turn = {}});
         bodies_.back().lie(poses[i]);
     }
     find_neighbours();
@@ -90,11 +97,12 @@ double Crowd::sweep() {
         Body& other = bodies_[second];
         const double by_one = lever(met->arm_first, met->normal);
         const double by_other = lever(met->arm_second, met->normal);
-        // By a ratio of weights, which is exactly 1 where floes are alike.
-        const double turned = by_one * by_one + by_other * by_other * (other.turn_weight / one.turn_weight);
-        const double push = over_relaxation * met->depth / (2 + one.turn_weight * turned);
+        // By ratios of weights, which are exactly 1 where floes are alike.
+        const double ratio = other.weight / one.weight;
+        const double turned = by_one * by_one + by_other * by_other * ratio * (other.turn_weight / one.turn_weight);
+        const double push = over_relaxation * met->depth / (1 + ratio + one.turn_weight * turned);
         shift(one, met->arm_first, met->normal, -push);
-        shift(other, met->arm_second, met->normal, push);
+        shift(other, met->arm_second, met->normal, ratio * push);
     }
     for (Body& body : bodies_) {
         for (const Vec2& normal : wall_normals) {
@@ -133,6 +141,19 @@ double Crowd::deepest() const {
     double deepest = 0;
     for_each_overlap([&](std::size_t, double depth) { deepest = std::max(deepest, depth); });
     return deepest;
+}
+
+double Crowd::overlap_at(std::size_t rectangle, const PlanarPose& pose) const {
+    Body there = bodies_[rectangle];
+    there.lie(pose);
+    double sum = 0;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        if (i == rectangle) continue;
+        if (const auto met = contact(there, bodies_[i])) sum += met->depth;
+    }
+    for (const Vec2& normal : wall_normals)
+        if (const auto met = contact(there, normal)) sum += met->depth;
+    return sum;
 }
 
 void Crowd::put(std::size_t rectangle, const PlanarPose& pose) {
@@ -197,8 +218,10 @@ void Crowd::find_neighbours() {
     pairs_.clear();
     for (const Body& body : bodies_) {
         const std::size_t number = places_.size();
+        const double own = body.shape.half_diagonal();
         cells.for_each_near(body.place.x(), body.place.y(), [&](const Resident& other) {
-            if ((body.place - Vec2(other.x, other.z)).squaredNorm() < reach * reach)
+            const double both = own + bodies_[static_cast<std::size_t>(other.floe)].shape.half_diagonal() + skin_;
+            if ((body.place - Vec2(other.x, other.z)).squaredNorm() < both * both)
                 pairs_.emplace_back(static_cast<std::size_t>(other.floe), number);
         });
         cells.insert({body.place.x(), body.place.y(), body.turn, static_cast<int>(number)});

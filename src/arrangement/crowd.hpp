@@ -36,6 +36,9 @@ class Crowd {
     /// Sum of the overlaps of each rectangle, m. As valid as deepest().
     std::vector<double> overlaps() const;
 
+    /// Sum of the overlaps that a rectangle would have with the others at a pose, m.
+    double overlap_at(std::size_t rectangle, const PlanarPose& pose) const;
+
     void put(std::size_t rectangle, const PlanarPose& pose);
 
     /// Where they lie. Yaw in [-pi, pi].
@@ -44,6 +47,7 @@ class Crowd {
   private:
     struct Body {
         Rectangle shape;
+        double weight = 1;       // how readily it moves: the first one's area over its own
         double turn_weight = 0;  // turn (rad) that counts as much as a shift of 1 m, squared
         double yaw = 0;
         Turn turn;

@@ -19,6 +19,7 @@ struct Rectangle {
 
     /// The same with every side moved outward by margin (m).
     Rectangle grown(double margin) const { return {half_length + margin, half_breadth + margin}; }
+    friend bool operator==(const Rectangle&, const Rectangle&) = default;
     double half_diagonal() const { return std::sqrt(half_length * half_length + half_breadth * half_breadth); }
 };
 

@@ -19,6 +19,11 @@ constexpr int attempts = 10;
 constexpr int rounds = 20;  // more would order the field, because they redraw the floes that do not fit
 constexpr int sweeps_per_round = 1000;
 constexpr std::size_t floes_per_redraw = 250;
+// Of mixed sizes
+constexpr int pocket_rounds = 150;
+constexpr int pocket_sweeps = 200;
+constexpr std::size_t pocket_choice = 8;  // the smallest of every eighth floe
+constexpr int pocket_throws = 200;
 
 /// Its middle anywhere in the field, at any angle. Where it crosses a wall it will be pushed in: to throw again instead
 /// would leave less ice at the walls and more in the middle than elsewhere.
@@ -38,6 +43,41 @@ std::vector<std::size_t> most_pressed(const Crowd& crowd) {
     std::ranges::stable_sort(floes, std::ranges::greater(), [&](std::size_t floe) { return overlaps[floe]; });
     floes.resize(1 + (floes.size() - 1) / floes_per_redraw);
     return floes;
+}
+
+/// Of mixed sizes the smallest of the floes that overlap most, where it overlaps least among many throws: a pocket that
+/// a small floe fills loosens the rest, and large floes stay as they were thrown.
+void fill_a_pocket(Crowd& crowd, std::span<const Rectangle> shapes, const Walls& walls, RandomStream& random) {
+    const std::vector<double> overlaps = crowd.overlaps();
+    std::vector<std::size_t> floes(overlaps.size());
+    std::iota(floes.begin(), floes.end(), std::size_t{0});
+    std::ranges::stable_sort(floes, std::ranges::greater(), [&](std::size_t floe) { return overlaps[floe]; });
+    floes.resize(1 + (floes.size() - 1) / pocket_choice);
+    const std::size_t floe =
+        *std::ranges::min_element(floes, {}, [&](std::size_t i) { return shapes[i].half_diagonal(); });
+    PlanarPose best = throw_anywhere(walls, random);
+    double least = crowd.overlap_at(floe, best);
+    for (int i = 1; i < pocket_throws; ++i) {
+        const PlanarPose pose = throw_anywhere(walls, random);
+        const double overlap = crowd.overlap_at(floe, pose);
+        if (overlap >= least) continue;
+        best = pose;
+        least = overlap;
+    }
+    crowd.put(floe, best);
+}
+
+std::optional<std::vector<PlanarPose>> attempt_mixed(const Walls& room, std::span<const Rectangle> shapes,
+                                                     double margin, RandomStream& random) {
+    std::vector<PlanarPose> poses;
+    for (std::size_t i = 0; i < shapes.size(); ++i) poses.push_back(throw_anywhere(room, random));
+    Crowd crowd(room, shapes, poses);
+    for (int round = 0; round < pocket_rounds; ++round) {
+        for (int sweep = 0; sweep < pocket_sweeps; ++sweep)
+            if (crowd.sweep() < margin && crowd.deepest() < margin) return crowd.poses();
+        fill_a_pocket(crowd, shapes, room, random);
+    }
+    return {};
 }
 
 std::optional<std::vector<PlanarPose>> attempt(const Walls& room, std::span<const Rectangle> shapes, double margin,
@@ -64,8 +104,9 @@ std::vector<PlanarPose> scattered(const Walls& walls, std::span<const Rectangle>
     const Walls room = walls.shrunk(0.5 * clearance);
     std::vector<Rectangle> grown;
     for (const Rectangle& shape : shapes) grown.push_back(shape.grown(0.5 * clearance).grown(margin));
+    const bool mixed = std::ranges::any_of(shapes, [&](const Rectangle& one) { return one != shapes.front(); });
     for (int i = 0; i < attempts; ++i)
-        if (const auto poses = attempt(room, grown, margin, random)) return *poses;
+        if (const auto poses = (mixed ? attempt_mixed : attempt)(room, grown, margin, random)) return *poses;
     const Rectangle largest = covering(shapes);
     throw InputError(fmt::format(
         "{} floes of {} m x {} m, scattered in a field of {:.3f} m x {:.3f} m, still overlap after {} attempts at "

@@ -23,6 +23,13 @@ enum class StreamId : std::uint32_t {
     sobol_shift = 6,      ///< the random digital shift of a design's Sobol sequence
     scattering = 7,       ///< first poses of scattered floes, and those of floes that are thrown again
     ordering = 8,         ///< trial moves of the Monte Carlo that orders scattered floes
+    floe_sizes = 9,       ///< which floe has which size, where they differ
+    ice_thickness = 10,   ///< factors of single floes, here and below
+    ice_strength = 11,
+    ice_modulus = 12,
+    ice_density = 13,
+    ice_salinity = 14,
+    ice_temperature = 15,
 };
 
 using PhiloxCounter = std::array<std::uint32_t, 4>;

@@ -26,7 +26,7 @@ inline constexpr std::array floe_properties{
     FloeProperty{"shear_strength", [](const FloeShape&, const Material& of) { return of.ice.shear_strength; }},
 };
 
-/// A row for each floe, in the order of the list; nothing where all floes are alike.
+/// A row for each floe, in the order of the list.
 std::vector<double> properties_of(const FloeSet& floes);
 
 }  // namespace floes

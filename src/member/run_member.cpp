@@ -91,7 +91,7 @@ MemberResult run_member(const Scenario& scenario, std::uint64_t seed, std::uint3
     const Arrangement floes = make_arrangement(scenario, seed, arrangement);
     MemberResult result;
     result.arrangement = floes.poses();
-    result.floe_properties = properties_of(floes);
+    if (floes_may_differ(scenario)) result.floe_properties = properties_of(floes);
     result.psi4 = floes.psi4;
     Simulation simulation(scenario, floes);
     try {

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "scenario/floes.hpp"
 #include "scenario/keys.hpp"
+#include "scenario/sizes.hpp"
 #include "scenario/validate.hpp"
 
 namespace floes {
@@ -51,8 +53,9 @@ void check_sides(const Scenario& scenario, Contradictions& found) {
 }
 
 void check_elements(const Scenario& scenario, Contradictions& found) {
+    if (scenario.sizes.law != SizeLaw::one) return;  // check_sizes() has looked at those
     check_sides(scenario, found);
-    if (floes_may_differ(scenario)) return;  // check_given_floes() counts those
+    if (!scenario.arrangement.columns.empty()) return;  // check_given_floes() counts those
     check_element_count(scenario, scenario.floe.elements() * scenario.field.floes, found);
 }
 
@@ -90,7 +93,11 @@ void check_floating(const Scenario& scenario, Contradictions& found) {
 void check_proportions(const Scenario& scenario, Contradictions& found) {
     constexpr double largest_strain = 0.1;        // at failure; ice breaks at some 1e-4, model ice at some 1e-3
     constexpr double least_concentration = 0.01;  // less is a fraction that was meant as a percentage
-    const double side = std::min(scenario.floe.length, scenario.floe.breadth);
+    double side = std::min(scenario.floe.length, scenario.floe.breadth);
+    if (scenario.sizes.law != SizeLaw::one) {
+        side = std::numeric_limits<double>::infinity();
+        for (const FloeShape& shape : floe_sizes(scenario)) side = std::min({side, shape.length, shape.breadth});
+    }
     if (scenario.floe.thickness > side) {
         found.push_back({{"ice.thickness_m", "floe.length_m", "floe.breadth_m"},
                          fmt::format("{} is more than the floe's side of {:g} m, so that it would lie on its edge; a "

@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "scenario/floes.hpp"
 #include "scenario/keys.hpp"
+#include "scenario/sizes.hpp"
 #include "scenario/validate.hpp"
 
 namespace floes {
@@ -117,8 +118,17 @@ void check_lattice(const Scenario& scenario, Contradictions& found) {
     const auto fitting = [&](double room, double side) {
         return std::max(0.0, std::floor((room - clearance) / (side + clearance) + rounding));
     };
-    const double rows = fitting(2 * scenario.field.half_width, scenario.floe.breadth);
-    const double columns = fitting(scenario.field_length(), scenario.floe.length);
+    FloeShape cell = scenario.floe;
+    if (scenario.sizes.law != SizeLaw::one) {
+        if (scenario.arrangement.method != ArrangementMethod::lattice) return;  // such floes need no lattice
+        cell.length = cell.breadth = 0;
+        for (const FloeShape& shape : floe_sizes(scenario)) {
+            cell.length = std::max(cell.length, shape.length);
+            cell.breadth = std::max(cell.breadth, shape.breadth);
+        }
+    }
+    const double rows = fitting(2 * scenario.field.half_width, cell.breadth);
+    const double columns = fitting(scenario.field_length(), cell.length);
     if (rows * columns >= scenario.field.floes) return;
     found.push_back(
         {{"field.concentration_percent", "arrangement.clearance_m", "field.half_width_m", "field.floes",

@@ -9,6 +9,9 @@
 #include <variant>
 
 #include "core/error.hpp"
+#include "core/random.hpp"
+#include "scenario/ice_draws.hpp"
+#include "scenario/sizes.hpp"
 #include "scenario/tables.hpp"
 
 namespace floes {
@@ -69,11 +72,15 @@ FloeSet floes_at(const Scenario& scenario, std::span<const PlanarPose> poses) {
     return set;
 }
 
-FloeSet floes_of(const Scenario& scenario, const Draw&) {
+namespace {
+
+std::vector<SingleFloe> given_floes(const Scenario& scenario) {
     const ArrangementRule& rule = scenario.arrangement;
-    if (rule.method != ArrangementMethod::file)
-        return floes_at(scenario, std::vector<PlanarPose>(static_cast<std::size_t>(scenario.field.floes)));
-    if (rule.columns.empty()) return floes_at(scenario, rule.poses);
+    std::vector<SingleFloe> given;
+    if (rule.columns.empty()) {
+        for (const PlanarPose& pose : rule.poses) given.push_back({pose, scenario.floe, scenario.material()});
+        return given;
+    }
     FloeShape shape;
     Material material;
     Keys keys;
@@ -81,7 +88,6 @@ FloeSet floes_of(const Scenario& scenario, const Draw&) {
     add_ice(keys, shape, material.ice, material.joint);
     add_joint(keys, material.joint);
     const std::vector<const Key*> columns = named_keys(keys, rule.columns);
-    std::vector<SingleFloe> given;
     for (std::size_t floe = 0; floe < rule.poses.size(); ++floe) {
         const std::vector<double>& values = rule.values.at(floe);
         if (values.size() != columns.size())
@@ -98,11 +104,39 @@ FloeSet floes_of(const Scenario& scenario, const Draw&) {
         }
         given.push_back({rule.poses[floe], shape, material});
     }
-    return gathered(given);
+    return given;
+}
+
+/// Floes that have no places yet, of the sizes of the scenario in an order of this arrangement's own.
+std::vector<SingleFloe> sized_floes(const Scenario& scenario, const Draw& draw) {
+    std::vector<SingleFloe> sized;
+    for (const FloeShape& shape : floe_sizes(scenario)) sized.push_back({{}, shape, scenario.material()});
+    if (scenario.sizes.law == SizeLaw::one) return sized;
+    RandomStream random(draw.seed, draw.number, StreamId::floe_sizes, 0);
+    for (std::size_t left = sized.size(); left > 1; --left)
+        std::swap(sized[left - 1].shape, sized[random.below(static_cast<std::uint32_t>(left))].shape);
+    return sized;
+}
+
+}  // namespace
+
+FloeSet floes_of(const Scenario& scenario, const Draw& draw) {
+    const ArrangementRule& rule = scenario.arrangement;
+    const bool given = rule.method == ArrangementMethod::file;
+    if (!floes_may_differ(scenario))
+        return floes_at(scenario,
+                        given ? rule.poses : std::vector<PlanarPose>(static_cast<std::size_t>(scenario.field.floes)));
+    std::vector<SingleFloe> floes = given ? given_floes(scenario) : sized_floes(scenario, draw);
+    draw_ice(scenario, draw, floes);
+    return gathered(floes);
 }
 
 bool floes_may_differ(const Scenario& scenario) {
-    return !scenario.arrangement.columns.empty();
+    return sizes_may_differ(scenario) || scenario.spread.any() || scenario.brine.salinity > 0;
+}
+
+bool sizes_may_differ(const Scenario& scenario) {
+    return !scenario.arrangement.columns.empty() || scenario.sizes.law != SizeLaw::one;
 }
 
 double covered_area(const FloeSet& floes) {

@@ -43,7 +43,7 @@ FloeSet gathered(std::span<const SingleFloe> floes);
 /// A floe of the scenario's own shape and material at each pose.
 FloeSet floes_at(const Scenario& scenario, std::span<const PlanarPose> poses);
 
-/// Which of a campaign's arrangements: what a law that draws floes would draw them by.
+/// Which of a campaign's arrangements: what laws draw floes by.
 struct Draw {
     std::uint64_t seed = 0;    ///< of the campaign
     std::uint32_t number = 0;  ///< of the arrangement
@@ -53,8 +53,11 @@ struct Draw {
 /// the column or the floe at fault if the values of single floes are not those of arrangement.columns.
 FloeSet floes_of(const Scenario& scenario, const Draw& draw = {});
 
-/// Whether floes of the scenario can differ from each other.
+/// Whether floes of the scenario can differ from each other or from [floe] and [ice].
 bool floes_may_differ(const Scenario& scenario);
+
+/// Whether their sizes can.
+bool sizes_may_differ(const Scenario& scenario);
 
 /// Of all floes, m².
 double covered_area(const FloeSet& floes);

@@ -40,10 +40,13 @@ KeyPairs effective_keys(Scenario& there, Scenario& here) {
 
 Keys describe(Scenario& scenario) {
     Keys keys;
-    keys.reserve(110);
+    keys.reserve(160);
     add_general(keys, scenario.general);
     add_ice(keys, scenario.floe, scenario.ice, scenario.joint);
     add_floe(keys, scenario.floe);
+    add_sizes(keys, scenario.sizes);
+    add_spread(keys, scenario.spread);
+    add_brine(keys, scenario.brine);
     add_joint(keys, scenario.joint);
     add_field(keys, scenario.field);
     add_arrangement(keys, scenario.arrangement);
@@ -61,6 +64,10 @@ TableTitles scenario_titles() {
         {"general", "Time stepping and the constraint solver."},
         {"ice", "Material properties of the ice."},
         {"floe", "One floe: a sheet of square elements joined at the middle of their edges."},
+        {"sizes", "Sizes of floes that differ."},
+        {"spread",
+         "Properties that differ from floe to floe: each a law of the factor on what [ice] or [brine] says."},
+        {"brine", "Where bending strength and modulus come from, if not from [ice]."},
         {"joint",
          "The joints between elements. Eqs. (4)-(5) as printed in the paper do not give the stiffness that Bullet "
          "derives from these numbers. In Bullet K = erp / (time_step² cfm A) for each row of a joint, where A is the "

@@ -8,6 +8,7 @@
 
 #include "core/vector.hpp"
 #include "scenario/contact_preset.hpp"
+#include "scenario/variety.hpp"
 #include "solver/solver_kind.hpp"
 #include "structure/shape.hpp"
 
@@ -191,6 +192,9 @@ struct Scenario {
     Water water;
     Wind wind;
     Analysis analysis;
+    Sizes sizes;
+    IceSpread spread;
+    Brine brine;
 
     double field_length() const;                                 ///< m: covered area / (concentration * 2 half_width)
     double field_end() const;                                    ///< x of the field's far edge, m

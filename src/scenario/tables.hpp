@@ -17,6 +17,9 @@ void add_contact(Keys& keys, ContactLaw& contact);
 void add_water(Keys& keys, Water& water);
 void add_wind(Keys& keys, Wind& wind);
 void add_analysis(Keys& keys, Analysis& analysis);
+void add_sizes(Keys& keys, Sizes& sizes);
+void add_spread(Keys& keys, IceSpread& spread);
+void add_brine(Keys& keys, Brine& brine);
 void add_paper(Keys& keys, Scenario& scenario);
 
 }  // namespace floes

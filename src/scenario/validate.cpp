@@ -6,6 +6,9 @@ namespace floes {
 
 std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
     Contradictions found;
+    check_sizes(scenario, found);
+    check_spread(scenario, found);
+    if (!found.empty()) return found;  // the checks below take floes from these laws
     check_elements(scenario, found);
     check_floating(scenario, found);
     check_proportions(scenario, found);

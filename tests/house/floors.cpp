@@ -22,6 +22,7 @@ const std::vector<Room>& rooms() {
         {1, "keys", "toml++", "src"},
         {1, "solver", "Eigen", "src"},
         {1, "structure", "", "src"},
+        {1, "laws", "Boost", "src"},
         {2, "scenario", "", "src"},
         {2, "collision", "", "src"},
         {3, "arrangement", "", "src"},

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "campaign/name_list.hpp"
 #include "core/units.hpp"
 #include "scenario/keys.hpp"
+#include "scenario/sizes.hpp"
 #include "theory/plate.hpp"
 
 namespace floes {
@@ -15,24 +17,41 @@ namespace {
 /// What is odd about a case, as a sentence without its end; empty where nothing is.
 using Oddity = std::string (*)(const Case& one);
 
+double largest_element(const Scenario& scenario) {
+    if (scenario.sizes.law == SizeLaw::one) return scenario.floe.element;
+    return std::ranges::max(floe_sizes(scenario), {}, &FloeShape::element).element;
+}
+
+double least_element(const Scenario& scenario) {
+    if (scenario.sizes.law == SizeLaw::one) return scenario.floe.element;
+    return std::ranges::min(floe_sizes(scenario), {}, &FloeShape::element).element;
+}
+
+std::string element_words(const Scenario& scenario, double element) {
+    const bool own = scenario.sizes.law != SizeLaw::one && scenario.sizes.element != ElementSide::given;
+    return own ? fmt::format("an element of {:.4g} m", element) : given(scenario, "floe.element_m");
+}
+
 std::string large_elements(const Case& one) {
     const Scenario& scenario = one.scenario;
     const FloatingPlate plate{.thickness = scenario.floe.thickness,
                               .water_density = scenario.water.density,
                               .gravity = scenario.general.gravity};
     const double length = plate.characteristic_length(scenario.ice.elastic_modulus);
-    if (one.pairing == Pairing::find_modulus || scenario.floe.element < length) return {};
+    const double element = largest_element(scenario);
+    if (one.pairing == Pairing::find_modulus || element < length) return {};
     return fmt::format(
         "{} is not below {:.3g} m, the characteristic length of ice of {:g} MPa; such elements are too large to show "
         "where the ice would bend and break",
-        given(scenario, "floe.element_m"), length, scenario.ice.elastic_modulus / unit::megapascal);
+        element_words(scenario, element), length, scenario.ice.elastic_modulus / unit::megapascal);
 }
 
 std::string thick_elements(const Case& one) {
     const Scenario& scenario = one.scenario;
-    if (scenario.floe.thickness <= scenario.floe.element) return {};
+    const double element = least_element(scenario);
+    if (scenario.floe.thickness <= element) return {};
     return fmt::format("{} is more than {}; elements that are thicker than wide do not bend as a plate does",
-                       given(scenario, "ice.thickness_m"), given(scenario, "floe.element_m"));
+                       given(scenario, "ice.thickness_m"), element_words(scenario, element));
 }
 
 std::string little_ice(const Case& one) {

@@ -19,7 +19,7 @@ namespace {
 FloeSet read_floes(hid_t file, const Scenario& scenario, const Draw& draw, const std::vector<std::int32_t>& floe) {
     FloeSet floes = floes_of(scenario, draw);
     const std::size_t count = floe.empty() || floe.back() < 0 ? 0 : static_cast<std::size_t>(floe.back()) + 1;
-    if (floes.alike() && count <= floe.size()) floes = floes_at(scenario, std::vector<PlanarPose>(count));
+    if (!floes_may_differ(scenario) && count <= floe.size()) floes = floes_at(scenario, std::vector<PlanarPose>(count));
     const IceLayout layout(floes);
     if (!std::ranges::equal(floe, layout.elements, {}, {}, &IceLayout::LaidElement::floe))
         hdf5::refuse_damaged(file, "ice/floe has other elements than the floes of its configuration");

@@ -1,0 +1,116 @@
+#include "campaign/floe_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/units.hpp"
+#include "core/wording.hpp"
+#include "scenario/floes.hpp"
+#include "scenario/sizes.hpp"
+
+namespace floes {
+namespace {
+
+double area_of(const FloeShape& shape) {
+    return shape.length * shape.breadth;
+}
+
+double diameter_of(const FloeShape& shape) {
+    return std::sqrt(area_of(shape));
+}
+
+std::string between(double low, double high) {
+    return high - low < 1e-9 * high ? fmt::format("{:.4g}", low) : fmt::format("{:.4g} to {:.4g}", low, high);
+}
+
+/// "0.6 m x 0.6 m: 40 % of the floes, 31 % of the area" for each entry of a list.
+std::string list_words(const Scenario& scenario, const std::vector<FloeShape>& shapes, double area) {
+    std::string words;
+    std::size_t first = 0;
+    for (const int count : listed_counts(scenario)) {
+        if (count == 0) continue;
+        const FloeShape& shape = shapes[first];
+        first += static_cast<std::size_t>(count);
+        words += fmt::format("; {:.4g} m x {:.4g} m: {:.3g} % of the floes, {:.3g} % of the area", shape.length,
+                             shape.breadth, 100.0 * count / static_cast<double>(shapes.size()),
+                             100 * count * area_of(shape) / area);
+    }
+    return words;
+}
+
+std::string size_words(const Scenario& scenario) {
+    std::vector<FloeShape> shapes = floe_sizes(scenario);
+    double area = 0;
+    double diameters = 0;
+    double elements = 0;
+    for (const FloeShape& shape : shapes) {
+        area += area_of(shape);
+        diameters += diameter_of(shape);
+        elements += shape.elements();
+    }
+    const std::string list = scenario.sizes.law == SizeLaw::list ? list_words(scenario, shapes, area) : "";
+    std::ranges::sort(shapes, {}, diameter_of);
+    double below = 0;
+    auto half = shapes.begin();
+    while (below + area_of(*half) < 0.5 * area) below += area_of(*half++);
+    const auto [least, most] = std::ranges::minmax(shapes, {}, &FloeShape::element);
+    return fmt::format(
+        "{}, sides of their squares {} m, mean {:.4g} m, half of the area in floes of {:.4g} m and more{}; {:.0f} "
+        "elements of {} m; the field is {:.4g} m long",
+        counted(std::ssize(shapes), "floe"), between(diameter_of(shapes.front()), diameter_of(shapes.back())),
+        diameters / static_cast<double>(shapes.size()), diameter_of(*half), list, elements,
+        between(least.element, most.element), scenario.field_length());
+}
+
+using Of = double (*)(const FloeShape&, const Material&);
+
+/// "thickness 0.0331 m (SD 0.006)", with what is the same for all floes left out.
+std::string property_words(const FloeSet& floes, const char* name, const char* unit, double scale, Of of) {
+    double sum = 0;
+    double squares = 0;
+    for (std::size_t i = 0; i < floes.size(); ++i) sum += of(floes.shape(i), floes.material(i)) / scale;
+    const double mean = sum / static_cast<double>(floes.size());
+    for (std::size_t i = 0; i < floes.size(); ++i)
+        squares += std::pow(of(floes.shape(i), floes.material(i)) / scale - mean, 2);
+    const double sd = std::sqrt(squares / static_cast<double>(floes.size()));
+    return sd < 1e-9 * mean ? "" : fmt::format(", {} {:.4g} {} (SD {:.2g})", name, mean, unit, sd);
+}
+
+std::string ice_words(const Scenario& scenario, std::uint64_t seed) {
+    const FloeSet floes = floes_of(scenario, {seed, 0});
+    std::string words =
+        property_words(floes, "thickness", "m", unit::one, [](auto& shape, auto&) { return shape.thickness; }) +
+        property_words(floes, "bending strength", "kPa", unit::kilopascal,
+                       [](auto&, auto& of) { return of.ice.bending_strength; }) +
+        property_words(floes, "modulus", "MPa", unit::megapascal,
+                       [](auto&, auto& of) { return of.ice.elastic_modulus; }) +
+        property_words(floes, "density", "kg/m³", unit::one, [](auto&, auto& of) { return of.ice.density; });
+    if (words.empty()) {
+        const Ice& ice = floes.material(0).ice;
+        return fmt::format("all floes have {:.4g} kPa in bending and {:.4g} MPa",
+                           ice.bending_strength / unit::kilopascal, ice.elastic_modulus / unit::megapascal);
+    }
+    return "in arrangement 0 the floes have on average" + words.substr(1);
+}
+
+}  // namespace
+
+std::vector<std::string> floe_words(const Campaign& campaign) {
+    std::vector<std::string> sentences;
+    std::set<std::string> said;
+    for (std::size_t k = 0; k < campaign.cases.size(); ++k) {
+        const Scenario& scenario = campaign.cases[k].scenario;
+        std::string words;
+        if (scenario.sizes.law != SizeLaw::one) words = size_words(scenario);
+        if (scenario.spread.any() || scenario.brine.salinity > 0)
+            words += (words.empty() ? "" : "; ") + ice_words(scenario, arrangement_seed(campaign, static_cast<int>(k)));
+        if (words.empty() || !said.insert(words).second) continue;
+        sentences.push_back(fmt::format("case {}: {}.", campaign.cases[k].name, words));
+    }
+    return sentences;
+}
+
+}  // namespace floes
