@@ -5,7 +5,8 @@ Usage:
     fracture.py                   writes the tables from docs/fracture/*.csv
     fracture.py --check           writes nothing; fails if a table differs from the data
     fracture.py --grid            first solves the grid of beams at rest on water, a minute; its own lines, not those of floes
-    fracture.py --collect FOLDER  first takes the members of the campaign fracture_tank.h5 in FOLDER
+    fracture.py --collect FOLDER  first takes the members of fracture_tank.h5 and the failed joints of wide_floe.h5, campaigns
+                                  in FOLDER
 """
 import math
 import pathlib
@@ -212,6 +213,66 @@ def tank_table():
     return table(heading, lines)
 
 
+# -- the wide floe
+
+WIDE = {"side": 0.15, "elements": 28, "shown_until": 9.0}  # configs/validation/wide_floe.toml
+
+
+def joints_of(elements):
+    """Middle (x, z) of each joint from the floe's centre in sides, and whether it is along x, in the order of
+    src/ice/floe_grid.hpp."""
+    found = []
+    for k in range(elements):
+        for i in range(elements):
+            for along in (0, 1):
+                if (i, k)[along] + 1 < elements:
+                    doubled = (2 * i - (elements - 1) + (along == 0), 2 * k - (elements - 1) + (along == 1))
+                    found.append((max(map(abs, doubled)), doubled, along))
+    found.sort(key=lambda one: one[0])
+    return [((x / 2, z / 2), along) for _, (x, z), along in found]
+
+
+def wide_floe(path):
+    import h5py
+
+    with h5py.File(path) as file:
+        return pd.DataFrame({"case": np.array(["stress", "moment"])[file["breaks/member"][:]], "time_s": file["breaks/time"][:],
+                             "joint": file["breaks/joint"][:]}).round(2)
+
+
+def draw(path):
+    """The failed joints of the wide floe as cracks, in the colours of their time."""
+    import matplotlib
+
+    matplotlib.use("svg")
+    matplotlib.rcParams["svg.hashsalt"] = "floes"
+    from matplotlib import pyplot
+
+    rows = data("wide_floe")
+    rows = rows[rows.time_s <= WIDE["shown_until"]]
+    joints = joints_of(WIDE["elements"])
+    figure, axes = pyplot.subplots(1, 2, figsize=(9, 2.6), sharey=True, layout="constrained")
+    colours = matplotlib.colormaps["viridis"]
+    first, last = rows.time_s.min(), WIDE["shown_until"]
+    for axis, (case, title) in zip(axes, [("moment", "by moment, Eq. (3)"), ("stress", "by stress")]):
+        for row in rows[rows.case == case].itertuples():
+            (x, z), along = joints[row.joint]
+            across = ([x, x], [z - 0.5, z + 0.5]) if along == 0 else ([x - 0.5, x + 0.5], [z, z])
+            axis.plot(np.multiply(across[1], WIDE["side"]), np.multiply(across[0], WIDE["side"]), linewidth=2,
+                      color=colours((row.time_s - first) / (last - first)))
+        half = WIDE["side"] * WIDE["elements"] / 2
+        axis.plot([-half, -half, half, half, -half], [-half, half, half, -half, -half], color="0.4", linewidth=1)
+        axis.set_aspect("equal")
+        axis.set_xlim(-1.1, 1.1)
+        axis.set_ylim(-half - 0.1, -half + 0.9)
+        axis.set_title(title, fontsize=10)
+        axis.set_xlabel("across the tow, m")
+    axes[0].set_ylabel("along the tow, m")
+    scale = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(first, last), colours)
+    figure.colorbar(scale, ax=list(axes), label="failed at, s", shrink=0.8)
+    figure.savefig(path, metadata={"Date": None})
+
+
 def tank_count():
     rows = data("fracture_tank")
     return f"{number(rows.arrangement.nunique())} arrangements."
@@ -224,6 +285,7 @@ def main():
         patches().to_csv(DATA / "patches.csv", index=False)
         first_cracks().to_csv(DATA / "first_cracks.csv", index=False)
     elif arguments[:1] == ["--collect"]:
+        wide_floe(pathlib.Path(arguments[1]) / "wide_floe.h5").to_csv(DATA / "wide_floe.csv", index=False)
         rows = collected(pathlib.Path(arguments[1]) / "fracture_tank.h5", {"way": "joint.name"}, ["split_ratio", "pieces"])
         rows["split_percent"] = (100 * rows.pop("split_ratio")).round(6)
         rows.to_csv(DATA / "fracture_tank.csv", index=False)
@@ -232,6 +294,8 @@ def main():
     fill_or_check({DOCS / "fracture.md": {"patches": patch_table, "first_cracks": crack_table, "tank": tank_table,
                                           "tank_count": tank_count}},
                   arguments == ["--check"], "fracture.py")
+    if arguments != ["--check"]:
+        draw(DATA / "wide_floe.svg")
 
 
 if __name__ == "__main__":
