@@ -15,7 +15,10 @@ class Couple {
     explicit Couple(SolverKind solver = SolverKind::direct)
         : world_({.time_step = 0.02,
                   .gravity = 0,
-                  .contact = {.friction = Friction::cone, .normal = NormalLaw::crushing, .internal_edges = false, .crushing_pressure = 1e5},
+                  .contact = {.friction = Friction::cone,
+                              .normal = NormalLaw::crushing,
+                              .crushing_pressure = 1e5,
+                              .internal_edges = false},
                   .solver = solver}) {
         for (const double x : {-0.1, 0.1}) {
             bodies_.push_back(world_.add_element(
