@@ -5,8 +5,8 @@ Usage:
     fracture.py                   writes the tables from docs/fracture/*.csv
     fracture.py --check           writes nothing; fails if a table differs from the data
     fracture.py --grid            first solves the grid of beams at rest on water, a minute; its own lines, not those of floes
-    fracture.py --collect FOLDER  first takes the members of fracture_tank.h5 and the failed joints of wide_floe.h5, campaigns
-                                  in FOLDER
+    fracture.py --collect FOLDER  first takes the members of fracture_tank.h5 and fracture_elements.h5 and the failed joints of
+                                  wide_floe.h5, campaigns in FOLDER
 """
 import math
 import pathlib
@@ -273,6 +273,27 @@ def draw(path):
     figure.savefig(path, metadata={"Date": None})
 
 
+def elements_table():
+    """Broken floes over the elements, by stress, beside those by moment of docs/ice/resolution.csv."""
+    rows = data("fracture_elements")
+    base = rows[rows.element_m == 0.2].set_index("arrangement")
+    before = pd.read_csv(DOCS / "ice" / "resolution.csv")
+    before = before[(before.iterations == 20) & (before.time_step_s == 0.02)]
+    lines = []
+    for side in sorted(rows.element_m.unique(), reverse=True):
+        own = rows[rows.element_m == side].set_index("arrangement")
+        cells = [f"{side:g}", f"{len(own)}", with_interval(own.mean_N.to_numpy())]
+        for quantity in ("broken_percent", "split_percent"):
+            cells.append(with_interval(own[quantity].to_numpy()))
+            both = own[quantity].to_frame("one").join(base[quantity].to_frame("other"), how="inner")
+            apart = (both.one - both.other).to_numpy()
+            cells.append("" if side == 0.2 else difference(apart.mean(), half_width(apart)))
+        cells.append(f"{before[before.element_m == side].broken_percent.mean():.1f}")
+        lines.append(cells)
+    return table(["elements, m", "members", "mean, N", "broken floes, %", "beside 0.2 m", "cracked through, %",
+                  "beside 0.2 m", "broken by moment, %"], lines)
+
+
 def tank_count():
     rows = data("fracture_tank")
     return f"{number(rows.arrangement.nunique())} arrangements."
@@ -286,13 +307,14 @@ def main():
         first_cracks().to_csv(DATA / "first_cracks.csv", index=False)
     elif arguments[:1] == ["--collect"]:
         wide_floe(pathlib.Path(arguments[1]) / "wide_floe.h5").to_csv(DATA / "wide_floe.csv", index=False)
-        rows = collected(pathlib.Path(arguments[1]) / "fracture_tank.h5", {"way": "joint.name"}, ["split_ratio", "pieces"])
-        rows["split_percent"] = (100 * rows.pop("split_ratio")).round(6)
-        rows.to_csv(DATA / "fracture_tank.csv", index=False)
+        for name, keys in [("fracture_tank", {"way": "joint.name"}), ("fracture_elements", {"element_m": "floe.element_m"})]:
+            rows = collected(pathlib.Path(arguments[1]) / f"{name}.h5", keys, ["split_ratio", "pieces"])
+            rows["split_percent"] = (100 * rows.pop("split_ratio")).round(6)
+            rows.to_csv(DATA / f"{name}.csv", index=False)
     elif arguments not in ([], ["--check"]):
         sys.exit(__doc__)
     fill_or_check({DOCS / "fracture.md": {"patches": patch_table, "first_cracks": crack_table, "tank": tank_table,
-                                          "tank_count": tank_count}},
+                                          "tank_count": tank_count, "elements": elements_table}},
                   arguments == ["--check"], "fracture.py")
     if arguments != ["--check"]:
         draw(DATA / "wide_floe.svg")

@@ -30,7 +30,6 @@ DATA = DOCS / "ice"
 SHEETS = {0.3: 5.1, 0.2: 5.4, 0.1: 5.3, 0.05: 5.25}  # side of the elements -> of the sheet, an odd number of them, m
 KEYS = {"element_m": "floe.element_m", "iterations": "general.iterations", "time_step_s": "general.time_step_s"}
 FAILURES = [f"failures_{mode}" for mode in ("bending", "shear", "compression")]
-CRACKED = ["split_ratio", "pieces"]  # of files of layout 1.12
 BASE = {"element_m": 0.2, "iterations": 20, "time_step_s": 0.02}
 FULL_SCALE_BREADTH = 70  # m, of the structure of configs/full_scale.toml at the waterline
 QUANTITIES = {"mean_N": "mean", "maximum_0.1s_N": "maxima, 0.1 s", "maximum_1s_N": "maxima, 1 s",

@@ -23,9 +23,10 @@ Option add_mooring(OptionList& verb, MooringOptions& options) {
     Option damping =
         verb.option("--damping-percent", options.damping_percent,
                     "Its damping by water and mooring lines, percent of the critical; take it from a decay test");
-    stiffness.needs(mass).needs(damping);
+    // A ring, since help would list several needs in an order of their addresses.
+    stiffness.needs(damping);
+    damping.needs(mass);
     mass.needs(stiffness);
-    damping.needs(stiffness);
     return stiffness;
 }
 

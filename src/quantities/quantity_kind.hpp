@@ -68,6 +68,22 @@ struct Quantity {
     constexpr double factor() const { return percent ? 100 : 1; }  ///< displayed value / stored value
 };
 
+/// What cracks have made of the ice; `share`: of all floes.
+constexpr Quantity crack_quantity(const char* key, const char* name, const char* label, std::string_view long_name,
+                                  Place place, bool share) {
+    return {.key = key,
+            .unit = "1",
+            .long_name = long_name,
+            .place = place,
+            .shown = Shown::in_summary,
+            .name = name,
+            .label = label,
+            .most = share ? 1 : no_most,
+            .percent = share,
+            .stops = share,
+            .since = 12};
+}
+
 /// A share of the work of the tow (statistics/work_shares.hpp).
 constexpr Quantity work_quantity(const char* key, std::string_view long_name, Place place, int since = 10) {
     return {.key = key, .unit = "N", .long_name = long_name, .place = place, .least = no_least, .since = since};

@@ -242,10 +242,7 @@ void World::move_structure(const Vec3& position) {
 
 void World::apply(BodyId body, const Wrench& given) {
     const Wrench wrench = bullet_->units.to_own(given);
-    if (bullet_->lanes) {
-        bullet_->lanes->apply(body.index(), wrench);
-        return;
-    }
+    if (bullet_->lanes) return bullet_->lanes->apply(body.index(), wrench);
     btRigidBody& target = bullet_->body(body);
     target.applyCentralForce(to_bullet(wrench.force));
     target.applyTorque(to_bullet(wrench.moment));
@@ -293,11 +290,10 @@ Vec3 World::contact_force(BodyId body) const {
 
 void World::read_contacts(std::vector<ContactForce>& found, std::optional<BodyId> of) const {
     const double time_step = bullet_->definition.time_step;
-    if (bullet_->lanes) {
+    if (bullet_->lanes)
         read_contact_forces(bullet_->lanes->contacts(), of, time_step, found);
-    } else {
+    else
         read_contact_forces(bullet_->world.solved_manifolds(), of ? &bullet_->body(*of) : nullptr, time_step, found);
-    }
     for (ContactForce& one : found) one.point = bullet_->units.to_si(one.point);
 }
 
