@@ -120,9 +120,9 @@ void add_hybrid(CommandLine& line) {
         "crossing, so the crossing is no test.\n\n"
         "Below them stands the load of level ice without an end by ISO 19906: on a sloping wall by Croasdale and\n"
         "Cammaert (1994) - breaking the sheet H_B, pushing it through rubble H_P, lifting rubble H_L, pushing blocks\n"
-        "up the wall H_R, turning them at its top H_T - and by crushing on a vertical wall. These are of a sheet that\n"
-        "is wide against its thickness and goes on coming, not of floes: no concentration is in them. That of the\n"
-        "slope was 1.6 times what was measured at the Confederation Bridge (OTC 27385).\n\n"
+        "up the wall H_R, turning them at its top H_T - and by crushing on a vertical wall.\n\n"
+        "These are of a sheet that is wide against its thickness and goes on coming, not of floes: no concentration\n"
+        "is in them. That of the slope was 1.6 times what was measured at the Confederation Bridge (OTC 27385).\n\n"
         "  floes hybrid                                   the paper's case\n"
         "  floes hybrid full_scale.toml --rubble-m 4 --modulus-MPa 5000\n"
         "  floes hybrid table3.toml --set ice.bending_strength_kPa=50 --format json");

@@ -177,8 +177,8 @@ TEST(Findings, HaveALineAMemberInCsv) {
                 HasSubstr(fmt::format("\n0,{},{},done,{},", table.cases[0].name, first.arrangement, first.load.mean)));
     EXPECT_THAT(text, HasSubstr(fmt::format(",120.5,80,111.25,{}\n", first.load.trend_p)));
     EXPECT_THAT(text, HasSubstr(fmt::format(",70,90,,{}\n", table.members[1].load.trend_p)));
-    EXPECT_THAT(text, HasSubstr(",failed,,,,,,,,,,,,,,,,,,\n"));
-    EXPECT_THAT(text, HasSubstr(",missing,,,,,,,,,,,,,,,,,,\n"));
+    EXPECT_THAT(text, HasSubstr(",failed,,,,,,,,,,,,,,,,,,,,,\n"));
+    EXPECT_THAT(text, HasSubstr(",missing,,,,,,,,,,,,,,,,,,,,,\n"));
 }
 
 /// Two levels, counted in E30 and E60 alone; E30 counts 0, 100, …, 1100 steps above the lower one.
