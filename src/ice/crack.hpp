@@ -30,10 +30,11 @@ struct CohesiveLaw {
 };
 
 /// By how much a joint at its peak, turned by `rotation`, exceeds what cracks it: 1 where it begins to. `strength`: of
-/// the stress with what contacts add, over the strength; `smooth`: without that. The peak below a contact begins a crack
-/// only if the ice gives the energy that an element's length of it takes (coupled criterion, Leguillon 2002): three times
-/// the joint's own, ½ K θ², at the rim of a floe, where it turns three times as far when the joint is gone
-/// (docs/figures/fracture.py; 1.7 times inside a sheet). A smooth stress needs no such proof: the hinge that opens has it.
+/// the stress with what contacts add, over the strength; `smooth`: without that. The peak below a contact begins a
+/// crack only if the ice gives the energy that an element's length of it takes (coupled criterion, Leguillon 2002):
+/// three times the joint's own, ½ K θ², at the rim of a floe, where it turns three times as far when the joint is gone
+/// (docs/figures/fracture.py; 1.7 times inside a sheet). A smooth stress needs no such proof: the hinge that opens has
+/// it.
 double cracking(double strength, double smooth, double stiffness, double rotation, double energy);
 
 /// The law of a joint of stiffness K, N m, that reaches its strength at the rotation θ₀, for a crack that takes

@@ -14,16 +14,16 @@ IceSection ice_section(const FloeShape& shape, const Material& material) {
 double fibre_stress(const JointLoad& load, const IceSection& section) {
     const double by_moment = 6 / (section.side * section.thickness * section.thickness);
     const double nu = section.poisson_ratio;
-    const double normal = by_moment * (load.reaction.bending + nu * load.across) + load.local;
-    const double across = by_moment * (load.across + nu * load.reaction.bending) + load.local_across;
+    const double normal = by_moment * (load.reaction.bending + nu * load.across);
+    const double across = by_moment * (load.across + nu * load.reaction.bending);
     const double twist = by_moment * (1 - nu) * load.reaction.torsion;
     const double axial = load.reaction.axial / (section.side * section.thickness);
-    const auto in_fibre = [&](double sign) {  // +1 the lower one
-        const double n = axial + sign * normal;
-        const double t = sign * across;
+    const auto in_fibre = [&](double sign, const LocalStress& local) {  // +1 the lower one
+        const double n = axial + sign * (normal + local.along);
+        const double t = sign * (across + local.across);
         return n < t ? n : 0.5 * (n + t) + std::sqrt(0.25 * (n - t) * (n - t) + twist * twist);
     };
-    return std::max(in_fibre(1), in_fibre(-1));
+    return std::max(in_fibre(1, load.sagging), in_fibre(-1, load.hogging));
 }
 
 double tension_in_plane(const JointReaction& reaction, const IceSection& section) {

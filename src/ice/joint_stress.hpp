@@ -31,12 +31,18 @@ struct IceSection {
 
 IceSection ice_section(const FloeShape& shape, const Material& material);
 
+/// Stress that a contact adds, Pa, tension in the lower fibre positive.
+struct LocalStress {
+    double along = 0;   ///< along the joint's normal
+    double across = 0;  ///< and across it
+};
+
 /// What acts at a joint.
 struct JointLoad {
-    JointReaction reaction;
-    double across = 0;        ///< N m: mean bending moment of the joints beside it, M_t L
-    double local = 0;         ///< Pa, by contacts, tension in the lower fibre positive: along the joint's normal
-    double local_across = 0;  ///< and across it
+    JointReaction reaction = {};
+    double across = 0;         ///< N m: mean bending moment of the joints beside it, M_t L
+    LocalStress sagging = {};  ///< of the contact on its elements that adds most tension to the lower fibre
+    LocalStress hogging = {};  ///< to the upper fibre; each is at a place of its own, so they do not add up
 };
 
 /// Largest principal tension of either fibre that pulls at this joint, Pa.

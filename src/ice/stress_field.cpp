@@ -1,6 +1,7 @@
 #include "ice/stress_field.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <bit>
 
 namespace floes {
 namespace {
@@ -72,12 +73,16 @@ void StressField::press(const World& world, BodyId body, const Vec3& point, cons
     const double half = elements_[element].side / 2;
     const Press here{std::clamp(at.x(), -half, half), std::clamp(at.z(), -half, half),
                      -state.rotation.col(1).dot(force)};
-    std::array<SideStress, 2>& known = by_contacts_[element];
-    if (known[0].face == 0 && known[1].face == 0) pressed_.push_back(element);
+    std::array<Peak, 4>& known = by_contacts_[element];
+    pressed_.push_back(element);
     const std::array<SideStress, 2> found = contact_stress(elements_[element], here);
-    for (std::size_t axis = 0; axis < 2; ++axis)
-        if (known[axis].face == 0 || std::abs(found[axis].stress) > std::abs(known[axis].stress))
-            known[axis] = found[axis];
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        if (found[axis].face == 0) continue;
+        Peak& peak = known[static_cast<std::size_t>(std::countr_zero(found[axis].face))];
+        const LocalStress local{found[axis].stress, found[1 - axis].stress};
+        if (local.along > peak.sagging.along) peak.sagging = local;
+        if (local.along < peak.hogging.along) peak.hogging = local;
+    }
 }
 
 double StressField::bending(std::size_t element, int face) const {
@@ -87,17 +92,15 @@ double StressField::bending(std::size_t element, int face) const {
 
 JointLoad StressField::load(std::size_t joint) const {
     const Joint& one = joints_[joint];
-    const auto along = static_cast<std::size_t>(one.axis);
     const int beside = face_of_a(one.axis == JointAxis::x ? JointAxis::z : JointAxis::x);
     JointLoad load{.reaction = reactions_[joint]};
     for (const std::size_t element : {one.a, one.b})
         load.across += (bending(element, beside) + bending(element, beside + 1)) / 4;
     const int face = face_of_a(one.axis);
-    for (const auto& [element, side] : {std::pair(one.a, bit_of(face)), std::pair(one.b, bit_of(face + 1))}) {
-        const SideStress& here = by_contacts_[element][along];
-        if (here.face != side || std::abs(here.stress) <= std::abs(load.local)) continue;
-        load.local = here.stress;
-        load.local_across = by_contacts_[element][1 - along].stress;
+    for (const auto& [element, side] : {std::pair(one.a, face), std::pair(one.b, face + 1)}) {
+        const Peak& peak = by_contacts_[element][static_cast<std::size_t>(side)];
+        if (peak.sagging.along > load.sagging.along) load.sagging = peak.sagging;
+        if (peak.hogging.along < load.hogging.along) load.hogging = peak.hogging;
     }
     return load;
 }

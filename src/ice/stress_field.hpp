@@ -46,8 +46,12 @@ class StressField {
     std::vector<bool> live_;
     std::vector<JointReaction> reactions_;
     std::size_t first_body_ = 0;
-    std::vector<std::array<SideStress, 2>> by_contacts_;  ///< of each element, along x and along z
-    std::vector<std::size_t> pressed_;                    ///< elements with contacts in the last step
+    /// Of the contact that adds most tension to one fibre, at the face of each element that is nearest to it.
+    struct Peak {
+        LocalStress sagging, hogging;
+    };
+    std::vector<std::array<Peak, 4>> by_contacts_;  ///< of each element and face
+    std::vector<std::size_t> pressed_;              ///< elements with contacts in the last step
     std::vector<ContactForce> contacts_;
 };
 

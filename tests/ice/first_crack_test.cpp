@@ -39,8 +39,7 @@ class Sheet {
         const auto added =
             contact_stress({side_, thickness, poisson, crushing, static_cast<std::uint8_t>(joined_)}, {x, z, load});
         EXPECT_EQ(added[0].face, edge_plus_x);
-        at.local = added[0].stress / load;
-        at.local_across = added[1].stress / load;
+        at.sagging = {added[0].stress / load, added[1].stress / load};
         return fibre_stress(at, section());
     }
 

@@ -42,6 +42,16 @@ TEST(FibreStress, OfACrackUnderFortyFiveDegreesIsThatAlongTheGrid) {
     EXPECT_NEAR(fibre_stress(diagonal, section), 36.4e3, 1e-6);
 }
 
+TEST(FibreStress, TakesContactsWhereTheyAre) {
+    JointLoad load{.reaction = {.bending = bending_strength}};
+    load.sagging.along = 5e3;
+    load.hogging.along = -20e3;  // elsewhere on the same elements
+    EXPECT_NEAR(fibre_stress(load, section), 41.4e3, 1e-6)
+        << "a contact that lifts does not relieve what another presses";
+    load.reaction.bending = -bending_strength;
+    EXPECT_NEAR(fibre_stress(load, section), 56.4e3, 1e-6);
+}
+
 TEST(Utilisation, CountsWhatSplitsTheIceInItsPlane) {
     const Utilisation pulled = utilisation({{.axial = area * 33e3}}, section, no_others());
     EXPECT_EQ(pulled.mode, FailureMode::tension);
