@@ -25,6 +25,7 @@ IceField::IceField(World& world, const Scenario& scenario, const FloeSet& floes)
     }
     elements_.reserve(elements);
     joints_.reserve(joints);
+    if (by_stress_) stress_.reserve(elements);
     for (std::size_t i = 0; i < floes.size(); ++i) {
         const Floe& floe = floes.floes[i];
         add_floe(world, scenario, floe.pose, floes.shape(i), floes.material(i), orders[floe.shape]);

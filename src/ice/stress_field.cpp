@@ -21,13 +21,16 @@ constexpr std::size_t usual_contacts = 4;
 
 }  // namespace
 
+void StressField::reserve(std::size_t elements) {
+    contacts_.reserve(usual_contacts * elements);
+    pressed_.reserve(2 * usual_contacts * elements);
+}
+
 void StressField::add_element(BodyId body, const PressedElement& element) {
     if (elements_.empty()) first_body_ = body.index();
     elements_.push_back(element);
     joint_of_face_.push_back({none, none, none, none});
     by_contacts_.emplace_back();
-    pressed_.reserve(elements_.size());
-    contacts_.reserve(usual_contacts * elements_.size());
 }
 
 void StressField::add_joint(JointId id, std::size_t a, std::size_t b, JointAxis axis) {

@@ -15,6 +15,9 @@ namespace floes {
 
 class StressField {
   public:
+    /// For this many elements reading then allocates nothing unless contacts are very many.
+    void reserve(std::size_t elements);
+
     /// Elements and joints are numbered from 0 in the order in which they are added; bodies of elements follow one
     /// another in the world.
     void add_element(BodyId body, const PressedElement& element);

@@ -50,9 +50,9 @@ class Simulation {
     Simulation(const Scenario& scenario, const FloeSet& floes);
 
     /// A tow that has come as far as `state`: floes as in `floes` when their joints were made, then moved. The
-    /// contacts of the last step are not part of a state, so the next steps differ from those of the run that it comes
-    /// from as far as these matter. The histories begin with NaN for the steps that are not known here, peaks anew.
-    /// Throws InputError when the state is of other floes.
+    /// contacts of the last step and cracks that are not open yet are not part of a state, so the next steps differ
+    /// from those of the run that it comes from as far as these matter. The histories begin with NaN for the steps that
+    /// are not known here, peaks anew. Throws InputError when the state is of other floes.
     Simulation(const Scenario& scenario, const FloeSet& floes, const SimulationState& state);
 
     /// One time step. Throws MemberFailure, with the element, its floe and the time, when an element runs away, is gone
