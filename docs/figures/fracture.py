@@ -296,7 +296,7 @@ def elements_table():
 
 def tank_count():
     rows = data("fracture_tank")
-    return f"{number(rows.arrangement.nunique())} arrangements."
+    return f"{rows.arrangement.nunique()} arrangements."
 
 
 def main():
