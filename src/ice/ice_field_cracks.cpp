@@ -34,12 +34,12 @@ std::optional<FailureMode> IceField::failing(World& world, Joint& joint) {
     }
     peaks_ = raised(peaks_, stress_.reaction(joint.place));
     if (joint.crack) return crack_on(world, joint);
-    const Utilisation used = utilisation(stress_.load(joint.place), sheet.section, sheet.thresholds);
+    const JointLoad load = stress_.load(joint.place);
+    const Utilisation used = utilisation(load, sheet.section, sheet.thresholds);
     if (!(used.share > 1)) return std::nullopt;
     if (used.mode != FailureMode::bending) return used.mode;
     const Turned now = turned(world, joint);
-    const double smooth =
-        fibre_stress(smoothed(stress_.load(joint.place)), sheet.section) / sheet.section.flexural_strength;
+    const double smooth = fibre_stress(smoothed(load), sheet.section) / sheet.section.flexural_strength;
     const double over = cracking(used.share, smooth, sheet.stiffness, now.angle, sheet.crack_energy);
     if (!(over > 1)) return std::nullopt;
     floes_[static_cast<std::size_t>(joint.floe)].cracked = true;

@@ -1,7 +1,7 @@
 #pragma once
 // The largest stress in a wide plate on water under a load on a small circle: at its edge, and far from edges.
-// Westergaard (Public Roads 7, 1926; edge formula as revised in Trans. ASCE 113, 1948). With k = ρ_w g and P downwards,
-// the stress is tension in the lower fibre:
+// Westergaard (Public Roads 7, 1926; edge formula as revised in Trans. ASCE 113, 1948; cited from memory). With k = ρ_w
+// g and P downwards, the stress is tension in the lower fibre:
 //
 //   edge      σ = 0.529 (1 + 0.54 ν) (P/T²) [log10(E T³ / (k b⁴)) - 0.71]    along the edge
 //   interior  σ = 0.275 (1 + ν)      (P/T²)  log10(E T³ / (k b⁴))            in every direction
