@@ -64,4 +64,10 @@ std::array<SideStress, 2> contact_stress(const PressedElement& element, const Pr
     return found;
 }
 
+double most_contact_stress(const PressedElement& element) {
+    const double per_decade = std::max(edge_stress_per_decade(1, element.thickness, element.poisson_ratio),
+                                       interior_stress_per_decade(1, element.thickness, element.poisson_ratio));
+    return per_decade * decades(felt_radius(0, element.thickness), inside.share * element.side);
+}
+
 }  // namespace floes

@@ -39,4 +39,8 @@ struct SideStress {
 /// Along x and along z.
 std::array<SideStress, 2> contact_stress(const PressedElement& element, const Press& press);
 
+/// The most that a force of 1 N can add to either, wherever it acts, Pa: from the smallest contact to the largest patch
+/// that a joint feels, an element's side.
+double most_contact_stress(const PressedElement& element);
+
 }  // namespace floes

@@ -34,7 +34,10 @@ std::optional<FailureMode> IceField::failing(World& world, Joint& joint) {
     }
     peaks_ = raised(peaks_, stress_.reaction(joint.place));
     if (joint.crack) return crack_on(world, joint);
-    const JointLoad load = stress_.load(joint.place);
+    if (!may_fail(stress_.reaction(joint.place), stress_.across(joint.place), stress_.most_by_contacts(joint.place),
+                  sheet.section, sheet.thresholds))
+        return std::nullopt;
+    const JointLoad load = stress_.load(world, joint.place);
     const Utilisation used = utilisation(load, sheet.section, sheet.thresholds);
     if (!(used.share > 1)) return std::nullopt;
     if (used.mode != FailureMode::bending) return used.mode;
@@ -68,7 +71,7 @@ void IceField::read_utilisation(const World& world, std::vector<double>& worst) 
         if (!by_stress_)
             used = utilisation(world.reaction(joint.id), sheet.thresholds);
         else if (!joint.crack)
-            used = utilisation(stress_.load(joint.place), sheet.section, sheet.thresholds).share;
+            used = utilisation(stress_.load(world, joint.place), sheet.section, sheet.thresholds).share;
         const auto first = static_cast<std::size_t>(sheet.first);
         for (const int index : {joint.grid.a, joint.grid.b}) {
             double& element = worst[first + static_cast<std::size_t>(index)];

@@ -35,6 +35,22 @@ JointLoad smoothed(const JointLoad& load) {
     return {.reaction = load.reaction, .across = load.across};
 }
 
+bool may_fail(const JointReaction& r, double across, double by_contacts, const IceSection& section,
+              const Thresholds& thresholds) {
+    constexpr double rounding = 1 - 1e-9;
+    const double area = section.side * section.thickness;
+    const double moments =
+        std::abs(r.bending + section.poisson_ratio * across) + (1 - section.poisson_ratio) * std::abs(r.torsion);
+    const double fibre = (std::max(0.0, r.axial) + 6 * moments / section.thickness) / area + by_contacts;
+    const double shear = thresholds.shear * rounding;
+    return !(fibre < section.flexural_strength * rounding &&
+             r.shear_vertical * r.shear_vertical + r.shear_in_plane * r.shear_in_plane < shear * shear &&
+             -r.axial < thresholds.compression * rounding &&
+             tension_in_plane(r, section) < section.tensile_strength * rounding &&
+             std::abs(r.torsion) < thresholds.torsion * rounding &&
+             std::abs(r.in_plane_bending) < thresholds.in_plane_bending * rounding);
+}
+
 Utilisation utilisation(const JointLoad& load, const IceSection& section, const Thresholds& thresholds) {
     Utilisation worst{std::max(0.0, fibre_stress(load, section) / section.flexural_strength), FailureMode::bending};
     const auto meet = [&](double share, FailureMode mode) {

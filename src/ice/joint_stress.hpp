@@ -59,6 +59,12 @@ struct Utilisation {
 /// Without what contacts add to the moments that the grid shows.
 JointLoad smoothed(const JointLoad& load);
 
+/// Whether the utilisation may exceed 1 if contacts add at most `by_contacts`, Pa, to any tension: a bound that costs
+/// less than the utilisation itself. That the largest principal tension is at most the tension along the joint's normal
+/// and the twist together is why.
+bool may_fail(const JointReaction& reaction, double across, double by_contacts, const IceSection& section,
+              const Thresholds& thresholds);
+
 /// By stress: bending and tension as above, the other modes as the thresholds have them.
 Utilisation utilisation(const JointLoad& load, const IceSection& section, const Thresholds& thresholds);
 

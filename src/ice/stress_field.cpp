@@ -23,22 +23,21 @@ constexpr std::size_t usual_contacts = 4;
 
 void StressField::reserve(std::size_t elements) {
     contacts_.reserve(usual_contacts * elements);
-    pressed_.reserve(2 * usual_contacts * elements);
+    touches_.reserve(2 * usual_contacts * elements);
+    touched_.reserve(elements);
 }
 
 void StressField::add_element(BodyId body, const PressedElement& element) {
     if (elements_.empty()) first_body_ = body.index();
-    elements_.push_back(element);
-    joint_of_face_.push_back({none, none, none, none});
-    by_contacts_.emplace_back();
+    elements_.push_back({element, body, most_contact_stress(element), {none, none, none, none}});
 }
 
 void StressField::add_joint(JointId id, std::size_t a, std::size_t b, JointAxis axis) {
     const int face = face_of_a(axis);
-    joint_of_face_[a][static_cast<std::size_t>(face)] = joints_.size();
-    joint_of_face_[b][static_cast<std::size_t>(face + 1)] = joints_.size();
-    elements_[a].joined |= bit_of(face);
-    elements_[b].joined |= bit_of(face + 1);
+    elements_[a].joint_of[static_cast<std::size_t>(face)] = joints_.size();
+    elements_[b].joint_of[static_cast<std::size_t>(face + 1)] = joints_.size();
+    elements_[a].ice.joined |= bit_of(face);
+    elements_[b].ice.joined |= bit_of(face + 1);
     joints_.push_back({id, a, b, axis});
     live_.push_back(true);
     reactions_.emplace_back();
@@ -47,10 +46,10 @@ void StressField::add_joint(JointId id, std::size_t a, std::size_t b, JointAxis 
 void StressField::remove_joint(std::size_t joint) {
     const Joint& gone = joints_[joint];
     const int face = face_of_a(gone.axis);
-    joint_of_face_[gone.a][static_cast<std::size_t>(face)] = none;
-    joint_of_face_[gone.b][static_cast<std::size_t>(face + 1)] = none;
-    elements_[gone.a].joined &= static_cast<std::uint8_t>(~bit_of(face));
-    elements_[gone.b].joined &= static_cast<std::uint8_t>(~bit_of(face + 1));
+    elements_[gone.a].joint_of[static_cast<std::size_t>(face)] = none;
+    elements_[gone.b].joint_of[static_cast<std::size_t>(face + 1)] = none;
+    elements_[gone.a].ice.joined &= static_cast<std::uint8_t>(~bit_of(face));
+    elements_[gone.b].ice.joined &= static_cast<std::uint8_t>(~bit_of(face + 1));
     live_[joint] = false;
     reactions_[joint] = {};
 }
@@ -58,52 +57,80 @@ void StressField::remove_joint(std::size_t joint) {
 void StressField::read(const World& world) {
     for (std::size_t i = 0; i < joints_.size(); ++i)
         if (live_[i]) reactions_[i] = world.reaction(joints_[i].id);
-    for (const std::size_t element : pressed_) by_contacts_[element] = {};
-    pressed_.clear();
+    for (const std::size_t i : touched_) {
+        elements_[i].first = elements_[i].last = no_touch;
+        elements_[i].largest_force = 0;
+    }
+    touched_.clear();
+    touches_.clear();
     world.read_contacts(contacts_);
-    for (const ContactForce& contact : contacts_) {
-        const Vec3 on_a = contact.normal + contact.friction;
-        press(world, contact.a, contact.point, on_a);
-        press(world, contact.b, contact.point, -on_a);
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        touch(contacts_[i].a, i, true);
+        touch(contacts_[i].b, i, false);
     }
 }
 
-void StressField::press(const World& world, BodyId body, const Vec3& point, const Vec3& force) {
-    const std::size_t element = body.index() - first_body_;
-    if (element >= elements_.size() || elements_[element].joined == 0) return;
-    const BodyState state = world.state(body);
-    const Vec3 at = state.rotation.transpose() * (point - state.position);
-    const double half = elements_[element].side / 2;
-    const Press here{std::clamp(at.x(), -half, half), std::clamp(at.z(), -half, half),
-                     -state.rotation.col(1).dot(force)};
-    std::array<Peak, 4>& known = by_contacts_[element];
-    pressed_.push_back(element);
-    const std::array<SideStress, 2> found = contact_stress(elements_[element], here);
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-        if (found[axis].face == 0) continue;
-        Peak& peak = known[static_cast<std::size_t>(std::countr_zero(found[axis].face))];
-        const LocalStress local{found[axis].stress, found[1 - axis].stress};
-        if (local.along > peak.sagging.along) peak.sagging = local;
-        if (local.along < peak.hogging.along) peak.hogging = local;
+void StressField::touch(BodyId body, std::size_t contact, bool on_a) {
+    const std::size_t number = body.index() - first_body_;
+    if (number >= elements_.size() || elements_[number].ice.joined == 0) return;
+    Element& element = elements_[number];
+    const auto place = static_cast<std::uint32_t>(touches_.size());
+    touches_.push_back({contact, on_a});
+    if (element.first == no_touch) {
+        element.first = place;
+        touched_.push_back(number);
+    } else {
+        touches_[element.last].next = place;
     }
+    element.last = place;
+    const double force = (contacts_[contact].normal + contacts_[contact].friction).norm();
+    element.largest_force = std::max(element.largest_force, force);
 }
 
-double StressField::bending(std::size_t element, int face) const {
-    const std::size_t joint = joint_of_face_[element][static_cast<std::size_t>(face)];
+Press StressField::press(const World& world, const Element& element, const Touch& touch) const {
+    const ContactForce& contact = contacts_[touch.contact];
+    const Vec3 on_a = contact.normal + contact.friction;
+    const Vec3 force = touch.on_a ? on_a : -on_a;
+    const BodyState state = world.state(element.body);
+    const Vec3 at = state.rotation.transpose() * (contact.point - state.position);
+    const double half = element.ice.side / 2;
+    return {std::clamp(at.x(), -half, half), std::clamp(at.z(), -half, half), -state.rotation.col(1).dot(force)};
+}
+
+double StressField::bending(const Element& element, int face) const {
+    const std::size_t joint = element.joint_of[static_cast<std::size_t>(face)];
     return joint == none ? 0.0 : reactions_[joint].bending;
 }
 
-JointLoad StressField::load(std::size_t joint) const {
+double StressField::across(std::size_t joint) const {
     const Joint& one = joints_[joint];
     const int beside = face_of_a(one.axis == JointAxis::x ? JointAxis::z : JointAxis::x);
-    JointLoad load{.reaction = reactions_[joint]};
-    for (const std::size_t element : {one.a, one.b})
-        load.across += (bending(element, beside) + bending(element, beside + 1)) / 4;
+    double sum = 0;
+    for (const std::size_t i : {one.a, one.b})
+        sum += (bending(elements_[i], beside) + bending(elements_[i], beside + 1)) / 4;
+    return sum;
+}
+
+double StressField::most_by_contacts(std::size_t joint) const {
+    const Element& a = elements_[joints_[joint].a];
+    const Element& b = elements_[joints_[joint].b];
+    return std::max(a.most_stress * a.largest_force, b.most_stress * b.largest_force);
+}
+
+JointLoad StressField::load(const World& world, std::size_t joint) const {
+    const Joint& one = joints_[joint];
+    JointLoad load{.reaction = reactions_[joint], .across = across(joint)};
     const int face = face_of_a(one.axis);
-    for (const auto& [element, side] : {std::pair(one.a, face), std::pair(one.b, face + 1)}) {
-        const Peak& peak = by_contacts_[element][static_cast<std::size_t>(side)];
-        if (peak.sagging.along > load.sagging.along) load.sagging = peak.sagging;
-        if (peak.hogging.along < load.hogging.along) load.hogging = peak.hogging;
+    const auto axis = static_cast<std::size_t>(one.axis == JointAxis::x ? 0 : 1);
+    for (const auto& [number, side] : {std::pair(one.a, face), std::pair(one.b, face + 1)}) {
+        const Element& element = elements_[number];
+        for (std::uint32_t i = element.first; i != no_touch; i = touches_[i].next) {
+            const std::array<SideStress, 2> found = contact_stress(element.ice, press(world, element, touches_[i]));
+            if (found[axis].face != bit_of(side)) continue;
+            const LocalStress local{found[axis].stress, found[1 - axis].stress};
+            if (local.along > load.sagging.along) load.sagging = local;
+            if (local.along < load.hogging.along) load.hogging = local;
+        }
     }
     return load;
 }

@@ -30,7 +30,14 @@ class StressField {
 
     const JointReaction& reaction(std::size_t joint) const { return reactions_[joint]; }
 
-    JointLoad load(std::size_t joint) const;
+    /// Mean bending moment of the joints beside it, N m: JointLoad::across.
+    double across(std::size_t joint) const;
+
+    /// A bound of what contacts add to any tension at the joint, Pa.
+    double most_by_contacts(std::size_t joint) const;
+
+    /// Costs much more than the two above. `world`: as it was read.
+    JointLoad load(const World& world, std::size_t joint) const;
 
   private:
     struct Joint {
@@ -38,24 +45,36 @@ class StressField {
         std::size_t a, b;
         JointAxis axis;
     };
+    struct Element {
+        PressedElement ice;
+        BodyId body;
+        double most_stress;                   ///< by a force of 1 N, Pa
+        std::array<std::size_t, 4> joint_of;  ///< faces +x, -x, +z, -z
+        /// In the last step:
+        double largest_force = 0;  ///< of its contacts, N
+        std::uint32_t first = no_touch, last = no_touch;
+    };
+    /// A contact as one of its two bodies feels it, and the next one of the same body.
+    struct Touch {
+        std::size_t contact;
+        bool on_a;
+        std::uint32_t next = no_touch;
+    };
     static constexpr std::size_t none = ~std::size_t{0};
+    static constexpr std::uint32_t no_touch = ~std::uint32_t{0};
 
-    void press(const World& world, BodyId body, const Vec3& point, const Vec3& force);
-    double bending(std::size_t element, int face) const;
+    void touch(BodyId body, std::size_t contact, bool on_a);
+    double bending(const Element& element, int face) const;
+    Press press(const World& world, const Element& element, const Touch& touch) const;
 
-    std::vector<PressedElement> elements_;
-    std::vector<std::array<std::size_t, 4>> joint_of_face_;  ///< of each element: faces +x, -x, +z, -z
+    std::vector<Element> elements_;
     std::vector<Joint> joints_;
     std::vector<bool> live_;
     std::vector<JointReaction> reactions_;
     std::size_t first_body_ = 0;
-    /// Of the contact that adds most tension to one fibre, at the face of each element that is nearest to it.
-    struct Peak {
-        LocalStress sagging, hogging;
-    };
-    std::vector<std::array<Peak, 4>> by_contacts_;  ///< of each element and face
-    std::vector<std::size_t> pressed_;              ///< elements with contacts in the last step
-    std::vector<ContactForce> contacts_;
+    std::vector<ContactForce> contacts_;  ///< of the last step
+    std::vector<Touch> touches_;
+    std::vector<std::size_t> touched_;  ///< elements, by number
 };
 
 }  // namespace floes

@@ -4,6 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
+#include "ice/contact_stress.hpp"
+
 namespace floes {
 namespace {
 
@@ -60,6 +65,62 @@ TEST(Utilisation, CountsWhatSplitsTheIceInItsPlane) {
     EXPECT_EQ(bent.mode, FailureMode::tension);
     EXPECT_NEAR(bent.share, 1, 1e-9);
     EXPECT_LT(utilisation({{.axial = -area * 33e3}}, section, no_others()).share, 1e-3) << "thrust does not split";
+}
+
+/// Loads up to some times the strength, among them many near it.
+JointLoad any_load(std::mt19937_64& random, double by_contacts) {
+    std::uniform_real_distribution<double> one(-1.2, 1.2);
+    JointLoad load;
+    load.reaction = {.axial = one(random) * area * 30e3,
+                     .shear_vertical = one(random) * 30,
+                     .shear_in_plane = one(random) * 30,
+                     .torsion = one(random) * bending_strength,
+                     .in_plane_bending = one(random) * 6,
+                     .bending = one(random) * bending_strength};
+    load.across = one(random) * bending_strength;
+    load.sagging = {by_contacts * std::abs(one(random)) / 1.2, by_contacts * one(random) / 1.2};
+    load.hogging = {-by_contacts * std::abs(one(random)) / 1.2, by_contacts * one(random) / 1.2};
+    return load;
+}
+
+TEST(MayFail, IsTrueWheneverTheUtilisationExceedsOne) {
+    const Thresholds thresholds{1e9, 35, 300, 250, bending_strength, 6};
+    std::mt19937_64 random(35);
+    int failing = 0;
+    int spared = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const double by_contacts = i % 2 == 0 ? 0.0 : 10e3;
+        JointLoad load = any_load(random, by_contacts);
+        if (i % 3 == 0) {
+            load.reaction.torsion /= 8;
+            load.across /= 8;
+        }
+        const bool fails = utilisation(load, section, thresholds).share > 1;
+        const bool may = may_fail(load.reaction, load.across, by_contacts, section, thresholds);
+        EXPECT_TRUE(may || !fails) << i;
+        failing += fails ? 1 : 0;
+        spared += may ? 0 : 1;
+    }
+    EXPECT_GT(failing, 1000);
+    EXPECT_GT(spared, 1000);
+    const JointReaction lost{.axial = std::nan("")};
+    EXPECT_TRUE(may_fail(lost, 0, 0, section, thresholds)) << "what is not a number is looked at";
+}
+
+TEST(ContactStress, IsNeverMoreThanItsBound) {
+    std::mt19937_64 random(36);
+    std::uniform_real_distribution<double> place(-0.1, 0.1);
+    double most = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const PressedElement element{0.2, 0.033, 0.3, i % 2 == 0 ? 36.4e3 : 0.0, static_cast<std::uint8_t>(i % 16)};
+        const double down = i % 4 < 2 ? 3.0 : -3.0;
+        const double bound = most_contact_stress(element) * 3.0;
+        for (const SideStress& side : contact_stress(element, {place(random), place(random), down})) {
+            EXPECT_LE(std::abs(side.stress), bound);
+            most = std::max(most, std::abs(side.stress) / bound);
+        }
+    }
+    EXPECT_GT(most, 0.5) << "a bound that is of use";
 }
 
 }  // namespace
