@@ -175,6 +175,18 @@ class Campaign:
         return breaks
 
     @property
+    def pieces(self) -> pandas.DataFrame | None:
+        """Every piece of the floes that cracked through: `member`, `case`, `floe` and its `area`, m². None before
+        layout 1.13."""
+        if "pieces" not in self._stored.names():
+            return None
+        pieces = tables.table(self._stored, "pieces")
+        if not pieces.member.isin(self._members.index).all():
+            raise self._stored.damaged("/pieces/member names a member that the campaign does not have")
+        pieces.insert(1, "case", self._members.case.to_numpy()[pieces.member])
+        return pieces
+
+    @property
     def provenance(self) -> dict[str, Any]:
         """How the file was made: versions, compiler, machine, seed, date."""
         return self._stored.attributes | self._stored.attributes_of("provenance")

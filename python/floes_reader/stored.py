@@ -11,8 +11,8 @@ import h5py
 import numpy
 import xarray
 
-LAYOUT = (1, 12)  # the newest layout of campaign files that this reader knows (docs/campaign_file.md)
-GROUPS = {"arrangements", "averaged", "breaks", "calibration", "cases", "exceedance", "history", "load_map", "members",
+LAYOUT = (1, 13)  # the newest layout of campaign files that this reader knows (docs/campaign_file.md)
+GROUPS = {"arrangements", "averaged", "breaks", "calibration", "cases", "exceedance", "history", "load_map", "members", "pieces",
           "provenance"}  # those of that layout
 FILETYPE = "floes campaign"
 BAD = (OSError, RuntimeError, KeyError, ValueError, TypeError, AttributeError)  # what h5py raises over damaged data

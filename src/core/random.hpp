@@ -30,6 +30,7 @@ enum class StreamId : std::uint32_t {
     ice_density = 13,
     ice_salinity = 14,
     ice_temperature = 15,
+    weakened_ice = 16,  ///< which floes are weaker than the others
 };
 
 using PhiloxCounter = std::array<std::uint32_t, 4>;

@@ -14,6 +14,7 @@
 #include "ice/failure.hpp"
 #include "ice/failure_mode.hpp"
 #include "ice/floe_grid.hpp"
+#include "ice/piece_area.hpp"
 #include "ice/stress_field.hpp"
 #include "scenario/floes.hpp"
 #include "scenario/scenario.hpp"
@@ -46,7 +47,7 @@ class IceField {
     int break_joints(World& world, double time);
 
     /// Refills `worst` with the largest utilisation of the live joints of each element, in the order of elements(); 0
-    /// without any. Of the world's last step; a joint that cracks is utilised as 1.
+    /// without any. Of the world's last step. A joint that cracks has 1 and the share of its stiffness that is gone.
     void read_utilisation(const World& world, std::vector<double>& worst) const;
 
     /// Power that the joints gave to the ice in the world's last step, W: their reactions times how the elements moved,
@@ -72,7 +73,8 @@ class IceField {
     int cracked_floes() const;  ///< floes of which a joint reached its strength, whether or not it failed
     double fracture_work() const { return fracture_work_; }  ///< J, that cracks have taken, of joints that soften
     double share_of_floes(int some) const { return floes_.empty() ? 0.0 : static_cast<double>(some) / floes(); }
-    int pieces() const;  ///< of all floes
+    int pieces() const;                          ///< of all floes
+    std::vector<PieceArea> piece_areas() const;  ///< of the floes in more than one piece, by floe
     int live_joints() const { return static_cast<int>(joints_.size()); }
 
   private:

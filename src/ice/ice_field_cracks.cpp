@@ -67,10 +67,12 @@ void IceField::read_utilisation(const World& world, std::vector<double>& worst) 
     worst.assign(elements_.size(), 0.0);
     for (const Joint& joint : joints_) {
         const Sheet& sheet = floe_of(joint);
-        double used = 1;
+        double used = 0;
         if (!by_stress_)
             used = utilisation(world.reaction(joint.id), sheet.thresholds);
-        else if (!joint.crack)
+        else if (joint.crack)
+            used = 2 - joint.crack->sound();
+        else
             used = utilisation(stress_.load(world, joint.place), sheet.section, sheet.thresholds).share;
         const auto first = static_cast<std::size_t>(sheet.first);
         for (const int index : {joint.grid.a, joint.grid.b}) {
@@ -99,6 +101,18 @@ int IceField::pieces() const {
     int found = 0;
     for (std::size_t i = 0; i < elements_.size(); ++i) found += elements_[i].piece == static_cast<int>(i) ? 1 : 0;
     return found;
+}
+
+std::vector<PieceArea> IceField::piece_areas() const {
+    std::vector<int> elements(elements_.size(), 0);  // of the piece that begins with this one
+    for (const IceElement& element : elements_) ++elements[static_cast<std::size_t>(element.piece)];
+    std::vector<PieceArea> areas;
+    for (std::size_t i = 0; i < elements_.size(); ++i) {
+        const Sheet& sheet = floes_[static_cast<std::size_t>(elements_[i].floe)];
+        if (elements[i] > 0 && elements[i] < sheet.grid.elements())
+            areas.push_back({elements_[i].floe, elements[i] * sheet.grid.element * sheet.grid.element});
+    }
+    return areas;
 }
 
 int IceField::cracked_floes() const {

@@ -73,15 +73,14 @@ const ArrayAxis coordinate_axis{"coordinate",
                                 true,
                                 pose_words};
 
-const ArrayAxis property_axis{"property",
-                              "1",
-                              "property of a floe",
-                              AxisKind::counted,
-                              [](const Scenario& scenario) {
-                                  return counted_to(floes_may_differ(scenario) ? property_words.size() : 0);
-                              },
-                              true,
-                              property_words};
+const ArrayAxis property_axis{
+    "property",
+    "1",
+    "property of a floe",
+    AxisKind::counted,
+    [](const Scenario& scenario) { return counted_to(floes_may_differ(scenario) ? property_words.size() : 0); },
+    true,
+    property_words};
 
 const ArrayAxis time_axis{"time",
                           "s",
@@ -112,5 +111,8 @@ const ArrayAxis tow_axis{
 
 const ArrayAxis break_axis{"break", "1", "failed joint, a row of /breaks",  AxisKind::listed, nullptr,
                            true,    {},  "member in which the joint failed"};
+
+const ArrayAxis piece_axis{"piece", "1", "piece of a floe, a row of /pieces",        AxisKind::listed, nullptr,
+                           true,    {},  "member in which the floe fell into pieces"};
 
 }  // namespace floes

@@ -182,6 +182,17 @@ inline constexpr std::array array_outputs{
                 .access = at_each<&MemberResult::breaks, &BreakEvent::mode>(),
                 .numbers = ArrayNumbers::flag,
                 .words = failure_mode_names},
+    ArrayOutput{.path = "pieces/floe",
+                .unit = "1",
+                .long_name = "floe of the piece; only of floes in more than one piece at the end",
+                .axes = {&piece_axis},
+                .access = at_each<&MemberResult::piece_areas, &PieceArea::floe>(),
+                .numbers = ArrayNumbers::index},
+    ArrayOutput{.path = "pieces/area",
+                .unit = "m2",
+                .long_name = "area of the piece, of its upper side",
+                .axes = {&piece_axis},
+                .access = at_each<&MemberResult::piece_areas, &PieceArea::area>()},
 };
 
 /// Its number in the list; array_outputs.size() for a path that is not in it.

@@ -7,6 +7,7 @@
 
 #include "core/vector.hpp"
 #include "ice/failure_mode.hpp"
+#include "ice/piece_area.hpp"
 #include "quantities/member_outputs.hpp"
 #include "simulation/load_history.hpp"
 #include "statistics/level_counts.hpp"
@@ -27,6 +28,7 @@ struct MemberResult : MemberOutputs {
     LoadMap load_map;                ///< empty: of an earlier version
     LoadHistory history;             ///< from t = 0 to the end of the run, as analysis keeps it
     std::vector<BreakEvent> breaks;  ///< in order of time, then floe, then joint
+    std::vector<PieceArea> piece_areas;   ///< of the floes that are cracked through at the end, by floe
     std::vector<PlanarPose> arrangement;  ///< floe poses at t = 0
     std::vector<double> floe_properties;  ///< properties_of() the floes
     double psi4 = 0;                      ///< of the arrangement

@@ -64,6 +64,7 @@ void take_statistics(MemberResult& result, const Scenario& scenario, const Simul
     result.split_ratio = ice.share_of_floes(ice.split_floes());
     result.cracked_ratio = ice.share_of_floes(ice.cracked_floes());
     result.pieces = ice.pieces();
+    result.piece_areas = ice.piece_areas();
     result.fracture_work = ice.fracture_work();
     result.mean_sweeps = simulation.mean_sweeps();
 }

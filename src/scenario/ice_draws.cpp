@@ -44,7 +44,7 @@ void follow_brine(Ice& ice, double salinity, double temperature) {
 
 bool IceSpread::any() const {
     return thickness.any() || strength.any() || elastic_modulus.any() || density.any() || salinity.any() ||
-           temperature.any();
+           temperature.any() || weakened > 0;
 }
 
 double least_factor(const Spread& spread) {
@@ -64,6 +64,7 @@ void draw_ice(const Scenario& scenario, const Draw& draw, std::vector<SingleFloe
     PropertyDraws density = draws(spread.density, StreamId::ice_density);
     PropertyDraws salinity = draws(spread.salinity, StreamId::ice_salinity);
     PropertyDraws temperature = draws(spread.temperature, StreamId::ice_temperature);
+    RandomStream weakened(draw.seed, draw.number, StreamId::weakened_ice, static_cast<std::uint64_t>(spread.draw));
     const double correlation = spread.thickness.any() && spread.strength.any() ? spread.correlation : 0;
     for (SingleFloe& floe : floes) {
         const double of_thickness = thickness.share();
@@ -77,6 +78,7 @@ void draw_ice(const Scenario& scenario, const Draw& draw, std::vector<SingleFloe
         const double cold = scenario.brine.temperature * temperature.next();
         if (scenario.brine.salinity > 0) follow_brine(ice, salt, cold);
         scale_strengths(ice, strength.at(of_strength));
+        if (weakened.uniform() < spread.weakened) scale_strengths(ice, spread.weakened_to);
         ice.elastic_modulus *= modulus.next();
         ice.density *= density.next();
     }

@@ -135,6 +135,14 @@ void add_spread(Keys& keys, IceSpread& spread) {
         number_key("spread.correlation", spread.correlation, unit::one, at_least(-1).at_most(1), "judgement",
                    "Correlation ρ of thickness and strength: of the two normal variables behind them (Gaussian "
                    "copula). Their ranks then correlate by 6/π asin(ρ/2)."))));
+    keys.push_back(late_key(number_key(
+        "spread.weakened_percent", spread.weakened, unit::percent, at_least(0).at_most(100), "the paper: none",
+        "Share of the floes that are weaker than the others, as floes that were cut, thawed or cracked before. Each "
+        "floe has one draw, from a stream of its own.")));
+    keys.push_back(late_key(only_with(
+        "spread.weakened_percent > 0", [&spread] { return spread.weakened > 0; },
+        number_key("spread.weakened_to", spread.weakened_to, unit::one, above(0).at_most(1), "judgement",
+                   "Factor on all strengths of the weaker floes."))));
     keys.push_back(late_key(only_with(
         "a law in [spread]", [&spread] { return spread.any(); },
         integer_key("spread.draw", spread.draw, 0, 1'000'000, "the first",

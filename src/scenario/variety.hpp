@@ -49,10 +49,12 @@ struct IceSpread {
     Spread strength{};  ///< all strengths by the same factor
     Spread elastic_modulus{};
     Spread density{.cov = 0.01, .within = {0.95, 1.05}};
-    Spread salinity{};       ///< of [brine]
-    Spread temperature{};    ///< of [brine], in °C
-    double correlation = 0;  ///< of the normal variables behind thickness and strength (Gaussian copula)
-    int draw = 0;            ///< number of the draw: another one gives the same arrangements other ice
+    Spread salinity{};         ///< of [brine]
+    Spread temperature{};      ///< of [brine], in °C
+    double correlation = 0;    ///< of the normal variables behind thickness and strength (Gaussian copula)
+    double weakened = 0;       ///< share of the floes, each by a draw of its own, that are weaker; 0 to 1
+    double weakened_to = 0.6;  ///< factor on all their strengths
+    int draw = 0;              ///< number of the draw: another one gives the same arrangements other ice
 
     bool any() const;
 };

@@ -17,7 +17,8 @@ import xarray
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from stored import datasets_of, described_on, stored_in  # noqa: E402
 
-GROUPS = ["members", "cases", "arrangements", "exceedance", "averaged", "history", "load_map", "breaks", "provenance"]  # of every file
+GROUPS = ["members", "cases", "arrangements", "exceedance", "averaged", "history", "load_map", "breaks", "pieces",
+          "provenance"]  # of every file
 CALIBRATION = {"calibration": {"calibration_point": 6}}  # of one with calibrated cases
 ENGINES = ["netcdf4", "h5netcdf"]
 DONE, MISSING, FAILED = 0, -1, 1
@@ -47,6 +48,7 @@ class Readers(unittest.TestCase):
             "history": {"member": 12, "time": 110},
             "load_map": {"member": 12, "height": 12, "angle": 36, "tow": 24},
             "breaks": {"break": 15},
+            "pieces": {"piece": 16},
             "exceedance": {"member": 12, "level": 3},
             "averaged": {"member": 12, "averaging_time": 3, "segment": 3, "peak": 3},
             "provenance": {"member": 12, "session": 2},

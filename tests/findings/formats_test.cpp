@@ -250,7 +250,8 @@ TEST(Conditions, SayWhichCasesDiffer) {
     table.cases[1].cfm = std::numeric_limits<double>::quiet_NaN();  // of beam joints
     EXPECT_THAT(
         condition_lines(summarise(table)),
-        testing::IsSupersetOf({"Joints: they follow Σ (E30, E200).", "Joints: elastic beams, solved exactly (E60)."}));
+        testing::IsSupersetOf({"Joints: they follow Σ (E30, E200).",
+                               "Joints: elastic beams, solved exactly; they fail by the stress in the ice (E60)."}));
 }
 
 }  // namespace

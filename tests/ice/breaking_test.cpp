@@ -123,6 +123,11 @@ TEST(IceBreaking, IsLoggedAndCountedAndSplitsTheFloe) {
     EXPECT_EQ(ice.elements()[5].piece, 5);
     EXPECT_EQ(ice.elements()[4].exposed_edges, edge_plus_x | edge_plus_z | edge_minus_z);
     EXPECT_EQ(ice.elements()[5].exposed_edges, 15);
+    const std::vector<PieceArea> areas = ice.piece_areas();
+    ASSERT_EQ(areas.size(), 2u) << "the other floe is whole";
+    EXPECT_EQ(areas[0].floe, 1);
+    EXPECT_NEAR(areas[0].area, 2 * 0.04, 1e-12);
+    EXPECT_NEAR(areas[1].area, 0.04, 1e-12);
 }
 
 // Squeezed together until the joint fails, the two overlap; the step after, they push each other apart.

@@ -88,6 +88,16 @@ inline Bytes breaks_read(const std::filesystem::path& path) {
     return out.take();
 }
 
+inline Bytes pieces_read(const std::filesystem::path& path) {
+    ByteWriter out;
+    for (const PieceRow& row : read_pieces(path)) {
+        out.i32(row.member);
+        out.i32(row.floe);
+        out.doubles(std::vector{row.area});
+    }
+    return out.take();
+}
+
 inline Bytes histories_read(const std::filesystem::path& path) {
     ByteWriter out;
     for_each_history(path, [&](const SurgeHistory& history) { out.doubles(history.surge); });
@@ -105,7 +115,7 @@ inline Bytes load_maps_read(const std::filesystem::path& path) {
 
 /// What there is to read of a file, each as bytes. They throw as the readers do.
 inline constexpr Bytes (*parts_read[])(const std::filesystem::path&){
-    table_read, origin_read, wall_times_read, poses_read, breaks_read, histories_read, load_maps_read, campaign_read};
+    table_read, origin_read, wall_times_read, poses_read, breaks_read, pieces_read, histories_read, load_maps_read, campaign_read};
 
 inline Bytes everything_read(const std::filesystem::path& path) {
     ByteWriter out;

@@ -117,6 +117,7 @@ inline MemberRecord record(const Campaign& campaign, int number) {
     result.load_map = std::move(map);
     for (int k = 0; k < number % 4; ++k)
         result.breaks.push_back({0.02 * (k + 1), k, k + 9, static_cast<FailureMode>((number + k) % 6)});
+    if (number % 4 > 0) result.piece_areas = {{1, 0.12}, {1, 0.24}};
     for (int k = 0; k < scenario.field.floes; ++k)
         result.arrangement.push_back({6.0 + k + 0.1 * key.arrangement, 0.3 * scenario.field.floes - k, 0.01 * k});
     result.psi4 = 0.9 + 0.001 * key.arrangement;

@@ -13,6 +13,7 @@
 #include "findings/moored_cases.hpp"
 #include "findings/overview_section.hpp"
 #include "findings/pairs_section.hpp"
+#include "findings/piece_sizes.hpp"
 #include "findings/points.hpp"
 #include "findings/report_sections.hpp"
 #include "findings/scatter.hpp"
@@ -161,6 +162,7 @@ constexpr std::array all{
     Finding{"control", one<control>, never},
     Finding{"", one<convergence_section>, never, "Uncertainty of the mean", always},
     Finding{"", one<failures_section>, never, "Broken floes", always},
+    Finding{"pieces", one<piece_sizes_section>, never, "Broken floes", always},
     Finding{"", one<joint_failures_section>, never, "Where floes fail", always},
     Finding{"", one<largest_load_section>, never, "The arrangement with the largest load", always},
     Finding{"", one<closed_formulas_section>, never, "Elastic modulus and closed formulas", always},

@@ -74,6 +74,12 @@ bool has_beam_joints(const CaseRow& row) {
     return std::isnan(row.cfm);
 }
 
+std::string joint_words(const CaseRow& row) {
+    if (!has_beam_joints(row)) return "they follow Σ";
+    return fmt::format("elastic beams, solved exactly; they fail by {}",
+                       row.joint.fails_by_stress() ? "the stress in the ice" : "moment");
+}
+
 }  // namespace
 
 std::string far_end_words(FarEnd far_end) {
@@ -117,10 +123,7 @@ std::vector<std::string> condition_lines(const Summary& summary) {
     if (std::ranges::any_of(summary.cases, [](const CaseSummary& row) { return drift_words(row.about) != "none"; }))
         add_condition(summary, "Drift", drift_words, lines);
     if (std::ranges::any_of(summary.cases, [](const CaseSummary& row) { return has_beam_joints(row.about); })) {
-        add_condition(
-            summary, "Joints",
-            [](const CaseRow& row) { return has_beam_joints(row) ? "elastic beams, solved exactly" : "they follow Σ"; },
-            lines);
+        add_condition(summary, "Joints", joint_words, lines);
     }
     add_condition(
         summary, "Contacts", [](const CaseRow& row) { return contact_words(row.contact); }, lines);

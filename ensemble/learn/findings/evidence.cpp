@@ -66,6 +66,11 @@ const std::vector<BreakRow>& breaks_of(Evidence& evidence) {
     return *evidence.breaks;
 }
 
+const std::vector<PieceRow>& pieces_of(Evidence& evidence) {
+    if (!evidence.pieces) evidence.pieces = read_pieces(evidence.file);
+    return *evidence.pieces;
+}
+
 std::vector<std::size_t> drawn_cases(const Summary& summary) {
     const auto load = [&](std::size_t k) { return summary.cases[k].of(quantity("mean_load")).estimate; };
     std::vector<std::size_t> cases;

@@ -35,6 +35,7 @@ struct Evidence {
     std::optional<Sensitivity> sensitivity = {};
     std::optional<DesignLoads> designs = {};
     std::optional<std::vector<BreakRow>> breaks = {};
+    std::optional<std::vector<PieceRow>> pieces = {};
     Reference reference;                       ///< case that the others are compared with
     double resolve = 0.1;                      ///< difference that pairs are to resolve, of the first case's mean
     std::optional<MooredRequest> moored = {};  ///< hull that the loads move; none: nobody asks
@@ -55,6 +56,8 @@ const Sensitivity& sensitivity_of(Evidence& evidence);
 const DesignLoads& designs_of(Evidence& evidence);
 /// All joints that failed; none where the file keeps none.
 const std::vector<BreakRow>& breaks_of(Evidence& evidence);
+/// The pieces of all floes that cracked through; none where the file keeps none.
+const std::vector<PieceRow>& pieces_of(Evidence& evidence);
 
 /// Cases that have a panel of their own: at most six with done members, the most loaded, in file order.
 std::vector<std::size_t> drawn_cases(const Summary& summary);

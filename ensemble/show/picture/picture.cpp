@@ -92,7 +92,10 @@ void draw_legend(Canvas& canvas, const PictureStyle& style, double bottom, doubl
     constexpr int steps = 40;
     const double width = 110 * unit / steps;
     for (int k = 0; k < steps; ++k) box(begin + k * width, width + unit, scale_colour((k + 0.5) / steps));
-    word(begin + 118 * unit, moves ? fmt::format("{:.3g} m/s (tow)", speed) : "1");
+    const double end = word(begin + 118 * unit, moves ? fmt::format("{:.3g} m/s (tow)", speed) : "1");
+    if (moves) return;
+    box(end + 14 * unit, 22 * unit, crack_colour);
+    word(end + 42 * unit, "crack");
 }
 
 /// The load over time in the lowest part of the picture.

@@ -188,7 +188,7 @@ std::vector<Face> Stage::faces(const Frame& frame, const Projection& projection,
             case Colouring::speed:
                 return scale_colour(frame.elements[k].velocity.norm() / scenario.structure.speed);
             case Colouring::utilisation:
-                return scale_colour(frame.utilisation[k]);
+                return frame.utilisation[k] > 1 ? crack_colour : scale_colour(frame.utilisation[k]);
             case Colouring::ice:
                 break;
         }

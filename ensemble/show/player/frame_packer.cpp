@@ -103,7 +103,7 @@ void FramePacker::add_states(const Frame& frame) {
 void FramePacker::add_utilisation(const Frame& frame) {
     Bytes differences(elements_);
     for (std::size_t e = 0; e < elements_; ++e) {
-        const auto now = static_cast<std::uint8_t>(std::lround(100 * std::clamp(frame.utilisation[e], 0.0, 1.0)));
+        const auto now = static_cast<std::uint8_t>(std::lround(100 * std::clamp(frame.utilisation[e], 0.0, 2.0)));
         differences[e] = static_cast<std::byte>(now - percent_[e]);
         percent_[e] = now;
     }

@@ -34,7 +34,10 @@ FrameSeries::Elements::Elements(hid_t group, const RecordScales& scales)
       velocity(group, {"velocity", "m s-1", "velocity of the centre"}, {scales.element, scales.coordinate}, 1),
       piece(group, {"piece", "1", "first element of the connected piece that the element belongs to"}, {scales.element},
             1),
-      utilisation(group, {"utilisation", "1", "largest reaction over threshold of the element's joints, 0 to 1"},
+      utilisation(group,
+                  {"utilisation", "1",
+                   "largest utilisation of the element's joints, 0 to 1; a crack has 1 and the share of its stiffness "
+                   "that is gone"},
                   {scales.element}, 1) {}
 
 FrameSeries::Numbers::Numbers(hid_t group)

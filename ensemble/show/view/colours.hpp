@@ -25,13 +25,14 @@ enum class Colouring {
     ice,         ///< white; floes with a failed joint are warm
     piece,       ///< a colour for each piece
     speed,       ///< from 0 to the tow's
-    utilisation  ///< of its worst joint, from 0 to 1
+    utilisation  ///< of its worst joint, from 0 to 1, and cracks
 };
 
 inline constexpr std::array<std::string_view, 4> colouring_names{"ice", "piece", "speed", "utilisation"};
 
 inline constexpr Colour white_ice{0.95, 0.97, 0.98};
 inline constexpr Colour broken_ice{1.0, 0.80, 0.58};
+inline constexpr Colour crack_colour{0.90, 0.20, 0.20};
 inline constexpr Colour sheet_ice{0.78, 0.85, 0.89};
 inline constexpr Colour structure_yellow{0.98, 0.80, 0.16};
 inline constexpr Colour sea{0.13, 0.31, 0.43};

@@ -12,7 +12,7 @@
 namespace floes {
 
 /// A hexahedron for each element. Cells have floe, piece (the first element of the piece), broken (1: a joint of its
-/// floe has failed), utilisation (0-1) and velocity. `broken`: of each floe.
+/// floe has failed), utilisation (0-1, cracks to 2) and velocity. `broken`: of each floe.
 VtkMesh ice_part(const Frame& frame, const IceLayout& layout, std::span<const std::uint8_t> broken);
 
 /// A point for each contact that exerts a force. Points have normal, friction and force (their sum) on the element, the

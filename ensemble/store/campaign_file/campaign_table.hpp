@@ -31,6 +31,7 @@ struct CaseRow {
     double field_length = 0;      ///< m; 0: unknown
     Vec2 current = Vec2::Zero();  ///< along x and z, m/s
     Wind wind = {};
+    Joint joint = {};
 
     double window_steps() const { return analysis.window / time_step; }
 };

@@ -43,7 +43,8 @@ CaseRow case_row(const Case& one) {
             scenario.field,
             scenario.field_length(),
             scenario.water.current_velocity(),
-            scenario.wind};
+            scenario.wind,
+            scenario.joint};
 }
 
 CampaignTable table_without_members(const Campaign& campaign) {

@@ -68,4 +68,15 @@ std::vector<BreakRow> read_breaks(const CampaignFile& file) {
     return rows;
 }
 
+std::vector<PieceRow> read_pieces(const CampaignFile& file) {
+    const hdf5::QuietErrors quiet;
+    if (!hdf5::exists(file.id(), "pieces")) return {};
+    const auto member = hdf5::read_values<std::int32_t>(file.id(), "pieces/member");
+    const auto floe = hdf5::read_column<std::int32_t>(file.id(), "pieces/floe", member.size());
+    const auto area = hdf5::read_column<double>(file.id(), "pieces/area", member.size());
+    std::vector<PieceRow> rows;
+    for (std::size_t i = 0; i < member.size(); ++i) rows.push_back({member[i], floe.at(i), area.at(i)});
+    return rows;
+}
+
 }  // namespace floes

@@ -38,4 +38,13 @@ struct BreakRow {
 /// All breaks of done members in order of member and time; empty where the file keeps none.
 std::vector<BreakRow> read_breaks(const CampaignFile& file);
 
+struct PieceRow {
+    int member = 0;
+    int floe = 0;
+    double area = 0;  ///< m²
+};
+
+/// The pieces of all floes that cracked through, in order of member and floe; empty where the file keeps none.
+std::vector<PieceRow> read_pieces(const CampaignFile& file);
+
 }  // namespace floes

@@ -30,6 +30,7 @@ function between(stops, share) {
 
 const viridis = ['#440154', '#3b528b', '#21918c', '#5ec962', '#fde725'].map(rgb);
 const heat = ['#f3f6f8', '#fde8a9', '#fdae61', '#e34a33', '#7a0177'].map(rgb);
+const crack = rgb('#1f4fd8');
 
 // 1, 2 or 5 times a power of ten, at least `value`.
 function roundNumber(value) {
@@ -73,8 +74,10 @@ class Colouring {
 
   byUtilisation(frame) {
     const first = frame * this.replay.elements;
-    for (let e = 0; e < this.replay.elements; ++e)
-      this.bytes.set(between(heat, this.replay.utilisation[first + e] / 100), 3 * e);
+    for (let e = 0; e < this.replay.elements; ++e) {
+      const used = this.replay.utilisation[first + e] / 100;
+      this.bytes.set(used > 1 ? crack : between(heat, used), 3 * e);
+    }
   }
 
   // Markup that explains the colours; units included.
@@ -89,7 +92,8 @@ class Colouring {
         sample(`linear-gradient(90deg,${[0.1, 0.35, 0.75].map(h => css(hueColour(h, 0.62, 0.7)))})`,
           'pieces of a broken floe, a colour each'),
       speed: `<li>speed 0 ${bar(viridis)} ${this.fastest} m/s</li>`,
-      utilisation: `<li>worst joint, share of its strength: 0 ${bar(heat)} 100 %</li>`,
+      utilisation: `<li>worst joint, share of its strength: 0 ${bar(heat)} 100 %</li>` +
+        sample(css(crack), 'an open crack softens'),
     }[this.kind];
     return `<ul>${own}${line('failed', 'failed joint')}${line('broken', 'outline of a broken floe')}</ul>`;
   }

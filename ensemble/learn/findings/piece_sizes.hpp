@@ -1,0 +1,54 @@
+#pragma once
+// How large the ice is before and after the structure: floes at the start, floes and pieces at the end. The size of ice
+// is D, the side of the square with its area.
+
+#include <cstddef>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "campaign_file/read_details.hpp"
+#include "findings/evidence.hpp"
+#include "tables/section.hpp"
+
+namespace floes {
+
+/// Area by size.
+class IceSizes {
+  public:
+    /// Adds ice of one area, m²; a negative share takes it away again.
+    void add(double area, double share = 1);
+
+    double area() const;   ///< of all, m²
+    double count() const;  ///< of all floes and pieces
+
+    /// D below which this share (0 to 1) of the area is, m; NaN without ice.
+    double quantile(double share) const;
+
+    /// D and the share of the area in ice of at most this size, rising, as steps.
+    std::vector<std::pair<double, double>> steps() const;
+
+  private:
+    struct Sum {
+        double count = 0, area = 0;
+    };
+    std::map<long long, Sum> by_area_;  // in 10⁻⁹ m²: a floe is as large as its pieces together
+};
+
+struct SizesOfCase {
+    std::size_t case_index = 0;
+    int runs = 0;
+    double split = 0;        ///< floes that cracked through, mean over members
+    double pieces = 0;       ///< of one of them, mean
+    double in_pieces = 0;    ///< share of the area that is in pieces, 0 to 1
+    IceSizes before, after;  ///< sums over members
+};
+
+/// Of every case with done members. `floes`: areas of the floes of one member of each case, m².
+std::vector<SizesOfCase> find_piece_sizes(const CampaignTable& table, std::span<const PieceRow> pieces,
+                                          std::span<const std::vector<double>> floes);
+
+/// Part "pieces" of floes summarize.
+Section piece_sizes_section(Evidence& evidence);
+
+}  // namespace floes

@@ -1,0 +1,11 @@
+#pragma once
+// What a floe that cracked through is in at the end of a run.
+
+namespace floes {
+
+struct PieceArea {
+    int floe = 0;     ///< its index in the arrangement
+    double area = 0;  ///< of the upper side, m²
+};
+
+}  // namespace floes
