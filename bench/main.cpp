@@ -130,7 +130,7 @@ void add_all(int steps) {
     for (const int along : {3, 4, 5, 6}) {
         add_size({.elements_along = along, .solver = SolverKind::direct}, "direct/elements", along * along, 20);
     }
-    for (const int floes : {189, 500, 1000, 2000}) {
+    for (const int floes : {50, 100, 189, 500, 1000, 2000, 5000, 10000, 20000}) {
         add_size({.floes = floes, .solver = SolverKind::direct}, "direct/floes", floes, 5);
     }
     for (const int percent : {50, 60, 70, 75, 80, 85}) {
