@@ -4,15 +4,20 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <variant>
 
+#include <boost/math/distributions/lognormal.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/uniform.hpp>
+#include <boost/math/distributions/weibull.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 
 namespace floes {
 namespace {
 
-using Law = std::variant<boost::math::normal, boost::math::lognormal, boost::math::weibull, boost::math::uniform>;
+using AnyLaw = std::variant<boost::math::normal, boost::math::lognormal, boost::math::weibull, boost::math::uniform>;
 
-Law law_of(const FactorLaw& law) {
+AnyLaw law_of(const FactorLaw& law) {
     switch (law.kind) {
         case LawKind::lognormal: {
             const double variance = std::log1p(law.cov * law.cov);  // of the logarithm
@@ -31,7 +36,7 @@ Law law_of(const FactorLaw& law) {
     }
 }
 
-double share_below(const Law& law, double factor) {
+double share_below(const AnyLaw& law, double factor) {
     return std::visit([&](const auto& one) { return boost::math::cdf(one, factor); }, law);
 }
 
@@ -41,6 +46,10 @@ double inside(double share) {
 }
 
 }  // namespace
+
+struct Factors::Law {
+    AnyLaw any;
+};
 
 double weibull_shape(double cov) {
     const double wanted = cov * cov;
@@ -65,12 +74,12 @@ double normal_at(double u) {
 }
 
 Factors::Factors(const FactorLaw& law)
-    : law_(law_of(law)),
+    : law_(std::make_shared<const Law>(Law{law_of(law)})),
       low_(law.low),
       high_(law.high),
-      below_low_(share_below(law_, law.low)),
-      above_low_(share_below(law_, law.high)) {
-    if (const auto* even = std::get_if<boost::math::uniform>(&law_)) {
+      below_low_(share_below(law_->any, law.low)),
+      above_low_(share_below(law_->any, law.high)) {
+    if (const auto* even = std::get_if<boost::math::uniform>(&law_->any)) {
         low_ = std::max(low_, even->lower());
         high_ = std::min(high_, even->upper());
     }
@@ -78,7 +87,7 @@ Factors::Factors(const FactorLaw& law)
 
 double Factors::at(double u) const {
     const double share = inside(below_low_ + u * mass());
-    const double factor = std::visit([&](const auto& one) { return boost::math::quantile(one, share); }, law_);
+    const double factor = std::visit([&](const auto& one) { return boost::math::quantile(one, share); }, law_->any);
     return static_cast<float>(std::clamp(factor, low_, high_));
 }
 

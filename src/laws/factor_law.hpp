@@ -2,12 +2,7 @@
 // Laws of a positive number that is 1 on average: what a property of single floes is multiplied by. A law is cut off at
 // two bounds, and what is left keeps its proportions.
 
-#include <variant>
-
-#include <boost/math/distributions/lognormal.hpp>
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/uniform.hpp>
-#include <boost/math/distributions/weibull.hpp>
+#include <memory>
 
 namespace floes {
 
@@ -37,7 +32,8 @@ class Factors {
     double at(double u) const;
 
   private:
-    std::variant<boost::math::normal, boost::math::lognormal, boost::math::weibull, boost::math::uniform> law_;
+    struct Law;  // Boost's headers stay out of this one, which nearly every file includes: they took half of the build
+    std::shared_ptr<const Law> law_;
     double low_;
     double high_;
     double below_low_;  // cumulative probability at either bound

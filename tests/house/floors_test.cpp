@@ -107,6 +107,12 @@ TEST(BrokenRules, RefuseAnUpwardInclude) {
                     "lower floors may be used"));
 }
 
+TEST(BrokenRules, RefuseBoostInAHeader) {
+    const std::string text = "#include <boost/math/distributions/normal.hpp>\n";
+    EXPECT_THAT(broken_by("src/laws/law.hpp", text), ElementsAre(HasSubstr("include it in a .cpp")));
+    EXPECT_THAT(broken_by("src/laws/law.cpp", text), IsEmpty());
+}
+
 TEST(BrokenRules, RefuseASidewaysInclude) {
     EXPECT_THAT(broken_by("src/water/drag.cpp", "#include \"theory/plate.hpp\"\n"),
                 ElementsAre(HasSubstr("water is on floor 3, theory on floor 3")));

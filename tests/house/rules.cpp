@@ -46,6 +46,8 @@ void check_foreign(const std::string& path, const Include& include, std::vector<
     if (path.starts_with("src/") && std::ranges::find(files_and_output, include.header) != files_and_output.end())
         broken.push_back(where + "src/ opens no file and prints nothing");
     if (is_standard(include.header)) return;
+    if (path.ends_with(".hpp") && include.header.starts_with("boost/"))
+        broken.push_back(where + "it took half of the build when it was in a header; include it in a .cpp");
     const auto library = std::ranges::find_if(
         libraries(), [&](const Library& one) { return std::regex_match(include.header, one.header); });
     if (library == libraries().end()) {

@@ -12,6 +12,7 @@ namespace floes::house {
 /// One sentence for each rule that the file breaks:
 ///   - #include "room/file.hpp" names the file's own room or one of a lower floor;
 ///   - #include <foreign/header.h> is of a library with a door in the file's room;
+///   - no header includes Boost, whose headers are long;
 ///   - src/ opens no file and prints nothing: no <fstream>, <iostream>, <cstdio>;
 ///   - at most 300 lines.
 std::vector<std::string> broken_rules(const Source& file);
