@@ -1,0 +1,60 @@
+#!/usr/bin/python3
+"""docs/gallery.md: every campaign of configs/gallery with its purpose, a picture, and the first lines of its summary.
+
+Usage: gallery.py FLOES [FOLDER]      FOLDER: where the campaign files are, or come to be; default: a temporary one
+
+Runs what FOLDER lacks, some minutes on two cores. The first sentence of a file is its purpose; a line "# picture: …" has options of
+`floes replay` for the picture, which else is the moment of the largest load.
+"""
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+PROJECT = pathlib.Path(__file__).resolve().parents[2]
+CONFIGS = PROJECT / "configs" / "gallery"
+PAGE, PICTURES = PROJECT / "docs" / "gallery.md", PROJECT / "docs" / "gallery"
+VIEW = ["--worst", "--size", "720x480"]
+
+
+def comment(config):
+    """The words before the first table, and the options of the picture."""
+    lines = []
+    for line in config.read_text().splitlines():
+        if not line.startswith("#"):
+            break
+        lines.append(line.removeprefix("#").strip())
+    options = [line.removeprefix("picture:").split() for line in lines if line.startswith("picture:")]
+    return " ".join(line for line in lines if not line.startswith("picture:")), options[0] if options else VIEW
+
+
+def first_lines(floes, campaign):
+    """Title, warnings, and the table of cases."""
+    text = subprocess.run([floes, "summarize", campaign], check=True, capture_output=True, text=True).stdout
+    return re.split(r"\n\n±|\n\nIn |\n\nLargest", text)[0].rstrip()
+
+
+def entry(floes, config, folder):
+    purpose, view = comment(config)
+    campaign = folder / f"{config.stem}.h5"
+    subprocess.run([floes, "run", config, "-o", campaign, "--resume"], check=True, stdout=subprocess.DEVNULL)
+    picture = PICTURES / f"{config.stem}.png"
+    subprocess.run([floes, "replay", campaign, *view, "-o", picture], check=True, stdout=subprocess.DEVNULL)
+    words = config.stem.replace("_", " ")
+    return (f"## {words[0].upper()}{words[1:]}\n\n{purpose}\n\n    floes run configs/gallery/{config.name}\n\n"
+            f"![{words}](gallery/{picture.name})\n\n```text\n{first_lines(floes, campaign)}\n```\n")
+
+
+def main(floes, folder):
+    PICTURES.mkdir(exist_ok=True)
+    entries = [entry(floes, config, folder) for config in sorted(CONFIGS.glob("*.toml"))]
+    before, mark, _ = PAGE.read_text().partition("<!-- gallery -->\n")
+    PAGE.write_text(before + mark + "\n" + "\n".join(entries))
+
+
+if __name__ == "__main__":
+    if len(sys.argv) not in (2, 3):
+        sys.exit(__doc__)
+    with tempfile.TemporaryDirectory() as temporary:
+        main(sys.argv[1], pathlib.Path(sys.argv[2] if len(sys.argv) == 3 else temporary))
