@@ -21,15 +21,15 @@ namespace floes {
 
 namespace {
 
-using Shapes = std::span<const Rectangle>;
+using Rectangles = std::span<const Rectangle>;
 
-std::vector<PlanarPose> lattice_for(const Scenario& scenario, Shapes shapes) {
+std::vector<PlanarPose> lattice_for(const Scenario& scenario, Rectangles shapes) {
     return lattice_start(field_walls(scenario), covering(shapes), scenario.arrangement.clearance,
                          static_cast<int>(shapes.size()));
 }
 
 /// Floes of mixed sizes begin where they were scattered: dense ones fit on no lattice of cells for the largest.
-std::vector<PlanarPose> monte_carlo_of_mixed(const Scenario& scenario, Shapes shapes, RandomStream random) {
+std::vector<PlanarPose> monte_carlo_of_mixed(const Scenario& scenario, Rectangles shapes, RandomStream random) {
     const ArrangementRule& rule = scenario.arrangement;
     const Walls walls = field_walls(scenario);
     HardRectangles floes(walls.shrunk(rule.clearance), shapes, rule.clearance,
@@ -39,7 +39,7 @@ std::vector<PlanarPose> monte_carlo_of_mixed(const Scenario& scenario, Shapes sh
     return floes.poses();
 }
 
-std::vector<PlanarPose> monte_carlo(const Scenario& scenario, Shapes shapes, RandomStream random) {
+std::vector<PlanarPose> monte_carlo(const Scenario& scenario, Rectangles shapes, RandomStream random) {
     if (scenario.sizes.law != SizeLaw::one) return monte_carlo_of_mixed(scenario, shapes, random);
     const ArrangementRule& rule = scenario.arrangement;
     const Walls walls = field_walls(scenario);
@@ -56,12 +56,12 @@ std::vector<PlanarPose> monte_carlo(const Scenario& scenario, Shapes shapes, Ran
     return floes.poses();
 }
 
-std::vector<PlanarPose> lattice(const Scenario& scenario, Shapes shapes, RandomStream random) {
+std::vector<PlanarPose> lattice(const Scenario& scenario, Rectangles shapes, RandomStream random) {
     const ArrangementRule& rule = scenario.arrangement;
     return jittered_lattice(field_walls(scenario), shapes, rule.clearance, {rule.jitter, rule.jitter_angle}, random);
 }
 
-std::vector<PlanarPose> scattered_and_ordered(const Scenario& scenario, Shapes shapes, std::uint64_t seed,
+std::vector<PlanarPose> scattered_and_ordered(const Scenario& scenario, Rectangles shapes, std::uint64_t seed,
                                               std::uint32_t number) {
     const ArrangementRule& rule = scenario.arrangement;
     const Walls walls = field_walls(scenario);
@@ -84,7 +84,8 @@ std::vector<PlanarPose> scattered_and_ordered(const Scenario& scenario, Shapes s
     return floes.poses();
 }
 
-std::vector<PlanarPose> find_poses(const Scenario& scenario, Shapes shapes, std::uint64_t seed, std::uint32_t number) {
+std::vector<PlanarPose> find_poses(const Scenario& scenario, Rectangles shapes, std::uint64_t seed,
+                                   std::uint32_t number) {
     const std::uint64_t geometry = geometry_key(scenario);
     switch (scenario.arrangement.method) {
         case ArrangementMethod::file:
@@ -97,6 +98,16 @@ std::vector<PlanarPose> find_poses(const Scenario& scenario, Shapes shapes, std:
             break;
     }
     return monte_carlo(scenario, shapes, RandomStream(seed, number, StreamId::monte_carlo, geometry));
+}
+
+/// Cells of a Voronoi diagram have their places already; other polygons are scattered.
+std::vector<PlanarPose> poses_of_polygons(const Scenario& scenario, const FloeSet& floes, std::uint64_t seed,
+                                          std::uint32_t number) {
+    if (scenario.shapes.kind == ShapeKind::voronoi) return floes.poses();
+    RandomStream random(seed, number, StreamId::scattering, geometry_key(scenario));
+    std::vector<Outline> outlines;
+    for (std::size_t i = 0; i < floes.size(); ++i) outlines.push_back(floes.shape(i).outline);
+    return scattered(field_walls(scenario), outlines, scenario.arrangement.clearance, random);
 }
 
 /// Every floe's sides, in the order of the law.
@@ -123,6 +134,10 @@ std::uint64_t geometry_key(const Scenario& scenario) {
     for (const std::vector<double>& values : rule.values)
         if (!values.empty()) text += fmt::format("values {}\n", fmt::join(values, " "));
     if (scenario.sizes.law != SizeLaw::one) text += sizes_text(scenario);
+    const auto& shapes = scenario.shapes;
+    if (shapes.any())
+        text += fmt::format("shapes {} {} {} {}\n", static_cast<int>(shapes.kind), shapes.corners, shapes.irregularity,
+                            shapes.relaxations);
     for (const PlanarPose& pose : rule.poses) text += fmt::format("pose {} {} {}\n", pose.x, pose.z, pose.yaw);
     return digest64(text);
 }
@@ -132,12 +147,14 @@ double coverage_ahead(const Scenario& scenario, const FloeSet& floes) {
     const double half_width = std::min(scenario.field.half_width, scenario.structure.shape.waterline_radius());
     path.low_z = -half_width;
     path.breadth = 2 * half_width;
+    if (scenario.shapes.any()) return coverage(path, outlines_on_water(floes));
     return coverage(path, rectangles(floes), floes.poses());
 }
 
 Arrangement make_arrangement(const Scenario& scenario, std::uint64_t seed, std::uint32_t number) {
     Arrangement made{floes_of(scenario, {seed, number})};
-    const std::vector<PlanarPose> poses = find_poses(scenario, rectangles(made), seed, number);
+    const std::vector<PlanarPose> poses = scenario.shapes.any() ? poses_of_polygons(scenario, made, seed, number)
+                                                                : find_poses(scenario, rectangles(made), seed, number);
     for (std::size_t i = 0; i < poses.size(); ++i) made.floes[i].pose = poses[i];
     if (const std::optional<Fault> fault = find_fault(scenario, made)) {
         if (scenario.arrangement.method == ArrangementMethod::file) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "arrangement/cells.hpp"
+#include "outline/distance.hpp"
 
 namespace floes {
 
@@ -16,6 +17,7 @@ namespace {
 
 constexpr double rounding = 1e-9;        // m
 constexpr double area_rounding = 1e-12;  // relative
+constexpr double tidied_area = 1e-6;     // likewise, of polygons, which lose their shortest edges
 
 /// Between two floes, along the direction in which they are farthest from being too near, m.
 struct Gap {
@@ -88,7 +90,35 @@ std::optional<std::pair<std::size_t, std::size_t>> overlapping_pair(const Walls&
     return std::nullopt;
 }
 
+/// The first polygon that leaves the walls, or lies nearer than `gap` to an earlier one.
+std::optional<Fault> fault_of_polygons(const Walls& walls, const std::vector<Outline>& outlines, double gap) {
+    for (std::size_t i = 0; i < outlines.size(); ++i) {
+        for (const Corner& corner : outlines[i])
+            if (!(corner.x >= walls.low_x && corner.x <= walls.low_x + walls.length && corner.z >= walls.low_z &&
+                  corner.z <= walls.low_z + walls.breadth))
+                return Fault{
+                    fmt::format("floe {} is not inside the field: it has a corner at x = {:.4f} m, z = {:.4f} m", i,
+                                corner.x, corner.z),
+                    {i}};
+        for (std::size_t k = 0; k < i; ++k)
+            if (const double apart = distance_between(outlines[k], outlines[i]); !(apart >= gap))
+                return Fault{fmt::format("floes {} and {} are {:.4g} m apart and are to be {:.4g} m", k, i, apart, gap),
+                             {k, i}};
+    }
+    return std::nullopt;
+}
+
 }  // namespace
+
+std::vector<Outline> outlines_on_water(const FloeSet& floes) {
+    std::vector<Outline> found;
+    for (std::size_t i = 0; i < floes.size(); ++i) {
+        const PlanarPose& pose = floes.floes[i].pose;
+        const Turn turn = turn_of(pose.yaw);
+        found.push_back(from_axes(floes.shape(i).outline, {pose.x, pose.z}, {turn.cos, -turn.sin}));
+    }
+    return found;
+}
 
 std::vector<Rectangle> rectangles(const FloeSet& floes) {
     std::vector<Rectangle> found;
@@ -110,10 +140,12 @@ std::optional<Fault> find_fault(const Scenario& scenario, const FloeSet& floes) 
         return Fault{fmt::format("the arrangement has {} floes where the field has {}", poses.size(), field.floes)};
     }
     const double concentration = covered_area(floes) / ((scenario.field_end() - field.begin) * 2 * field.half_width);
-    if (!(std::abs(concentration - field.concentration) <= area_rounding * field.concentration)) {
+    const double exact = scenario.shapes.any() ? tidied_area : area_rounding;
+    if (!(std::abs(concentration - field.concentration) <= exact * field.concentration)) {
         return Fault{fmt::format("the floes cover {} of the field instead of {}", concentration, field.concentration)};
     }
     const Walls walls = field_walls(scenario).shrunk(clearance - rounding);
+    if (scenario.shapes.any()) return fault_of_polygons(walls, outlines_on_water(floes), clearance - rounding);
     const double margin = 0.5 * (clearance - rounding);
     const std::vector<Rectangle> shapes = rectangles(floes);
     std::vector<TurnedRectangle> grown;

@@ -115,6 +115,17 @@ double local_order(std::span<const PlanarPose> poses) {
     return std::accumulate(of_floe.begin(), of_floe.end(), 0.0) / static_cast<double>(poses.size());
 }
 
+double coverage(const Walls& area, std::span<const Outline> outlines) {
+    double covered = 0;
+    for (Outline inside : outlines) {
+        for (const HalfPlane& half : {HalfPlane{{1, 0}, area.low_x + area.length}, HalfPlane{{-1, 0}, -area.low_x},
+                                      HalfPlane{{0, 1}, area.low_z + area.breadth}, HalfPlane{{0, -1}, -area.low_z}})
+            if (!inside.empty()) inside = clipped(inside, half);
+        if (!inside.empty()) covered += area_of(inside);
+    }
+    return covered / (area.length * area.breadth);
+}
+
 double coverage(const Walls& area, std::span<const Rectangle> shapes, std::span<const PlanarPose> poses) {
     double covered = 0;
     for (std::size_t i = 0; i < poses.size(); ++i) {

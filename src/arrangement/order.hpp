@@ -6,6 +6,7 @@
 #include "arrangement/boundary.hpp"
 #include "arrangement/rectangle.hpp"
 #include "core/vector.hpp"
+#include "outline/polygon.hpp"
 
 namespace floes {
 
@@ -19,5 +20,8 @@ double local_order(std::span<const PlanarPose> poses);
 
 /// The share of the area between the walls that rectangles cover, one a pose; none of them overlap.
 double coverage(const Walls& area, std::span<const Rectangle> shapes, std::span<const PlanarPose> poses);
+
+/// The same of polygons where they lie.
+double coverage(const Walls& area, std::span<const Outline> outlines);
 
 }  // namespace floes

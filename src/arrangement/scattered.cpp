@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <optional>
 
 #include "arrangement/crowd.hpp"
+#include "arrangement/polygon_crowd.hpp"
 #include "core/error.hpp"
 
 namespace floes {
@@ -45,16 +47,23 @@ std::vector<std::size_t> most_pressed(const Crowd& crowd) {
     return floes;
 }
 
+double reach(const Rectangle& shape) {
+    return shape.half_diagonal();
+}
+double reach(const Outline& shape) {
+    return reach_of(shape);
+}
+
 /// Of mixed sizes the smallest of the floes that overlap most, where it overlaps least among many throws: a pocket that
 /// a small floe fills loosens the rest, and large floes stay as they were thrown.
-void fill_a_pocket(Crowd& crowd, std::span<const Rectangle> shapes, const Walls& walls, RandomStream& random) {
+template <class AnyCrowd, class Shape>
+void fill_a_pocket(AnyCrowd& crowd, std::span<const Shape> shapes, const Walls& walls, RandomStream& random) {
     const std::vector<double> overlaps = crowd.overlaps();
     std::vector<std::size_t> floes(overlaps.size());
     std::iota(floes.begin(), floes.end(), std::size_t{0});
     std::ranges::stable_sort(floes, std::ranges::greater(), [&](std::size_t floe) { return overlaps[floe]; });
     floes.resize(1 + (floes.size() - 1) / pocket_choice);
-    const std::size_t floe =
-        *std::ranges::min_element(floes, {}, [&](std::size_t i) { return shapes[i].half_diagonal(); });
+    const std::size_t floe = *std::ranges::min_element(floes, {}, [&](std::size_t i) { return reach(shapes[i]); });
     PlanarPose best = throw_anywhere(walls, random);
     double least = crowd.overlap_at(floe, best);
     for (int i = 1; i < pocket_throws; ++i) {
@@ -67,11 +76,12 @@ void fill_a_pocket(Crowd& crowd, std::span<const Rectangle> shapes, const Walls&
     crowd.put(floe, best);
 }
 
-std::optional<std::vector<PlanarPose>> attempt_mixed(const Walls& room, std::span<const Rectangle> shapes,
-                                                     double margin, RandomStream& random) {
+template <class AnyCrowd, class Shape>
+std::optional<std::vector<PlanarPose>> attempt_mixed(const Walls& room, std::span<const Shape> shapes, double margin,
+                                                     RandomStream& random) {
     std::vector<PlanarPose> poses;
     for (std::size_t i = 0; i < shapes.size(); ++i) poses.push_back(throw_anywhere(room, random));
-    Crowd crowd(room, shapes, poses);
+    AnyCrowd crowd(room, shapes, poses);
     for (int round = 0; round < pocket_rounds; ++round) {
         for (int sweep = 0; sweep < pocket_sweeps; ++sweep)
             if (crowd.sweep() < margin && crowd.deepest() < margin) return crowd.poses();
@@ -106,13 +116,37 @@ std::vector<PlanarPose> scattered(const Walls& walls, std::span<const Rectangle>
     for (const Rectangle& shape : shapes) grown.push_back(shape.grown(0.5 * clearance).grown(margin));
     const bool mixed = std::ranges::any_of(shapes, [&](const Rectangle& one) { return one != shapes.front(); });
     for (int i = 0; i < attempts; ++i)
-        if (const auto poses = (mixed ? attempt_mixed : attempt)(room, grown, margin, random)) return *poses;
+        if (const auto poses = (mixed ? attempt_mixed<Crowd, Rectangle> : attempt)(room, grown, margin, random))
+            return *poses;
     const Rectangle largest = covering(shapes);
     throw InputError(fmt::format(
         "{} floes of {} m x {} m, scattered in a field of {:.3f} m x {:.3f} m, still overlap after {} attempts at "
         "pushing them apart to a clearance of {} m; lower field.concentration_percent or the clearance, or use "
         "arrangement.method = \"monte_carlo\", whose floes lie in rows where they are dense",
         shapes.size(), 2 * largest.half_length, 2 * largest.half_breadth, walls.length, walls.breadth, attempts,
+        clearance));
+}
+
+std::vector<PlanarPose> scattered(const Walls& walls, std::span<const Outline> outlines, double clearance,
+                                  RandomStream& random) {
+    double least = std::numeric_limits<double>::infinity();
+    double area = 0;
+    for (const Outline& one : outlines) {
+        least = std::min(least, inner_radius(one));
+        area += area_of(one);
+    }
+    const double margin = 1e-4 * least;
+    const Walls room = walls.shrunk(0.5 * clearance);
+    std::vector<Outline> larger;
+    for (const Outline& one : outlines) larger.push_back(grown(one, 0.5 * clearance + margin));
+    const std::span<const Outline> shapes = larger;
+    for (int i = 0; i < attempts; ++i)
+        if (const auto poses = attempt_mixed<PolygonCrowd, Outline>(room, shapes, margin, random)) return *poses;
+    throw InputError(fmt::format(
+        "{} polygons that cover {:.3g} % of a field of {:.3f} m x {:.3f} m still overlap after {} attempts at pushing "
+        "them apart to a clearance of {} m; lower field.concentration_percent or the clearance, or take "
+        "shapes.kind = \"voronoi\", whose cells fit at any concentration",
+        outlines.size(), 100 * area / (walls.length * walls.breadth), walls.length, walls.breadth, attempts,
         clearance));
 }
 

@@ -8,12 +8,17 @@
 #include "arrangement/rectangle.hpp"
 #include "core/random.hpp"
 #include "core/vector.hpp"
+#include "outline/polygon.hpp"
 
 namespace floes {
 
 /// A pose of each shape, at least clearance (m) apart and from the walls. Throws InputError if they do not come to rest
 /// in any of ten attempts.
 std::vector<PlanarPose> scattered(const Walls& walls, std::span<const Rectangle> shapes, double clearance,
+                                  RandomStream& random);
+
+/// The same of convex polygons, about their centroids.
+std::vector<PlanarPose> scattered(const Walls& walls, std::span<const Outline> outlines, double clearance,
                                   RandomStream& random);
 
 }  // namespace floes

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "collision/prism_prism.hpp"
+
 namespace floes {
 namespace {
 
@@ -22,6 +24,8 @@ void BoxContacts::add(const ContactBox& box) {
     is_box_.push_back(box.is_box ? 1 : 0);
     asleep_.push_back(0);
     piece_.push_back(box.piece);
+    is_prism_.push_back(box.corners.empty() ? 0 : 1);
+    prism_.push_back(box.corners.empty() ? prism_of_box(box.half_extent) : PrismShape(box.corners, box.half_extent[1]));
     path_.push_back(0);
     bounds_.emplace_back();
     pieces_changed_ = moved_ = true;
@@ -112,6 +116,13 @@ void BoxContacts::list_pairs(const BodyMotion* motions) {
     moved_ = false;
 }
 
+bool BoxContacts::prisms_apart(Pair& pair, const BodyMotion* motions) const {
+    const double gap =
+        widest_face_gap(prism(pair.a, motions), prism(pair.b, motions), fixed_[pair.b] == 0, fixed_[pair.a] == 0);
+    pair.until = gap > tolerance ? path_[pair.a] + path_[pair.b] + gap - tolerance : 0;
+    return gap > tolerance;
+}
+
 /// Does a face separate the two? If one is fixed, only its own faces count: it may be longer than the levers of paths
 /// allow for.
 bool BoxContacts::apart(Pair& pair, const BodyMotion* motions) const {
@@ -133,11 +144,15 @@ bool BoxContacts::apart(Pair& pair, const BodyMotion* motions) const {
 }
 
 void BoxContacts::look(Pair& pair, const BodyMotion* motions) {
-    if (pair.patch < 0 && apart(pair, motions)) return;
+    const bool prisms = meets_prism(pair);
+    if (pair.patch < 0 && (prisms ? prisms_apart(pair, motions) : apart(pair, motions))) return;
     const BoxPlace a = place(pair.a, motions);
     const BoxPlace b = place(pair.b, motions);
     BoxOverlap overlap;
-    find_overlap(a, b, overlap);
+    if (prisms)
+        find_overlap(prism(pair.a, motions), prism(pair.b, motions), overlap);
+    else
+        find_overlap(a, b, overlap);
     if (pair.patch < 0) {
         if (overlap.count == 0) return;
         if (free_patches_.empty()) {

@@ -1,7 +1,7 @@
 #pragma once
-// Contacts between boxes, from step to step: which touch, and where. The same points, to the last bit, as Bullet finds,
-// which looks at every pair whose bounds are near each other in every step. Here a pair that a face separates is looked
-// at again only when the two may have come as far as that.
+// Contacts between boxes, and prisms, from step to step: which touch, and where. The same points, to the last bit, as
+// Bullet finds, which looks at every pair whose bounds are near each other in every step (of boxes; prisms are our
+// own). Here a pair that a face separates is looked at again only when the two may have come as far as that.
 //
 //   contacts.add(box);                 // numbered from 0
 //   contacts.find(motions);            // of all bodies, by number, once a step
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "collision/near_pairs.hpp"
+#include "collision/prism.hpp"
 #include "collision/touching_points.hpp"
 #include "solver/body_motion.hpp"
 
@@ -24,6 +25,7 @@ struct ContactBox {
     bool fixed = false;  ///< never turns, and touches no other that is fixed
     bool is_box = true;  ///< otherwise only a number that is taken
     int piece = -1;      ///< boxes of one piece >= 0 do not touch
+    Outline corners{};   ///< of a prism, in its own x and z; half_extent then bounds it
 };
 
 class BoxContacts {
@@ -69,7 +71,13 @@ class BoxContacts {
     void look(Pair& pair, const BodyMotion* motions);
     void drop(Pair& pair);
 
+    PrismPlace prism(std::uint32_t box, const BodyMotion* motions) const { return {&prism_[box], place(box, motions)}; }
+    bool meets_prism(const Pair& pair) const { return is_prism_[pair.a] != 0 || is_prism_[pair.b] != 0; }
+    bool prisms_apart(Pair& pair, const BodyMotion* motions) const;
+
     std::vector<Triple> half_extent_;
+    std::vector<PrismShape> prism_;  ///< of boxes too
+    std::vector<std::uint8_t> is_prism_;
     std::vector<double> reach_;
     std::vector<std::uint8_t> fixed_, is_box_, asleep_;
     std::vector<int> piece_;

@@ -31,6 +31,8 @@ enum class StreamId : std::uint32_t {
     ice_salinity = 14,
     ice_temperature = 15,
     weakened_ice = 16,  ///< which floes are weaker than the others
+    voronoi = 20,       ///< points whose Voronoi cells are floes
+    polygons = 21,      ///< corners of single floes
 };
 
 using PhiloxCounter = std::array<std::uint32_t, 4>;

@@ -34,9 +34,11 @@ std::array<double, 6> ratios_of(const JointReaction& r, const Thresholds& thresh
 }  // namespace
 
 Thresholds make_thresholds(const FloeShape& shape, const Material& material) {
+    return make_thresholds(shape.element, shape.element, shape.thickness, material);
+}
+
+Thresholds make_thresholds(double side, double span, double thick, const Material& material) {
     const Ice& ice = material.ice;
-    const double side = shape.element;
-    const double thick = shape.thickness;
     const double printed = material.joint.threshold_form == ThresholdForm::as_printed ? thick : 1.0;
     const auto optional = [](double section, double strength) {
         return strength > 0 ? section * strength : std::numeric_limits<double>::infinity();
@@ -47,7 +49,7 @@ Thresholds make_thresholds(const FloeShape& shape, const Material& material) {
             .tension = optional(side * thick, ice.tensile_strength),
             .torsion = optional(side * thick * thick / 3, ice.torsion_strength),
             .in_plane_bending = optional(thick * side * side / 6, ice.in_plane_bending_strength),
-            .bending_arm = material.joint.moment_about == MomentAbout::element_centre ? side / 2 : 0};
+            .bending_arm = material.joint.moment_about == MomentAbout::element_centre ? span / 2 : 0};
 }
 
 double utilisation(const JointReaction& reaction, const Thresholds& thresholds) {

@@ -37,6 +37,9 @@ struct Thresholds {
 /// The thresholds of a floe: its strengths, element size, thickness and form of Eqs. (1)-(2).
 Thresholds make_thresholds(const FloeShape& shape, const Material& material);
 
+/// The same of a joint of another width than an element's and another span between centres, m.
+Thresholds make_thresholds(double width, double span, double thickness, const Material& material);
+
 /// The largest λ/ε of a joint with this reaction: 0 unloaded, above 1 it fails.
 double utilisation(const JointReaction& reaction, const Thresholds& thresholds);
 

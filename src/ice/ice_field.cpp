@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/turn.hpp"
 #include "ice/beam_joint.hpp"
+#include "ice/polygon_floe.hpp"
 #include "ice/scenario_world.hpp"
 
 namespace floes {
@@ -16,11 +17,16 @@ namespace floes {
 IceField::IceField(World& world, const Scenario& scenario, const FloeSet& floes)
     : by_stress_(scenario.joint.fails_by_stress()), time_step_(scenario.general.time_step) {
     std::vector<std::vector<GridJoint>> orders;
-    for (const FloeShape& shape : floes.shapes) orders.push_back(joint_order(grid_of(shape)));
+    std::vector<std::shared_ptr<const CutFloe>> cuts;
+    for (const FloeShape& shape : floes.shapes) {
+        cuts.push_back(cut_of(shape));
+        orders.push_back(cuts.back() ? std::vector<GridJoint>(cuts.back()->joints.size())
+                                     : joint_order(grid_of(shape)));
+    }
     std::size_t elements = 0;
     std::size_t joints = 0;
     for (std::size_t i = 0; i < floes.size(); ++i) {
-        elements += static_cast<std::size_t>(grid_of(floes.shape(i)).elements());
+        elements += static_cast<std::size_t>(floes.shape(i).elements());
         joints += orders[floes.floes[i].shape].size();
     }
     elements_.reserve(elements);
@@ -28,7 +34,10 @@ IceField::IceField(World& world, const Scenario& scenario, const FloeSet& floes)
     if (by_stress_) stress_.reserve(elements);
     for (std::size_t i = 0; i < floes.size(); ++i) {
         const Floe& floe = floes.floes[i];
-        add_floe(world, scenario, floe.pose, floes.shape(i), floes.material(i), orders[floe.shape]);
+        if (cuts[floe.shape])
+            add_polygon(world, scenario, floe, floes.shape(i), floes.material(i), cuts[floe.shape]);
+        else
+            add_floe(world, scenario, floe.pose, floes.shape(i), floes.material(i), orders[floe.shape]);
     }
 }
 
@@ -54,7 +63,7 @@ void IceField::add_floe(World& world, const Scenario& scenario, const PlanarPose
                                                .piece = first,
                                                .crushing_pressure = pressure});
         const bool outline = water.form_drag_on == FormDragOn::outline;
-        const std::uint8_t edges = outline ? grid.outline_edges(index) : std::uint8_t{every_edge};
+        const std::uint32_t edges = outline ? grid.outline_edges(index) : std::uint32_t{every_edge};
         elements_.push_back({body, floe, index, first, edges});
         if (by_stress_) {
             const double crushing = pressure > 0 ? pressure : material.ice.compressive_strength;
@@ -97,17 +106,17 @@ int IceField::break_joints(World& world, double time) {
 
 double IceField::joint_power(const World& world, std::span<const BodyState> before, std::span<const Vec3> velocity,
                              std::span<const Vec3> angular_velocity) const {
-    const Mat3 along[] = {joint_frame(JointAxis::x).toRotationMatrix(), joint_frame(JointAxis::z).toRotationMatrix()};
     double sum = 0;
     for (const Joint& joint : joints_) {
         const Sheet& sheet = floe_of(joint);
         const auto a = static_cast<std::size_t>(sheet.first + joint.grid.a);
         const auto b = static_cast<std::size_t>(sheet.first + joint.grid.b);
         const JointReaction reaction = world.reaction(joint.id);
-        const Mat3 frame = before[a].rotation * along[static_cast<std::size_t>(joint.grid.axis)];
+        const JointPlace at = place_of(joint, before[a]);
+        const Mat3& frame = at.axes;
         const Vec3 force = frame * Vec3(reaction.axial, reaction.shear_vertical, reaction.shear_in_plane);
         const Vec3 moment = frame * Vec3(reaction.torsion, reaction.in_plane_bending, reaction.bending);
-        const Vec3 pivot = before[a].position + 0.5 * sheet.grid.element * frame.col(0);
+        const Vec3& pivot = at.pivot;
         const Vec3 at_a = velocity[a] + angular_velocity[a].cross(pivot - before[a].position);
         const Vec3 at_b = velocity[b] + angular_velocity[b].cross(pivot - before[b].position);
         sum += force.dot(at_a - at_b) + moment.dot(angular_velocity[a] - angular_velocity[b]);
@@ -148,6 +157,12 @@ void IceField::split_broken(World& world, std::size_t first_break) {
 
 void IceField::expose_edges(const Joint& joint) {
     const int first = floe_of(joint).first;
+    if (const CutFloe* polygon = floe_of(joint).cut.get()) {
+        const CutJoint& cut = polygon->joints[static_cast<std::size_t>(joint.number)];
+        elements_[static_cast<std::size_t>(first + joint.grid.a)].exposed_edges |= cut.edge_a;
+        elements_[static_cast<std::size_t>(first + joint.grid.b)].exposed_edges |= cut.edge_b;
+        return;
+    }
     const bool along = joint.grid.axis == JointAxis::x;
     elements_[static_cast<std::size_t>(first + joint.grid.a)].exposed_edges |= along ? edge_plus_x : edge_plus_z;
     elements_[static_cast<std::size_t>(first + joint.grid.b)].exposed_edges |= along ? edge_minus_x : edge_minus_z;
@@ -156,7 +171,7 @@ void IceField::expose_edges(const Joint& joint) {
 void IceField::split_pieces(World& world, int floe) {
     const Sheet& sheet = floes_[static_cast<std::size_t>(floe)];
     const auto first = static_cast<std::size_t>(sheet.first);
-    const auto count = static_cast<std::size_t>(sheet.grid.elements());
+    const auto count = static_cast<std::size_t>(sheet.elements());
     Components pieces(count);
     for (const Joint& joint : joints_) {
         if (joint.floe != floe) continue;

@@ -5,6 +5,7 @@
 //   ... world.step();  ice.break_joints(world, time);
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "ice/floe_grid.hpp"
 #include "ice/piece_area.hpp"
 #include "ice/stress_field.hpp"
+#include "outline/elements.hpp"
 #include "scenario/floes.hpp"
 #include "scenario/scenario.hpp"
 #include "world/world.hpp"
@@ -24,10 +26,11 @@ namespace floes {
 
 struct IceElement {
     BodyId body;
-    int floe = 0;                    ///< index of its floe in the arrangement
-    int index = 0;                   ///< within its floe, see FloeGrid
-    int piece = 0;                   ///< index in IceField::elements() of the first element of its connected piece
-    std::uint8_t exposed_edges = 0;  ///< bits of Edge: edge faces with form drag, water.form_drag_on
+    int floe = 0;   ///< index of its floe in the arrangement
+    int index = 0;  ///< within its floe, see FloeGrid
+    int piece = 0;  ///< index in IceField::elements() of the first element of its connected piece
+    std::uint32_t exposed_edges =
+        0;  ///< edge faces with form drag, water.form_drag_on: bits of Edge; of a polygon bit k
 };
 
 class IceField {
@@ -64,6 +67,9 @@ class IceField {
     const PeakReactions& peaks() const { return peaks_; }              ///< of all steps, failing joints included
 
     const FloeGrid& grid(int floe) const { return floes_[static_cast<std::size_t>(floe)].grid; }
+    /// The elements and joints of a floe that is a polygon, which has no grid; null for a rectangle.
+    const CutFloe* cut(int floe) const { return floes_[static_cast<std::size_t>(floe)].cut.get(); }
+    int elements(int floe) const { return floes_[static_cast<std::size_t>(floe)].elements(); }
     int first_element(int floe) const { return floes_[static_cast<std::size_t>(floe)].first; }  ///< in elements()
 
     int floes() const { return static_cast<int>(floes_.size()); }
@@ -96,6 +102,13 @@ class IceField {
         double stiffness;     // K of a joint against bending, N m
         double crack_energy;  // of a joint, N m
         bool cracked = false;
+        std::shared_ptr<const CutFloe> cut{};  // of a polygon
+        std::vector<Thresholds> of_joints{};   // likewise, by number
+
+        int elements() const { return cut ? static_cast<int>(cut->elements.size()) : grid.elements(); }
+        const Thresholds& of(const Joint& joint) const {
+            return cut ? of_joints[static_cast<std::size_t>(joint.number)] : thresholds;
+        }
     };
 
     /// How far a joint is turned out of the plane, bending and torsion together, and how fast that grows.
@@ -111,6 +124,14 @@ class IceField {
 
     void add_floe(World& world, const Scenario& scenario, const PlanarPose& pose, const FloeShape& shape,
                   const Material& material, const std::vector<GridJoint>& order);
+    void add_polygon(World& world, const Scenario& scenario, const Floe& floe, const FloeShape& shape,
+                     const Material& material, const std::shared_ptr<const CutFloe>& cut);
+    /// Where a joint is, by the state of its element a.
+    struct JointPlace {
+        Mat3 axes;   ///< joint -> world
+        Vec3 pivot;  ///< m
+    };
+    JointPlace place_of(const Joint& joint, const BodyState& a) const;
     const Sheet& floe_of(const Joint& joint) const { return floes_[static_cast<std::size_t>(joint.floe)]; }
     void fail(World& world, const Joint& joint, const BreakEvent& event);
     void split_broken(World& world, std::size_t first_break);

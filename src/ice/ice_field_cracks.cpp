@@ -30,7 +30,7 @@ std::optional<FailureMode> IceField::failing(World& world, Joint& joint) {
     if (!by_stress_) {
         const JointReaction reaction = world.reaction(joint.id);
         peaks_ = raised(peaks_, reaction);
-        return failure(reaction, sheet.thresholds);
+        return failure(reaction, sheet.of(joint));
     }
     peaks_ = raised(peaks_, stress_.reaction(joint.place));
     if (joint.crack) return crack_on(world, joint);
@@ -69,7 +69,7 @@ void IceField::read_utilisation(const World& world, std::vector<double>& worst) 
         const Sheet& sheet = floe_of(joint);
         double used = 0;
         if (!by_stress_)
-            used = utilisation(world.reaction(joint.id), sheet.thresholds);
+            used = utilisation(world.reaction(joint.id), sheet.of(joint));
         else if (joint.crack)
             used = 2 - joint.crack->sound();
         else

@@ -8,6 +8,7 @@
 
 #include "core/vector.hpp"
 #include "ice/floe_grid.hpp"
+#include "outline/elements.hpp"
 #include "scenario/floes.hpp"
 
 namespace floes {
@@ -16,12 +17,14 @@ struct IceLayout {
     struct LaidElement {
         int floe = 0;
         Vec3 half_extents = Vec3::Zero();  ///< m
-        std::uint8_t outline = 0;          ///< edge faces on the outline of the floe, bits of Edge
+        std::uint32_t outline = 0;         ///< edge faces on the outline of the floe, bits of Edge; of a polygon bit k
+        Outline corners{};                 ///< of an element that is no square, in its own x and z, m
     };
     struct LaidJoint {
         int a = 0;
         int b = 0;
-        JointAxis axis = JointAxis::x;  ///< of the floe, from a to b
+        std::uint32_t edge_a = 0;  ///< the edge of a that it holds, a bit as above
+        std::uint32_t edge_b = 0;
     };
 
     explicit IceLayout(const FloeSet& floes);
@@ -41,6 +44,9 @@ struct IceLayout {
     std::size_t joint(int floe, int number) const {
         return first_joint[static_cast<std::size_t>(floe)] + static_cast<std::size_t>(number);
     }
+
+  private:
+    void add(const CutFloe& cut, int floe, double thickness);
 };
 
 }  // namespace floes

@@ -54,7 +54,7 @@ void check_sides(const Scenario& scenario, Contradictions& found) {
 
 void check_elements(const Scenario& scenario, Contradictions& found) {
     if (scenario.sizes.law != SizeLaw::one) return;  // check_sizes() has looked at those
-    check_sides(scenario, found);
+    if (!scenario.shapes.any()) check_sides(scenario, found);
     if (!scenario.arrangement.columns.empty()) return;  // check_given_floes() counts those
     check_element_count(scenario, scenario.floe.elements() * scenario.field.floes, found);
 }
@@ -128,6 +128,7 @@ void check_solver(const Scenario& scenario, Contradictions& found) {
         if (refusal) refused.push_back(*refusal);
     };
     if (scenario.joint.model == JointModel::beam) add(refused_springs(solver));
+    if (scenario.shapes.any()) add(refused_polygons(solver));
     if (scenario.water.added_mass_from == WaterFrom::outline) add(refused_water(solver));
     if (scenario.field.wake_radius > 0) add(refused_sleep(solver));
     for (const auto& [key, with, reason, instead] : refused) {

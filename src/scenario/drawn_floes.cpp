@@ -12,6 +12,7 @@
 #include "core/random.hpp"
 #include "scenario/floes.hpp"
 #include "scenario/ice_draws.hpp"
+#include "scenario/shaped_floes.hpp"
 #include "scenario/sizes.hpp"
 #include "scenario/tables.hpp"
 
@@ -89,6 +90,7 @@ FloeSet floes_of(const Scenario& scenario, const Draw& draw) {
         return floes_at(scenario,
                         given ? rule.poses : std::vector<PlanarPose>(static_cast<std::size_t>(scenario.field.floes)));
     std::vector<SingleFloe> floes = given ? given_floes(scenario) : sized_floes(scenario, draw);
+    shape_floes(scenario, draw, floes);
     draw_ice(scenario, draw, floes);
     return gathered(floes);
 }

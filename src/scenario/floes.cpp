@@ -44,7 +44,7 @@ FloeSet floes_at(const Scenario& scenario, std::span<const PlanarPose> poses) {
 }
 
 bool floes_may_differ(const Scenario& scenario) {
-    return sizes_may_differ(scenario) || scenario.spread.any() || scenario.brine.salinity > 0;
+    return sizes_may_differ(scenario) || scenario.shapes.any() || scenario.spread.any() || scenario.brine.salinity > 0;
 }
 
 bool sizes_may_differ(const Scenario& scenario) {
@@ -55,7 +55,10 @@ double covered_area(const FloeSet& floes) {
     std::vector<double> count(floes.shapes.size());
     for (const Floe& floe : floes.floes) ++count[floe.shape];
     double area = 0;
-    for (std::size_t i = 0; i < count.size(); ++i) area += count[i] * floes.shapes[i].length * floes.shapes[i].breadth;
+    for (std::size_t i = 0; i < count.size(); ++i) {
+        const FloeShape& shape = floes.shapes[i];
+        area += shape.is_polygon() ? count[i] * shape.area() : count[i] * shape.length * shape.breadth;
+    }
     return area;
 }
 

@@ -45,6 +45,7 @@ Keys describe(Scenario& scenario) {
     add_ice(keys, scenario.floe, scenario.ice, scenario.joint);
     add_floe(keys, scenario.floe);
     add_sizes(keys, scenario.sizes);
+    add_shapes(keys, scenario.shapes);
     add_spread(keys, scenario.spread);
     add_brine(keys, scenario.brine);
     add_joint(keys, scenario.joint);
@@ -65,8 +66,8 @@ TableTitles scenario_titles() {
         {"ice", "Material properties of the ice."},
         {"floe", "One floe: a sheet of square elements joined at the middle of their edges."},
         {"sizes", "Sizes of floes that differ."},
-        {"spread",
-         "Properties that differ from floe to floe: each a law of the factor on what [ice] or [brine] says."},
+        {"shapes", "Floes that are no rectangles."},
+        {"spread", "Properties that differ from floe to floe: each a law of the factor on what [ice] or [brine] says."},
         {"brine", "Where bending strength and modulus come from, if not from [ice]."},
         {"joint",
          "The joints between elements. Eqs. (4)-(5) as printed in the paper do not give the stiffness that Bullet "

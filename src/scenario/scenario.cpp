@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "outline/elements.hpp"
+
 namespace floes {
 
 int FloeShape::elements_long() const {
@@ -11,6 +13,11 @@ int FloeShape::elements_long() const {
 
 int FloeShape::elements_broad() const {
     return static_cast<int>(std::lround(breadth / element));
+}
+
+double FloeShape::elements() const {
+    if (is_polygon()) return count_elements(outline, element);
+    return static_cast<double>(elements_long()) * elements_broad();
 }
 
 double FloeShape::element_mass(const Ice& ice) const {

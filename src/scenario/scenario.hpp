@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/vector.hpp"
+#include "outline/polygon.hpp"
 #include "scenario/contact_preset.hpp"
 #include "scenario/variety.hpp"
 #include "solver/solver_kind.hpp"
@@ -58,16 +59,20 @@ struct Ice {
     friend auto operator<=>(const Ice&, const Ice&) = default;
 };
 
-/// A sheet of ice, made of square elements of its own thickness (Table 1).
+/// A sheet of ice, made of square elements of its own thickness (Table 1), or cut out of such squares.
 struct FloeShape {
     double length = 0.6;       ///< L_i along the floe's own x, m
     double breadth = 0.6;      ///< B_i along the floe's own z, m
     double thickness = 0.033;  ///< T_i = T_e, m
     double element = 0.2;      ///< L_e, m; divides length and breadth
+    /// Convex, about its centroid, in the floe's own axes; length and breadth are its extents then. Empty: a rectangle.
+    Outline outline{};
 
-    int elements_long() const;   ///< along x, at least 1
-    int elements_broad() const;  ///< along z, at least 1
-    double elements() const { return static_cast<double>(elements_long()) * elements_broad(); }
+    int elements_long() const;                                                             ///< along x, at least 1
+    int elements_broad() const;                                                            ///< along z, at least 1
+    double elements() const;                                                               ///< of the whole floe
+    double area() const { return outline.empty() ? length * breadth : area_of(outline); }  ///< m²
+    bool is_polygon() const { return !outline.empty(); }
     double element_mass(const Ice&) const;  ///< of ice, kg
     /// Of the middle of the floe above the water at rest, m; negative above half draught. Density of the water: kg/m³.
     double floating_height(const Ice&, double water_density) const;
@@ -193,6 +198,7 @@ struct Scenario {
     Wind wind;
     Analysis analysis;
     Sizes sizes;
+    Shapes shapes;
     IceSpread spread;
     Brine brine;
 

@@ -18,6 +18,7 @@ void add_water(Keys& keys, Water& water);
 void add_wind(Keys& keys, Wind& wind);
 void add_analysis(Keys& keys, Analysis& analysis);
 void add_sizes(Keys& keys, Sizes& sizes);
+void add_shapes(Keys& keys, Shapes& shapes);
 void add_spread(Keys& keys, IceSpread& spread);
 void add_brine(Keys& keys, Brine& brine);
 void add_paper(Keys& keys, Scenario& scenario);

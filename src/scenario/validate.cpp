@@ -9,6 +9,8 @@ std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
     check_sizes(scenario, found);
     check_spread(scenario, found);
     if (!found.empty()) return found;  // the checks below take floes from these laws
+    check_shapes(scenario, found);
+    if (!found.empty()) return found;
     check_elements(scenario, found);
     check_floating(scenario, found);
     check_proportions(scenario, found);

@@ -22,8 +22,9 @@ std::vector<Contradiction> find_contradictions(const Scenario& scenario);
 void validate(const Scenario& scenario);
 
 /// The checks behind find_contradictions(), in checks_ice.cpp and checks_tank.cpp. Each adds what it finds.
-void check_sizes(const Scenario& scenario, Contradictions& found);     ///< laws of sizes have floes of whole elements
-void check_spread(const Scenario& scenario, Contradictions& found);    ///< laws of the ice give ice that can be computed
+void check_sizes(const Scenario& scenario, Contradictions& found);   ///< laws of sizes have floes of whole elements
+void check_shapes(const Scenario& scenario, Contradictions& found);  ///< nothing that polygons cannot do yet
+void check_spread(const Scenario& scenario, Contradictions& found);  ///< laws of the ice give ice that can be computed
 void check_elements(const Scenario& scenario, Contradictions& found);  ///< floes are whole elements, not too many
 void check_sides(const Scenario& scenario, Contradictions& found);     ///< floes are whole elements
 void check_element_count(const Scenario& scenario, double elements, Contradictions& found);  ///< of all floes

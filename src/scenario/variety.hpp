@@ -34,6 +34,18 @@ struct Sizes {
     double element_share = 0.25;  ///< of_ice: of the characteristic length of [ice]
 };
 
+enum class ShapeKind { rectangle, polygon, voronoi };  ///< of floes seen from above
+
+/// Outlines of the floes.
+struct Shapes {
+    ShapeKind kind = ShapeKind::rectangle;
+    int corners = 6;            ///< of polygon
+    double irregularity = 0.5;  ///< of polygon: 0 evenly spread corners
+    int relaxations = 2;        ///< of voronoi: steps of Lloyd's
+
+    bool any() const { return kind != ShapeKind::rectangle; }
+};
+
 /// How one property differs between floes: by a factor on what [ice] or [brine] says.
 struct Spread {
     LawKind law = LawKind::none;

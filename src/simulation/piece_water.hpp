@@ -28,10 +28,11 @@ class PieceWater {
     WaterBody body_;
     bool carries_;
     bool radiates_;
-    std::vector<double> draught_;        ///< by floe, m
-    std::vector<CarriedWater> carried_;  ///< by element
-    std::vector<int> piece_order_;       ///< elements of one floe, piece after piece
-    std::vector<Vec2> centres_;          ///< of one piece
+    std::vector<double> draught_;              ///< by floe, m
+    std::vector<CarriedWater> carried_;        ///< by element
+    std::vector<int> piece_order_;             ///< elements of one floe, piece after piece
+    std::vector<Vec2> centres_;                ///< of one piece
+    std::vector<const CutElement*> polygons_;  ///< likewise, of polygons
 };
 
 }  // namespace floes

@@ -26,12 +26,17 @@ BodyId add_structure(World& world, const Scenario& scenario) {
 /// Of the structure in one step. More than the tank's ever are, and no bound: with more the memory grows.
 constexpr std::size_t most_contacts = 1024;
 
-/// One model for all elements of the same size and density.
-WaterLanes make_water(const Scenario& scenario, const FloeSet& floes, const std::vector<IceElement>& elements) {
+/// One model for all squares of the same size and density, and one for each polygon.
+WaterLanes make_water(const Scenario& scenario, const FloeSet& floes, const IceField& ice) {
+    const std::vector<IceElement>& elements = ice.elements();
     std::map<std::pair<std::size_t, double>, std::size_t> kinds;  // shape and density -> model
     std::vector<WaterModel> models;
     std::vector<std::size_t> kind_of_floe;
     for (std::size_t i = 0; i < floes.size(); ++i) {
+        if (floes.shape(i).is_polygon()) {
+            kind_of_floe.push_back(0);
+            continue;
+        }
         const auto [kind, is_new] =
             kinds.try_emplace({floes.floes[i].shape, floes.material(i).ice.density}, kinds.size());
         kind_of_floe.push_back(kind->second);
@@ -42,9 +47,19 @@ WaterLanes make_water(const Scenario& scenario, const FloeSet& floes, const std:
                             scenario.structure.speed, scenario.wind.stress());
     }
     std::vector<std::size_t> kind_of_element;
-    for (const IceElement& element : elements)
-        kind_of_element.push_back(kind_of_floe[static_cast<std::size_t>(element.floe)]);
-    return {models, kind_of_element, lane_widths().back()};
+    std::vector<PolygonWater> polygons;
+    for (const IceElement& element : elements) {
+        const auto floe = static_cast<std::size_t>(element.floe);
+        const FloeShape& shape = floes.shape(floe);
+        kind_of_element.push_back(shape.is_polygon() ? models.size() + polygons.size() : kind_of_floe[floe]);
+        if (!shape.is_polygon()) continue;
+        const CutElement& one = ice.cut(element.floe)->elements[static_cast<std::size_t>(element.index)];
+        polygons.emplace_back(scenario.water, scenario.general.gravity, one, shape.thickness,
+                              floes.material(floe).ice.density * shape.thickness * one.area,
+                              scenario.structure.shape.waterline_radius(), scenario.structure.speed,
+                              scenario.wind.stress());
+    }
+    return {models, kind_of_element, lane_widths().back(), std::move(polygons)};
 }
 
 }  // namespace
@@ -58,7 +73,7 @@ Simulation::Simulation(const Scenario& scenario, const FloeSet& floes)
       structure_(add_structure(world_, scenario)),
       ice_(world_, scenario, floes),
       sheets_(world_, scenario, channel_),
-      water_(make_water(scenario, floes, ice_.elements())),
+      water_(make_water(scenario, floes, ice_)),
       piece_water_(scenario, floes),
       work_(scenario, floes, ice_, structure_),
       sleeping_(scenario.field.wake_radius, ice_.elements()),

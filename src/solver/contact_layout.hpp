@@ -16,7 +16,9 @@ inline constexpr int normal = 6;    ///< unit, from b to a
 inline constexpr int distance = 9;  ///< infinite in an empty place
 inline constexpr int friction = 10;
 inline constexpr int impulse = 11;
-inline constexpr int count = 12;
+inline constexpr int section = 12;  ///< m², below 0: that of the two boxes
+inline constexpr int section_growth = 13;
+inline constexpr int count = 14;
 }  // namespace point_field
 
 /// Fields of a contact's row, scaled like a joint row. Sweeps only read them: targets and accumulated impulses, over s,

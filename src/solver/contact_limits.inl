@@ -96,16 +96,20 @@ struct Limit {
 /// with. So F is taken at the mean of the depths there, with the velocity change Δv depth - Δv Δt / 4: Newmark's
 /// average acceleration, second order in Δt and stable at any. The area is the smaller of the two bodies' sections, in
 /// equal shares for the points that touch. `share` is p Δt / points.
-inline Limit crushing_limit(const V3& normal, Pack reached, const Box& a, const Box& b, Pack share, Pack scale,
+inline Limit crushing_limit(const V3& normal, const double* point, const Box& a, const Box& b, Pack share, Pack scale,
                             double time_step) {
+    const Pack reached = -load(point, point_field::distance);
     // An edge that only just touches has no area yet, but a growth of area.
     const Pack depth = most(reached, most(just_touching(a), just_touching(b)));
     const Section of_a = section(a, normal, depth);
     const Section of_b = section(b, normal, depth);
     const auto smaller = of_a.area < of_b.area;
     const Pack area = smaller ? of_a.area : of_b.area;
-    const Pack growth = smaller ? of_a.growth : of_b.growth;
-    const Pack impulse = share * (area + growth * (reached - depth));
+    const Pack of_boxes = smaller ? of_a.growth : of_b.growth;
+    const Pack given = load(point, point_field::section);
+    const auto is_given = given > -0.5;
+    const Pack growth = is_given ? load(point, point_field::section_growth) : of_boxes;
+    const Pack impulse = share * (is_given ? given : area + of_boxes * (reached - depth));
     const Pack k = share * growth * (0.25 * time_step) / (scale * scale);
     return {impulse / scale / (1.0 + k), k / (1.0 + k)};
 }
@@ -135,8 +139,8 @@ void prepare_all_limits(const LaneArrays& arrays, const ContactPacks& packs, con
             const double* point = point_of(row);
             Limit limit{none + __builtin_inf(), none};
             if constexpr (law == NormalLaw::crushing) {
-                limit = crushing_limit(load3(point, point_field::normal), -load(point, point_field::distance), a, b,
-                                       share, load(normal_scale, i), time_step);
+                limit = crushing_limit(load3(point, point_field::normal), point, a, b, share, load(normal_scale, i),
+                                       time_step);
             }
             const auto on = load(to.give, i) > 0.0;
             store(to.yield, i, on ? limit.yield : none);

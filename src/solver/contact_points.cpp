@@ -15,6 +15,7 @@ void fill_points(AlignedArray<double>& points, std::span<const SolverContact> co
     std::array<double, point_field::count> none{};
     none[point_field::normal + 2] = 1;
     none[point_field::distance] = std::numeric_limits<double>::infinity();
+    none[point_field::section] = -1;
     double* group = points.data();
     for (std::size_t row = 0; row < order.rows(); ++row) {
         for (const double value : none) group = std::fill_n(group, width, value);
@@ -30,6 +31,8 @@ void fill_points(AlignedArray<double>& points, std::span<const SolverContact> co
         at[point_field::distance * width] = contact.distance;
         at[point_field::friction * width] = contact.friction;
         at[point_field::impulse * width] = contact.impulse;
+        at[point_field::section * width] = contact.section;
+        at[point_field::section_growth * width] = contact.section_growth;
     }
 }
 

@@ -148,7 +148,7 @@ void LaneSystem::fill(std::span<const SolverBody> bodies, std::span<const Solver
         fill(slot_of_joint_[i], joints[i]);
         frame_[place(slot_of_joint_[i], frame_field::count, frame_field::alive, width())] = 1;
         bodies_of_joint_.emplace_back(joints[i].a, joints[i].b);
-        cover(i, 1);
+        if (!bodies[joints[i].a].is_prism) cover(i, 1);
     }
 }
 

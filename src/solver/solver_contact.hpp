@@ -21,6 +21,9 @@ struct SolverContact {
     /// none.
     std::array<double, 3> slide{};
     double friction_impulse = 0;  ///< N s, exerted on a along slide; in and out likewise
+    /// m², of a crushing contact: the area that crushes, in place of that of two boxes; below 0: that of the boxes.
+    double section = -1;
+    double section_growth = 0;  ///< m, what it gains per depth
 };
 
 }  // namespace floes

@@ -29,7 +29,8 @@ struct SolverBody {
     double crushing_pressure = 0;             ///< Pa, of its edges, above 0; 0: that of the contact law
     double weight = 0;                        ///< N, upwards, in every step
     CarriedWater water{};                     ///< where joints are solved directly
-    int rail = -1;                            ///< world axis 0-2 along which alone it moves, without turning; -1: free
+    bool is_prism = false;  ///< its contacts bring the section that crushes, and it has no box's faces
+    int rail = -1;          ///< world axis 0-2 along which alone it moves, without turning; -1: free
 };
 
 /// A joint's frame in a body: rotation joint -> body row by row, origin in m from the centre of mass.
@@ -47,7 +48,8 @@ struct SolverJoint {
     double cfm = 0;                     ///< Σ, relative to the row's inverse effective mass; below 1
     double erp = 0;                     ///< Γ
     std::optional<JointSpring> spring;  ///< in place of Σ and Γ, where joints are solved directly
-    /// Share, above 0, that is left of its stiffness against bending and torsion; below 1 where joints are solved directly.
+    /// Share, above 0, that is left of its stiffness against bending and torsion; below 1 where joints are solved
+    /// directly.
     double sound = 1;
 };
 

@@ -57,6 +57,21 @@ PlateWater plate_water(double aspect, double draught) {
     return mixed(mixed(at(0, 0), at(0, 1), deep), mixed(at(1, 0), at(1, 1), deep), along);
 }
 
+PlateLoad plate_load(const Vec2& middle, const Vec2& size, double area, double draught, const WaterBody& water) {
+    const double aspect = size.maxCoeff() / size.minCoeff();
+    const double b = std::sqrt(area / aspect);
+    const PlateWater plate = plate_water(aspect, draught / b);
+    const bool x_is_short = size.x() <= size.y();
+    PlateLoad load;
+    load.middle = middle;
+    load.half = 0.5 * size;
+    load.tx = weight_for(x_is_short ? plate.gyration_across : plate.gyration_along);
+    load.tz = weight_for(x_is_short ? plate.gyration_along : plate.gyration_across);
+    load.mass = plate.added_mass * water.density * b * b * b * aspect;
+    load.damping = plate.damping * std::sqrt(water.gravity / b);
+    return load;
+}
+
 std::vector<ElementWater> water_of_piece(std::span<const Vec2> centres, double side, double draught,
                                          const WaterBody& water) {
     Vec2 low = centres.front();
@@ -68,14 +83,9 @@ std::vector<ElementWater> water_of_piece(std::span<const Vec2> centres, double s
     const Vec2 size = (high - low).array() + side;
     const Vec2 middle = 0.5 * (low + high);
     const double area = static_cast<double>(centres.size()) * side * side;
-    const double aspect = size.maxCoeff() / size.minCoeff();
-    const double b = std::sqrt(area / aspect);
-    const PlateWater plate = plate_water(aspect, draught / b);
-    const bool x_is_short = size.x() <= size.y();
-    const double tx = weight_for(x_is_short ? plate.gyration_across : plate.gyration_along);
-    const double tz = weight_for(x_is_short ? plate.gyration_along : plate.gyration_across);
+    const PlateLoad load = plate_load(middle, size, area, draught, water);
 
-    const Vec2 half = 0.5 * size;
+    const Vec2& half = load.half;
     std::vector<ElementWater> shares;
     double sum = 0;
     for (const Vec2& centre : centres) {
@@ -83,8 +93,8 @@ std::vector<ElementWater> water_of_piece(std::span<const Vec2> centres, double s
             const double from = (centre[axis] - middle[axis] - 0.5 * side) / half[axis];
             return moments(t, from, from + side / half[axis]);
         };
-        const auto [x0, x1, x2] = over(0, tx);
-        const auto [z0, z1, z2] = over(1, tz);
+        const auto [x0, x1, x2] = over(0, load.tx);
+        const auto [z0, z1, z2] = over(1, load.tz);
         shares.push_back({{.normal = x0 * z0,
                            .x = half.x() * x1 * z0,
                            .z = half.y() * x0 * z1,
@@ -93,15 +103,14 @@ std::vector<ElementWater> water_of_piece(std::span<const Vec2> centres, double s
                            .zz = half.y() * half.y() * x0 * z2}});
         sum += x0 * z0;
     }
-    const double mass = plate.added_mass * water.density * b * b * b * aspect;
     const double ice = water.density * side * side * draught;
     for (ElementWater& share : shares) {
         CarriedWater& carried = share.carried;
         for (double* moment : {&carried.normal, &carried.x, &carried.z, &carried.xx, &carried.xz, &carried.zz})
-            *moment *= mass / sum;
+            *moment *= load.mass / sum;
         carried.in_plane = water.in_plane * ice;
         carried.yaw = carried.in_plane * side * side / 6;
-        share.damping = plate.damping * std::sqrt(water.gravity / b) * carried.normal;
+        share.damping = load.damping * carried.normal;
     }
     return shares;
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/vector.hpp"
+#include "outline/elements.hpp"
 #include "solver/carried_water.hpp"
 
 namespace floes {
@@ -39,10 +40,27 @@ struct ElementWater {
     double damping = 0;  ///< kg/s: force over the speed along the normal, of an element that cuts the surface
 };
 
+/// How what a plate carries lies over a piece: by the weight above along each side.
+struct PlateLoad {
+    Vec2 middle = Vec2::Zero();  ///< of the outline, m
+    Vec2 half = Vec2::Zero();    ///< half its sides, m
+    double tx = 0;               ///< t of the weight along x
+    double tz = 0;
+    double mass = 0;     ///< added mass of the piece, kg
+    double damping = 0;  ///< over the added mass, 1/s
+};
+
+/// Of a piece with an outline of these sides, m, about this point, and of this area, m².
+PlateLoad plate_load(const Vec2& middle, const Vec2& size, double area, double draught, const WaterBody& water);
+
 /// For each element of a connected piece, given the elements' centres (x and z in the axes of the floe, m), their side
 /// and draught (m). A piece that does not fill its outline counts as a rectangle of the outline's proportions and its
 /// own area. At least one element.
 std::vector<ElementWater> water_of_piece(std::span<const Vec2> centres, double side, double draught,
+                                         const WaterBody& water);
+
+/// The same of elements that are polygons, `elements` in the axes of the floe; each carries its water in its own axes.
+std::vector<ElementWater> water_of_piece(std::span<const CutElement* const> elements, double draught,
                                          const WaterBody& water);
 
 }  // namespace floes

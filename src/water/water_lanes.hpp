@@ -16,6 +16,7 @@
 
 #include "core/vector.hpp"
 #include "solver/aligned_array.hpp"
+#include "water/polygon_water.hpp"
 #include "water/water_kernels.hpp"
 #include "water/water_model.hpp"
 
@@ -27,7 +28,9 @@ enum class WaterTerms { buoyancy, buoyancy_and_wind, and_plane_drag, all_but_wav
 class WaterLanes {
   public:
     /// model_of: by element, the index of its model. width: one of lane_widths(); throws RunError for any other.
-    WaterLanes(std::span<const WaterModel> models, std::span<const std::size_t> model_of, int width);
+    /// An index from models.size() on is that of a polygon, and there the first is 0.
+    WaterLanes(std::span<const WaterModel> models, std::span<const std::size_t> model_of, int width,
+               std::vector<PolygonWater> polygons = {});
 
     /// Damping c of an element from now on, kg/s (water_model.hpp); that of an element alone at first.
     void set_damping(std::size_t element, double damping) { linear_of_[element] = damping / 4; }
@@ -53,10 +56,18 @@ class WaterLanes {
         std::size_t count = 0;
     };
 
+    /// An element that is a polygon, and the last force on it.
+    struct Polygon {
+        std::size_t element;
+        ElementState state;
+        Wrench wrench;
+    };
+    bool is_polygon(std::size_t element) const { return group_of_[element] >= groups_.size(); }
+
     WaterKernel kernel_;
     std::vector<Group> groups_;
     std::vector<std::size_t> group_of_;  // by element
-    std::vector<std::size_t> place_of_;  // by element
+    std::vector<std::size_t> place_of_;  // by element; of a polygon its place in polygons_
     std::vector<double> linear_of_;      // by element: c/4
     std::vector<std::uint8_t> is_set_;   // by element
     std::size_t stride_ = 0;
@@ -64,6 +75,8 @@ class WaterLanes {
     AlignedArray<std::int64_t> exposed_edges_;
     AlignedArray<double> linear_;
     AlignedArray<double> wrench_;
+    std::vector<PolygonWater> polygon_water_;
+    std::vector<Polygon> polygons_;
 };
 
 }  // namespace floes

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/vector.hpp"
+#include "outline/polygon.hpp"
 #include "solver/contact_law.hpp"
 #include "solver/joint_spring.hpp"
 #include "solver/solver_kind.hpp"
@@ -38,6 +39,16 @@ struct BoxDefinition {
     Pose pose;                         ///< of the centre
     int piece = no_piece;
     double crushing_pressure = 0;  ///< Pa, of its edges, with NormalLaw::crushing; 0: that of the contact law
+};
+
+/// A convex polygon of ice, of even thickness, that moves freely; with the direct solver only.
+struct PrismDefinition {
+    Outline corners;            ///< in its own x and z about the centre of mass, along principal axes, m
+    double half_thickness = 0;  ///< m, > 0, along its own y
+    double mass = 0;            ///< kg, > 0, homogeneous
+    Pose pose;                  ///< of the centre of mass
+    int piece = no_piece;
+    double crushing_pressure = 0;  ///< Pa, as of a box
 };
 
 /// A box of ice that never moves.

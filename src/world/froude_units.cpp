@@ -16,6 +16,14 @@ BoxDefinition FroudeUnits::to_own(BoxDefinition box) const {
     return box;
 }
 
+PrismDefinition FroudeUnits::to_own(PrismDefinition prism) const {
+    for (Corner& corner : prism.corners) corner = {corner.x / length_, corner.z / length_};
+    prism.half_thickness /= length_;
+    prism.crushing_pressure *= length_ * length_;
+    prism.pose = to_own(prism.pose);
+    return prism;
+}
+
 FixedBoxDefinition FroudeUnits::to_own(FixedBoxDefinition box) const {
     box.half_extents /= length_;
     box.pose = to_own(box.pose);

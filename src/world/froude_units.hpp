@@ -26,6 +26,7 @@ class FroudeUnits {
     Pose to_own(const Pose& pose) const { return {to_own(pose.position), pose.orientation}; }
     WorldDefinition to_own(WorldDefinition definition) const;
     BoxDefinition to_own(BoxDefinition box) const;
+    PrismDefinition to_own(PrismDefinition prism) const;
     FixedBoxDefinition to_own(FixedBoxDefinition box) const;
     SlidingBoxDefinition to_own(SlidingBoxDefinition box) const;
     JointDefinition to_own(JointDefinition joint) const;

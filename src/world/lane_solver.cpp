@@ -4,14 +4,20 @@
 
 #include "solver/lane_width.hpp"
 #include "world/conversion.hpp"
+#include "world/prism_hull.hpp"
 #include "world/solver_state.hpp"
 
 namespace floes {
 
 namespace {
 
-/// Of a box; zero for other shapes.
+const PrismHull* hull_of(const btRigidBody& body) {
+    return dynamic_cast<const PrismHull*>(body.getCollisionShape());
+}
+
+/// Of a box, and of what holds a prism; zero for other shapes.
 Triple half_extent(const btRigidBody& body) {
+    if (const PrismHull* hull = hull_of(body)) return bounds_of(hull->prism());
     if (body.getCollisionShape()->getShapeType() != BOX_SHAPE_PROXYTYPE) return {};
     return array_of(static_cast<const btBoxShape*>(body.getCollisionShape())->getHalfExtentsWithMargin());
 }
@@ -46,7 +52,13 @@ void LaneSolver::add_body(const btRigidBody& body, int piece, double crushing_pr
     added.parts.crushing_pressure = crushing_pressure;
     added.start = state_of(body);
     added.friction = body.getFriction();
-    boxes_.add({extent, reach, !turns, extent != Triple{}, rail ? no_piece : piece});
+    added.prism = prism_of_box(extent);
+    if (const PrismHull* hull = hull_of(body)) {
+        added.parts.is_prism = true;
+        added.prism = hull->prism();
+    }
+    boxes_.add({extent, reach, !turns, extent != Triple{}, rail ? no_piece : piece,
+                added.parts.is_prism ? added.prism.corners : Outline{}});
     structure_contacts_.add(turns ? extent : Triple{});
     stale_ = true;
 }
@@ -61,11 +73,15 @@ void LaneSolver::add_joint(const JointDefinition& definition, const btRigidBody&
                        static_cast<std::uint32_t>(definition.b.index()), frame_in(a), frame_in(b), definition.cfm,
                        definition.erp, definition.spring});
     removed_.push_back(false);
+    hold_edge(joints_.back().a, joints_.back().in_a, 1, true);
+    hold_edge(joints_.back().b, joints_.back().in_b, -1, true);
     stale_ = true;
 }
 
 void LaneSolver::remove_joint(std::size_t joint) {
     removed_[joint] = true;
+    hold_edge(joints_[joint].a, joints_[joint].in_a, 1, false);
+    hold_edge(joints_[joint].b, joints_[joint].in_b, -1, false);
     if (in_system(joint)) system_->remove_joint(joint_in_system_[joint]);
 }
 

@@ -84,6 +84,8 @@ class LaneSolver {
         SolverState start;
         double friction = 0;
         bool asleep = false;
+        PrismShape prism{};            ///< of boxes too; none of the structure
+        std::uint32_t held_edges = 0;  ///< of a prism: bit k where a joint holds another body at edge k
     };
 
     /// Where a contact of the solve came from: a point of two boxes, or one of Bullet's with the structure.
@@ -94,6 +96,10 @@ class LaneSolver {
 
     bool cone() const { return definition_.contact.friction == Friction::cone; }
     bool acts(double distance) const;
+    bool is_prism(std::uint32_t body) const { return bodies_[body].parts.is_prism; }
+    bool is_inside(std::uint32_t a, std::uint32_t b, const Triple& normal) const;
+    void set_section(SolverContact& contact) const;
+    void hold_edge(std::uint32_t body, const SolverFrame& frame, double outward, bool held);
     bool in_system(std::size_t joint) const;
     bool in_system_body(std::size_t body) const { return system_ && body < system_->body_count(); }
     bool moves(std::uint32_t body) const { return bodies_[body].parts.inverse_mass > 0 && !bodies_[body].asleep; }

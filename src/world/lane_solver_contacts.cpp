@@ -41,7 +41,7 @@ void LaneSolver::read(std::uint32_t a, std::uint32_t b, bool solvable, TouchingP
     const double kept = kept_of_impulse(cone());
     for (int i = 0; i < points.count(); ++i) {
         TouchingPoint& point = points[i];
-        if (!solvable || !acts(point.distance)) {
+        if (!solvable || !acts(point.distance) || is_inside(a, b, point.normal)) {
             if (solvable) point.impulse = 0;
             point.slide = {};
             point.friction_impulse = 0;
@@ -55,6 +55,7 @@ void LaneSolver::read(std::uint32_t a, std::uint32_t b, bool solvable, TouchingP
                              .distance = point.distance,
                              .friction = friction,
                              .impulse = point.impulse * kept});
+        set_section(contacts_.back());
         sources_.push_back({&point, nullptr});
         if (!cone()) continue;
         contacts_.back().slide = point.slide;
@@ -69,7 +70,7 @@ void LaneSolver::read(std::uint32_t a, std::uint32_t b, bool solvable, btPersist
         const auto number = static_cast<std::size_t>(number_in_last_solve(point));
         number_in_last_solve(point) = 0;
         if (!solvable) continue;
-        if (!acts(point.getDistance())) {
+        if (!acts(point.getDistance()) || is_inside(a, b, array_of(point.m_normalWorldOnB))) {
             point.m_appliedImpulse = 0;
             continue;
         }
@@ -81,6 +82,7 @@ void LaneSolver::read(std::uint32_t a, std::uint32_t b, bool solvable, btPersist
                              .distance = point.getDistance(),
                              .friction = point.m_combinedFriction,
                              .impulse = point.m_appliedImpulse * kept});
+        set_section(contacts_.back());
         sources_.push_back({nullptr, &point});
         if (!cone() || number == 0) continue;
         contacts_.back().slide = last_[number - 1].slide;

@@ -9,6 +9,7 @@
 
 #include "solver/body_motion.hpp"
 #include "solver/solver_parts.hpp"
+#include "world/conversion.hpp"
 #include "world/state.hpp"
 
 namespace floes {
@@ -25,6 +26,18 @@ inline SolverState state_of(const btRigidBody& body) {
     const btTransform& pose = body.getWorldTransform();
     return {array_of(pose.getOrigin()), rows_of(pose.getBasis()), array_of(body.getLinearVelocity()),
             array_of(body.getAngularVelocity())};
+}
+
+/// Puts a body of Bullet's where it has not come by itself.
+inline void place(btRigidBody& body, const BodyState& state) {
+    const btTransform transform(to_bullet(state.rotation), to_bullet(state.position));
+    body.setWorldTransform(transform);
+    body.setInterpolationWorldTransform(transform);  // what Bullet takes the structure's velocity from
+    body.setLinearVelocity(to_bullet(state.velocity));
+    body.setAngularVelocity(to_bullet(state.angular_velocity));
+    body.setInterpolationLinearVelocity(body.getLinearVelocity());
+    body.setInterpolationAngularVelocity(body.getAngularVelocity());
+    body.updateInertiaTensor();
 }
 
 inline SolverState solver_state(const BodyState& state) {

@@ -25,6 +25,7 @@
 #include "world/material_friction.hpp"
 #include "world/ordered_dynamics_world.hpp"
 #include "world/piece_dispatcher.hpp"
+#include "world/prism_hull.hpp"
 #include "world/solid_shape.hpp"
 #include "world/solver_state.hpp"
 
@@ -65,8 +66,7 @@ class World::Bullet {
         return &boxes.emplace_back(half_extents).shape;
     }
 
-    /// Adds any body. Worlds in different threads share one datum: Bullet's counter of bodies, a debugging aid that is
-    /// never read.
+    /// Adds any body. Worlds in different threads share one datum, which is never read: Bullet's counter of bodies.
     BodyId add_body(btCollisionShape* shape, double mass, const Pose& pose, double material, int piece, int flags,
                     double crushing_pressure, std::optional<int> rail = {}) {
         const BodyId id(bodies.size());
@@ -108,6 +108,7 @@ class World::Bullet {
     btDbvtBroadphase broadphase;
     btSequentialImpulseConstraintSolver stock;
     std::deque<Box> boxes;
+    std::deque<PrismHull> hulls;
     std::deque<SolidShape> solids;
     std::optional<btCompoundShape> structure_shape;
     std::deque<btRigidBody> bodies;  // where there are lanes as they were added, apart from those near the structure
@@ -132,6 +133,13 @@ BodyId World::add_element(const BoxDefinition& given) {
     const BoxDefinition box = bullet_->units.to_own(given);
     return bullet_->add_body(bullet_->box_shape(box.half_extents), box.mass, box.pose, bullet_->friction.ice, box.piece,
                              0, box.crushing_pressure);
+}
+
+BodyId World::add_prism(const PrismDefinition& given) {
+    check(given, bullet_->definition.solver);
+    const PrismDefinition prism = bullet_->units.to_own(given);
+    return bullet_->add_body(&bullet_->hulls.emplace_back(prism), prism.mass, prism.pose, bullet_->friction.ice,
+                             prism.piece, 0, prism.crushing_pressure);
 }
 
 BodyId World::add_fixed_box(const FixedBoxDefinition& given) {
@@ -214,15 +222,7 @@ std::vector<BodyId> World::touched_asleep() const {
 
 void World::place(BodyId body, const BodyState& given) {
     btRigidBody& placed = bullet_->body(body);
-    const BodyState state = bullet_->units.to_own(given);
-    const btTransform transform(to_bullet(state.rotation), to_bullet(state.position));
-    placed.setWorldTransform(transform);
-    placed.setInterpolationWorldTransform(transform);  // what Bullet takes the structure's velocity from
-    placed.setLinearVelocity(to_bullet(state.velocity));
-    placed.setAngularVelocity(to_bullet(state.angular_velocity));
-    placed.setInterpolationLinearVelocity(placed.getLinearVelocity());
-    placed.setInterpolationAngularVelocity(placed.getAngularVelocity());
-    placed.updateInertiaTensor();
+    floes::place(placed, bullet_->units.to_own(given));
     if (bullet_->lanes) {
         bullet_->lanes->place(body.index(), state_of(placed));
         return;

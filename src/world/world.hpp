@@ -31,6 +31,7 @@ class World {
     World& operator=(World&&) noexcept;
 
     BodyId add_element(const BoxDefinition& box);
+    BodyId add_prism(const PrismDefinition& prism);
     BodyId add_fixed_box(const FixedBoxDefinition& box);
     BodyId add_sliding_box(const SlidingBoxDefinition& box);
 

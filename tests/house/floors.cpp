@@ -23,6 +23,7 @@ const std::vector<Room>& rooms() {
         {1, "solver", "Eigen", "src"},
         {1, "structure", "", "src"},
         {1, "laws", "Boost", "src"},
+        {1, "outline", "", "src"},
         {2, "scenario", "", "src"},
         {2, "collision", "", "src"},
         {3, "arrangement", "", "src"},

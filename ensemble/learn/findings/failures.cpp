@@ -62,7 +62,7 @@ struct CaseFailures {
 /// None where floes differ in shape: their joints are not the same.
 std::optional<CaseFailures> failures_of(Evidence& evidence, std::size_t of_case) {
     const FloeSet floes = floes_of(evidence.campaign.cases[of_case].scenario);
-    if (floes.shapes.size() != 1) return std::nullopt;
+    if (floes.shapes.size() != 1 || floes.shapes.front().is_polygon()) return std::nullopt;
     const CaseSummary& row = evidence.summary.cases[of_case];
     const FloeShape& floe = floes.shapes.front();
     CaseFailures found{

@@ -3,16 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "campaign/name_list.hpp"
 #include "core/wording.hpp"
 #include "findings/common_ground.hpp"
+#include "findings/single_floes.hpp"
 
 namespace floes {
 namespace {
 
-constexpr std::size_t most_drawn = 12;  // hulls, or floes
+constexpr std::size_t most_drawn = 12;  // hulls
 
 /// "E30, E60", for the label of one drawing among others; empty of the only one.
 std::string names_of(const std::vector<std::size_t>& cases, std::size_t drawings, const Summary& summary) {
@@ -45,27 +45,6 @@ Figure side_view(const Scenario& scenario, const std::string& names, double wide
     return figure;
 }
 
-Figure floe_and_joints(const Scenario& scenario, const std::string& names) {
-    const FloeShape& floe = scenario.floe;
-    const double margin = 0.15 * std::max(floe.length, floe.breadth);
-    Figure figure{
-        .description = "One floe seen from above: square elements and the joints at the middle of their edges",
-        .x = {names + "along the floe, m", -margin, floe.length + margin},
-        .y = {"across, m", -margin, floe.breadth + margin},
-        .size = to_scale(floe.length + 2 * margin, floe.breadth + 2 * margin, 360)};
-    const double side = floe.element;
-    for (int i = 0; i < floe.elements_long(); ++i)
-        for (int k = 0; k < floe.elements_broad(); ++k)
-            figure.cell((i + 0.015) * side, (k + 0.015) * side, 0.97 * side, 0.97 * side, 1, "ice");
-    for (int i = 0; i < floe.elements_long(); ++i) {
-        for (int k = 0; k < floe.elements_broad(); ++k) {
-            if (i + 1 < floe.elements_long()) figure.dot((i + 1) * side, (k + 0.5) * side, "c1", 4);
-            if (k + 1 < floe.elements_broad()) figure.dot((i + 0.5) * side, (k + 1) * side, "c1", 4);
-        }
-    }
-    return figure;
-}
-
 /// Every hull once, with the names of its cases.
 std::vector<Figure> hulls(const Campaign& campaign, const Summary& summary) {
     const auto groups = alike(campaign, [](const Scenario& one) -> const Shape& { return one.structure.shape; });
@@ -87,24 +66,6 @@ std::vector<Figure> hulls(const Campaign& campaign, const Summary& summary) {
     return figures;
 }
 
-/// Every size of floe and element once.
-std::vector<Figure> floes(const Campaign& campaign, const Summary& summary) {
-    const auto groups = alike(campaign, [](const Scenario& one) {
-        return std::array{one.floe.length, one.floe.breadth, one.floe.element};
-    });
-    const std::size_t drawn = std::min(groups.size(), most_drawn);
-    std::vector<Figure> figures;
-    for (std::size_t k = 0; k < drawn; ++k)
-        figures.push_back(
-            floe_and_joints(campaign.cases[groups[k].front()].scenario, names_of(groups[k], drawn, summary)));
-    const FloeShape& floe = campaign.cases.front().scenario.floe;
-    figures.back().caption =
-        drawn == 1 ? fmt::format("A floe of {:g} m × {:g} m: elements of {:g} m; dots are breakable joints.",
-                                 floe.length, floe.breadth, floe.element)
-                   : "Floes and their elements; dots are breakable joints.";
-    return figures;
-}
-
 }  // namespace
 
 Section what_was_run(Evidence& evidence) {
@@ -117,7 +78,7 @@ Section what_was_run(Evidence& evidence) {
         missing += row.missing_members;
     }
     std::vector<Figure> figures = hulls(evidence.campaign, evidence.summary);
-    for (Figure& figure : floes(evidence.campaign, evidence.summary)) figures.push_back(std::move(figure));
+    for (Figure& figure : single_floes(evidence)) figures.push_back(std::move(figure));
     return {.before = fmt::format("{}, each over up to {}: {} done, {} set aside as failed, {} not computed.\n",
                                   counted(std::ssize(evidence.summary.cases), "case"),
                                   counted(evidence.campaign.arrangements, "random arrangement"),

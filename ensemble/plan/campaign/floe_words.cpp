@@ -65,6 +65,24 @@ std::string size_words(const Scenario& scenario) {
         between(least.element, most.element), scenario.field_length());
 }
 
+/// What the polygons of the first arrangement are.
+std::string shape_words(const Scenario& scenario, std::uint64_t seed) {
+    const FloeSet floes = floes_of(scenario, {seed, 0});
+    std::vector<double> diameters;
+    double corners = 0;
+    for (std::size_t i = 0; i < floes.size(); ++i) {
+        diameters.push_back(std::sqrt(floes.shape(i).area()));
+        corners += static_cast<double>(floes.shape(i).outline.size()) / static_cast<double>(floes.size());
+    }
+    const auto [least, most] = std::ranges::minmax(diameters);
+    return fmt::format(
+        "in arrangement 0 {} of {:.3g} corners on average, sides of their squares {} m, {:.0f} elements of about {:g} "
+        "m; "
+        "the field is {:.4g} m long",
+        counted(std::ssize(diameters), scenario.shapes.kind == ShapeKind::voronoi ? "Voronoi cell" : "polygon"),
+        corners, between(least, most), element_count(floes), floes.shape(0).element, scenario.field_length());
+}
+
 using Of = double (*)(const FloeShape&, const Material&);
 
 /// "thickness 0.0331 m (SD 0.006)", with what is the same for all floes left out.
@@ -105,6 +123,9 @@ std::vector<std::string> floe_words(const Campaign& campaign) {
         const Scenario& scenario = campaign.cases[k].scenario;
         std::string words;
         if (scenario.sizes.law != SizeLaw::one) words = size_words(scenario);
+        if (scenario.shapes.any())
+            words +=
+                (words.empty() ? "" : "; ") + shape_words(scenario, arrangement_seed(campaign, static_cast<int>(k)));
         if (scenario.spread.any() || scenario.brine.salinity > 0)
             words += (words.empty() ? "" : "; ") + ice_words(scenario, arrangement_seed(campaign, static_cast<int>(k)));
         if (words.empty() || !said.insert(words).second) continue;

@@ -28,7 +28,7 @@ void draw_faces(Canvas& canvas, const std::vector<Face>& faces, const Vec2& size
     for (const Face& face : faces) {
         drawn.fill(face.corners, face.colour);
         const Colour dark = between(face.colour, ink, 0.55);
-        const std::bitset<8> edges(face.edges);  // the structure's faces have more corners, and no lines
+        const std::bitset<32> edges(face.edges);  // the structure's faces have more corners, and no lines
         for (std::size_t k = 0; k < std::min(face.corners.size(), edges.size()); ++k) {
             if (!edges[k]) continue;
             drawn.line(face.corners[k], face.corners[(k + 1) % face.corners.size()], dark, unit);

@@ -43,7 +43,7 @@ class Faces {
     Faces(const Projection& projection, const Vec2& size) : projection_(projection), size_(size) {}
 
     /// Looks outward along `normal`; left out where the eye is behind it or the picture elsewhere.
-    void add(std::span<const Vec3> corners, const Vec3& normal, const Colour& colour, std::uint8_t edges,
+    void add(std::span<const Vec3> corners, const Vec3& normal, const Colour& colour, std::uint32_t edges,
              double clear_water) {
         Vec3 middle = Vec3::Zero();
         for (const Vec3& corner : corners) middle += corner / static_cast<double>(corners.size());
@@ -65,18 +65,39 @@ class Faces {
 
     /// exposed: bits of Edge; other sides have no lines. They are drawn all the same: they close the gaps between
     /// elements.
-    void add(const Box& box, std::uint8_t exposed, const Colour& colour, double clear_water) {
+    void add(const Box& box, std::uint32_t exposed, const Colour& colour, double clear_water) {
         for (const Side& side : sides()) {
             const auto corner = [&](double a, double b) {
                 const Vec3 at = side.normal + a * side.first + b * side.second;
                 return Vec3(box.centre + box.rotation * at.cwiseProduct(box.half));
             };
             const std::array<Vec3, 4> corners{corner(1, 1), corner(-1, 1), corner(-1, -1), corner(1, -1)};
-            std::uint8_t edges = side.edge != 0 && (exposed & side.edge) != 0 ? all_edges : 0;
+            std::uint32_t edges = side.edge != 0 && (exposed & side.edge) != 0 ? all_edges : 0;
             for (unsigned k = 0; side.edge == 0 && k < flat_edges.size(); ++k)
-                if ((exposed & flat_edges[k]) != 0) edges = static_cast<std::uint8_t>(edges | (1u << k));
+                if ((exposed & flat_edges[k]) != 0) edges |= 1u << k;
             add(corners, box.rotation * side.normal, colour, edges, clear_water);
         }
+    }
+
+    /// A polygon of ice, as thick as its box: bit k of `exposed` is its edge k.
+    void add(const Box& box, const Outline& outline, std::uint32_t exposed, const Colour& colour, double clear_water) {
+        const auto at = [&](const Corner& corner, double y) {
+            return Vec3(box.centre + box.rotation * Vec3(corner.x, y * box.half.y(), corner.z));
+        };
+        std::vector<Vec3> upper;
+        std::vector<Vec3> lower;
+        for (std::size_t k = 0; k < outline.size(); ++k) {
+            const Corner& from = outline[k];
+            const Corner& to = after(outline, k);
+            upper.push_back(at(from, 1));
+            lower.push_back(at(from, -1));
+            const Corner out = outward(outline, k);
+            const std::array<Vec3, 4> side{at(from, 1), at(to, 1), at(to, -1), at(from, -1)};
+            add(side, box.rotation * Vec3(out.x, 0, out.z), colour, (exposed >> k & 1u) != 0 ? all_edges : 0,
+                clear_water);
+        }
+        add(lower, -box.rotation.col(1), colour, exposed, clear_water);
+        add(upper, box.rotation.col(1), colour, exposed, clear_water);
     }
 
     std::vector<Face> found() && { return std::move(faces_); }
@@ -110,17 +131,16 @@ std::vector<SheetPart> in_parts(const std::vector<IceSheet>& sheets, double long
     return parts;
 }
 
-/// Of each element the sides without a joint at that time, bits of Edge.
-std::vector<std::uint8_t> exposed_sides(const IceLayout& layout, const std::vector<bool>& failed) {
+/// Of each element the sides without a joint at that time, bits of Edge; of a polygon bit k for its edge k.
+std::vector<std::uint32_t> exposed_sides(const IceLayout& layout, const std::vector<bool>& failed) {
     const std::vector<IceLayout::LaidJoint>& joints = layout.joints;
-    std::vector<std::uint8_t> exposed(layout.elements.size(), every_edge);
+    std::vector<std::uint32_t> exposed;
+    for (const IceLayout::LaidElement& one : layout.elements)
+        exposed.push_back(one.corners.empty() ? every_edge : (1u << one.corners.size()) - 1);
     for (std::size_t k = 0; k < joints.size(); ++k) {
         if (failed[k]) continue;
-        const bool along = joints[k].axis == JointAxis::x;
-        std::uint8_t& a = exposed[static_cast<std::size_t>(joints[k].a)];
-        std::uint8_t& b = exposed[static_cast<std::size_t>(joints[k].b)];
-        a = static_cast<std::uint8_t>(a & ~(along ? edge_plus_x : edge_plus_z));
-        b = static_cast<std::uint8_t>(b & ~(along ? edge_minus_x : edge_minus_z));
+        exposed[static_cast<std::size_t>(joints[k].a)] &= ~joints[k].edge_a;
+        exposed[static_cast<std::size_t>(joints[k].b)] &= ~joints[k].edge_b;
     }
     return exposed;
 }
@@ -197,10 +217,15 @@ std::vector<Face> Stage::faces(const Frame& frame, const Projection& projection,
     Faces faces(projection, size);
     for (const auto& [box, exposed] : sheets_)
         faces.add(Box{box.centre, Mat3::Identity(), box.half_extents}, exposed, sheet_ice, clear);
-    const std::vector<std::uint8_t> exposed = exposed_sides(layout_, failed);
-    for (std::size_t k = 0; k < frame.elements.size(); ++k)
-        faces.add(Box{frame.elements[k].position, frame.elements[k].rotation, layout_.elements[k].half_extents},
-                  exposed[k], colour(k), clear);
+    const std::vector<std::uint32_t> exposed = exposed_sides(layout_, failed);
+    for (std::size_t k = 0; k < frame.elements.size(); ++k) {
+        const IceLayout::LaidElement& one = layout_.elements[k];
+        const Box box{frame.elements[k].position, frame.elements[k].rotation, one.half_extents};
+        if (one.corners.empty())
+            faces.add(box, exposed[k], colour(k), clear);
+        else
+            faces.add(box, one.corners, exposed[k], colour(k), clear);
+    }
     add_structure(faces, scenario.structure.shape, frame.structure, scenario.floe.element / 2, clear);
     return std::move(faces).found();
 }

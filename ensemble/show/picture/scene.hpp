@@ -15,7 +15,7 @@ namespace floes {
 struct Face {
     std::vector<Vec3> corners;  ///< Projection::seen
     Colour colour;
-    std::uint8_t edges = 0;  ///< bit k: a line from corner k to the next one
+    std::uint32_t edges = 0;  ///< bit k: a line from corner k to the next one
 };
 
 /// A part, of the floes' size, of an ice sheet.

@@ -7,6 +7,7 @@
 
 #include "core/units.hpp"
 #include "ice/floe_grid.hpp"
+#include "ice/polygon_floe.hpp"
 #include "player/thinned_history.hpp"
 #include "scenario/scenario.hpp"
 #include "view/camera.hpp"
@@ -68,6 +69,23 @@ json sheets(const Channel& channel) {
     return all;
 }
 
+/// The same of polygons: of each element its corners in its own x and z, and edge k on the outline as bit k.
+json polygons(const CutFloe& cut, std::size_t floes, double thickness) {
+    json outline = json::array();
+    json corners = json::array();
+    for (const CutElement& one : cut.elements) {
+        outline.push_back(one.rim);
+        json own = json::array();
+        for (const Corner& corner : one.corners)
+            own.push_back({static_cast<float>(corner.x), static_cast<float>(corner.z)});
+        corners.push_back(std::move(own));
+    }
+    return {{"floes", floes},
+            {"element", {0, thickness, 0}},
+            {"outline", std::move(outline)},
+            {"corners", std::move(corners)}};
+}
+
 /// Floes by kind: how many one after another, the size of an element, and of each element of one the edges on the
 /// outline, as bits of Edge.
 json ice(const FloeSet& floes) {
@@ -76,6 +94,11 @@ json ice(const FloeSet& floes) {
         std::size_t next = first + 1;
         while (next < floes.size() && floes.floes[next].shape == floes.floes[first].shape) ++next;
         const FloeShape& shape = floes.shape(first);
+        if (const std::shared_ptr<const CutFloe> cut = cut_of(shape)) {
+            kinds.push_back(polygons(*cut, next - first, shape.thickness));
+            first = next;
+            continue;
+        }
         const FloeGrid grid = grid_of(shape);
         json outline = json::array();
         for (int index = 0; index < grid.elements(); ++index) outline.push_back(grid.outline_edges(index));
@@ -104,9 +127,7 @@ json failures(const Recording& recording) {
     json all = json::array();
     for (const BreakEvent& event : recording.outcome().breaks) {
         const IceLayout::LaidJoint& joint = layout.joints.at(layout.joint(event.floe, event.joint));
-        const bool along_x = joint.axis == JointAxis::x;
-        all.push_back({event.time, event.mode, event.floe, joint.a, along_x ? edge_plus_x : edge_plus_z, joint.b,
-                       along_x ? edge_minus_x : edge_minus_z});
+        all.push_back({event.time, event.mode, event.floe, joint.a, joint.edge_a, joint.b, joint.edge_b});
     }
     return all;
 }

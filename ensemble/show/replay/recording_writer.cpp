@@ -1,6 +1,8 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <system_error>
@@ -39,6 +41,25 @@ void write_root(hid_t file, const RecordingSubject& subject) {
     hdf5::write_attribute(file, "time_step", subject.scenario.general.time_step);
 }
 
+/// Corners of elements that are polygons, NaN where an element has fewer.
+void write_corners(hid_t group, const IceLayout& layout, const Scale& element) {
+    std::size_t most = 0;
+    for (const IceLayout::LaidElement& one : layout.elements) most = std::max(most, one.corners.size());
+    if (most == 0) return;
+    std::vector<double> x(most * layout.elements.size(), std::numeric_limits<double>::quiet_NaN());
+    std::vector<double> z = x;
+    for (std::size_t i = 0; i < layout.elements.size(); ++i) {
+        const Outline& corners = layout.elements[i].corners;
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            x[most * i + k] = corners[k].x;
+            z[most * i + k] = corners[k].z;
+        }
+    }
+    const Scale corner = hdf5::write_index_scale(group, "corner", "corner of an element, in order", most);
+    hdf5::write_values(group, {"corner_x", "m", "of an element's corners, in its own axes"}, {element, corner}, x);
+    hdf5::write_values(group, {"corner_z", "m", "of an element's corners, in its own axes"}, {element, corner}, z);
+}
+
 void write_ice(hid_t file, const RecordingSubject& subject, const IceLayout& layout, const RecordScales& scales) {
     std::vector<std::int32_t> floe;
     std::vector<double> sides;
@@ -52,6 +73,7 @@ void write_ice(hid_t file, const RecordingSubject& subject, const IceLayout& lay
     hdf5::write_values(group.id(), {"floe", "1", "floe of each element"}, {scales.element}, floe);
     hdf5::write_values(group.id(), {"sides", "m", "length of an element's sides along its own axes"},
                        {scales.element, scales.coordinate}, sides);
+    write_corners(group.id(), layout, scales.element);
 }
 
 void write_structure(hid_t file, const Shape& shape) {

@@ -14,6 +14,7 @@ namespace {
 
 constexpr int zlib_level = 1;  // higher ones save a hundredth of the bytes and take up to twice as long
 constexpr std::uint8_t vtk_hexahedron = 12;
+constexpr std::uint8_t vtk_convex_point_set = 41;
 
 /// The bytes of an array as one compressed block behind VTK's header: number of blocks, size of a block, size of the
 /// last one if it is shorter, compressed size.
@@ -54,20 +55,27 @@ class Document {
     std::string data_;
 };
 
+std::vector<std::uint8_t> cell_types(const VtkMesh& mesh) {
+    std::vector<std::uint8_t> types(mesh.offsets.size(), vtk_hexahedron);
+    for (std::size_t k = 0; k < types.size() && mesh.kind == VtkCells::solids; ++k)
+        if (mesh.offsets[k] - (k > 0 ? mesh.offsets[k - 1] : 0) != 8) types[k] = vtk_convex_point_set;
+    return types;
+}
+
 }  // namespace
 
 std::string_view VtkMesh::extension() const {
-    return kind == VtkCells::hexahedra ? ".vtu" : ".vtp";
+    return kind == VtkCells::hexahedra || kind == VtkCells::solids ? ".vtu" : ".vtp";
 }
 
 void write_vtk(const std::filesystem::path& path, const VtkMesh& mesh, double time) {
-    const bool volume = mesh.kind == VtkCells::hexahedra;
+    const bool volume = mesh.kind == VtkCells::hexahedra || mesh.kind == VtkCells::solids;
     const std::string_view type = volume ? "UnstructuredGrid" : "PolyData";
     const std::size_t points = mesh.points.size() / 3;
     const std::string_view cells = volume ? "Cells" : mesh.kind == VtkCells::points ? "Verts" : "Polys";
 
     std::vector<VtkArray> topology{vtk_array("connectivity", mesh.connectivity), vtk_array("offsets", mesh.offsets)};
-    if (volume) topology.push_back(vtk_array("types", std::vector(mesh.offsets.size(), vtk_hexahedron)));
+    if (volume) topology.push_back(vtk_array("types", cell_types(mesh)));
 
     Document document;
     document.line(R"(<?xml version="1.0"?>)");

@@ -33,9 +33,10 @@ VtkArray vtk_array(std::string name, const std::vector<Value>& values, int compo
 }
 
 enum class VtkCells {
-    points,    ///< a vertex for each point
-    polygons,  ///< a surface
-    hexahedra  ///< eight points each: four round the bottom, the four above them
+    points,     ///< a vertex for each point
+    polygons,   ///< a surface
+    hexahedra,  ///< eight points each: four round the bottom, the four above them
+    solids      ///< hexahedra, and any other convex set of points
 };
 
 struct VtkMesh {
@@ -47,7 +48,7 @@ struct VtkMesh {
     std::vector<VtkArray> point_data = {};
     std::vector<VtkArray> cell_data = {};
 
-    /// ".vtu" for hexahedra, else ".vtp".
+    /// ".vtu" for hexahedra and solids, else ".vtp".
     std::string_view extension() const;
 };
 

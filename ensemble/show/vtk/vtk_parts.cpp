@@ -18,6 +18,17 @@ void append_box(VtkMesh& mesh, const Vec3& centre, const Mat3& rotation, const V
     mesh.offsets.push_back(static_cast<std::int32_t>(mesh.connectivity.size()));
 }
 
+/// Round the lower face, then round the upper one.
+void append_prism(VtkMesh& mesh, const BodyState& state, const IceLayout::LaidElement& element) {
+    for (const double y : {-1.0, 1.0})
+        for (const Corner& corner : element.corners)
+            append(mesh.points,
+                   state.position + state.rotation * Vec3(corner.x, y * element.half_extents.y(), corner.z));
+    for (std::size_t i = 0; i < 2 * element.corners.size(); ++i)
+        mesh.connectivity.push_back(static_cast<std::int32_t>(mesh.connectivity.size()));
+    mesh.offsets.push_back(static_cast<std::int32_t>(mesh.connectivity.size()));
+}
+
 /// The mesh of these points, a vertex at each.
 VtkMesh vertices(std::vector<float> points) {
     VtkMesh mesh{.kind = VtkCells::points, .points = std::move(points)};
@@ -45,7 +56,12 @@ VtkMesh ice_part(const Frame& frame, const IceLayout& layout, std::span<const st
     std::vector<std::int32_t> floe(elements);
     std::vector<std::uint8_t> is_broken(elements);
     for (std::size_t i = 0; i < elements; ++i) {
-        append_box(mesh, frame.elements[i].position, frame.elements[i].rotation, layout.elements[i].half_extents);
+        if (layout.elements[i].corners.empty()) {
+            append_box(mesh, frame.elements[i].position, frame.elements[i].rotation, layout.elements[i].half_extents);
+        } else {
+            mesh.kind = VtkCells::solids;
+            append_prism(mesh, frame.elements[i], layout.elements[i]);
+        }
         floe[i] = layout.elements[i].floe;
         is_broken[i] = broken[static_cast<std::size_t>(floe[i])];
     }

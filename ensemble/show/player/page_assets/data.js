@@ -43,21 +43,24 @@ function summedPercent(differences, frames, elements) {
   return differences;
 }
 
-// Of each element: its floe, the edges on the outline of the floe as bits, and its size in m.
+// Of each element: its floe, the edges on the outline of the floe as bits, its size in m (of a polygon its thickness alone), and a
+// polygon's corners.
 function laidOut(header) {
   const floeOf = new Int32Array(header.elements);
-  const outlines = new Uint8Array(header.elements);
+  const outlines = new Uint32Array(header.elements);
+  const corners = new Array(header.elements).fill(null); // of elements that are no squares
   const sizes = new Float32Array(3 * header.elements);
   let element = 0;
   let floe = 0;
   for (const kind of header.ice)
     for (let last = floe + kind.floes; floe < last; ++floe)
-      for (const outline of kind.outline) {
+      kind.outline.forEach((outline, index) => {
         floeOf[element] = floe;
         outlines[element] = outline;
+        if (kind.corners) corners[element] = kind.corners[index];
         sizes.set(kind.element, 3 * element++);
-      }
-  return {floeOf, outlines, sizes};
+      });
+  return {floeOf, outlines, sizes, corners};
 }
 
 // Everything of the replay: header, layout, and by frame: times, loads, places, turns, utilisation, contacts, pieces.

@@ -94,8 +94,11 @@ class Ice {
         water: colour(), jointLine: colour(), rimLine: colour(), brokenLine: colour(), failedLine: colour(),
       },
     });
-    this.mesh = new THREE.Mesh(this.geometry, this.material);
-    this.mesh.frustumCulled = false; // its vertices are placed by the graphics card
+    const boxes = new THREE.Mesh(this.geometry, this.material);
+    boxes.frustumCulled = false; // its vertices are placed by the graphics card
+    this.mesh = new THREE.Group().add(boxes);
+    this.polygons = replay.corners.some(one => one) ? new PolygonIce(replay, this.material.uniforms) : null;
+    if (this.polygons) this.mesh.add(this.polygons.mesh);
     this.shown = {A: -1, B: -1};
     this.failures = -1;
   }
@@ -119,6 +122,7 @@ class Ice {
     const attribute = this.geometry.attributes[name];
     attribute.array.set(values);
     attribute.needsUpdate = true;
+    if (this.polygons) this.polygons.refill(name, values);
   }
 
   put(slot, frame) {
@@ -151,10 +155,12 @@ class Ice {
         const isRim = outlines[e] >> k & 1;
         edges[4 * e + k] = !isRim ? 0 : brokenFloes.has(floeOf[e]) ? 191 : 128;
       }
+    const {corners} = this.replay;
     for (const [, , , a, edgeOfA, b, edgeOfB] of failures) {
-      edges[4 * a + Math.log2(edgeOfA)] = 255;
-      edges[4 * b + Math.log2(edgeOfB)] = 255;
+      if (!corners[a]) edges[4 * a + Math.log2(edgeOfA)] = 255;
+      if (!corners[b]) edges[4 * b + Math.log2(edgeOfB)] = 255;
     }
+    if (this.polygons) this.polygons.markFailures(failures, brokenFloes);
     this.geometry.attributes.edges.needsUpdate = true;
   }
 }

@@ -1,0 +1,111 @@
+#include "outline/drawn.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "core/turn.hpp"
+
+namespace floes {
+namespace {
+
+/// Corners nearer than this share of the area's breadth are one.
+constexpr double exact = 1e-6;
+
+Outline cell_of(const WaterArea& area, const std::vector<Corner>& points, const std::vector<std::size_t>& by_x,
+                std::size_t place) {
+    const Corner& own = points[by_x[place]];
+    const double right = area.low_x + area.length;
+    const double high = area.low_z + area.breadth;
+    Outline cell{{area.low_x, area.low_z}, {right, area.low_z}, {right, high}, {area.low_x, high}};
+    double reach = reach_of(in_axes(cell, own, {1, 0}));
+    // Neighbours in the order of their distance along x, until none can matter.
+    const auto meet = [&](std::size_t other) {
+        const Corner apart = points[by_x[other]] - own;
+        const double distance = std::sqrt(dot(apart, apart));
+        if (distance > 2 * reach || !(distance > 0)) return;
+        const Corner normal = (1 / distance) * apart;
+        const Outline left = clipped(cell, {normal, dot(normal, own) + 0.5 * distance});
+        if (left.empty()) return;
+        cell = left;
+        reach = reach_of(in_axes(cell, own, {1, 0}));
+    };
+    const auto along = [&](std::size_t other) { return std::abs(points[by_x[other]].x - own.x); };
+    std::size_t before = place;
+    std::size_t next = place + 1;
+    for (;;) {
+        const bool back = before > 0 && along(before - 1) <= 2 * reach;
+        const bool on = next < by_x.size() && along(next) <= 2 * reach;
+        if (!back && !on) return tidied(cell, exact * area.breadth);
+        if (back && (!on || along(before - 1) < along(next)))
+            meet(--before);
+        else
+            meet(next++);
+    }
+}
+
+std::vector<Outline> cells_of(const WaterArea& area, const std::vector<Corner>& points) {
+    std::vector<std::size_t> by_x(points.size());
+    std::iota(by_x.begin(), by_x.end(), std::size_t{0});
+    std::ranges::sort(by_x, {}, [&](std::size_t n) { return points[n]; });
+    std::vector<Outline> cells(points.size());
+    for (std::size_t place = 0; place < by_x.size(); ++place) cells[by_x[place]] = cell_of(area, points, by_x, place);
+    return cells;
+}
+
+double sum_of_areas(const std::vector<Outline>& outlines) {
+    double sum = 0;
+    for (const Outline& one : outlines)
+        if (!one.empty()) sum += area_of(one);
+    return sum;
+}
+
+std::vector<Outline> all_eroded(const std::vector<Outline>& outlines, double offset) {
+    std::vector<Outline> left;
+    for (const Outline& one : outlines) left.push_back(eroded(one, offset));
+    return left;
+}
+
+}  // namespace
+
+std::vector<Outline> voronoi_cells(const WaterArea& area, int count, int relaxations, RandomStream& random) {
+    std::vector<Corner> points;
+    for (int i = 0; i < count; ++i) {
+        const double x = random.uniform(area.low_x, area.low_x + area.length);
+        points.push_back({x, random.uniform(area.low_z, area.low_z + area.breadth)});
+    }
+    std::vector<Outline> cells = cells_of(area, points);
+    for (int step = 0; step < relaxations; ++step) {
+        for (std::size_t i = 0; i < points.size(); ++i) points[i] = measures_of(cells[i]).centroid;
+        cells = cells_of(area, points);
+    }
+    return cells;
+}
+
+Shrunk shrunk_to(const std::vector<Outline>& outlines, double area) {
+    double low = 0;
+    double high = 0;
+    for (const Outline& one : outlines) high = std::max(high, 0.5 * std::min(size_of(one).x, size_of(one).z));
+    for (int halving = 0; halving < 200; ++halving) {
+        const double middle = 0.5 * (low + high);
+        if (middle == low || middle == high) break;
+        (sum_of_areas(all_eroded(outlines, middle)) >= area ? low : high) = middle;
+    }
+    return {all_eroded(outlines, low), low};
+}
+
+Outline polygon_about(double length, double breadth, int corners, double irregularity, RandomStream& random) {
+    Outline outline;
+    for (int k = 0; k < corners; ++k) {
+        const double way = (k + irregularity * (random.uniform() - 0.5)) / corners;
+        const Turn at = turn_of(2 * std::numbers::pi * way);
+        outline.push_back({length * at.cos, breadth * at.sin});
+    }
+    const Measures measures = measures_of(outline);
+    const double scale = std::sqrt(length * breadth / measures.area);
+    for (Corner& one : outline) one = scale * (one - measures.centroid);
+    return outline;
+}
+
+}  // namespace floes

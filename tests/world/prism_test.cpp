@@ -1,0 +1,96 @@
+// Prisms: their inertia, momentum, contact with the structure, and what is refused.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/error.hpp"
+#include "scene.hpp"
+
+namespace floes::test {
+namespace {
+
+WorldDefinition direct() {
+    WorldDefinition definition = weightless();
+    definition.solver = SolverKind::direct;
+    definition.contact.friction = Friction::cone;
+    definition.contact.normal = NormalLaw::crushing;
+    definition.contact.crushing_pressure = 145e3;
+    definition.contact.internal_edges = false;
+    return definition;
+}
+
+PrismDefinition hexagon_at(const Vec3& position, double yaw = 0) {
+    PrismDefinition prism;
+    for (int k = 0; k < 6; ++k) {
+        const double angle = (k + 0.5) * std::numbers::pi / 3;
+        prism.corners.push_back({0.12 * std::cos(angle), 0.12 * std::sin(angle)});
+    }
+    prism.half_thickness = element_thickness / 2;
+    prism.mass = 1.2;
+    prism.pose = {position, turned(yaw, Vec3::UnitY())};
+    return prism;
+}
+
+TEST(WorldPrism, TurnsByItsOwnInertia) {
+    World world(direct());
+    const BodyId body = world.add_prism(hexagon_at(Vec3::Zero()));
+    const Measures of = measures_of(hexagon_at(Vec3::Zero()).corners);
+    world.apply(body, {Vec3::Zero(), {0.01, 0.02, 0}});
+    world.step();
+    const double step = direct().time_step;
+    const double flat = 1.2 * (of.zz / of.area + element_thickness * element_thickness / 12);
+    EXPECT_NEAR(world.state(body).angular_velocity.x(), 0.01 * step / flat, 1e-9);
+    EXPECT_NEAR(world.state(body).angular_velocity.y(), 0.02 * step / (1.2 * (of.xx + of.zz) / of.area), 1e-9);
+}
+
+TEST(WorldPrism, KeepsMomentumAgainstAPrismAndABox) {
+    for (const bool box : {false, true}) {
+        World world(direct());
+        const BodyId a = world.add_prism(hexagon_at({0, 0, 0}));
+        const BodyId b =
+            box ? world.add_element(element_at({0.3, 0, 0.02})) : world.add_prism(hexagon_at({0.3, 0, 0.02}, 0.2));
+        const double mass_b = box ? element_mass : 1.2;
+        world.apply(a, {Vec3(1.2 * 0.2 / 0.02, 0, 0), Vec3::Zero()});
+        double largest = 0;
+        for (int step = 0; step < 150; ++step) {
+            world.step();
+            largest = std::max(largest, world.contact_force(b).x());
+        }
+        EXPECT_GT(largest, 1);
+        EXPECT_NEAR((1.2 * world.state(a).velocity + mass_b * world.state(b).velocity - Vec3(0.24, 0, 0)).norm(), 0,
+                    1e-9);
+        EXPECT_GT(world.state(b).velocity.x(), 0.05);
+    }
+}
+
+TEST(WorldPrism, IsPushedByTheStructure) {
+    World world(direct());
+    const Shape shape({{-0.5, 0.3}, {0.5, 0.3}});
+    world.add_structure(shape.solids(), {0, 0, 0});
+    const BodyId body = world.add_prism(hexagon_at({0.45, 0, 0}));
+    for (int step = 1; step <= 200; ++step) {
+        world.move_structure({0.1 * 0.02 * step, 0, 0});
+        world.step();
+    }
+    EXPECT_NEAR(world.state(body).velocity.x(), 0.1, 0.02);
+    EXPECT_GT(world.state(body).position.x() - 0.4, 0.3 + 0.12 * std::sqrt(0.75) - 0.01);
+}
+
+TEST(WorldPrism, RefusesWhatIsNone) {
+    World world(direct());
+    PrismDefinition dented = hexagon_at(Vec3::Zero());
+    dented.corners[1] = {0, 0.01};
+    EXPECT_THAT([&] { world.add_prism(dented); }, testing::ThrowsMessage<InputError>(testing::HasSubstr("not convex")));
+    PrismDefinition aside = hexagon_at(Vec3::Zero());
+    for (Corner& one : aside.corners) one.x += 0.05;
+    EXPECT_THROW(world.add_prism(aside), InputError);
+    World sweeping(weightless());
+    EXPECT_THAT([&] { sweeping.add_prism(hexagon_at(Vec3::Zero())); },
+                testing::ThrowsMessage<InputError>(testing::HasSubstr("direct")));
+}
+
+}  // namespace
+}  // namespace floes::test
