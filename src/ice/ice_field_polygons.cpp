@@ -1,0 +1,68 @@
+// Floes of an IceField that are polygons.
+
+#include "core/turn.hpp"
+#include "ice/ice_field.hpp"
+#include "ice/polygon_floe.hpp"
+
+namespace floes {
+namespace {
+
+Vec3 flat(const Corner& point) {
+    return {point.x, 0, point.z};
+}
+
+}  // namespace
+
+void IceField::add_polygon(World& world, const Scenario& scenario, const Floe& floe, const FloeShape& shape,
+                           const Material& material, const std::shared_ptr<const CutFloe>& cut) {
+    const Water& water = scenario.water;
+    const double pressure = scenario.contact_law(material.ice).crushing_pressure;
+    const double per_area = material.ice.density * shape.thickness * (1 + water.isotropic_mass());
+    const int number = floes();
+    const int first = static_cast<int>(elements_.size());
+    Sheet& sheet = floes_.emplace_back(Sheet{first, {}, {}, {}, 0.0, 0.0});
+    sheet.cut = cut;
+    const Turn half = turn_of(0.5 * floe.pose.yaw);
+    const Quat yaw(half.cos, 0, half.sin, 0);
+    const Vec3 middle(floe.pose.x, shape.floating_height(material.ice, water.density), floe.pose.z);
+    const bool on_all = water.form_drag_on == FormDragOn::every_element;
+    for (const CutElement& one : cut->elements) {
+        const BodyId body = world.add_prism({.corners = one.corners,
+                                             .half_thickness = shape.thickness / 2,
+                                             .mass = per_area * one.area,
+                                             .pose = {middle + yaw * flat(one.centre), yaw * turned_to(one.axis)},
+                                             .piece = first,
+                                             .crushing_pressure = pressure});
+        const unsigned every = (1U << static_cast<unsigned>(one.corners.size())) - 1;
+        elements_.push_back(
+            {body, number, static_cast<int>(elements_.size()) - first, first, on_all ? every : one.rim});
+    }
+    for (std::size_t k = 0; k < cut->joints.size(); ++k) {
+        const CutJoint& joint = cut->joints[k];
+        sheet.of_joints.push_back(make_thresholds(joint.length, joint.span, shape.thickness, material));
+        const JointId id = world.add_joint({.a = elements_[static_cast<std::size_t>(first + joint.a)].body,
+                                            .b = elements_[static_cast<std::size_t>(first + joint.b)].body,
+                                            .pivot = middle + yaw * flat(joint.pivot),
+                                            .frame = yaw * turned_to(joint.normal),
+                                            .cfm = material.joint.cfm,
+                                            .erp = material.joint.erp,
+                                            .spring = polygon_joint(joint, shape, material)});
+        joints_.push_back({id, number, static_cast<int>(k), {joint.a, joint.b, JointAxis::x}, joints_.size()});
+    }
+}
+
+IceField::JointPlace IceField::place_of(const Joint& joint, const BodyState& a) const {
+    const Sheet& sheet = floe_of(joint);
+    if (!sheet.cut) {
+        const Mat3 axes = a.rotation * joint_frame(joint.grid.axis).toRotationMatrix();
+        return {axes, a.position + 0.5 * sheet.grid.element * axes.col(0)};
+    }
+    const CutJoint& cut = sheet.cut->joints[static_cast<std::size_t>(joint.number)];
+    const CutElement& element = sheet.cut->elements[static_cast<std::size_t>(cut.a)];
+    const Mat3 to_floe = turned_to(element.axis).toRotationMatrix();  // element -> floe
+    const Mat3 floe = a.rotation * to_floe.transpose();               // floe -> world, at this element
+    return {floe * turned_to(cut.normal).toRotationMatrix(),
+            a.position + floe * (flat(cut.pivot) - flat(element.centre))};
+}
+
+}  // namespace floes
