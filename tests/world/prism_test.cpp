@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "scene.hpp"
+#include "structure/shape.hpp"
 
 namespace floes::test {
 namespace {
