@@ -25,7 +25,7 @@ void BoxContacts::add(const ContactBox& box) {
     asleep_.push_back(0);
     piece_.push_back(box.piece);
     is_prism_.push_back(box.corners.empty() ? 0 : 1);
-    prism_.push_back(box.corners.empty() ? prism_of_box(box.half_extent) : PrismShape(box.corners, box.half_extent[1]));
+    prism_.push_back(box.corners.empty() ? PrismShape{} : PrismShape(box.corners, box.half_extent[1]));
     path_.push_back(0);
     bounds_.emplace_back();
     pieces_changed_ = moved_ = true;
@@ -116,6 +116,11 @@ void BoxContacts::list_pairs(const BodyMotion* motions) {
     moved_ = false;
 }
 
+void BoxContacts::make_prisms(const Pair& pair) {
+    for (const std::uint32_t box : {pair.a, pair.b})
+        if (prism_[box].empty()) prism_[box] = prism_of_box(half_extent_[box]);
+}
+
 bool BoxContacts::prisms_apart(Pair& pair, const BodyMotion* motions) const {
     const double gap =
         widest_face_gap(prism(pair.a, motions), prism(pair.b, motions), fixed_[pair.b] == 0, fixed_[pair.a] == 0);
@@ -145,6 +150,7 @@ bool BoxContacts::apart(Pair& pair, const BodyMotion* motions) const {
 
 void BoxContacts::look(Pair& pair, const BodyMotion* motions) {
     const bool prisms = meets_prism(pair);
+    if (prisms) make_prisms(pair);
     if (pair.patch < 0 && (prisms ? prisms_apart(pair, motions) : apart(pair, motions))) return;
     const BoxPlace a = place(pair.a, motions);
     const BoxPlace b = place(pair.b, motions);

@@ -73,10 +73,11 @@ class BoxContacts {
 
     PrismPlace prism(std::uint32_t box, const BodyMotion* motions) const { return {&prism_[box], place(box, motions)}; }
     bool meets_prism(const Pair& pair) const { return is_prism_[pair.a] != 0 || is_prism_[pair.b] != 0; }
+    void make_prisms(const Pair& pair);
     bool prisms_apart(Pair& pair, const BodyMotion* motions) const;
 
     std::vector<Triple> half_extent_;
-    std::vector<PrismShape> prism_;  ///< of boxes too
+    std::vector<PrismShape> prism_;  ///< of a box empty until it comes near a prism
     std::vector<std::uint8_t> is_prism_;
     std::vector<double> reach_;
     std::vector<std::uint8_t> fixed_, is_box_, asleep_;

@@ -52,7 +52,6 @@ void LaneSolver::add_body(const btRigidBody& body, int piece, double crushing_pr
     added.parts.crushing_pressure = crushing_pressure;
     added.start = state_of(body);
     added.friction = body.getFriction();
-    added.prism = prism_of_box(extent);
     if (const PrismHull* hull = hull_of(body)) {
         added.parts.is_prism = true;
         added.prism = hull->prism();
@@ -79,6 +78,7 @@ void LaneSolver::add_joint(const JointDefinition& definition, const btRigidBody&
 }
 
 void LaneSolver::remove_joint(std::size_t joint) {
+    if (removed_[joint]) return;
     removed_[joint] = true;
     hold_edge(joints_[joint].a, joints_[joint].in_a, 1, false);
     hold_edge(joints_[joint].b, joints_[joint].in_b, -1, false);

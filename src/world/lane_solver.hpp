@@ -6,6 +6,7 @@
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
+#include <array>
 #include <deque>
 #include <optional>
 #include <span>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "collision/box_contacts.hpp"
+#include "outline/elements.hpp"
 #include "solver/lane_system.hpp"
 #include "world/definitions.hpp"
 #include "world/state.hpp"
@@ -84,8 +86,8 @@ class LaneSolver {
         SolverState start;
         double friction = 0;
         bool asleep = false;
-        PrismShape prism{};            ///< of boxes too; none of the structure
-        std::uint32_t held_edges = 0;  ///< of a prism: bit k where a joint holds another body at edge k
+        PrismShape prism{};                                  ///< empty of any other body
+        std::array<std::uint8_t, most_corners> joints_at{};  ///< of a prism: how many joints hold others at each edge
     };
 
     /// Where a contact of the solve came from: a point of two boxes, or one of Bullet's with the structure.

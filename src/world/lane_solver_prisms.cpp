@@ -20,8 +20,8 @@ void LaneSolver::hold_edge(std::uint32_t number, const SolverFrame& frame, doubl
     const auto& r = frame.rotation;
     const int edge = edge_towards(body.prism, {outward * r[0], outward * r[3], outward * r[6]});
     if (edge < 0) return;
-    const std::uint32_t bit = std::uint32_t{1} << static_cast<unsigned>(edge);
-    body.held_edges = held ? body.held_edges | bit : body.held_edges & ~bit;
+    std::uint8_t& joints = body.joints_at[static_cast<std::size_t>(edge)];
+    joints = static_cast<std::uint8_t>(joints + (held ? 1 : -1));
 }
 
 /// Whether a normal, from b to a, leaves a prism through an edge that another element of its floe covers.
@@ -29,9 +29,9 @@ bool LaneSolver::is_inside(std::uint32_t a, std::uint32_t b, const Triple& norma
     if (definition_.contact.internal_edges) return false;
     const auto leaves = [&](std::uint32_t number, double sign) {
         const Body& body = bodies_[number];
-        if (body.held_edges == 0) return false;
+        if (!body.parts.is_prism) return false;
         const int edge = edge_towards(body.prism, own_axes(system_->motions()[number].rotation, normal, sign));
-        return edge >= 0 && (body.held_edges >> static_cast<unsigned>(edge) & 1U) != 0;
+        return edge >= 0 && body.joints_at[static_cast<std::size_t>(edge)] > 0;
     };
     return leaves(a, -1) || leaves(b, 1);
 }
@@ -41,9 +41,11 @@ void LaneSolver::set_section(SolverContact& contact) const {
     if (definition_.contact.normal == NormalLaw::rigid || (!is_prism(contact.a) && !is_prism(contact.b))) return;
     for (const auto& [number, sign] : {std::pair(contact.a, 1.0), std::pair(contact.b, -1.0)}) {
         const Body& body = bodies_[number];
-        if (body.prism.empty()) continue;  // the structure: flat and unbounded
+        const PrismShape box = body.parts.is_prism ? PrismShape{} : prism_of_box(body.parts.half_extent);
+        const PrismShape& prism = body.parts.is_prism ? body.prism : box;
+        if (prism.empty()) continue;  // the structure: flat and unbounded
         const Triple inwards = own_axes(system_->motions()[number].rotation, contact.normal, sign);
-        const PrismSection section = crushed_section(body.prism, inwards, -contact.distance);
+        const PrismSection section = crushed_section(prism, inwards, -contact.distance);
         if (contact.section >= 0 && contact.section <= section.area) continue;
         contact.section = section.area;
         contact.section_growth = section.growth;

@@ -136,7 +136,7 @@ std::vector<std::uint32_t> exposed_sides(const IceLayout& layout, const std::vec
     const std::vector<IceLayout::LaidJoint>& joints = layout.joints;
     std::vector<std::uint32_t> exposed;
     for (const IceLayout::LaidElement& one : layout.elements)
-        exposed.push_back(one.corners.empty() ? every_edge : (1u << one.corners.size()) - 1);
+        exposed.push_back((1u << (one.corners.empty() ? 4u : one.corners.size())) - 1);
     for (std::size_t k = 0; k < joints.size(); ++k) {
         if (failed[k]) continue;
         exposed[static_cast<std::size_t>(joints[k].a)] &= ~joints[k].edge_a;

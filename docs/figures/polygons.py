@@ -1,0 +1,74 @@
+#!/usr/bin/python3
+"""Draws docs/sea_ice/polygons.png and prints the table of docs/sea_ice.md, of squares and polygons in one channel.
+
+    floes run configs/validation/polygons.toml -o polygons.h5
+    docs/figures/polygons.py FLOES polygons.h5 [--table]
+
+FLOES: the program. The pictures are its own, of arrangement 1 of each case at the end of the run, from above. --table
+only prints, from `floes summarize --format csv` and the processor times in the file.
+"""
+import csv
+import io
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import h5py
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+CASES = ["squares", "voronoi", "hexagons"]
+ARRANGEMENT = 1
+PAGE = pathlib.Path(__file__).resolve().parent.parent / "sea_ice"
+COLUMNS = [("mean load, N", "mean_N", 1), ("SD over 1 s, N", "sd_1s_N", 1),
+           ("mean maximum over 1 s, N", "mean_maximum_1s_N", 1), ("broken floes, %", "failure_ratio", 100)]
+STEPS = 1300  # of a member
+
+
+def rows_of(program, campaign):
+    text = subprocess.run([program, "summarize", campaign, "--format", "csv"], check=True, capture_output=True,
+                          text=True).stdout
+    return {row["name"]: row for row in csv.DictReader(io.StringIO(text))}
+
+
+def cost(campaign, case):
+    """Milliseconds of a processor for a step, over the members of a case."""
+    with h5py.File(campaign) as file:
+        names = [name.decode() for name in file["cases/name"][()]]
+        mine = file["members/case"][()] == names.index(case)
+        return 1e3 * np.mean(file["provenance/cpu_time"][()][mine]) / STEPS
+
+
+def table(program, campaign):
+    rows = rows_of(program, campaign)
+    print("| case | " + " | ".join(title for title, _, _ in COLUMNS) + " | a step, ms |")
+    print("|---" * (len(COLUMNS) + 2) + "|")
+    for case in CASES:
+        cells = []
+        for _, key, scale in COLUMNS:
+            value, low, high = (scale * float(rows[case][key + end]) for end in ("", "_low", "_high"))
+            cells.append(f"{value:.1f} [{low:.1f}, {high:.1f}]")
+        print(f"| {case} | " + " | ".join(cells) + f" | {cost(campaign, case):.2f} |")
+
+
+def pictures(program, campaign):
+    figure, axes = plt.subplots(1, len(CASES), figsize=(13, 5), layout="constrained")
+    with tempfile.TemporaryDirectory() as folder:
+        for place, case in zip(axes, CASES):
+            picture = pathlib.Path(folder) / f"{case}.png"
+            subprocess.run([program, "replay", campaign, "--case", case, "--arrangement", str(ARRANGEMENT), "--at", "26",
+                            "--view", "above", "--size", "1000x800", "-o", picture], check=True, capture_output=True)
+            place.imshow(plt.imread(picture))
+            place.set_title(case)
+            place.axis("off")
+    figure.savefig(PAGE / "polygons.png", dpi=90)
+
+
+if __name__ == "__main__":
+    table(sys.argv[1], sys.argv[2])
+    if "--table" not in sys.argv:
+        pictures(sys.argv[1], sys.argv[2])
