@@ -92,6 +92,36 @@ const ArrayAxis time_axis{"time",
                           {},
                           "number of the value from 1; times /cases/time_step and /cases/history_stride"};
 
+const ArrayAxis motion_axis{"motion_time",
+                            "s",
+                            "end of the time steps of a value, of structures that are not towed straight on",
+                            AxisKind::counted,
+                            [](const Scenario& scenario) {
+                                return scenario.towed_straight() ? std::vector<double>{} : history_times(scenario);
+                            },
+                            false,
+                            {},
+                            {},
+                            "number of the value from 1; times /cases/time_step and /cases/history_stride"};
+
+const ArrayAxis mooring_axis{"mooring_time",
+                             "s",
+                             "end of the time steps of a value, of moored structures",
+                             AxisKind::counted,
+                             [](const Scenario& scenario) {
+                                 return scenario.moorings.give_way() ? history_times(scenario) : std::vector<double>{};
+                             },
+                             false,
+                             {},
+                             {},
+                             "number of the value from 1; times /cases/time_step and /cases/history_stride"};
+
+const ArrayAxis line_axis{
+    "mooring_line", "1", "mooring line, in the order of moorings.lines", AxisKind::counted,
+    [](const Scenario& scenario) {
+        return counted_to(scenario.moorings.give_way() ? scenario.moorings.lines.size() : std::size_t{0});
+    }};
+
 const ArrayAxis height_axis{"height",
                             "1",
                             "height on the structure over its depth, from the keel",

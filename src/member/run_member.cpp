@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <span>
 #include <utility>
 
@@ -34,6 +35,11 @@ void take_record(MemberResult& result, const Arrangement& floes, const Simulatio
     result.local_order = floes.local_order;
     result.coverage_ahead = floes.coverage_ahead;
     result.history = simulation.loads();
+    result.motion = simulation.motions();
+    if (const auto& moored = simulation.structure().moored()) {
+        result.line_tension = moored->largest_tensions();
+        result.line_broken_at = moored->state().broken_at;
+    }
     result.breaks = simulation.ice().breaks();
     for (std::size_t mode = 0; mode < result.failures.size(); ++mode)
         result.failures[mode] =
@@ -69,12 +75,43 @@ void take_statistics(MemberResult& result, const Scenario& scenario, const Simul
     result.mean_sweeps = simulation.mean_sweeps();
 }
 
+/// Of a structure that is not towed straight on.
+void take_motion(MemberResult& result, const Scenario& scenario) {
+    const auto in_window = [&](const std::vector<double>& history) {
+        return std::span(history).subspan(static_cast<std::size_t>(scenario.first_window_step()));
+    };
+    const MotionHistory& motion = result.motion;
+    result.yaw_load = swing_of(in_window(motion.yaw_load));
+    if (!scenario.moorings.give_way()) return;
+    const double step = scenario.general.time_step;
+    result.moored = {
+        .surge_offset = swing_of(in_window(motion.surge_offset)),
+        .sway_offset = swing_of(in_window(motion.sway_offset)),
+        .yaw = swing_of(in_window(motion.yaw)),
+        .surge_mooring = swing_of(in_window(motion.surge_mooring)),
+        .sway_mooring = swing_of(in_window(motion.sway_mooring)),
+        .mean_maximum = load_statistics(in_window(motion.surge_mooring), step, scenario.analysis.segments).mean_maximum,
+        .rms_velocity = rms_rate(in_window(motion.surge_offset), step)};
+    if (result.line_tension.empty()) return;
+    result.moored.line_tension = std::ranges::max(result.line_tension);
+    result.moored.broken_lines = static_cast<double>(
+        std::ranges::count_if(result.line_broken_at, [](double time) { return !std::isnan(time); }));
+}
+
 /// Thins a history of every step as the campaign requests.
 LoadHistory kept(LoadHistory history, const Analysis& analysis) {
     if (!analysis.keep_history) return {};
     if (analysis.history_stride == 1) return history;
     const auto stride = static_cast<std::size_t>(analysis.history_stride);
     return {batch_means(history.surge, stride), batch_means(history.sway, stride), batch_means(history.heave, stride)};
+}
+
+MotionHistory kept(MotionHistory history, const Analysis& analysis) {
+    if (!analysis.keep_history) return {};
+    if (analysis.history_stride == 1) return history;
+    const auto stride = static_cast<std::size_t>(analysis.history_stride);
+    for (const auto one : motion_histories) history.*one = batch_means(history.*one, stride);
+    return history;
 }
 
 void set_aside(MemberResult& result, const Scenario& scenario, const std::string& reason) {
@@ -102,11 +139,13 @@ MemberResult run_member(const Scenario& scenario, std::uint64_t seed, std::uint3
         }
         take_record(result, floes, simulation);
         take_statistics(result, scenario, simulation);
+        if (!scenario.towed_straight()) take_motion(result, scenario);
     } catch (const MemberFailure& failure) {
         set_aside(result, scenario, failure.what());
         take_record(result, floes, simulation);
     }
     result.history = kept(std::move(result.history), scenario.analysis);
+    result.motion = kept(std::move(result.motion), scenario.analysis);
     result.wall_time = seconds_since(start);
     result.cpu_time = cpu_seconds_of_this_thread() - cpu_start;
     return result;

@@ -7,6 +7,7 @@
 #include "ice/failure_mode.hpp"
 #include "statistics/averaged_load.hpp"
 #include "statistics/load_statistics.hpp"
+#include "statistics/moored_response.hpp"
 #include "statistics/work_shares.hpp"
 
 namespace floes {
@@ -28,6 +29,8 @@ struct MemberOutputs {
     double coverage_ahead = 0;  ///< share of the structure's path covered by ice at t = 0, 0-1
     WorkShares work;            ///< where the work of the tow went in the window
     double mean_sweeps = 0;     ///< of the solver a step, over the run
+    Swing yaw_load;             ///< N m, of the ice about the axis of a structure that is not towed straight on
+    MooredResponse moored;      ///< of a structure that gives way
     PeakReactions peaks;        ///< over all joints and the whole run
 };
 

@@ -10,12 +10,13 @@
 #include <string_view>
 #include <vector>
 
+#include "quantities/motion_quantities.hpp"
 #include "quantities/quantity_kind.hpp"
 
 namespace floes {
 
-/// In the order in which they are shown.
-inline constexpr std::array quantities{
+/// Of the load and the ice, in the order in which they are shown; those of the structure's motion follow.
+inline constexpr std::array load_quantities{
     Quantity{.key = "mean_load",
              .unit = "N",
              .long_name = "mean surge load over the window",
@@ -255,6 +256,14 @@ inline constexpr std::array quantities{
              .place = at<&MemberOutputs::mean_sweeps>(),
              .since = 10},
 };
+
+/// All of them.
+inline constexpr auto quantities = [] {
+    std::array<Quantity, load_quantities.size() + motion_quantities.size()> all{};
+    std::ranges::copy(load_quantities, all.begin());
+    std::ranges::copy(motion_quantities, all.begin() + load_quantities.size());
+    return all;
+}();
 
 /// The quantity of that key in the list; nullptr if there is none.
 constexpr const Quantity* find_quantity(std::string_view key) {

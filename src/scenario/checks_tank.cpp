@@ -57,7 +57,7 @@ void check_tow(const Scenario& scenario, Contradictions& found) {
                          "before {:.4g}",
                          given(scenario, "structure.start_m"), structure.start + radius,
                          given(scenario, "field.begin_m"), scenario.field.begin - radius)});
-    } else if (end + radius < scenario.field.begin) {
+    } else if (end + radius < scenario.field.begin && !scenario.path.any()) {
         found.push_back(
             {{"field.begin_m", "structure.start_m", "structure.speed_m_s", "analysis.window_s",
               "analysis.steady_start_s"},
@@ -66,7 +66,7 @@ void check_tow(const Scenario& scenario, Contradictions& found) {
                  "s, before {}; start nearer, tow faster or longer",
                  course(), end + radius, duration, given(scenario, "field.begin_m"))});
     }
-    if (end + radius > scenario.field_end() + rounding) {
+    if (end + radius > scenario.field_end() + rounding && !scenario.path.any()) {
         const bool closed = scenario.field.far_end == FarEnd::ice_sheet;
         found.push_back(
             {{"analysis.window_s", "analysis.steady_start_s", "structure.speed_m_s", "structure.start_m",

@@ -40,7 +40,7 @@ KeyPairs effective_keys(Scenario& there, Scenario& here) {
 
 Keys describe(Scenario& scenario) {
     Keys keys;
-    keys.reserve(160);
+    keys.reserve(190);
     add_general(keys, scenario.general);
     add_ice(keys, scenario.floe, scenario.ice, scenario.joint);
     add_floe(keys, scenario.floe);
@@ -52,6 +52,8 @@ Keys describe(Scenario& scenario) {
     add_field(keys, scenario.field);
     add_arrangement(keys, scenario.arrangement);
     add_structure(keys, scenario.structure);
+    add_path(keys, scenario.path);
+    add_moorings(keys, scenario.moorings);
     add_contact(keys, scenario.contact);
     add_water(keys, scenario.water);
     add_wind(keys, scenario.wind);
@@ -79,6 +81,11 @@ TableTitles scenario_titles() {
         {"arrangement", "How the initial positions of the floes are generated."},
         {"structure",
          "The towed body of revolution. Its wall, the far end of the channel and how the floes lie decide the load."},
+        {"path", "Where the structure goes, or the ice drifts, if not straight on at structure.speed_m_s."},
+        {"moorings",
+         "What holds a structure that gives way to the ice. Its anchors are towed, which is the same as ice that "
+         "drifts "
+         "past them; docs/moored.md."},
         {"contact",
          "Contacts between floes, and between ice and the structure. The coefficient of restitution is 0 (Table 1) and "
          "not a key."},

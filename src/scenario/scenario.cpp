@@ -36,6 +36,15 @@ double Scenario::closing_speed() const {
     return field.closing_speed > 0 ? field.closing_speed : structure.speed;
 }
 
+std::vector<PathPlace> Scenario::places() const {
+    return path.any() ? places_of(path, general.time_step, step_count()) : std::vector<PathPlace>{};
+}
+
+double Scenario::towed() const {
+    if (path.any()) return way_of(places(), general.time_step);
+    return structure.speed * (analysis.steady_start + analysis.window);
+}
+
 Vec2 Water::current_velocity() const {
     return current * Vec2(std::cos(current_direction), std::sin(current_direction));
 }

@@ -11,6 +11,8 @@
 #include "scenario/contact_preset.hpp"
 #include "scenario/variety.hpp"
 #include "solver/solver_kind.hpp"
+#include "structure/moorings.hpp"
+#include "structure/path.hpp"
 #include "structure/shape.hpp"
 
 namespace floes {
@@ -193,6 +195,8 @@ struct Scenario {
     Field field;
     ArrangementRule arrangement;
     Structure structure;
+    Path path;          ///< of the structure, if not the straight tow; with moorings of where these would have it
+    Moorings moorings;  ///< none: it moves as prescribed
     ContactLaw contact = with_preset({}, ContactPreset::physical);
     Water water;
     Wind wind;
@@ -202,10 +206,13 @@ struct Scenario {
     IceSpread spread;
     Brine brine;
 
-    double field_length() const;                                 ///< m: covered area / (concentration * 2 half_width)
-    double field_end() const;                                    ///< x of the field's far edge, m
-    double closing_speed() const;                                ///< of the field, or that of the tow, m/s
-    Material material() const;                                   ///< of floes that have no other
+    double field_length() const;   ///< m: covered area / (concentration * 2 half_width)
+    double field_end() const;      ///< x of the field's far edge, m
+    double closing_speed() const;  ///< of the field, or that of the tow, m/s
+    bool towed_straight() const { return !path.any() && !moorings.give_way(); }
+    std::vector<PathPlace> places() const;  ///< of a path, places_of() it; empty without one
+    double towed() const;                   ///< m, how far the structure goes in a run, along its path
+    Material material() const;              ///< of floes that have no other
     ContactLaw contact_law() const { return contact_law(ice); }  ///< contact, with the crushing pressure in force
     ContactLaw contact_law(const Ice& of) const;                 ///< for such ice
     /// Averaging times that are measured, s: those given; of the default, only whole steps that fit into a segment.

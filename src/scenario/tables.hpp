@@ -13,6 +13,8 @@ void add_joint(Keys& keys, Joint& joint);
 void add_field(Keys& keys, Field& field);
 void add_arrangement(Keys& keys, ArrangementRule& arrangement);
 void add_structure(Keys& keys, Structure& structure);
+void add_path(Keys& keys, Path& path);
+void add_moorings(Keys& keys, Moorings& moorings);
 void add_contact(Keys& keys, ContactLaw& contact);
 void add_water(Keys& keys, Water& water);
 void add_wind(Keys& keys, Wind& wind);

@@ -22,6 +22,8 @@ std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
     check_given_floes(scenario, found);
     if (!found.empty()) return found;  // the checks below would report the same again
     check_tow(scenario, found);
+    if (found.empty()) check_path(scenario, found);
+    check_moorings(scenario, found);
     check_boundaries(scenario, found);
     check_wake(scenario, found);
     check_lattice(scenario, found);

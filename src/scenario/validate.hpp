@@ -21,6 +21,9 @@ std::vector<Contradiction> find_contradictions(const Scenario& scenario);
 /// Throws InputError with the first contradiction's sentence.
 void validate(const Scenario& scenario);
 
+/// Mass of a moored structure, with the water that moves with it, over that of the heaviest floe.
+double structure_over_floe(const Scenario& scenario);
+
 /// The checks behind find_contradictions(), in checks_ice.cpp and checks_tank.cpp. Each adds what it finds.
 void check_sizes(const Scenario& scenario, Contradictions& found);   ///< laws of sizes have floes of whole elements
 void check_shapes(const Scenario& scenario, Contradictions& found);  ///< nothing that polygons cannot do yet
@@ -36,6 +39,8 @@ void check_levels(const Scenario& scenario, Contradictions& found);       ///< l
 void check_averaging(const Scenario& scenario, Contradictions& found);    ///< whole steps within a segment, rising
 void check_shape(const Scenario& scenario, Contradictions& found);        ///< a body that stands in the water
 void check_tow(const Scenario& scenario, Contradictions& found);          ///< it meets the ice and stays in it
+void check_path(const Scenario& scenario, Contradictions& found);         ///< likewise, of a path that is not straight
+void check_moorings(const Scenario& scenario, Contradictions& found);     ///< they hold, and a step resolves the motion
 void check_boundaries(const Scenario& scenario, Contradictions& found);   ///< what presses has something to press on
 void check_wake(const Scenario& scenario, Contradictions& found);         ///< the structure strikes no resting floe
 void check_lattice(const Scenario& scenario, Contradictions& found);      ///< the floes fit

@@ -34,7 +34,7 @@ IceSheet sheet(const Scenario& scenario, const Vec2& x_range, const Vec2& z_rang
 Channel make_channel(const Scenario& scenario, const FloeSet& floes) {
     const Field& field = scenario.field;
     const bool closed = field.far_end == FarEnd::ice_sheet;
-    const double towed = scenario.structure.speed * (scenario.analysis.steady_start + scenario.analysis.window);
+    const double towed = scenario.towed();
     Channel channel;
     channel.room = room_for_a_floe(floes);
     channel.begin = scenario.structure.start - scenario.structure.shape.largest_radius() - channel.room;

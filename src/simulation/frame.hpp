@@ -22,14 +22,23 @@ struct FrameContact {
     Vec3 friction = Vec3::Zero();  ///< N
 };
 
+/// A mooring line that holds.
+struct FrameLine {
+    int line = 0;                  ///< in the order of moorings.lines
+    Vec3 fairlead = Vec3::Zero();  ///< m, at the height of the water
+    Vec3 anchor = Vec3::Zero();    ///< m, likewise
+    double tension = 0;            ///< N
+};
+
 struct Frame {
     int step = 0;                        ///< steps completed; 0: the start
     double time = 0;                     ///< s
-    double structure = 0;                ///< x of the structure's axis, m
+    PlanarPose structure;                ///< of the structure's axis, and its yaw
     Vec3 load = Vec3::Zero();            ///< contact force on the structure, world axes (surge load: -x), N
     std::vector<BodyState> elements;     ///< in the order of IceField::elements()
     std::vector<int> pieces;             ///< of each element: the first element of its piece
     std::vector<double> utilisation;     ///< of each element: largest λ/ε of its live joints, 0-1
+    std::vector<FrameLine> lines{};      ///< mooring lines that hold
     std::vector<FrameContact> contacts;  ///< of the structure and among the ice, in the order of the solve
 };
 

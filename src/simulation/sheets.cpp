@@ -50,7 +50,7 @@ void Sheets::press(World& world) const {
     }
 }
 
-void Sheets::read(const World& world, double structure_x, double time) {
+void Sheets::read(const World& world, const PlanarPose& at, double time) {
     for (std::size_t i = 0; i < sheets_.size(); ++i) {
         const IceSheet& form = sheets_[i].form;
         const BodyState state = world.state(sheets_[i].body);
@@ -58,7 +58,7 @@ void Sheets::read(const World& world, double structure_x, double time) {
         motions_[i] = {(state.position - form.centre).dot(form.inwards), state.velocity.dot(form.inwards)};
         mean_speed_[i] = 0.5 * (before + motions_[i].speed);
         const Vec3 edge = state.position + form.half_extents.cwiseProduct(form.inwards);
-        const Vec3 structure(structure_x, 0, 0);
+        const Vec3 structure(at.x, 0, at.z);
         if ((structure - edge).dot(form.inwards) > radius_) continue;
         throw MemberFailure(fmt::format(
             "The ice sheet at {} has closed as far as the structure (t = {:.2f} s), which sheets cannot touch; take a "

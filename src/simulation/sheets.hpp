@@ -32,9 +32,9 @@ class Sheets {
     /// Before each step: what acts on them besides the ice.
     void press(World& world) const;
 
-    /// After a step. Throws MemberFailure when a sheet has closed as far as the structure, whose axis is at
-    /// x = `structure_x`, s `time`: a sheet cannot touch it.
-    void read(const World& world, double structure_x, double time);
+    /// After a step. Throws MemberFailure when a sheet has closed as far as the structure, s `time`: a sheet cannot
+    /// touch it.
+    void read(const World& world, const PlanarPose& structure, double time);
 
     const std::vector<SheetMotion>& motions() const { return motions_; }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
@@ -68,7 +69,7 @@ Simulation::Simulation(const Scenario& scenario, const FloeSet& floes)
     : scenario_(scenario),
       channel_(make_channel(scenario, floes)),
       wellbeing_(scenario, channel_),
-      tow_{scenario.structure.start, scenario.structure.speed},
+      motion_(scenario),
       world_(scenario_world(scenario)),
       structure_(add_structure(world_, scenario)),
       ice_(world_, scenario, floes),
@@ -83,12 +84,15 @@ Simulation::Simulation(const Scenario& scenario, const FloeSet& floes)
     loads_.surge.reserve(steps);
     loads_.sway.reserve(steps);
     loads_.heave.reserve(steps);
+    if (motion_.is_free())
+        for (const auto history : motion_histories) (motions_.*history).reserve(steps);
     structure_contacts_.reserve(most_contacts);
     states_.resize(ice_.elements().size());
     states_before_.resize(states_.size());
     read_states();
     drift_with_current();
-    sleeping_.lay_down(world_, states_, tow_.x(0));
+    sleeping_.lay_down(world_, states_, motion_.after());
+    if (motion_.after().yaw != 0) place_structure();
 }
 
 /// Ice that lies still in the water moves with it.
@@ -111,16 +115,20 @@ Simulation::Simulation(const Scenario& scenario, const FloeSet& floes, const Sim
     for (std::vector<double>* history : {&loads_.surge, &loads_.sway, &loads_.heave}) {
         history->assign(known, std::numeric_limits<double>::quiet_NaN());
     }
+    if (motion_.is_free())
+        for (const auto history : motion_histories)
+            (motions_.*history).assign(known, std::numeric_limits<double>::quiet_NaN());
     steps_ = state.steps;
     sleeping_.wake_all(world_);
-    world_.place(structure_, {.position = {tow_.x(time()), 0, 0}, .velocity = {tow_.speed, 0, 0}});
+    motion_.place(steps_, state.moored);
+    place_structure();
     for (std::size_t i = 0; i < states_.size(); ++i) world_.place(ice_.elements()[i].body, state.elements[i]);
     sheets_.place(world_, state.sheets);
-    sheets_.read(world_, tow_.x(time()), time());
+    sheets_.read(world_, motion_.after(), time());
     ice_.repeat_breaks(world_, state.breaks);
     share_out_water(0);
     read_states();
-    sleeping_.lay_down(world_, states_, tow_.x(time()));
+    sleeping_.lay_down(world_, states_, motion_.after());
 }
 
 bool Simulation::run(const std::stop_token& stop, const Watcher& watch) {
@@ -136,7 +144,8 @@ bool Simulation::run(const std::stop_token& stop, const Watcher& watch) {
 void Simulation::read_frame(Frame& frame) const {
     frame.step = steps_;
     frame.time = time();
-    frame.structure = tow_.x(time());
+    frame.structure = motion_.after();
+    motion_.read_lines(frame.lines);
     frame.load = ice_load_;
     frame.elements = states_;
     const std::vector<IceElement>& elements = ice_.elements();
@@ -173,21 +182,32 @@ void Simulation::step() {
     ++swept_steps_;
     if (work_.looks_at(steps_)) states_before_ = states_;
     read_states();
-    sheets_.read(world_, tow_.x(step_end()), step_end());
-    if (work_.looks_at(steps_)) work_.add(world_, ice_, sheets_, piece_water_, states_before_, states_);
+    sheets_.read(world_, motion_.after(), step_end());
+    if (work_.looks_at(steps_)) work_.add(world_, ice_, sheets_, piece_water_, motion_, states_before_, states_);
     check_wellbeing();
+    check_structure();
     read_ice_load();
     if (steps_ >= scenario_.first_window_step()) map_contacts();
     break_joints();
     record();
 }
 
+void Simulation::place_structure() {
+    const PlanarPose& pose = motion_.after();
+    world_.place(structure_, {.position = {pose.x, 0, pose.z},
+                              .rotation = Eigen::AngleAxisd(pose.yaw, Vec3::UnitY()).toRotationMatrix(),
+                              .velocity = motion_.velocity(),
+                              .angular_velocity = {0, motion_.turning(), 0}});
+}
+
 void Simulation::move_structure() {
-    world_.move_structure({tow_.x(step_end()), 0, 0});
+    motion_.advance({ice_load_.x(), ice_load_.z(), ice_moment_});
+    const PlanarPose& pose = motion_.after();
+    world_.move_structure({pose.x, 0, pose.z}, pose.yaw);
 }
 
 void Simulation::wake_floes() {
-    sleeping_.wake(world_, tow_.x(time()));
+    sleeping_.wake(world_, motion_.before());
 }
 
 void Simulation::apply_water() {
@@ -199,10 +219,12 @@ void Simulation::apply_water() {
         water_.set(i,
                    {state.position, state.rotation, state.velocity, state.angular_velocity, elements[i].exposed_edges});
     }
+    const PlanarPose& structure = motion_.before();
+    if (motion_.is_free()) water_.move_structure(structure.z, {motion_.velocity().x(), motion_.velocity().z()});
     if (work_.looks_at(steps_))
-        work_.split_water(water_, tow_.x(time()));
+        work_.split_water(water_, structure.x);
     else
-        water_.compute(tow_.x(time()));
+        water_.compute(structure.x);
     for (const std::size_t i : awake) world_.apply(elements[i].body, water_.wrench(i));
 }
 
@@ -220,22 +242,19 @@ void Simulation::check_wellbeing() const {
     }
 }
 
-void Simulation::read_ice_load() {
-    ice_load_ = world_.contact_force(structure_);
-    if (!ice_load_.allFinite()) {
-        throw MemberFailure(fmt::format("The load on the structure is not a number (t = {:.2f} s).", step_end()));
-    }
-}
-
-void Simulation::map_contacts() {
-    world_.read_contacts(structure_contacts_, structure_);
-    const double axis = tow_.x(step_end());  // where contacts were looked for
-    for (const ContactForce& one : structure_contacts_) {
-        const double surge = -(one.normal.x() + one.friction.x());  // of a; on b the opposite
-        contact_bins_.add(one.point.x() - axis, one.point.y(), one.point.z(), one.a == structure_ ? surge : -surge,
-                          one.normal.norm());
-    }
-    ++steps_in_window_;
+/// Between fixed ice sheets, which it cannot touch; those that give way look for themselves.
+void Simulation::check_structure() const {
+    if (!motion_.moored()) return;
+    const Field& field = scenario_.field;
+    const double radius = scenario_.structure.shape.waterline_radius();
+    const PlanarPose& at = motion_.after();
+    const bool bank = field.sides == FieldSides::ice_sheet && std::abs(at.z) + radius > field.half_width;
+    const bool end = field.far_end == FarEnd::ice_sheet && at.x + radius > scenario_.field_end();
+    if (field.confining > 0 || (!bank && !end)) return;
+    throw MemberFailure(fmt::format(
+        "The moored structure has come to the ice sheet at {} (t = {:.2f} s), {:.4g} m from where its moorings would "
+        "have it; take stiffer moorings or a wider field.",
+        bank ? "a side" : "the far end", step_end(), motion_.moored_state().offset.head<2>().norm()));
 }
 
 void Simulation::break_joints() {
@@ -249,13 +268,6 @@ void Simulation::share_out_water(std::size_t first_break) {
         if (i == first_break || breaks[i].floe != breaks[i - 1].floe)
             piece_water_.share_out(breaks[i].floe, ice_, world_, water_);
     }
-}
-
-void Simulation::record() {
-    loads_.surge.push_back(-ice_load_.x());
-    loads_.sway.push_back(ice_load_.z());
-    loads_.heave.push_back(ice_load_.y());
-    ++steps_;
 }
 
 }  // namespace floes

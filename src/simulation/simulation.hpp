@@ -19,13 +19,14 @@
 #include "simulation/channel.hpp"
 #include "simulation/frame.hpp"
 #include "simulation/load_history.hpp"
+#include "simulation/motion_history.hpp"
 #include "simulation/piece_water.hpp"
 #include "simulation/sheets.hpp"
 #include "simulation/sleeping_floes.hpp"
+#include "simulation/structure_motion.hpp"
 #include "simulation/tow_work.hpp"
 #include "simulation/wellbeing.hpp"
 #include "statistics/load_map.hpp"
-#include "structure/tow.hpp"
 #include "water/water_lanes.hpp"
 #include "world/state.hpp"
 #include "world/world.hpp"
@@ -37,6 +38,7 @@ struct SimulationState {
     std::vector<BodyState> elements;  ///< at their end, in the order of IceField::elements()
     std::vector<BreakEvent> breaks;   ///< so far, by time
     std::vector<SheetMotion> sheets;  ///< of ice sheets that give way; none: they are where they start
+    MooredState moored{};             ///< of a structure that gives way
 };
 
 class Simulation;
@@ -67,6 +69,8 @@ class Simulation {
     /// Sweeps of the solver a step, on average over all steps so far; at least one step.
     double mean_sweeps() const { return static_cast<double>(sweeps_) / static_cast<double>(swept_steps_); }
     const LoadHistory& loads() const { return loads_; }
+    const MotionHistory& motions() const { return motions_; }
+    const StructureMotion& structure() const { return motion_; }
     const IceField& ice() const { return ice_; }  ///< breaks, broken floes, peak reactions
 
     /// Where on the structure the load acted, over the steps of the analysis window so far; at least one.
@@ -75,7 +79,9 @@ class Simulation {
     /// Where the work of the tow went in the analysis window so far.
     WorkShares work() const { return work_.shares(); }
 
-    SimulationState state() const { return {steps_, states_, ice_.breaks(), sheets_.motions()}; }
+    SimulationState state() const {
+        return {steps_, states_, ice_.breaks(), sheets_.motions(), motion_.moored_state()};
+    }
 
     /// Refills `frame` with what there is to see at time(). Vectors keep their memory.
     void read_frame(Frame& frame) const;
@@ -89,22 +95,25 @@ class Simulation {
   private:
     FrameContact seen(const ContactForce& contact) const;
     double step_end() const { return (steps_ + 1) * scenario_.general.time_step; }
+    void place_structure();
     void move_structure();
     void wake_floes();
     void apply_water();
     void drift_with_current();
     void read_states();
     void check_wellbeing() const;
+    void check_structure() const;
     void read_ice_load();
     void map_contacts();
     void break_joints();
     void share_out_water(std::size_t first_break);
     void record();
+    void record_motion();
 
     Scenario scenario_;
     Channel channel_;
     Wellbeing wellbeing_;
-    Tow tow_;
+    StructureMotion motion_;
     World world_;
     BodyId structure_;
     IceField ice_;
@@ -115,7 +124,9 @@ class Simulation {
     std::vector<BodyState> states_, states_before_;
     SleepingFloes sleeping_;
     Vec3 ice_load_ = Vec3::Zero();
+    double ice_moment_ = 0;  ///< about the axis and +y, N m; of a structure that is not towed straight on
     LoadHistory loads_;
+    MotionHistory motions_;
     std::vector<ContactForce> structure_contacts_;  ///< of the last step in the window
     ContactBins contact_bins_;
     int steps_in_window_ = 0;

@@ -17,7 +17,7 @@ SleepingFloes::SleepingFloes(double wake_radius, const std::vector<IceElement>& 
     list_awake();
 }
 
-void SleepingFloes::lay_down(World& world, std::span<const BodyState> states, double structure_x) {
+void SleepingFloes::lay_down(World& world, std::span<const BodyState> states, const PlanarPose& structure) {
     if (wake_radius_ == 0) return;
     for (FloeElements& floe : floes_) {
         floe.middle = Vec3::Zero();
@@ -27,17 +27,17 @@ void SleepingFloes::lay_down(World& world, std::span<const BodyState> states, do
         const bool at_rest = std::ranges::all_of(floe.indices, [&](std::size_t i) {
             return states[i].velocity.isZero(0) && states[i].angular_velocity.isZero(0);
         });
-        if (at_rest && !reached(floe, structure_x)) set_asleep(world, floe, true);
+        if (at_rest && !reached(floe, structure)) set_asleep(world, floe, true);
     }
     list_awake();
 }
 
-void SleepingFloes::wake(World& world, double structure_x) {
+void SleepingFloes::wake(World& world, const PlanarPose& structure) {
     if (sleepers_ == 0) return;
     const std::size_t before = sleepers_;
     for (const BodyId body : world.touched_asleep()) set_asleep(world, floes_[floe_of_body_[body.index()]], false);
     for (FloeElements& floe : floes_) {
-        if (floe.asleep && reached(floe, structure_x)) set_asleep(world, floe, false);
+        if (floe.asleep && reached(floe, structure)) set_asleep(world, floe, false);
     }
     if (sleepers_ != before) list_awake();
 }
@@ -47,9 +47,10 @@ void SleepingFloes::wake_all(World& world) {
     list_awake();
 }
 
-bool SleepingFloes::reached(const FloeElements& floe, double structure_x) const {
-    const double x = floe.middle.x() - structure_x;
-    return x * x + floe.middle.z() * floe.middle.z() <= wake_radius_ * wake_radius_;
+bool SleepingFloes::reached(const FloeElements& floe, const PlanarPose& structure) const {
+    const double x = floe.middle.x() - structure.x;
+    const double z = floe.middle.z() - structure.z;
+    return x * x + z * z <= wake_radius_ * wake_radius_;
 }
 
 void SleepingFloes::set_asleep(World& world, FloeElements& floe, bool asleep) {

@@ -22,11 +22,10 @@ class SleepingFloes {
 
     /// To be called with all awake: lays the floes down that do not move at all (states of all elements) and lie beyond
     /// the radius.
-    void lay_down(World& world, std::span<const BodyState> states, double structure_x);
+    void lay_down(World& world, std::span<const BodyState> states, const PlanarPose& structure);
 
-    /// Wakes whom the structure's axis, now at x = `structure_x` m, is near enough, and whom something touched in the
-    /// world's last step.
-    void wake(World& world, double structure_x);
+    /// Wakes whom the structure's axis is near enough now, and whom something touched in the world's last step.
+    void wake(World& world, const PlanarPose& structure);
 
     void wake_all(World& world);
 
@@ -40,7 +39,7 @@ class SleepingFloes {
         bool asleep = false;
     };
 
-    bool reached(const FloeElements& floe, double structure_x) const;
+    bool reached(const FloeElements& floe, const PlanarPose& structure) const;
     void set_asleep(World& world, FloeElements& floe, bool asleep);
     void list_awake();
 

@@ -26,7 +26,8 @@ TowWork::TowWork(const Scenario& scenario, const FloeSet& floes, const IceField&
       gravity_(scenario.general.gravity),
       structure_(structure),
       first_element_(ice.elements().front().body),
-      tow_(scenario.structure.speed, 0, 0),
+      speed_(scenario.structure.speed),
+      paced_(scenario.path.any()),
       blows_(scenario.wind.speed > 0) {
     const double carried = 1 + scenario.water.isotropic_mass();
     for (const IceElement& element : ice.elements()) {
@@ -76,31 +77,37 @@ double TowWork::power(const Wrench& wrench, std::size_t element) const {
 }
 
 void TowWork::add(const World& world, const IceField& ice, const Sheets& sheets, const PieceWater& water,
-                  std::span<const BodyState> before, std::span<const BodyState> after) {
+                  const StructureMotion& motion, std::span<const BodyState> before, std::span<const BodyState> after) {
     for (std::size_t i = 0; i < before.size(); ++i) {
         velocity_[i] = 0.5 * (before[i].velocity + after[i].velocity);
         angular_velocity_[i] = 0.5 * (before[i].angular_velocity + after[i].angular_velocity);
         position_[i] = before[i].position;
     }
     const double before_step = together(sum_);
-    const double load = -world.contact_force(structure_).dot(tow_);
-    add_contacts(world, sheets);
+    double load = -world.contact_force(structure_).dot(motion.velocity());
+    load -= add_contacts(world, sheets, motion) * motion.turning();
     add_water();
     add_motion(water, before, after);
     sum_.joints -= ice.joint_power(world, before, velocity_, angular_velocity_);
     sum_.rest += load - (together(sum_) - before_step);
+    way_ += motion.pace();
     ++steps_;
 }
 
-void TowWork::add_contacts(const World& world, const Sheets& sheets) {
+/// Gives the moment of the ice about the structure's axis and +y, N m.
+double TowWork::add_contacts(const World& world, const Sheets& sheets, const StructureMotion& motion) {
     world.read_contacts(contacts_);
+    const Vec3 axis(motion.after().x, 0, motion.after().z);
+    double moment = 0;
     for (const ContactForce& contact : contacts_) {
         bool hull = false;
         const Vec3 on_a = contact.normal + contact.friction;
         const auto velocity = [&](BodyId body) -> Vec3 {
             if (body == structure_) {
                 hull = true;
-                return tow_;
+                const Vec3 arm = contact.point - axis;
+                moment += arm.cross(body == contact.a ? on_a : Vec3(-on_a)).y();
+                return motion.velocity() + Vec3(0, motion.turning(), 0).cross(arm);
             }
             const std::size_t i = body.index() - first_element_.index();  // elements were added one after another
             if (i >= velocity_.size()) {                                  // an ice sheet
@@ -114,6 +121,7 @@ void TowWork::add_contacts(const World& world, const Sheets& sheets) {
         (hull ? sum_.hull_friction : sum_.ice_friction) -= contact.friction.dot(sliding);
         (hull ? sum_.hull_crushing : sum_.ice_crushing) -= contact.normal.dot(sliding);
     }
+    return moment;
 }
 
 void TowWork::add_water() {
@@ -137,7 +145,8 @@ void TowWork::add_motion(const PieceWater& water, std::span<const BodyState> bef
 
 WorkShares TowWork::shares() const {
     WorkShares mean = sum_;
-    const double per = steps_ > 0 ? 1 / (steps_ * tow_.x()) : 0;
+    const double way = paced_ ? way_ : steps_ * speed_;
+    const double per = way > 0 ? 1 / way : 0;
     for (const auto share : all_work_shares) mean.*share *= per;
     return mean;
 }

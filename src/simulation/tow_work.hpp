@@ -1,7 +1,8 @@
 #pragma once
 // Where the work of the tow goes. Forces of a step are multiplied with the mean of the velocities at its beginning and
 // its end, which is exactly the work they do in it. Divided by the distance towed, each share is a force, and together
-// they are the mean load. Looked at in some steps of the window only: it costs more than a step.
+// they are the mean load; of a structure that gives way without what the damping of its moorings takes. Looked at in
+// some steps of the window only: it costs more than a step.
 
 #include <span>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "scenario/scenario.hpp"
 #include "simulation/piece_water.hpp"
 #include "simulation/sheets.hpp"
+#include "simulation/structure_motion.hpp"
 #include "statistics/work_shares.hpp"
 #include "water/water_lanes.hpp"
 #include "world/world.hpp"
@@ -32,7 +34,7 @@ class TowWork {
     /// After the step and before joints break: from the states of its beginning and its end, in the order of
     /// ice.elements().
     void add(const World& world, const IceField& ice, const Sheets& sheets, const PieceWater& water,
-             std::span<const BodyState> before, std::span<const BodyState> after);
+             const StructureMotion& motion, std::span<const BodyState> before, std::span<const BodyState> after);
 
     /// Means over the steps looked at, N; of none: zeros.
     WorkShares shares() const;
@@ -41,7 +43,7 @@ class TowWork {
     static constexpr int stride = 5;
 
     double power(const Wrench& wrench, std::size_t element) const;
-    void add_contacts(const World& world, const Sheets& sheets);
+    double add_contacts(const World& world, const Sheets& sheets, const StructureMotion& motion);
     void add_water();
     void add_motion(const PieceWater& water, std::span<const BodyState> before, std::span<const BodyState> after);
 
@@ -50,7 +52,9 @@ class TowWork {
     double gravity_;
     BodyId structure_;
     BodyId first_element_;
-    Vec3 tow_;                                                        ///< velocity of the structure, m/s
+    double speed_;                                                    ///< of the straight tow, m/s
+    double way_ = 0;                                                  ///< sum of the paces of the steps looked at, m/s
+    bool paced_;                                                      ///< whether they differ from that speed
     bool blows_;                                                      ///< whether there is wind
     std::vector<double> mass_;                                        ///< by element, with isotropic added mass, kg
     std::vector<double> weight_;                                      ///< by element, N

@@ -22,8 +22,7 @@ double Oscillator::decay_rate() const {
     return damping_ratio * angular_frequency();
 }
 
-std::vector<OscillatorState> motion_under(const Oscillator& oscillator, std::span<const double> load, double step,
-                                          OscillatorState start) {
+OscillatorStep::OscillatorStep(const Oscillator& oscillator, double step) : stiffness_(oscillator.stiffness) {
     const bool real = oscillator.stiffness > 0 && oscillator.mass > 0 && oscillator.damping_ratio >= 0 &&
                       oscillator.damping_ratio < 1 && step > 0;
     if (!real)
@@ -34,20 +33,19 @@ std::vector<OscillatorState> motion_under(const Oscillator& oscillator, std::spa
     const double fall = std::exp(-decay * step);
     const double cosine = std::cos(omega_damped * step);
     const double sine = std::sin(omega_damped * step) / omega_damped;  // s
-    const double offset_of_offset = fall * (cosine + decay * sine);
-    const double offset_of_velocity = fall * sine;
-    const double velocity_of_offset = -fall * omega * omega * sine;
-    const double velocity_of_velocity = fall * (cosine - decay * sine);
+    offset_of_offset_ = fall * (cosine + decay * sine);
+    offset_of_velocity_ = fall * sine;
+    velocity_of_offset_ = -fall * omega * omega * sine;
+    velocity_of_velocity_ = fall * (cosine - decay * sine);
+}
+
+std::vector<OscillatorState> motion_under(const Oscillator& oscillator, std::span<const double> load, double step,
+                                          OscillatorState start) {
+    const OscillatorStep interval(oscillator, step);
     std::vector<OscillatorState> states;
     states.reserve(load.size());
     OscillatorState at = start;
-    for (const double force : load) {
-        const double rest = force / oscillator.stiffness;
-        const double aside = at.offset - rest;
-        at = {rest + offset_of_offset * aside + offset_of_velocity * at.velocity,
-              velocity_of_offset * aside + velocity_of_velocity * at.velocity};
-        states.push_back(at);
-    }
+    for (const double force : load) states.push_back(at = interval.after(at, force));
     return states;
 }
 

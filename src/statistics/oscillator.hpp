@@ -33,6 +33,24 @@ struct OscillatorState {
     double velocity = 0;  ///< ẋ, m/s
 };
 
+/// What an interval of `step` s makes of a state under a constant load. Throws std::invalid_argument as motion_under().
+class OscillatorStep {
+  public:
+    OscillatorStep(const Oscillator& oscillator, double step);
+
+    /// The state at the end of the interval; load: N.
+    OscillatorState after(const OscillatorState& before, double load) const {
+        const double rest = load / stiffness_;
+        const double aside = before.offset - rest;
+        return {rest + offset_of_offset_ * aside + offset_of_velocity_ * before.velocity,
+                velocity_of_offset_ * aside + velocity_of_velocity_ * before.velocity};
+    }
+
+  private:
+    double stiffness_;
+    double offset_of_offset_, offset_of_velocity_, velocity_of_offset_, velocity_of_velocity_;
+};
+
 /// The states at the ends of the intervals, in their order: between two ends, the offset may be larger by at most
 /// 1 - cos(ωh/2) of its swing, which is 1.2 % where a period has 20 intervals. `load`: N, constant in each interval of
 /// `step` s, > 0; `start`: before the first. Throws std::invalid_argument for an oscillator or a step outside these

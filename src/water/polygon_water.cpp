@@ -26,7 +26,7 @@ Column submerged(const ElementState& e, double x, double z, double thickness) {
 /// Of the water over the element's material.
 Vec3 relative_velocity(const ElementState& e, const Vec3& arm, const WaterFactors& f, double structure_x) {
     const double x = e.position.x() + arm.x() - structure_x;
-    const double z = e.position.z() + arm.z();
+    const double z = e.position.z() + arm.z() - f.structure_z;
     const double r2 = x * x + z * z;
     const double near = r2 > f.radius * f.radius ? f.radius * f.radius / r2 : 1.0;
     const double twice_cos = r2 == 0 ? 1.0 : (x * x - z * z) / r2;
@@ -50,6 +50,7 @@ PolygonWater::PolygonWater(const Water& water, double gravity, const CutElement&
     const double side = std::sqrt(element.area);
     const WaterModel square(water, gravity, {side, thickness}, mass, waterline_radius, speed, wind_stress);
     factors_ = square.factors();
+    flows_ = square.flows();
     damping_ = square.damping();
 }
 

@@ -28,8 +28,12 @@ class PolygonWater {
     /// Half lengths and areas are those of the polygon; gauss_offset and half_side are not used.
     const WaterFactors& factors() const { return factors_; }
 
+    /// As WaterLanes::move_structure().
+    void move_structure(double z, const Vec2& velocity) { follow_structure(factors_, flows_, z, velocity); }
+
   private:
     WaterFactors factors_;
+    bool flows_ = false;
     Outline corners_;
     double gauss_x_, gauss_z_;
     double damping_;

@@ -32,7 +32,8 @@ struct WaterFactors {
     double waves_below;           ///< m: columns submerged by less make waves, so that linear damping acts there
     double radius;                ///< of the waterline circle
     double speed;                 ///< of the tow; 0 in still water
-    bool drifts;                  ///< whether any of what follows is not 0
+    bool drifts;                  ///< whether any of what follows is not as in still air and water, on a straight tow
+    double structure_z;           ///< of the structure's axis, m
     double speed_across;          ///< of the structure through the water along z; `speed` is that along x then
     double current_x, current_z;  ///< of the water far away, m/s
     double turn_cos, turn_sin;    ///< of the turning angle

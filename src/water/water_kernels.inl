@@ -73,7 +73,7 @@ template <bool drifts>
 inline V3 relative_velocity(const Element& e, const V3& arm, const WaterFactors& factors, double structure_x) {
     const Pack zero{};
     const Pack x = e.position.x + arm.x - structure_x;
-    const Pack z = e.position.z + arm.z;
+    const Pack z = drifts ? e.position.z + arm.z - factors.structure_z : e.position.z + arm.z;
     const Pack r2 = x * x + z * z;
     const double radius2 = factors.radius * factors.radius;
     if constexpr (drifts) {

@@ -40,7 +40,7 @@ WaterLanes::WaterLanes(std::span<const WaterModel> models, std::span<const std::
       place_of_(model_of.size()),
       is_set_(model_of.size()),
       polygon_water_(std::move(polygons)) {
-    for (const WaterModel& model : models) groups_.push_back({model.factors()});
+    for (const WaterModel& model : models) groups_.push_back({model.factors(), model.flows()});
     for (std::size_t element = 0; element < group_of_.size(); ++element) {
         const std::size_t group = group_of_[element];
         linear_of_.push_back(
@@ -60,6 +60,11 @@ WaterLanes::WaterLanes(std::span<const WaterModel> models, std::span<const std::
     exposed_edges_ = AlignedArray<std::int64_t>(stride_);
     linear_ = AlignedArray<double>(stride_);
     wrench_ = AlignedArray<double>(wrench_fields * stride_);
+}
+
+void WaterLanes::move_structure(double z, const Vec2& velocity) {
+    for (Group& group : groups_) follow_structure(group.factors, group.flows, z, velocity);
+    for (PolygonWater& water : polygon_water_) water.move_structure(z, velocity);
 }
 
 void WaterLanes::clear() {

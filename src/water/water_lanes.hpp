@@ -35,6 +35,10 @@ class WaterLanes {
     /// Damping c of an element from now on, kg/s (water_model.hpp); that of an element alone at first.
     void set_damping(std::size_t element, double damping) { linear_of_[element] = damping / 4; }
 
+    /// Flow round a structure with its axis at `z` m that moves with this velocity, m/s along x and z, from now on; at
+    /// first at z = 0 with the speed of the models along +x.
+    void move_structure(double z, const Vec2& velocity);
+
     void clear();
     void set(std::size_t element, const ElementState& state);
 
@@ -51,6 +55,7 @@ class WaterLanes {
     /// Elements of one model, side by side from a vector boundary on.
     struct Group {
         WaterFactors factors;
+        bool flows = false;  ///< round the structure
         std::size_t elements = 0;
         std::size_t first = 0;
         std::size_t count = 0;

@@ -14,8 +14,17 @@ constexpr double rounding = 1e-9;
 
 }  // namespace
 
+void follow_structure(WaterFactors& factors, bool flows, double z, const Vec2& velocity) {
+    factors.drifts = true;
+    factors.structure_z = z;
+    if (!flows) return;
+    factors.speed = velocity.x() - factors.current_x;
+    factors.speed_across = velocity.y() - factors.current_z;
+}
+
 WaterModel::WaterModel(const Water& water, double gravity, ElementShape shape, double mass, double waterline_radius,
-                       double speed, const Vec2& wind_stress) {
+                       double speed, const Vec2& wind_stress)
+    : flows_(water.flow == WaterFlow::potential) {
     const double gauss_area = shape.side * shape.side / 4;
     const double half_area = 0.5 * water.density * gauss_area;
     const Vec2 current = water.current_velocity();
@@ -33,6 +42,7 @@ WaterModel::WaterModel(const Water& water, double gravity, ElementShape shape, d
                 .radius = waterline_radius,
                 .speed = through.x(),
                 .drifts = !current.isZero(0) || water.turning != 0 || !wind_stress.isZero(0),
+                .structure_z = 0,
                 .speed_across = through.y(),
                 .current_x = current.x(),
                 .current_z = current.y(),

@@ -35,6 +35,10 @@
 
 namespace floes {
 
+/// Flow round a structure with its axis at `z` m that moves with this velocity, m/s along x and z; `flows`: whether there
+/// is one.
+void follow_structure(WaterFactors& factors, bool flows, double z, const Vec2& velocity);
+
 class WaterModel {
   public:
     /// `gravity` m/s², `mass` of one element without added mass kg, `waterline_radius` of the structure m, `speed` of
@@ -53,8 +57,12 @@ class WaterModel {
 
     const WaterFactors& factors() const { return factors_; }
 
+    /// Whether the water flows round the structure.
+    bool flows() const { return flows_; }
+
   private:
     WaterFactors factors_;
+    bool flows_;
     double damping_;
 };
 

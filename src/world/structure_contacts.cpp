@@ -27,6 +27,17 @@ Bounds bounds_of(const btRigidBody& body) {
     return {{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}};
 }
 
+/// The farthest that turning from one rotation to the other moves a point of the body, m.
+double way_of_turn(const btRigidBody& body, const btMatrix3x3& before, const btMatrix3x3& after) {
+    double squares = 0;
+    for (int row = 0; row < 3; ++row) squares += (after[row] - before[row]).length2();
+    if (squares == 0) return 0;
+    btVector3 centre;
+    btScalar radius = 0;
+    body.getCollisionShape()->getBoundingSphere(centre, radius);
+    return std::sqrt(squares) * (centre.length() + radius);
+}
+
 }  // namespace
 
 StructureContacts::~StructureContacts() {
@@ -58,8 +69,10 @@ void StructureContacts::find(std::deque<btRigidBody>& bodies, const BodyMotion* 
     btRigidBody& body = bodies[structure];
     const Bounds bounds = bounds_of(body);
     const btVector3 position = body.getWorldTransform().getOrigin();
-    const double way = (position - position_).length();
+    const btMatrix3x3& rotation = body.getWorldTransform().getBasis();
+    const double way = (position - position_).length() + way_of_turn(body, rotation_, rotation);
     position_ = position;
+    rotation_ = rotation;
     for (std::size_t i = 0; i < half_extent_.size(); ++i) {
         if (radius_[i] == 0) continue;
         const BodyMotion& motion = motions[i];

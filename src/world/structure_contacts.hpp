@@ -51,6 +51,7 @@ class StructureContacts {
     std::vector<double> clearance_;                  ///< at least this far from points with the structure, m
     std::vector<btCollisionAlgorithm*> algorithms_;  ///< null for boxes away from it
     btVector3 position_{0, 0, 0};                    ///< of the structure in the last find()
+    btMatrix3x3 rotation_ = btMatrix3x3::getIdentity();
     std::vector<btPersistentManifold*> touching_;
 };
 

@@ -21,6 +21,7 @@
 #include "world/conversion.hpp"
 #include "world/fixed_joint.hpp"
 #include "world/froude_units.hpp"
+#include "world/kinematic_turn.hpp"
 #include "world/lane_solver.hpp"
 #include "world/material_friction.hpp"
 #include "world/ordered_dynamics_world.hpp"
@@ -46,15 +47,7 @@ class World::Bullet {
         }
     }
 
-    /// Removes the overlapping pairs one by one. Bullet would search all of them for each body, in a time that grows as
-    /// the square of the number of bodies.
-    ~Bullet() {
-        btOverlappingPairCache& pairs = *broadphase.getOverlappingPairCache();
-        for (int left = pairs.getNumOverlappingPairs(); left > 0; left = pairs.getNumOverlappingPairs()) {
-            const btBroadphasePair& last = pairs.getOverlappingPairArrayPtr()[left - 1];
-            pairs.removeOverlappingPair(last.m_pProxy0, last.m_pProxy1, &dispatcher);
-        }
-    }
+    ~Bullet() { remove_pairs(broadphase, dispatcher); }
 
     btRigidBody& body(BodyId id) { return bodies[id.index()]; }
     const btRigidBody& body(BodyId id) const { return bodies[id.index()]; }
@@ -113,6 +106,7 @@ class World::Bullet {
     std::optional<btCompoundShape> structure_shape;
     std::deque<btRigidBody> bodies;  // where there are lanes as they were added, apart from those near the structure
     std::optional<BodyId> structure;
+    KinematicTurn turn;  // of the structure
     std::size_t joint_count = 0;
     std::vector<std::unique_ptr<FixedJoint>> joints;  // of the stock solver; null once removed
     OrderedDynamicsWorld world{&dispatcher, &broadphase, &stock, &configuration};  // empty where there are lanes
@@ -223,6 +217,7 @@ std::vector<BodyId> World::touched_asleep() const {
 void World::place(BodyId body, const BodyState& given) {
     btRigidBody& placed = bullet_->body(body);
     floes::place(placed, bullet_->units.to_own(given));
+    if (bullet_->structure == body) bullet_->turn.place(bullet_->units.to_own(given).rotation);
     if (bullet_->lanes) {
         bullet_->lanes->place(body.index(), state_of(placed));
         return;
@@ -234,8 +229,8 @@ void World::place(BodyId body, const BodyState& given) {
     bullet_->world.updateSingleAabb(&placed);
 }
 
-void World::move_structure(const Vec3& position) {
-    const Pose pose{bullet_->units.to_own(position), Quat::Identity()};
+void World::move_structure(const Vec3& position, double yaw) {
+    const Pose pose{bullet_->units.to_own(position), bullet_->turn.to(yaw)};
     // Not setCenterOfMassTransform: that would also move what Bullet takes the velocity from.
     bullet_->body(bullet_->structure.value()).setWorldTransform(to_bullet(pose));
 }
@@ -254,7 +249,7 @@ void World::step() {
         bullet_->world.stepSimulation(time_step, 0);  // 0: this step as it is, no sub-steps
         return;
     }
-    if (bullet_->structure) bullet_->body(*bullet_->structure).saveKinematicState(time_step);
+    if (bullet_->structure) bullet_->turn.save(bullet_->body(*bullet_->structure), time_step);
     bullet_->lanes->step(bullet_->bodies);
 }
 

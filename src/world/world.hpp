@@ -68,8 +68,9 @@ class World {
     /// lives, some millimetres for elements of 0.2 m), in the order of the contacts; a body may come more than once.
     std::vector<BodyId> touched_asleep() const;
 
-    /// Where the structure is at the end of the coming step. Its velocity in that step is the difference over Δt.
-    void move_structure(const Vec3& position);
+    /// Where the structure is at the end of the coming step, turned by `yaw` (rad about +y) from how it was added. Its
+    /// velocities in that step are the differences over Δt.
+    void move_structure(const Vec3& position, double yaw = 0);
 
     /// Adds a force at the centre of mass and a moment (world axes, N, N m) for the coming step only.
     void apply(BodyId body, const Wrench& wrench);

@@ -99,6 +99,35 @@ TEST_P(WaterLanesOf, EveryWidthHasTheBitsOfOneElementAlone) {
     }
 }
 
+// The flow goes with the structure: everything moved aside and turned by 90° has the same forces, turned.
+TEST_P(WaterLanesOf, FlowFollowsTheStructure) {
+    const std::vector<ElementState> elements = every_kind_of_element();
+    const std::vector<std::size_t> model_of(elements.size(), 0);
+    const Mat3 turn = turned(std::numbers::pi / 2, Vec3::UnitY());  // +x to -z
+    const Vec3 aside(3, 0, 0.4);
+    const std::vector<WaterModel> models{model(GetParam())};
+    WaterLanes there(models, model_of, 1);
+    WaterLanes here(models, model_of, 1);
+    here.move_structure(aside.z(), {0, -0.07});
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        ElementState state = elements[i];
+        state.position.x() -= structure_x;
+        there.set(i, state);
+        state.position = aside + turn * state.position;
+        state.rotation = turn * state.rotation;
+        state.velocity = turn * state.velocity;
+        state.angular_velocity = turn * state.angular_velocity;
+        here.set(i, state);
+    }
+    there.compute(0);
+    here.compute(aside.x());
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        const double scale = 1e-9 * (1 + there.wrench(i).force.norm());
+        EXPECT_NEAR((here.wrench(i).force - turn * there.wrench(i).force).norm(), 0, scale) << i;
+        EXPECT_NEAR((here.wrench(i).moment - turn * there.wrench(i).moment).norm(), 0, scale) << i;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Flows, WaterLanesOf, ::testing::Values(WaterFlow::potential, WaterFlow::still));
 
 TEST(WaterLanes, RefuseAWidthThatThereIsNot) {

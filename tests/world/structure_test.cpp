@@ -48,6 +48,31 @@ TEST(WorldStructure, MovesAsItIsTold) {
     EXPECT_EQ(world.state(structure).velocity, Vec3(0, 0, 0)) << "not told, it stands";
 }
 
+// A drum that turns rubs an element that is pressed against it along: by 0.2 of the 5 N, the way its wall goes, until
+// the element goes as fast as the wall.
+TEST(WorldStructure, WallThatTurnsRubs) {
+    for (const SolverKind solver : {SolverKind::stock, SolverKind::lanes}) {
+        for (const double turning : {0.02, -0.02}) {
+            WorldDefinition definition = weightless();
+            definition.solver = solver;
+            World world(definition);
+            const std::vector<ConvexSolid> drum{{-0.5, 0.6, 0.5, 0.6}};
+            const BodyId structure = world.add_structure(drum, Vec3::Zero());
+            const BodyId body = world.add_element(element_at({0.7, 0, 0}));
+            for (int step = 1; step <= 5; ++step) {
+                world.move_structure(Vec3::Zero(), turning * time_step * step);
+                world.apply(body, {Vec3(-5, 0, 0), Vec3::Zero()});
+                world.step();
+                EXPECT_NEAR(world.state(structure).angular_velocity.y(), turning, 1e-6);
+            }
+            // v = ω × r: a positive turn takes +x to -z.
+            const double there = world.state(body).velocity.z() + 0.1 * world.state(body).angular_velocity.y();
+            EXPECT_NEAR(there, -turning * 0.6, 0.05 * 0.02 * 0.6) << turning;
+            EXPECT_NEAR(world.state(structure).rotation(0, 2), std::sin(0.1 * turning), 1e-9);
+        }
+    }
+}
+
 /// An element driven level into the 45° cone from the direction `azimuth`, with its corner or its edge ahead.
 Vec3 force_on_cone(double azimuth, double turn, double structure_friction) {
     WorldDefinition definition = weightless();

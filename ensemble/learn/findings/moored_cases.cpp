@@ -50,7 +50,11 @@ std::vector<MooredCase> find_moored(const Evidence& evidence, const MooredReques
     std::vector<MooredCase> found;
     for (auto& [index, one] : stored) {
         const Analysis& analysis = evidence.table.cases[index].analysis;
-        std::string refused = moored_refusal(analysis, one.step, one.first_load, request);
+        const Scenario& scenario = evidence.campaign.cases[index].scenario;
+        std::string refused =
+            scenario.moorings.give_way()
+                ? "its hull gave way in the simulation, so its loads are no longer those of a fixed one"
+                : moored_refusal(analysis, one.step, one.first_load, request);
         found.push_back({index, moored_separation(analysis, request.model()),
                          evidence.campaign.cases[index].scenario.structure.speed, std::move(one.runs),
                          std::move(refused)});
@@ -81,16 +85,31 @@ std::vector<CasePeaks> moored_peaks(const CampaignTable& table, const std::vecto
     return all;
 }
 
+namespace {
+
+/// Whether no stored load is that of a hull which does not give way.
+bool all_give_way(const Evidence& evidence) {
+    return std::ranges::all_of(evidence.campaign.cases,
+                               [](const Case& one) { return one.scenario.moorings.give_way(); });
+}
+
+}  // namespace
+
 std::vector<Section> moored_sections(Evidence& evidence) {
+    std::vector<Section> sections;
+    if (std::optional<Section> simulated = moored_runs_section(evidence)) sections.push_back(std::move(*simulated));
     if (evidence.moored) {
         const MooredRequest& asked = *evidence.moored;
         const std::vector<MooredCase> found = find_moored(evidence, asked);
-        return {moored_section(evidence.summary, found, asked),
-                moored_spectrum(evidence, asked.hull.damping_ratio, asked.averaging, asked.scale)};
+        sections.push_back(moored_section(evidence.summary, found, asked));
+        sections.push_back(moored_spectrum(evidence, asked.hull.damping_ratio, asked.averaging, asked.scale));
+        return sections;
     }
+    if (all_give_way(evidence)) return sections;
     constexpr double usual_damping = 0.1;
     const std::vector<double>& times = evidence.table.averaging_times;
-    return {moored_spectrum(evidence, usual_damping, times.empty() ? 1 : times.front(), 1)};
+    sections.push_back(moored_spectrum(evidence, usual_damping, times.empty() ? 1 : times.front(), 1));
+    return sections;
 }
 
 }  // namespace floes

@@ -65,7 +65,9 @@ std::vector<Point> points_of(const Evidence& evidence, const std::vector<MooredR
     for_each_history(evidence.file, [&](const SurgeHistory& history) {
         const MemberRow& member = evidence.table.members[static_cast<std::size_t>(history.member)];
         const auto index = static_cast<std::size_t>(member.case_index);
-        if (std::ranges::find(drawn, index) == drawn.end()) return;
+        if (std::ranges::find(drawn, index) == drawn.end() ||
+            evidence.campaign.cases[index].scenario.moorings.give_way())
+            return;
         Ratios& one = found[index];
         one.step = history.step;
         one.of_hull.resize(hulls.size());

@@ -9,6 +9,7 @@
 #include "core/units.hpp"
 #include "scenario/keys.hpp"
 #include "scenario/sizes.hpp"
+#include "scenario/validate.hpp"
 #include "theory/plate.hpp"
 
 namespace floes {
@@ -97,8 +98,21 @@ std::string long_steps(const Case& one) {
         given(scenario, "general.time_step_s"), given(scenario, "structure.speed_m_s"), way);
 }
 
-constexpr std::array<Oddity, 7> oddities{large_elements,      thick_elements, little_ice, odd_strength,
-                                         soft_in_compression, few_sweeps,     long_steps};
+std::string light_structure(const Case& one) {
+    constexpr double many = 100;
+    const Scenario& scenario = one.scenario;
+    if (!scenario.moorings.give_way()) return {};
+    const double ratio = structure_over_floe(scenario);
+    if (ratio >= many) return {};
+    return fmt::format(
+        "{} and the water that moves with it are {:.3g} times the heaviest floe: a floe that strikes it pushes it "
+        "{:.2g} % "
+        "too hard, as docs/moored.md says",
+        given(scenario, "moorings.mass_t"), ratio, 100 / ratio);
+}
+
+constexpr std::array<Oddity, 8> oddities{large_elements,      thick_elements, little_ice, odd_strength,
+                                         soft_in_compression, few_sweeps,     long_steps, light_structure};
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -49,11 +50,21 @@ void draw_ground(Canvas& canvas, const Vec2& from, const Vec2& to) {
                 {0.04, 0.10, 0.16, 0.62});
 }
 
+void draw_lines(Canvas& canvas, const Stage& stage, const Frame& frame, const Projection& projection, double unit) {
+    const double most = 3 * stage.subject().scenario.structure.shape.largest_radius();
+    for (const FrameLine& line : frame.lines) {
+        const Vec3 way = line.anchor - line.fairlead;
+        const Vec3 end = line.fairlead + std::min(1.0, most / way.norm()) * way;
+        if (!projection.before(line.fairlead) || !projection.before(end)) continue;
+        canvas.line(projection.at(line.fairlead), projection.at(end), ink, 2.5 * unit);
+    }
+}
+
 void draw_tow(Canvas& canvas, const Stage& stage, const Frame& frame, const Projection& projection, double unit) {
     const Structure& structure = stage.subject().scenario.structure;
     const double ahead = structure.speed < 0 ? -1 : 1;
     const double radius = structure.shape.largest_radius();
-    const Vec3 from(frame.structure + 1.08 * ahead * radius, structure.shape.top(), 0);
+    const Vec3 from(frame.structure.x + 1.08 * ahead * radius, structure.shape.top(), frame.structure.z);
     const Vec3 to = from + Vec3(0.75 * ahead * radius, 0, 0);
     if (!projection.before(from) || !projection.before(to)) return;
     canvas.arrow(projection.at(from), projection.at(to), tow_orange, 5 * unit);
@@ -77,7 +88,7 @@ void draw_forces(Canvas& canvas, const Stage& stage, const Frame& frame, const P
         draw(contact.point, contact_stretch * contact.normal, normal_magenta, 1.8 * unit, false);
         draw(contact.point, contact_stretch * contact.friction, friction_teal, 1.8 * unit, false);
     }
-    const Vec3 middle(frame.structure, stage.subject().scenario.structure.shape.top(), 0);
+    const Vec3 middle(frame.structure.x, stage.subject().scenario.structure.shape.top(), frame.structure.z);
     draw(middle, frame.load, ink.faded(0.55), 7 * unit, true);
     draw(middle, frame.load, sum_white, 4 * unit, true);
     draw(middle, {frame.load.x(), 0, 0}, surge_red, 4 * unit, true);

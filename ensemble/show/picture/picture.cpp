@@ -158,9 +158,11 @@ int picture_height(const PictureStyle& style, const RecordingSubject& subject) {
 
 void draw_picture(Canvas& canvas, const Stage& stage, const Frame& frame, const PictureStyle& style) {
     const Vec2 size(canvas.width(), canvas.height() - strip_height(style));
-    const Projection projection(camera(style.view, stage.subject(), frame.structure), size.x(), size.y());
+    const Projection projection(camera(style.view, stage.subject(), frame.structure.x, frame.structure.z), size.x(),
+                                size.y());
     draw_faces(canvas, stage.faces(frame, projection, size, style.colouring), size, unit_of(style));
     const bool forces = style.view != View::plan;
+    draw_lines(canvas, stage, frame, projection, unit_of(style));
     draw_tow(canvas, stage, frame, projection, unit_of(style));
     if (forces) draw_forces(canvas, stage, frame, projection, unit_of(style));
     draw_words(canvas, stage, frame, style);

@@ -146,13 +146,15 @@ std::vector<std::uint32_t> exposed_sides(const IceLayout& layout, const std::vec
 }
 
 /// A face that reaches behind the eye is left out, so walls are cut into strips no longer than `longest`, m.
-void add_structure(Faces& faces, const Shape& shape, double x, double longest, double clear_water) {
+void add_structure(Faces& faces, const Shape& shape, const PlanarPose& pose, double longest, double clear_water) {
     const SurfaceMesh surface = shape.mesh(directions);
+    const Mat3 turn = Eigen::AngleAxisd(pose.yaw, Vec3::UnitY()).toRotationMatrix();
+    const Vec3 axis(pose.x, 0, pose.z);
     for (const std::vector<int>& polygon : surface.polygons) {
         std::vector<Vec3> corners;
         for (const int index : polygon)
-            corners.push_back(surface.points[static_cast<std::size_t>(index)] + Vec3(x, 0, 0));
-        const Vec3 normal = surface.normal(polygon);
+            corners.push_back(axis + turn * surface.points[static_cast<std::size_t>(index)]);
+        const Vec3 normal = turn * surface.normal(polygon);
         if (corners.size() != 4) {
             faces.add(corners, normal, structure_yellow, 0, clear_water);
             continue;

@@ -43,6 +43,33 @@ json conditions(const RecordingSubject& subject) {
     return rows;
 }
 
+/// Time, x, z and yaw of the structure in each frame; null on the straight tow.
+json poses(const Recording& recording) {
+    if (recording.subject().scenario.towed_straight()) return nullptr;
+    json all = json::array();
+    for (int frame = 0; frame < recording.frames(); ++frame) {
+        const PlanarPose pose = recording.structure(frame);
+        all.push_back({recording.time(frame), pose.x, pose.z, pose.yaw});
+    }
+    return all;
+}
+
+/// Fairlead and direction (x and z) of the mooring lines that hold in each frame; null without lines.
+json lines(const Recording& recording) {
+    if (recording.subject().scenario.moorings.lines.empty()) return nullptr;
+    json all = json::array();
+    Frame frame;
+    for (int number = 0; number < recording.frames(); ++number) {
+        recording.read(number, frame);
+        json& seen = all.emplace_back(json::array());
+        for (const FrameLine& line : frame.lines) {
+            const Vec3 way = (line.anchor - line.fairlead).normalized();
+            seen.push_back({line.fairlead.x(), line.fairlead.z(), way.x(), way.z()});
+        }
+    }
+    return all;
+}
+
 /// Cameras relative to the structure where they follow it.
 json views(const RecordingSubject& subject) {
     json all = json::array();
@@ -174,6 +201,8 @@ std::string page_header(const Recording& recording, const Quanta& quanta, const 
         {"ice", ice(subject.floes)},
         {"structure", structure(scenario.structure.shape)},
         {"tow", {{"start", scenario.structure.start}, {"speed", scenario.structure.speed}}},
+        {"poses", poses(recording)},
+        {"lines", lines(recording)},
         {"channel",
          {{"begin", channel.begin}, {"end", channel.end}, {"edge", channel.outer_edge}, {"sheets", sheets(channel)}}},
         {"window", {scenario.analysis.steady_start, run}},

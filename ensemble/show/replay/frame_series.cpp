@@ -1,6 +1,7 @@
 #include "replay/frame_series.hpp"
 
 #include <bit>
+#include <limits>
 #include <vector>
 
 namespace floes {
@@ -43,6 +44,8 @@ FrameSeries::Elements::Elements(hid_t group, const RecordScales& scales)
 FrameSeries::Numbers::Numbers(hid_t group)
     : step(group, {"step", "1", "steps completed"}, {}, numbers_a_chunk),
       structure(group, {"structure", "m", "x of the structure's axis"}, {}, numbers_a_chunk),
+      across(group, {"structure_z", "m", "z of the structure's axis"}, {}, numbers_a_chunk),
+      yaw(group, {"structure_yaw", "rad", "yaw of the structure, positive where +z turns to +x"}, {}, numbers_a_chunk),
       surge(group, {"surge_load", "N", "load of the step, positive against the tow"}, {}, numbers_a_chunk),
       sway(group, {"sway_load", "N", "load of the step, positive towards +z"}, {}, numbers_a_chunk),
       heave(group, {"heave_load", "N", "load of the step, positive up"}, {}, numbers_a_chunk),
@@ -58,6 +61,13 @@ FrameSeries::Contacts::Contacts(hid_t group, const hdf5::Scale& coordinate)
       normal(group, {"normal_force", "N", "normal force on the element"}, {coordinate}, contacts_a_chunk),
       friction(group, {"friction_force", "N", "friction force on the element"}, {coordinate}, contacts_a_chunk) {}
 
+FrameSeries::Lines::Lines(hid_t group, const hdf5::Scale& line, const hdf5::Scale& coordinate)
+    : count(static_cast<std::size_t>(line.size())),
+      fairlead(group, {"line_fairlead", "m", "fairlead of each mooring line; NaN: it has broken"}, {line, coordinate},
+               numbers_a_chunk),
+      anchor(group, {"line_anchor", "m", "anchor of each mooring line"}, {line, coordinate}, numbers_a_chunk),
+      tension(group, {"line_tension", "N", "tension of each mooring line"}, {line}, numbers_a_chunk) {}
+
 FrameSeries::FrameSeries(hid_t file, const RecordScales& scales)
     : time_(file, {"time", "s", "time of each frame"}, {}, numbers_a_chunk),
       contact_(file, {"contact", "1", "contact, frame by frame"}, {}, contacts_a_chunk),
@@ -66,11 +76,16 @@ FrameSeries::FrameSeries(hid_t file, const RecordScales& scales)
       elements_(frames_group_.id(), scales),
       numbers_(frames_group_.id()),
       contacts_(contacts_group_.id(), scales.coordinate) {
+    if (scales.line) lines_.emplace(frames_group_.id(), *scales.line, scales.coordinate);
     time_.become_scale();
+    if (lines_)
+        for (const hid_t dataset : {lines_->fairlead.id(), lines_->anchor.id(), lines_->tension.id()})
+            time_.scales(dataset);
     for (const hid_t dataset :
          {elements_.position.id(), elements_.orientation.id(), elements_.velocity.id(), elements_.piece.id(),
-          elements_.utilisation.id(), numbers_.step.id(), numbers_.structure.id(), numbers_.surge.id(),
-          numbers_.sway.id(), numbers_.heave.id(), numbers_.first_contact.id(), numbers_.contacts.id()})
+          elements_.utilisation.id(), numbers_.step.id(), numbers_.structure.id(), numbers_.across.id(),
+          numbers_.yaw.id(), numbers_.surge.id(), numbers_.sway.id(), numbers_.heave.id(), numbers_.first_contact.id(),
+          numbers_.contacts.id()})
         time_.scales(dataset);
     contact_.become_scale();
     for (const hid_t dataset : {contacts_.element.id(), contacts_.other.id(), contacts_.point.id(),
@@ -81,7 +96,9 @@ FrameSeries::FrameSeries(hid_t file, const RecordScales& scales)
 void FrameSeries::add(const Frame& frame) {
     time_.append(frame.time);
     numbers_.step.append(frame.step);
-    numbers_.structure.append(frame.structure);
+    numbers_.structure.append(frame.structure.x);
+    numbers_.across.append(frame.structure.z);
+    numbers_.yaw.append(frame.structure.yaw);
     numbers_.surge.append(-frame.load.x());
     numbers_.sway.append(frame.load.z());
     numbers_.heave.append(frame.load.y());
@@ -89,15 +106,17 @@ void FrameSeries::add(const Frame& frame) {
     numbers_.contacts.append(static_cast<std::int32_t>(frame.contacts.size()));
     add_elements(frame);
     add_contacts(frame.contacts);
+    if (lines_) add_lines(frame.lines);
 }
 
 void FrameSeries::finish() {
     time_.finish();
     contact_.finish();
     const auto finish_all = [](auto&... series) { (series.finish(), ...); };
+    if (lines_) finish_all(lines_->fairlead, lines_->anchor, lines_->tension);
     finish_all(elements_.position, elements_.orientation, elements_.velocity, elements_.piece, elements_.utilisation);
-    finish_all(numbers_.step, numbers_.structure, numbers_.surge, numbers_.sway, numbers_.heave, numbers_.first_contact,
-               numbers_.contacts);
+    finish_all(numbers_.step, numbers_.structure, numbers_.across, numbers_.yaw, numbers_.surge, numbers_.sway,
+               numbers_.heave, numbers_.first_contact, numbers_.contacts);
     finish_all(contacts_.element, contacts_.other, contacts_.point, contacts_.normal, contacts_.friction);
 }
 
@@ -118,6 +137,24 @@ void FrameSeries::add_elements(const Frame& frame) {
     std::vector<float> utilisation;
     for (const double used : frame.utilisation) put(utilisation, used, bits_of_motion);
     elements_.utilisation.append(utilisation);
+}
+
+void FrameSeries::add_lines(const std::vector<FrameLine>& lines) {
+    constexpr float broken = std::numeric_limits<float>::quiet_NaN();
+    std::vector<float> fairlead(3 * lines_->count, broken);
+    std::vector<float> anchor(3 * lines_->count, broken);
+    std::vector<float> tension(lines_->count, broken);
+    for (const FrameLine& one : lines) {
+        const auto at = static_cast<std::size_t>(one.line);
+        for (std::size_t k = 0; k < 3; ++k) {
+            fairlead[3 * at + k] = static_cast<float>(one.fairlead[static_cast<Eigen::Index>(k)]);
+            anchor[3 * at + k] = static_cast<float>(one.anchor[static_cast<Eigen::Index>(k)]);
+        }
+        tension[at] = static_cast<float>(one.tension);
+    }
+    lines_->fairlead.append(fairlead);
+    lines_->anchor.append(anchor);
+    lines_->tension.append(tension);
 }
 
 void FrameSeries::add_contacts(const std::vector<FrameContact>& contacts) {

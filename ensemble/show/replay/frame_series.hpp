@@ -2,6 +2,7 @@
 // The part of a recording that grows: what each frame adds to the file. For this room only.
 
 #include <cstdint>
+#include <optional>
 
 #include "hdf5/series.hpp"
 #include "simulation/frame.hpp"
@@ -13,6 +14,7 @@ struct RecordScales {
     hdf5::Scale coordinate;
     hdf5::Scale quaternion;
     hdf5::Scale element;
+    std::optional<hdf5::Scale> line;  ///< mooring lines; none: there are none
 };
 
 class FrameSeries {
@@ -26,6 +28,7 @@ class FrameSeries {
   private:
     void add_elements(const Frame& frame);
     void add_contacts(const std::vector<FrameContact>& contacts);
+    void add_lines(const std::vector<FrameLine>& lines);
 
     struct Elements {
         Elements(hid_t group, const RecordScales& scales);
@@ -40,6 +43,8 @@ class FrameSeries {
         explicit Numbers(hid_t group);
         hdf5::Series<std::int32_t> step;
         hdf5::Series<double> structure;
+        hdf5::Series<double> across;
+        hdf5::Series<double> yaw;
         hdf5::Series<double> surge;
         hdf5::Series<double> sway;
         hdf5::Series<double> heave;
@@ -56,6 +61,15 @@ class FrameSeries {
         hdf5::Series<float> friction;
     };
 
+    /// NaN where a line has broken.
+    struct Lines {
+        Lines(hid_t group, const hdf5::Scale& line, const hdf5::Scale& coordinate);
+        std::size_t count;
+        hdf5::Series<float> fairlead;
+        hdf5::Series<float> anchor;
+        hdf5::Series<float> tension;
+    };
+
     hdf5::Series<double> time_;
     hdf5::Series<std::int32_t> contact_;
     hdf5::Handle frames_group_;
@@ -63,6 +77,7 @@ class FrameSeries {
     Elements elements_;
     Numbers numbers_;
     Contacts contacts_;
+    std::optional<Lines> lines_;
 };
 
 }  // namespace floes

@@ -4,63 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 
 #include "campaign/read.hpp"
 #include "core/error.hpp"
 #include "hdf5/columns.hpp"
 #include "hdf5/kind.hpp"
+#include "replay/recorded_parts.hpp"
 #include "replay/recording_kind.hpp"
 
 namespace floes {
 namespace {
-
-/// The floes of the scenario, as many as the file has. `floe`: of each element.
-FloeSet read_floes(hid_t file, const Scenario& scenario, const Draw& draw, const std::vector<std::int32_t>& floe) {
-    FloeSet floes = floes_of(scenario, draw);
-    const std::size_t count = floe.empty() || floe.back() < 0 ? 0 : static_cast<std::size_t>(floe.back()) + 1;
-    if (!floes_may_differ(scenario) && count <= floe.size()) floes = floes_at(scenario, std::vector<PlanarPose>(count));
-    const IceLayout layout(floes);
-    if (!std::ranges::equal(floe, layout.elements, {}, {}, &IceLayout::LaidElement::floe))
-        hdf5::refuse_damaged(file, "ice/floe has other elements than the floes of its configuration");
-    return floes;
-}
-
-RecordingSubject read_subject(hid_t file) {
-    RecordingSubject subject;
-    subject.campaign = hdf5::read_text_attribute(file, "campaign");
-    subject.fingerprint = hdf5::read_text_attribute(file, "fingerprint");
-    subject.case_name = hdf5::read_text_attribute(file, "case");
-    subject.member = hdf5::read_int_attribute(file, "member").at(0);
-    subject.arrangement = hdf5::read_int_attribute(file, "arrangement").at(0);
-    subject.configuration = hdf5::read_text(file, "configuration");
-    const Campaign campaign = read_campaign({subject.configuration, "its configuration", {}}, nullptr);
-    subject.scenario = campaign.cases.at(0).scenario;
-    const Draw draw{arrangement_seed(campaign, 0), static_cast<std::uint32_t>(subject.arrangement)};
-    subject.floes = read_floes(file, subject.scenario, draw, hdf5::read_values<std::int32_t>(file, "ice/floe"));
-    return subject;
-}
-
-RecordingOutcome read_outcome(hid_t file, const IceLayout& layout) {
-    RecordingOutcome outcome;
-    outcome.history.surge = hdf5::read_values<double>(file, "history/surge_load");
-    const std::size_t steps = outcome.history.surge.size();
-    outcome.history.sway = hdf5::read_column<double>(file, "history/sway_load", steps);
-    outcome.history.heave = hdf5::read_column<double>(file, "history/heave_load", steps);
-    const std::size_t joints = layout.joints.size();
-    const auto time = hdf5::read_column<double>(file, "joints/failure_time", joints);
-    const auto last_mode = static_cast<std::int8_t>(std::size(failure_mode_names) - 1);
-    const auto mode = hdf5::read_numbers<std::int8_t>(file, "joints/failure_mode", joints, -1, last_mode);
-    for (std::size_t k = 0; k < joints; ++k) {
-        if (std::isnan(time[k])) continue;
-        if (mode[k] < 0) hdf5::refuse_damaged(file, "joints/failure_mode has no mode for a joint that failed");
-        const std::size_t floe = layout.floe_of_joint(k);
-        outcome.breaks.push_back({time[k], static_cast<int>(floe), static_cast<int>(k - layout.first_joint[floe]),
-                                  static_cast<FailureMode>(mode[k])});
-    }
-    std::ranges::stable_sort(outcome.breaks, {}, &BreakEvent::time);
-    return outcome;
-}
 
 Vec3 vector_at(std::span<const float> values, std::size_t index) {
     return {values[3 * index], values[3 * index + 1], values[3 * index + 2]};
@@ -98,22 +53,30 @@ class Recording::File {
         outcome = read_outcome(file_.id(), layout);
         step_ = hdf5::read_values<std::int32_t>(file_.id(), "frames/step");
         structure_ = hdf5::read_values<double>(file_.id(), "frames/structure");
+        across_ = read_unless_old("frames/structure_z");
+        yaw_ = read_unless_old("frames/structure_yaw");
         surge_ = hdf5::read_values<double>(file_.id(), "frames/surge_load");
         sway_ = hdf5::read_values<double>(file_.id(), "frames/sway_load");
         heave_ = hdf5::read_values<double>(file_.id(), "frames/heave_load");
         first_contact_ = hdf5::read_values<std::int32_t>(file_.id(), "frames/first_contact");
         contact_count_ = hdf5::read_values<std::int32_t>(file_.id(), "frames/contacts");
+        if (hdf5::exists(file_.id(), "frames/line_tension")) lines_.emplace(file_.id());
         if (times.empty()) throw InputError(fmt::format("{} has no frames.", path.string()));
         check_sizes();
+    }
+
+    PlanarPose structure(std::size_t number) const {
+        return {structure_.at(number), across_.at(number), yaw_.at(number)};
     }
 
     void read(std::size_t number, Frame& frame) {
         frame.step = step_.at(number);
         frame.time = times.at(number);
-        frame.structure = structure_.at(number);
+        frame.structure = structure(number);
         frame.load = {-surge_.at(number), heave_.at(number), sway_.at(number)};
         read_elements(number, frame);
         read_contacts(number, frame);
+        read_lines(number, frame);
     }
 
   private:
@@ -155,13 +118,35 @@ class Recording::File {
         hdf5::RowReader<float> friction;
     };
 
+    struct Lines {
+        explicit Lines(hid_t file)
+            : fairlead(file, "frames/line_fairlead"),
+              anchor(file, "frames/line_anchor"),
+              tension(file, "frames/line_tension") {}
+        hdf5::RowReader<float> fairlead;
+        hdf5::RowReader<float> anchor;
+        hdf5::RowReader<float> tension;
+    };
+
     static hdf5::Handle opened(const std::filesystem::path& path) {
         hdf5::Handle file = hdf5::open_for_reading(path);
         hdf5::check_kind(file.id(), recording_kind, path);
         return file;
     }
 
+    /// Zeros where the recording is of a version in which structures went straight on only.
+    std::vector<double> read_unless_old(const std::string& name) const {
+        if (!hdf5::exists(file_.id(), name)) return std::vector<double>(times.size(), 0.0);
+        return hdf5::read_values<double>(file_.id(), name);
+    }
+
     void check_sizes() const {
+        if (lines_) {
+            const std::size_t lines = lines_->tension.width();
+            hdf5::check_count(file_.id(), "frames/line_tension", lines, subject.scenario.moorings.lines.size());
+            hdf5::check_count(file_.id(), "frames/line_fairlead", lines_->fairlead.width(), 3 * lines);
+            hdf5::check_count(file_.id(), "frames/line_anchor", lines_->anchor.width(), 3 * lines);
+        }
         const std::size_t count = layout.elements.size();
         hdf5::check_count(file_.id(), "frames/position", elements_.position.width(), 3 * count);
         hdf5::check_count(file_.id(), "frames/orientation", elements_.orientation.width(), 4 * count);
@@ -170,8 +155,8 @@ class Recording::File {
         hdf5::check_count(file_.id(), "frames/piece", elements_.piece.width(), count);
         for (const hdf5::RowReader<float>* one : {&contacts_.point, &contacts_.normal, &contacts_.friction})
             hdf5::check_count(file_.id(), "a vector of contacts", one->width(), 3);
-        for (const std::size_t found : {step_.size(), structure_.size(), surge_.size(), sway_.size(), heave_.size(),
-                                        first_contact_.size(), contact_count_.size()})
+        for (const std::size_t found : {step_.size(), structure_.size(), across_.size(), yaw_.size(), surge_.size(),
+                                        sway_.size(), heave_.size(), first_contact_.size(), contact_count_.size()})
             hdf5::check_count(file_.id(), "a number of frames", found, times.size());
     }
 
@@ -192,6 +177,18 @@ class Recording::File {
         frame.pieces.assign(pieces.begin(), pieces.end());
     }
 
+    void read_lines(std::size_t number, Frame& frame) {
+        frame.lines.clear();
+        if (!lines_) return;
+        const std::span<const float> fairlead = lines_->fairlead.read(number);
+        const std::span<const float> anchor = lines_->anchor.read(number);
+        const std::span<const float> tension = lines_->tension.read(number);
+        for (std::size_t k = 0; k < tension.size(); ++k) {
+            if (std::isnan(tension[k])) continue;
+            frame.lines.push_back({static_cast<int>(k), vector_at(fairlead, k), vector_at(anchor, k), tension[k]});
+        }
+    }
+
     void read_contacts(std::size_t number, Frame& frame) {
         const auto first = static_cast<std::size_t>(first_contact_.at(number));
         const auto count = static_cast<std::size_t>(contact_count_.at(number));
@@ -209,8 +206,11 @@ class Recording::File {
 
     Elements elements_;
     Contacts contacts_;
+    std::optional<Lines> lines_;  ///< of a structure with mooring lines
     std::vector<std::int32_t> step_;
     std::vector<double> structure_;
+    std::vector<double> across_;
+    std::vector<double> yaw_;
     std::vector<double> surge_;
     std::vector<double> sway_;
     std::vector<double> heave_;
@@ -245,6 +245,10 @@ int Recording::nearest(double time) const {
     const auto nearest =
         std::ranges::min_element(file_->times, {}, [time](double one) { return std::abs(one - time); });
     return static_cast<int>(nearest - file_->times.begin());
+}
+
+PlanarPose Recording::structure(int frame) const {
+    return file_->structure(static_cast<std::size_t>(frame));
 }
 
 void Recording::read(int number, Frame& frame) const {

@@ -72,6 +72,7 @@ class Recording {
 
     int frames() const;
     double time(int frame) const;  ///< s
+    PlanarPose structure(int frame) const;
     /// The frame whose time is nearest to `time`, s.
     int nearest(double time) const;
     /// Refills `frame` with frame `number`, as single precision keeps it; element angular velocities are not kept.

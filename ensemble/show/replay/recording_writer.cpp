@@ -138,6 +138,12 @@ void write_history(hid_t file, const LoadHistory& history, double time_step) {
     hdf5::write_values(group.id(), {"heave_load", "N", "positive up"}, {step}, history.heave);
 }
 
+std::optional<Scale> line_scale(hid_t file, const Scenario& scenario) {
+    const std::size_t lines = scenario.moorings.give_way() ? scenario.moorings.lines.size() : 0;
+    if (lines == 0) return {};
+    return hdf5::write_index_scale(file, "mooring_line", "mooring line, in the order of moorings.lines", lines);
+}
+
 }  // namespace
 
 class RecordingWriter::File {
@@ -173,7 +179,8 @@ class RecordingWriter::File {
         Open(hid_t file, const RecordingSubject& subject, const IceLayout& layout)
             : scales{words_scale(file, "coordinate", "axis of a vector", {"x", "y", "z"}),
                      words_scale(file, "quaternion", "part of a quaternion", {"w", "x", "y", "z"}),
-                     hdf5::write_index_scale(file, "element", "element, floe by floe", layout.elements.size())},
+                     hdf5::write_index_scale(file, "element", "element, floe by floe", layout.elements.size()),
+                     line_scale(file, subject.scenario)},
               series(file, scales) {
             write_root(file, subject);
             hdf5::write_text(file, {"configuration", "1", "the member's case as a campaign, TOML"},

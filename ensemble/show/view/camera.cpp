@@ -17,19 +17,19 @@ Camera looking(const Vec3& target, const Vec3& from, const Vec3& up, double heig
 
 }  // namespace
 
-Camera camera(View view, const RecordingSubject& subject, double structure) {
+Camera camera(View view, const RecordingSubject& subject, double structure, double across) {
     // So much ice round the structure that floes are seen to come, to turn and to leave.
     const double seen = 2 * subject.scenario.structure.shape.largest_radius() + 3 * largest_side(subject.floes);
     const double radius = subject.scenario.structure.shape.largest_radius();
     switch (view) {
         case View::above:
-            return looking({structure, 0, 0}, Vec3::UnitY(), Vec3::UnitX(), 1.3 * seen);
+            return looking({structure, 0, across}, Vec3::UnitY(), Vec3::UnitX(), 1.3 * seen);
         case View::side: {
-            const Vec3 target(structure + 0.1 * seen, 0.5 * subject.scenario.structure.shape.bottom(), 0);
+            const Vec3 target(structure + 0.1 * seen, 0.5 * subject.scenario.structure.shape.bottom(), across);
             return {target + Vec3(0, 0, 1.02 * radius), target, Vec3::UnitY(), 0, 0.7 * seen};
         }
         case View::below:
-            return looking({structure, 0.5 * subject.scenario.structure.shape.bottom(), 0}, {1.0, -0.55, 1.1},
+            return looking({structure, 0.5 * subject.scenario.structure.shape.bottom(), across}, {1.0, -0.55, 1.1},
                            Vec3::UnitY(), 0.9 * seen);
         case View::plan: {
             const Channel channel = subject.channel();
@@ -40,7 +40,7 @@ Camera camera(View view, const RecordingSubject& subject, double structure) {
         case View::perspective:
             break;
     }
-    return looking({structure + 0.15 * seen, 0, 0}, {-0.75, 0.75, 1.0}, Vec3::UnitY(), 0.85 * seen);
+    return looking({structure + 0.15 * seen, 0, across}, {-0.75, 0.75, 1.0}, Vec3::UnitY(), 0.85 * seen);
 }
 
 }  // namespace floes

@@ -27,7 +27,8 @@ struct Camera {
     double height = 0;           ///< m that the picture is high at the target
 };
 
-/// How a view sees a run while the structure's axis is at x = `structure` m. All views but `plan` follow it.
-Camera camera(View view, const RecordingSubject& subject, double structure);
+/// How a view sees a run while the structure's axis is at x = `structure` m and z = `across` m. All views but `plan`
+/// follow it.
+Camera camera(View view, const RecordingSubject& subject, double structure, double across = 0);
 
 }  // namespace floes

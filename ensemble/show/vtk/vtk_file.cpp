@@ -72,7 +72,10 @@ void write_vtk(const std::filesystem::path& path, const VtkMesh& mesh, double ti
     const bool volume = mesh.kind == VtkCells::hexahedra || mesh.kind == VtkCells::solids;
     const std::string_view type = volume ? "UnstructuredGrid" : "PolyData";
     const std::size_t points = mesh.points.size() / 3;
-    const std::string_view cells = volume ? "Cells" : mesh.kind == VtkCells::points ? "Verts" : "Polys";
+    const std::string_view cells = volume                          ? "Cells"
+                                   : mesh.kind == VtkCells::points ? "Verts"
+                                   : mesh.kind == VtkCells::lines  ? "Lines"
+                                                                   : "Polys";
 
     std::vector<VtkArray> topology{vtk_array("connectivity", mesh.connectivity), vtk_array("offsets", mesh.offsets)};
     if (volume) topology.push_back(vtk_array("types", cell_types(mesh)));

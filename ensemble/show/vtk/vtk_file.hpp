@@ -35,6 +35,7 @@ VtkArray vtk_array(std::string name, const std::vector<Value>& values, int compo
 enum class VtkCells {
     points,     ///< a vertex for each point
     polygons,   ///< a surface
+    lines,      ///< from point to point
     hexahedra,  ///< eight points each: four round the bottom, the four above them
     solids      ///< hexahedra, and any other convex set of points
 };

@@ -94,16 +94,34 @@ VtkMesh load_part(const Frame& frame) {
     for (int i = 0; i < 3; ++i) append(force, frame.load[i] * Vec3::Unit(i));
     append(force, frame.load);
     std::vector<float> points;
-    for (int i = 0; i < 4; ++i) append(points, {frame.structure, 0, 0});
+    for (int i = 0; i < 4; ++i) append(points, {frame.structure.x, 0, frame.structure.z});
     VtkMesh mesh = vertices(std::move(points));
     mesh.point_data = {vtk_array("force", force, 3), vtk_array("component", std::vector<std::int32_t>{0, 1, 2, 3})};
     return mesh;
 }
 
-VtkMesh structure_part(const Shape& shape, double axis) {
+VtkMesh moorings_part(const Frame& frame) {
+    VtkMesh mesh{.kind = VtkCells::lines};
+    std::vector<float> tension;
+    std::vector<std::int32_t> number;
+    for (const FrameLine& line : frame.lines) {
+        for (const Vec3& end : {line.fairlead, line.anchor}) {
+            append(mesh.points, end);
+            mesh.connectivity.push_back(static_cast<std::int32_t>(mesh.connectivity.size()));
+        }
+        mesh.offsets.push_back(static_cast<std::int32_t>(mesh.connectivity.size()));
+        tension.push_back(static_cast<float>(line.tension));
+        number.push_back(line.line);
+    }
+    mesh.cell_data = {vtk_array("tension", tension), vtk_array("line", number)};
+    return mesh;
+}
+
+VtkMesh structure_part(const Shape& shape, const PlanarPose& pose) {
     const SurfaceMesh surface = shape.mesh(96);
     VtkMesh mesh{.kind = VtkCells::polygons};
-    for (const Vec3& point : surface.points) append(mesh.points, Vec3(axis + point.x(), point.y(), point.z()));
+    const Mat3 turn = Eigen::AngleAxisd(pose.yaw, Vec3::UnitY()).toRotationMatrix();
+    for (const Vec3& point : surface.points) append(mesh.points, Vec3(pose.x, 0, pose.z) + turn * point);
     for (const std::vector<int>& polygon : surface.polygons) {
         mesh.connectivity.insert(mesh.connectivity.end(), polygon.begin(), polygon.end());
         mesh.offsets.push_back(static_cast<std::int32_t>(mesh.connectivity.size()));

@@ -23,8 +23,11 @@ VtkMesh contacts_part(const Frame& frame);
 /// component: 0 surge, 1 heave, 2 sway (along x, y, z), 3 their sum.
 VtkMesh load_part(const Frame& frame);
 
-/// The surface of the structure while its axis is at x = `axis` m.
-VtkMesh structure_part(const Shape& shape, double axis);
+/// Mooring lines that hold, from fairlead to anchor. Cells have tension and which line it is.
+VtkMesh moorings_part(const Frame& frame);
+
+/// The surface of the structure with its axis there.
+VtkMesh structure_part(const Shape& shape, const PlanarPose& pose);
 
 /// A hexahedron for each sheet of fixed ice.
 VtkMesh ice_sheets_part(const Channel& channel);

@@ -59,9 +59,10 @@ void VtkSeries::add(const Frame& frame) {
     write("load", 2, load_part(frame), frame.time);
     write("contacts", 3, contacts_part(frame), frame.time);
     list("ice_sheets", 4, sheets_, frame.time);
+    if (!subject_.scenario.moorings.lines.empty()) write("moorings", 5, moorings_part(frame), frame.time);
 
-    if (frames_ == 0) state_.first_axis = frame.structure;
-    state_.last_axis = frame.structure;
+    if (frames_ == 0) state_.first_axis = frame.structure.x;
+    state_.last_axis = frame.structure.x;
     if (frames_ == 0 || frame.load.norm() > state_.largest_load) {
         state_.largest_load = frame.load.norm();
         state_.time_of_largest_load = frame.time;

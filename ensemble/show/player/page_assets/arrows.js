@@ -87,8 +87,21 @@ class Arrows {
 function towArrow(replay, time) {
   const {structure: {radius, top}, tow} = replay.header;
   const ahead = Math.sign(tow.speed) || 1;
-  return {start: [replay.structureAt(time) + 1.08 * ahead * radius, top, 0], along: [0.75 * ahead * radius, 0, 0],
+  const {x, z} = replay.structureAt(time);
+  const {x: later, z: aside} = replay.structureAt(time + 1); // where the way leads
+  const way = Math.hypot(later - x, aside - z);
+  const [cx, cz] = replay.header.poses && way > 0 ? [(later - x) / way, (aside - z) / way] : [ahead, 0];
+  return {start: [x + 1.08 * cx * radius, top, z + 1.08 * cz * radius], along: [0.75 * cx * radius, 0, 0.75 * cz * radius],
     colour: new THREE.Color(styled('tow')).toArray(), thick: 0.03 * radius};
+}
+
+// The mooring lines that hold at a frame, as far as they are to be seen.
+function lineArrows(replay, frame) {
+  const {structure: {radius}, lines} = replay.header;
+  if (!lines) return [];
+  return (lines[frame] || []).map(([x, z, alongX, alongZ]) => ({start: [x, 0.02 * radius, z],
+    along: [1.5 * radius * alongX, 0, 1.5 * radius * alongZ], colour: new THREE.Color(styled('ink')).toArray(),
+    thick: 0.015 * radius}));
 }
 
 // The arrows of the paper's Fig. 5 at a frame. `metres` is the length of 1 N.
@@ -107,7 +120,8 @@ function forceArrows(replay, frame, time, metres, {load, contacts, ice}) {
       add(point, normal, 'normal', 0.012 * radius);
     }
   if (load) {
-    const axis = [replay.structureAt(time), top, 0];
+    const {x: axisX, z: axisZ} = replay.structureAt(time);
+    const axis = [axisX, top, axisZ];
     const {x, y, z} = replay.loadAt(frame);
     add(axis, [x, y, z], 'ink', 0.035 * radius);
     add(axis, [x, 0, 0], 'surge', 0.025 * radius);

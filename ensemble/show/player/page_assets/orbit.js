@@ -38,19 +38,24 @@ class Orbit {
   // Follows or lets go without a jump.
   follow(follows, structure) {
     if (follows === this.follows) return;
-    this.target.x += follows ? -structure : structure;
+    const way = follows ? -1 : 1;
+    this.target.x += way * structure.x;
+    this.target.z += way * structure.z;
     this.follows = follows;
     this.moved = true;
   }
 
-  // The camera for a picture of this aspect while the structure is at x = `structure`.
+  // The camera for a picture of this aspect while the structure is at `structure`, {x, z}.
   camera(aspect, structure) {
     const isParallel = this.angle === 0;
     const camera = isParallel ? this.parallel : this.perspective;
     const distance = isParallel ? 4 * this.height : this.height / (2 * Math.tan(this.angle / 2));
     camera.quaternion.copy(this.turn);
     camera.position.set(0, 0, distance).applyQuaternion(this.turn).add(this.target);
-    if (this.follows) camera.position.x += structure;
+    if (this.follows) {
+      camera.position.x += structure.x;
+      camera.position.z += structure.z;
+    }
     camera.near = !isParallel ? 0.04 * distance : this.cut > 0 ? distance - this.cut : 0.01 * distance;
     camera.far = isParallel ? distance + Math.max(2 * distance, 50 * this.cut) : 60 * distance;
     if (isParallel) {

@@ -78,8 +78,9 @@ class Stage {
     this.ice.markFailures(failures, broken);
     this.colour(frame, broken);
     const structure = replay.structureAt(time);
-    this.structure.position.x = structure;
-    this.arrows.show([towArrow(replay, time), ...forceArrows(replay, frame, time, this.longer / this.newtons, this.shows)]);
+    this.structure.position.set(structure.x, 0, structure.z);
+    this.structure.rotation.y = structure.yaw;
+    this.arrows.show([towArrow(replay, time), ...lineArrows(replay, frame), ...forceArrows(replay, frame, time, this.longer / this.newtons, this.shows)]);
     const camera = this.orbit.camera(this.aspect, structure);
     this.ice.lookFrom(camera);
     renderer.setClearColor(styled(camera.position.y < 0 ? 'deep' : 'far'));

@@ -1,0 +1,161 @@
+// Keys of the tables [path] and [moorings]: how the structure moves, if not straight on at one speed.
+
+#include "scenario/tables.hpp"
+
+namespace floes {
+namespace {
+
+constexpr double farthest = 1e5;  // m and s, as for the straight tow
+
+RowsField leg_rows(std::vector<PathLeg>& legs) {
+    return {{{"heading_deg", unit::degree, at_least(-3600).at_most(3600)},
+             {"speed_m_s", unit::one, at_least(0).at_most(100)},
+             {"time_s", unit::one, above(0).at_most(farthest)},
+             {"turn_deg_s", unit::degree, at_least(-90).at_most(90)}},
+            [&legs] {
+                std::vector<std::vector<double>> rows;
+                for (const PathLeg& leg : legs) rows.push_back({leg.heading, leg.speed, leg.time, leg.turn});
+                return rows;
+            },
+            [&legs](const std::vector<std::vector<double>>& rows) {
+                legs.clear();
+                for (const std::vector<double>& row : rows) legs.push_back({row[0], row[1], row[2], row[3]});
+            }};
+}
+
+RowsField place_rows(std::vector<PathPoint>& places) {
+    const Range place = at_least(-farthest).at_most(farthest);
+    return {{{"time_s", unit::one, at_least(0).at_most(farthest)},
+             {"x_m", unit::one, place},
+             {"z_m", unit::one, place},
+             {"yaw_deg", unit::degree, at_least(-3600).at_most(3600)}},
+            [&places] {
+                std::vector<std::vector<double>> rows;
+                for (const PathPoint& at : places) rows.push_back({at.time, at.x, at.z, at.yaw});
+                return rows;
+            },
+            [&places](const std::vector<std::vector<double>>& rows) {
+                places.clear();
+                for (const std::vector<double>& row : rows) places.push_back({row[0], row[1], row[2], row[3]});
+            }};
+}
+
+RowsField line_rows(std::vector<MooringLine>& lines) {
+    const Range arm = at_least(-1000).at_most(1000);
+    const Range load = at_least(0).at_most(1e6);
+    return {{{"x_m", unit::one, arm},
+             {"z_m", unit::one, arm},
+             {"azimuth_deg", unit::degree, at_least(-360).at_most(360)},
+             {"distance_m", unit::one, above(0).at_most(farthest)},
+             {"pretension_kN", unit::kilonewton, load},
+             {"stiffness_kN_m", unit::kilonewton, load},
+             {"break_load_kN", unit::kilonewton, load}},
+            [&lines] {
+                std::vector<std::vector<double>> rows;
+                for (const MooringLine& line : lines)
+                    rows.push_back({line.x, line.z, line.azimuth, line.distance, line.pretension, line.stiffness,
+                                    line.break_load});
+                return rows;
+            },
+            [&lines](const std::vector<std::vector<double>>& rows) {
+                lines.clear();
+                for (const std::vector<double>& row : rows)
+                    lines.push_back({row[0], row[1], row[2], row[3], row[4], row[5], row[6]});
+            }};
+}
+
+RowsField curve_rows(std::vector<TensionPoint>& curve) {
+    return {{{"extension_m", unit::one, at_least(-farthest).at_most(farthest)},
+             {"tension_kN", unit::kilonewton, at_least(0).at_most(1e6)}},
+            [&curve] {
+                std::vector<std::vector<double>> rows;
+                for (const TensionPoint& at : curve) rows.push_back({at.extension, at.tension});
+                return rows;
+            },
+            [&curve](const std::vector<std::vector<double>>& rows) {
+                curve.clear();
+                for (const std::vector<double>& row : rows) curve.push_back({row[0], row[1]});
+            }};
+}
+
+}  // namespace
+
+void add_path(Keys& keys, Path& path) {
+    const auto of_legs = [&path](Key key) {
+        return late_key(only_with(
+            "path.legs", [&path] { return !path.legs.empty(); }, std::move(key)));
+    };
+    keys.push_back(late_key(
+        {"path.legs", leg_rows(path.legs), "none: straight on along +x at structure.speed_m_s",
+         "Legs that follow one another: heading at the beginning (0 along +x, 90 towards +z), speed (0: it stops), "
+         "time, "
+         "and by how much the heading turns in a second: 0 for a straight leg, else an arc of the radius speed / turn. "
+         "After the last leg the structure stands."}));
+    keys.push_back(of_legs(word_key("path.of", path.of, {"structure", "ice"}, "the structure moves in the simulation",
+                                    "Whose legs these are. ice: headings and speeds are of ice that drifts past a "
+                                    "structure that stands; it then moves the other way through ice at rest.")));
+    keys.push_back(of_legs(word_key("path.bow", path.bow, {"ahead", "unturned"}, "a hull that is moored stays",
+                                    "ahead: the structure turns with its heading, as a ship does; unturned: its bow "
+                                    "stays towards +x.")));
+    keys.push_back(of_legs(
+        number_key("path.ramp_s", path.ramp, unit::one, at_least(0).at_most(farthest), "none: at once, as the tow",
+                   "Time at the beginning of each leg in which speed and heading change evenly from those of the leg "
+                   "before; the first begins from rest. At most the shortest leg.")));
+    keys.push_back(late_key({"path.places", place_rows(path.table), "none",
+                             "In place of legs: times, places from the start (x and z), and yaw (positive turns +z "
+                             "towards +x). Between two "
+                             "rows speed and turning are constant; after the last one the structure stands."}));
+}
+
+void add_moorings(Keys& keys, Moorings& moorings) {
+    const auto held = [&moorings](Key key) {
+        return late_key(only_with(
+            "moorings.mass_t > 0", [&moorings] { return moorings.give_way(); }, std::move(key)));
+    };
+    const auto number = [&](std::string_view path, double& field, double unit, std::string_view doc) {
+        keys.push_back(held(number_key(path, field, unit, at_least(0).at_most(1e9), "none", doc)));
+    };
+    keys.push_back(late_key(number_key(
+        "moorings.mass_t", moorings.mass, unit::tonne, at_least(0).at_most(1e9), "none: it moves as prescribed",
+        "Mass of a structure that gives way on its moorings, without the water that moves with it; its centre is on "
+        "the "
+        "axis. The moorings' anchors then move as the structure otherwise would: ice that drifts past them. 0: no "
+        "moorings.")));
+    keys.push_back(
+        held(word_key("moorings.free", moorings.free, {"surge", "surge_sway", "all"}, "all that moorings hold",
+                      "Directions in which the structure gives way: only along x, along x and z, or in yaw "
+                      "too. The others are held.")));
+    number("moorings.gyration_m", moorings.gyration, unit::one,
+           "Radius of gyration of the mass in yaw: the root of the yaw inertia over the mass.");
+    number("moorings.added_surge_t", moorings.added_surge, unit::tonne,
+           "Water that moves with the structure in surge.");
+    number("moorings.added_sway_t", moorings.added_sway, unit::tonne, "Water that moves with the structure in sway.");
+    number("moorings.added_yaw_t_m2", moorings.added_yaw, unit::tonne,
+           "Inertia in yaw of the water that moves with the structure.");
+    number("moorings.surge_kN_m", moorings.surge, unit::kilonewton,
+           "Stiffness in surge of a linear spring, in addition to moorings.lines.");
+    number("moorings.sway_kN_m", moorings.sway, unit::kilonewton, "Stiffness in sway of a linear spring.");
+    number("moorings.yaw_kN_m_rad", moorings.yaw, unit::kilonewton, "Stiffness in yaw of a linear spring, kN m/rad.");
+    keys.push_back(held(number_key(
+        "moorings.damping_percent", moorings.damping, unit::percent, at_least(0).below(100),
+        "none: from a decay test or a mooring program",
+        "Linear damping by water and lines in each direction, of the critical one by mass and stiffness without an "
+        "offset.")));
+    number("moorings.quadratic_surge_kN_s2_m2", moorings.quadratic_surge, unit::kilonewton,
+           "Damping by the water in surge: this times the square of the speed relative to the anchors. The steady drag "
+           "of a current is not in it.");
+    number("moorings.quadratic_sway_kN_s2_m2", moorings.quadratic_sway, unit::kilonewton, "The same in sway.");
+    number("moorings.quadratic_yaw_kN_m_s2", moorings.quadratic_yaw, unit::kilonewton,
+           "The same in yaw, by the square of the rate of turning, kN m s²/rad².");
+    keys.push_back(
+        held({"moorings.lines", line_rows(moorings.lines), "none",
+              "Mooring lines: fairlead from the structure's axis (x ahead, z), azimuth towards which the line leads (0 "
+              "along +x, 90 towards +z), horizontal distance from fairlead to anchor, and horizontally pretension, "
+              "stiffness and break load (0: none). A line above its break load is gone from then on."}));
+    keys.push_back(
+        held({"moorings.line_curve", curve_rows(moorings.curve), "none: lines are linear",
+              "Tension of each line over its horizontal distance, both rising: a catenary, for example. The pretension "
+              "says where on it a line begins; stiffness in moorings.lines has to be 0 then."}));
+}
+
+}  // namespace floes

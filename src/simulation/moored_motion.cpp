@@ -1,0 +1,80 @@
+#include "simulation/moored_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace floes {
+
+MooredMotion::MooredMotion(const Moorings& moorings, double step)
+    : moorings_(moorings),
+      step_(step),
+      inertia_(moorings.inertia()),
+      springs_(moorings.surge, moorings.sway, moorings.yaw),
+      stiffness_(moorings.stiffness()) {
+    for (int k = 0; k < moorings.directions(); ++k)
+        linear_.emplace_back(Oscillator{stiffness_[k], inertia_[k], moorings.damping}, step);
+    state_.broken_at.assign(moorings.lines.size(), std::numeric_limits<double>::quiet_NaN());
+    for (const MooringLine& line : moorings.lines) largest_.push_back(line.pretension);
+}
+
+void MooredMotion::place(const MooredState& state) {
+    const std::size_t lines = state_.broken_at.size();
+    state_ = state;
+    state_.broken_at.resize(lines, std::numeric_limits<double>::quiet_NaN());
+}
+
+Vec3 MooredMotion::pull_of_lines(const Vec3& offset) const {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < moorings_.lines.size(); ++i)
+        if (std::isnan(state_.broken_at[i])) sum += pull(moorings_, moorings_.lines[i], offset).force;
+    return sum;
+}
+
+/// m v' = -b |v| v, each direction by itself: v / (1 + b |v| t / m).
+void MooredMotion::slow_down(double time) {
+    const Vec3 quadratic = moorings_.quadratic();
+    for (int k = 0; k < moorings_.directions(); ++k)
+        state_.velocity[k] /= 1 + quadratic[k] * std::abs(state_.velocity[k]) * time / inertia_[k];
+}
+
+/// What lines pull more than the stiffness without an offset says.
+void MooredMotion::pull_beyond_linear(double time) {
+    if (moorings_.lines.empty()) return;
+    const Vec3 force = pull_of_lines(state_.offset) + (stiffness_ - springs_).cwiseProduct(state_.offset);
+    for (int k = 0; k < moorings_.directions(); ++k) state_.velocity[k] += time * force[k] / inertia_[k];
+}
+
+void MooredMotion::advance(const Vec3& load, double time) {
+    slow_down(0.5 * step_);
+    pull_beyond_linear(0.5 * step_);
+    for (std::size_t k = 0; k < linear_.size(); ++k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        const OscillatorState after = linear_[k].after({state_.offset[i], state_.velocity[i]}, load[i]);
+        state_.offset[i] = after.offset;
+        state_.velocity[i] = after.velocity;
+    }
+    pull_beyond_linear(0.5 * step_);
+    slow_down(0.5 * step_);
+    break_lines(time);
+}
+
+void MooredMotion::break_lines(double time) {
+    for (std::size_t i = 0; i < moorings_.lines.size(); ++i) {
+        if (!std::isnan(state_.broken_at[i])) continue;
+        const MooringLine& line = moorings_.lines[i];
+        const double now = pull(moorings_, line, state_.offset).tension;
+        largest_[i] = std::max(largest_[i], now);
+        if (line.break_load > 0 && now > line.break_load) state_.broken_at[i] = time;
+    }
+}
+
+std::optional<LinePull> MooredMotion::line(std::size_t number) const {
+    if (!std::isnan(state_.broken_at[number])) return {};
+    return pull(moorings_, moorings_.lines[number], state_.offset);
+}
+
+Vec3 MooredMotion::restoring() const {
+    return pull_of_lines(state_.offset) - springs_.cwiseProduct(state_.offset);
+}
+
+}  // namespace floes

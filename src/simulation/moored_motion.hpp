@@ -1,0 +1,68 @@
+#pragma once
+// A structure on its moorings from step to step: M q̈ + C q̇ + K q = F + N(q, q̇), q its offset (structure/moorings.hpp).
+//
+// K is the stiffness without an offset, C the linear damping, both each direction by itself; N is all else: what lines
+// do beyond K, and the water's quadratic damping. The ice load F of a step is known after it and moves the structure in
+// the next one, where it is constant. K, C and F are solved without error (statistics/oscillator.hpp); quadratic
+// damping, also without error, and lines act for half the step before and after that (Strang's splitting, second
+// order). So springs have no numerical damping and
+// no limit of stability; lines have that of the leapfrog, period > π Δt, and checks ask for fifty steps.
+//
+// What the splitting from the ice costs: a floe of mass m that strikes the structure, mass M, is stopped as by one that
+// does not give way, so the impulse is 1 + m/M times too large (checks ask for M >= 10 m of the heaviest floe). A floe
+// that is pushed along does not feel it.
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "core/vector.hpp"
+#include "statistics/oscillator.hpp"
+#include "structure/moorings.hpp"
+
+namespace floes {
+
+/// How a moored structure has moved.
+struct MooredState {
+    Vec3 offset = Vec3::Zero();       ///< x, z, yaw: m, m, rad
+    Vec3 velocity = Vec3::Zero();     ///< m/s, m/s, rad/s
+    std::vector<double> broken_at{};  ///< s, of each line; NaN: it holds
+};
+
+class MooredMotion {
+  public:
+    /// At rest without an offset. `moorings` give way and hold in all their directions; `step`: s.
+    MooredMotion(const Moorings& moorings, double step);
+
+    const MooredState& state() const { return state_; }
+    void place(const MooredState& state);
+
+    /// A step that ends at `time` s, under a load that is constant in it: N, N, N m.
+    void advance(const Vec3& load, double time);
+
+    /// Of springs and lines at the offset, on the structure: N, N, N m.
+    Vec3 restoring() const;
+
+    /// What a line pulls with; nothing where it has broken.
+    std::optional<LinePull> line(std::size_t number) const;
+    std::size_t lines() const { return moorings_.lines.size(); }
+
+    /// Of each line so far, N.
+    const std::vector<double>& largest_tensions() const { return largest_; }
+
+  private:
+    void slow_down(double time);
+    void pull_beyond_linear(double time);
+    Vec3 pull_of_lines(const Vec3& offset) const;
+    void break_lines(double time);
+
+    Moorings moorings_;
+    double step_;
+    Vec3 inertia_, springs_, stiffness_;
+    std::vector<OscillatorStep> linear_;  ///< of each direction in which it gives way
+    MooredState state_;
+    std::vector<double> largest_;
+};
+
+}  // namespace floes

@@ -1,0 +1,34 @@
+#pragma once
+// How a structure that is not towed straight on moved, and what its moorings bore, over time.
+
+#include <array>
+#include <vector>
+
+namespace floes {
+
+/// A value for each step, like those of LoadHistory; at the end of the step. Empty for the straight tow; without
+/// moorings those of offsets and mooring forces are empty.
+struct MotionHistory {
+    std::vector<double> x;         ///< of the structure's axis, m
+    std::vector<double> z;         ///< likewise
+    std::vector<double> yaw;       ///< about +y: +z turns to +x, rad
+    std::vector<double> yaw_load;  ///< moment of the ice about the axis and +y, N m
+
+    std::vector<double> surge_offset;   ///< from the moorings' place along the load: positive against the tow (-x), m
+    std::vector<double> sway_offset;    ///< likewise, positive towards +z, m
+    std::vector<double> surge_mooring;  ///< what springs and lines bear of the surge load, N
+    std::vector<double> sway_mooring;   ///< likewise of the sway load, N
+    std::vector<double> yaw_mooring;    ///< likewise of the yaw load, N m
+};
+
+inline constexpr std::array motion_histories{&MotionHistory::x,
+                                             &MotionHistory::z,
+                                             &MotionHistory::yaw,
+                                             &MotionHistory::yaw_load,
+                                             &MotionHistory::surge_offset,
+                                             &MotionHistory::sway_offset,
+                                             &MotionHistory::surge_mooring,
+                                             &MotionHistory::sway_mooring,
+                                             &MotionHistory::yaw_mooring};
+
+}  // namespace floes

@@ -1,0 +1,117 @@
+// Paths and moorings that cannot be simulated, each with its sentence; and keys that leave digests alone.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <numbers>
+
+#include "core/error.hpp"
+#include "scenario/keys.hpp"
+#include "scenario/validate.hpp"
+
+namespace floes {
+namespace {
+
+using testing::HasSubstr;
+constexpr double pi = std::numbers::pi;
+
+std::string sentence(const std::function<void(Scenario&)>& change) {
+    Scenario scenario;
+    scenario.structure.start = 2;
+    scenario.moorings = {.mass = 500, .gyration = 0.4, .surge = 600, .sway = 600, .yaw = 60};
+    change(scenario);
+    try {
+        validate(scenario);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "consistent";
+}
+
+MooringLine line() {
+    return {.x = 0.5, .distance = 20, .pretension = 10, .stiffness = 500, .break_load = 100};
+}
+
+TEST(Motion, MooringsThatHoldAreConsistent) {
+    EXPECT_EQ(sentence([](Scenario&) {}), "consistent");
+    EXPECT_EQ(sentence([](Scenario& s) { s.moorings.lines.push_back(line()); }), "consistent");
+    EXPECT_EQ(sentence([](Scenario& s) { s.moorings = {}; }), "consistent");
+}
+
+TEST(Motion, MooringsThatDoNotHoldAreRefused) {
+    EXPECT_THAT(sentence([](Scenario& s) { s.moorings.sway = 0; }),
+                HasSubstr("nothing holds the structure in sway; give a stiffness or lines"));
+    EXPECT_THAT(sentence([](Scenario& s) { s.moorings.surge = 1e6; }),
+                HasSubstr("natural period in surge is 0.1405 s, fewer than 50 steps of general.time_step_s = 0.02"));
+    EXPECT_THAT(sentence([](Scenario& s) { s.moorings.gyration = 0; }), HasSubstr("leaves nothing to turn"));
+    EXPECT_THAT(sentence([](Scenario& s) { s.moorings.mass = 50; }),
+                HasSubstr("moorings.mass_t = 0.05 and the water that moves with it are 4.526 times the heaviest floe"));
+    EXPECT_THAT(sentence([](Scenario& s) {
+                    s.moorings.lines.push_back(line());
+                    s.moorings.lines[0].break_load = 5;
+                }),
+                HasSubstr("moorings.lines[0] breaks at 0.005 kN, below its pretension of 0.01 kN"));
+    EXPECT_THAT(sentence([](Scenario& s) {
+                    s.moorings.lines.push_back(line());
+                    s.moorings.curve = {{0, 0}, {1, 500}};
+                }),
+                HasSubstr("moorings.lines[0] has a stiffness beside moorings.line_curve"));
+    EXPECT_THAT(sentence([](Scenario& s) { s.moorings.curve = {{0, 0}, {1, 500}}; }), HasSubstr("there are none"));
+    EXPECT_THAT(sentence([](Scenario& s) {
+                    s.moorings.lines.push_back(line());
+                    s.moorings.lines[0].stiffness = 0;
+                    s.moorings.curve = {{0, 0}, {1, 500}, {2, 400}};
+                }),
+                HasSubstr("moorings.line_curve[2] does not have more extension and more tension"));
+}
+
+std::string path_sentence(
+    const Path& path, const std::function<void(Scenario&)>& change = [](Scenario&) {}) {
+    return sentence([&](Scenario& s) {
+        s.moorings = {};
+        s.path = path;
+        change(s);
+    });
+}
+
+TEST(Motion, PathsAreRefusedWhereTheyCannotGo) {
+    EXPECT_EQ(path_sentence({.legs = {{0, 0.07, 270, 0}}}), "consistent");
+    EXPECT_EQ(path_sentence({.legs = {{0.02, 0.07, 100, 0}, {0, 0, 10, 0}, {-0.02, 0.05, 200, 0}}, .ramp = 5}),
+              "consistent");
+    EXPECT_THAT(path_sentence({.legs = {{pi / 2, 0.07, 270, 0}}}),
+                HasSubstr("into the bank at field.half_width_m = 2.4; turn earlier or widen the field"));
+    EXPECT_THAT(path_sentence({.legs = {{0, 0.2, 270, 0}}}), HasSubstr("the path leaves the channel: after "));
+    EXPECT_THAT(path_sentence({.legs = {{0, 0.07, 100, 0}, {pi, 0.07, 150, 0}}}), HasSubstr("leaves the channel"));
+    EXPECT_THAT(path_sentence({.legs = {{0, 0.001, 270, 0}}}), HasSubstr("the path never reaches the ice"));
+    EXPECT_THAT(path_sentence({.legs = {{0, 0.07, 270, 0}}}, [](Scenario& s) { s.structure.start = 5.6; }),
+                HasSubstr("inside the ice that begins at field.begin_m"));
+    EXPECT_THAT(path_sentence({.legs = {{0, 0.07, 10, 0}, {0.1, 0.07, 260, 0}}, .ramp = 20}),
+                HasSubstr("path.ramp_s = 20.0 is longer than the shortest leg, 10 s"));
+    EXPECT_THAT(path_sentence({.table = {{0, 0, 0, 0}, {10, 5, 0, 0}, {9, 6, 0, 0}}}),
+                HasSubstr("path.places[2] is at 9 s, not after the row before at 10 s; times have to rise"));
+    EXPECT_THAT(path_sentence({.table = {{1, 0, 0, 0}, {10, 5, 0, 0}}}), HasSubstr("is not at time 0 at the start"));
+    EXPECT_THAT(path_sentence({.legs = {{0, 0.07, 270, 0}}, .table = {{0, 0, 0, 0}}}), HasSubstr("are two paths"));
+    EXPECT_THAT(path_sentence({.table = {{0, 0, 0, 0}, {200, 14, 0, 0}, {200.02, 14, 0, 3}}}),
+                HasSubstr("give turns time"));
+    EXPECT_THAT(path_sentence({.legs = {{0, 0.07, 270, 0}}, .bow = PathBow::ahead},
+                              [](Scenario& s) {
+                                  s.moorings = {.mass = 500, .gyration = 0.4, .surge = 600, .sway = 600, .yaw = 60};
+                              }),
+                HasSubstr("would turn the moorings with the heading"));
+}
+
+TEST(Motion, UnusedKeysAreInNoDigest) {
+    Scenario scenario;
+    const std::string before = canonical_text(scenario);
+    EXPECT_EQ(before.find("moorings"), std::string::npos);
+    EXPECT_EQ(before.find("path"), std::string::npos);
+    scenario.moorings.surge = 600;  // without a mass it has no effect
+    scenario.path.ramp = 4;
+    EXPECT_EQ(canonical_text(scenario), before);
+    scenario.moorings.mass = 500;
+    EXPECT_THAT(canonical_text(scenario), HasSubstr("moorings.surge_kN_m"));
+}
+
+}  // namespace
+}  // namespace floes

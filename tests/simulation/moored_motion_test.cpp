@@ -1,0 +1,177 @@
+// A structure on its moorings under given loads, against closed forms.
+
+#include "simulation/moored_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "world/world.hpp"
+
+namespace floes {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double step = 0.02;
+
+/// Of the period of 2 s in surge, 4 s in sway, 1 s in yaw.
+Moorings springs(double damping = 0) {
+    return {.mass = 1000,
+            .gyration = 2,
+            .surge = 1000 * pi * pi,
+            .sway = 250 * pi * pi,
+            .yaw = 16000 * pi * pi,
+            .damping = damping};
+}
+
+/// A line ahead and one astern, of 50 m, that hold in surge as springs() do and less abeam.
+Moorings two_lines(double break_load = 0) {
+    Moorings moorings = springs();
+    moorings.surge = 0;
+    for (const double azimuth : {0.0, pi})
+        moorings.lines.push_back({.x = 2 * std::cos(azimuth),
+                                  .azimuth = azimuth,
+                                  .distance = 50,
+                                  .pretension = 5000,
+                                  .stiffness = 500 * pi * pi,
+                                  .break_load = break_load});
+    return moorings;
+}
+
+TEST(MooredMotion, SlowLoadMovesItByTheStiffness) {
+    for (const Moorings& moorings : {springs(0.3), two_lines()}) {
+        Moorings damped = moorings;
+        damped.damping = 0.3;
+        MooredMotion motion(damped, step);
+        const Vec3 load(-3000, 800, 5000);
+        for (int k = 0; k < 20000; ++k) motion.advance(load * std::min(1.0, k / 5000.0), step * (k + 1));
+        const Vec3 balanced = motion.restoring() + load;
+        EXPECT_NEAR(balanced.norm() / load.norm(), 0, moorings.lines.empty() ? 1e-9 : 2e-5) << "lines: to (ωΔt)²";
+        if (moorings.lines.empty()) {
+            EXPECT_NEAR(motion.state().offset[0], -3000 / (1000 * pi * pi), 1e-12);
+        }
+    }
+}
+
+// 1 + e^(-πζ/√(1-ζ²)) in each direction, without error at any step.
+TEST(MooredMotion, OvershootsAStep) {
+    for (const double zeta : {0.0, 0.05, 0.3}) {
+        MooredMotion motion(springs(zeta), step);
+        const Vec3 load(1000, -400, 3000);
+        Vec3 most = Vec3::Zero();
+        for (int k = 0; k < 300; ++k) {
+            motion.advance(load, step * (k + 1));
+            most = most.cwiseMax(motion.state().offset.cwiseQuotient(load.cwiseQuotient(springs().stiffness())));
+        }
+        const double overshoot = 1 + std::exp(-pi * zeta / std::sqrt(1 - zeta * zeta));
+        for (int i = 0; i < 3; ++i) EXPECT_NEAR(most[i], overshoot, 2e-3) << zeta << " " << i;
+    }
+}
+
+// At resonance F/k / (2ζ).
+TEST(MooredMotion, ResonatesWithItsDamping) {
+    const double zeta = 0.05;
+    MooredMotion motion(springs(zeta), step);
+    double most = 0;
+    for (int k = 0; k < 100 * 40; ++k) {
+        const double load = 100 * (std::sin(pi * step * (k + 1)) - std::sin(pi * step * k)) / (pi * step);
+        motion.advance({load, 0, 0}, step * (k + 1));
+        if (k > 100 * 35) most = std::max(most, std::abs(motion.state().offset[0]));
+    }
+    EXPECT_NEAR(most / (100 / (1000 * pi * pi)), 1 / (2 * zeta), 0.01 * 10);
+}
+
+/// Of motion and springs and two_lines(), J.
+double energy(const Moorings& moorings, const MooredState& state) {
+    double sum = 0.5 * state.velocity.dot(moorings.inertia().cwiseProduct(state.velocity));
+    const Vec3 spring(moorings.surge, moorings.sway, moorings.yaw);
+    sum += 0.5 * state.offset.dot(spring.cwiseProduct(state.offset));
+    for (const MooringLine& line : moorings.lines) {
+        const LinePull now = pull(moorings, line, state.offset);
+        const double longer = (now.anchor - now.fairlead).norm() - line.distance;
+        sum += line.pretension * longer + 0.5 * line.stiffness * longer * longer;
+    }
+    return sum;
+}
+
+// The work of the load is the energy of motion, springs and lines; with springs to rounding, with lines to (ωΔt)².
+TEST(MooredMotion, KeepsEnergy) {
+    for (const Moorings& moorings : {springs(), two_lines()}) {
+        MooredMotion motion(moorings, step);
+        double work = 0;
+        double most = 0;
+        double worst = 0;
+        for (int k = 0; k < 5000; ++k) {
+            const Vec3 load(900 * std::sin(0.7 * step * k), 300 * std::cos(0.4 * step * k), 700 * std::sin(step * k));
+            const Vec3 before = motion.state().offset;
+            motion.advance(load, step * (k + 1));
+            work += load.dot(motion.state().offset - before);
+            most = std::max(most, energy(moorings, motion.state()));
+            worst = std::max(worst, std::abs(energy(moorings, motion.state()) - work));
+        }
+        EXPECT_LT(worst, (moorings.lines.empty() ? 1e-10 : 1e-4) * most);
+    }
+}
+
+// b|v|v takes the energy of a free mass as v = v₀ / (1 + b v₀ t / m).
+TEST(MooredMotion, QuadraticDampingSlowsIt) {
+    Moorings moorings = springs();
+    moorings.surge = 1e-6;
+    moorings.quadratic_surge = 400;
+    MooredMotion motion(moorings, step);
+    motion.place({.velocity = {2, 0, 0}});
+    for (int k = 0; k < 100; ++k) motion.advance(Vec3::Zero(), step * (k + 1));
+    EXPECT_NEAR(motion.state().velocity[0], 2 / (1 + 400 * 2.0 * 2 / 1000), 1e-6);
+}
+
+TEST(MooredMotion, LineBreaksOnceAndForAll) {
+    MooredMotion motion(two_lines(7000), step);
+    const auto state = [&]() -> const MooredState& { return motion.state(); };
+    int k = 0;
+    for (; k < 200; ++k) motion.advance({-1500, 0, 0}, step * (k + 1));
+    EXPECT_TRUE(std::isnan(state().broken_at[0])) << "5000 N and half of twice 1500 N";
+    for (; k < 400 && std::isnan(state().broken_at[0]); ++k) motion.advance({-4500, 0, 0}, step * (k + 1));
+    EXPECT_NEAR(state().broken_at[0], step * k, 1e-9);
+    EXPECT_GT(motion.largest_tensions()[0], 7000);
+    EXPECT_TRUE(std::isnan(state().broken_at[1]));
+    const double broken = state().broken_at[0];
+    const double without = pull(two_lines(), two_lines().lines[1], state().offset).force[0];
+    EXPECT_NEAR(motion.restoring()[0], without, 1e-9) << "only the other line pulls";
+    motion.advance({5000, 0, 0}, step * (k + 1));
+    EXPECT_EQ(state().broken_at[0], broken);
+}
+
+// A floe of mass m that strikes a free structure of mass M and stays is stopped by m M / (m + M) of its speed. Here the
+// structure moves after the step only, so it is m: 1 + m/M times as much, and momentum is kept all the same.
+TEST(MooredMotion, StruckByAFloeItTakesItsMomentum) {
+    for (const double ratio : {10.0, 100.0}) {
+        WorldDefinition definition;
+        definition.gravity = 0;
+        definition.solver = SolverKind::lanes;
+        World world(definition);
+        const std::vector<ConvexSolid> drum{{-0.5, 0.6, 0.5, 0.6}};
+        const BodyId structure = world.add_structure(drum, Vec3::Zero());
+        const double floe_mass = 1.2;
+        const BodyId floe = world.add_element({.half_extents = {0.1, 0.0165, 0.1},
+                                               .mass = floe_mass,
+                                               .pose = {.position = {0.705, 0, 0}, .orientation = Quat::Identity()}});
+        world.place(floe, {.position = {0.705, 0, 0}, .velocity = {-0.1, 0, 0}});
+        MooredMotion motion({.free = FreeMotion::surge, .mass = ratio * floe_mass, .surge = 1e-9}, step);
+        Vec3 load = Vec3::Zero();
+        for (int k = 0; k < 200; ++k) {
+            motion.advance({load.x(), 0, 0}, step * (k + 1));
+            world.move_structure({motion.state().offset[0], 0, 0});
+            world.step();
+            load = world.contact_force(structure);
+        }
+        const double structure_speed = motion.state().velocity[0];
+        const double floe_speed = world.state(floe).velocity.x();
+        EXPECT_NEAR(ratio * structure_speed + floe_speed, -0.1, 1e-6) << "momentum";
+        EXPECT_NEAR(structure_speed, -0.1 / (ratio + 1), 0.1 / (ratio + 1) * 1.5 / ratio) << ratio;
+    }
+}
+
+}  // namespace
+}  // namespace floes

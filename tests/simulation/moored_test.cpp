@@ -1,0 +1,188 @@
+// Structures that give way or follow a path through ice.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <vector>
+
+#include "arrangement/arrangement.hpp"
+#include "core/error.hpp"
+#include "simulation/simulation.hpp"
+#include "statistics/means.hpp"
+#include "support/smoke_channel.hpp"
+
+namespace floes {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Half of the smoke channel's floes, from the first contact on.
+Scenario short_channel() {
+    Scenario scenario = in_smoke_channel({});
+    scenario.field.floes = 14;
+    scenario.field.begin = 2.0;
+    scenario.analysis.steady_start = 4;
+    scenario.analysis.window = 6;
+    scenario.analysis.segments = 1;
+    return scenario;
+}
+
+/// A hull of 500 kg whose period in surge is this, s, alike in sway and yaw.
+Moorings of_period(double period) {
+    const double k = 500 * 4 * pi * pi / (period * period);
+    return {.mass = 500, .gyration = 0.4, .surge = k, .sway = k, .yaw = 0.16 * k, .damping = 0.1};
+}
+
+Simulation run(const Scenario& scenario) {
+    Simulation simulation(scenario, make_arrangement(scenario, 1, 0));
+    simulation.run({});
+    return simulation;
+}
+
+double mean_in_window(const Scenario& scenario, const std::vector<double>& history) {
+    return mean_of(std::span(history).subspan(static_cast<std::size_t>(scenario.first_window_step())));
+}
+
+// The stiffest moorings that a time step of 0.02 s allows: the load is the towed cone's as far as the ice, which
+// amplifies any difference, lets one say; and its impulse is that of moorings, damping and motion.
+TEST(MooredStructure, StiffMooringsCarryTheTowedLoad) {
+    Scenario towed = short_channel();
+    Scenario moored = towed;
+    moored.moorings = of_period(1);
+    const Simulation there = run(towed);
+    const Simulation here = run(moored);
+    const double load = mean_in_window(moored, here.loads().surge);
+    EXPECT_NEAR(load / mean_in_window(towed, there.loads().surge), 1, 0.15);
+    const double step = moored.general.time_step;
+    const auto impulse = [&](const std::vector<double>& force) {
+        return step * std::accumulate(force.begin(), force.end(), 0.0);
+    };
+    const MooredState end = here.state().moored;
+    const double k = moored.moorings.surge;
+    const double damping = 2 * moored.moorings.damping * std::sqrt(k * 500);
+    const double taken = impulse(here.motions().surge_mooring) - 500 * end.velocity[0] - damping * end.offset[0];
+    EXPECT_NEAR(taken / impulse(here.loads().surge), 1, 0.01);
+    EXPECT_NEAR(mean_in_window(moored, here.motions().surge_offset) * moored.moorings.surge,
+                mean_in_window(moored, here.motions().surge_mooring), 1e-9);
+    EXPECT_GT(load, 5);
+    EXPECT_TRUE(there.motions().x.empty());
+}
+
+TEST(MooredStructure, GivesWayMoreOnSofterMoorings) {
+    Scenario moored = short_channel();
+    moored.moorings = of_period(6);
+    const Simulation soft = run(moored);
+    const double offset = mean_in_window(moored, soft.motions().surge_offset);
+    EXPECT_GT(offset, 0.01) << "some 10 N on 550 N/m";
+    const std::vector<double>& x = soft.motions().x;
+    const std::size_t last = x.size() - 1;
+    EXPECT_NEAR(x[last], moored.structure.start + moored.structure.speed * 10 - soft.motions().surge_offset[last],
+                1e-12);
+    EXPECT_NE(soft.motions().sway_offset[last], 0);
+    EXPECT_NE(soft.motions().yaw[last], 0);
+}
+
+TEST(MooredStructure, HeldDirectionsStayHeld) {
+    Scenario moored = short_channel();
+    moored.moorings = of_period(6);
+    moored.moorings.free = FreeMotion::surge;
+    moored.analysis = {.steady_start = 2, .window = 2, .segments = 1};
+    const Simulation simulation = run(moored);
+    EXPECT_NE(simulation.motions().surge_offset.back(), 0);
+    EXPECT_EQ(simulation.motions().sway_offset.back(), 0);
+    EXPECT_EQ(simulation.motions().yaw.back(), 0);
+}
+
+// Ice that drifts against +x is the straight tow. The water of a structure that turns and drifts is computed with more
+// terms, so that the last bits differ.
+TEST(PathOfStructure, StraightLegIsTheTow) {
+    Scenario towed = short_channel();
+    towed.analysis = {.steady_start = 1, .window = 1, .segments = 1};
+    Scenario legs = towed;
+    legs.path = {.legs = {{0, towed.structure.speed, 10, 0}}};
+    Scenario drift = towed;
+    drift.path = {.legs = {{pi, towed.structure.speed, 10, 0}}, .of = PathOf::ice};
+    const Simulation there = run(towed);
+    const Simulation along = run(legs);
+    const Simulation past = run(drift);
+    double most = 0;
+    for (std::size_t k = 0; k < 100; ++k) {
+        most = std::max(most, there.loads().surge[k]);
+        EXPECT_NEAR(along.loads().surge[k], there.loads().surge[k], 1e-3) << k;
+        EXPECT_NEAR(past.loads().surge[k], there.loads().surge[k], 1e-3) << k;
+    }
+    EXPECT_GT(most, 1);
+    EXPECT_NEAR(along.work().hull_friction, there.work().hull_friction, 1e-3);
+}
+
+// A bow at 90° feels ahead as sway what the world calls surge.
+TEST(PathOfStructure, LoadsAreInTheStructuresOwnAxes) {
+    Scenario ahead = short_channel();
+    ahead.analysis = {.steady_start = 1, .window = 1, .segments = 1};
+    Scenario turned = ahead;
+    ahead.path.table = {{0, 0, 0, 0}, {10, 1, 0, 0}};
+    turned.path.table = {{0, 0, 0, pi / 2}, {10, 1, 0, pi / 2}};  // the bow towards -z
+    const Simulation one = run(ahead);
+    const Simulation other = run(turned);
+    // Before touching differs: a cone of many sides looks the same turned by 90°.
+    EXPECT_NEAR(mean_of(other.loads().sway), -mean_of(one.loads().surge), 0.05 * std::abs(mean_of(one.loads().surge)));
+    EXPECT_NEAR(mean_of(other.loads().heave), mean_of(one.loads().heave), 0.05 * std::abs(mean_of(one.loads().heave)));
+    EXPECT_NEAR(other.motions().yaw.front(), pi / 2, 0);
+}
+
+// Ice rubs against the turning: the moment is negative for a positive yaw rate.
+TEST(PathOfStructure, TurningWallIsRubbed) {
+    for (const double side : {1.0, -1.0}) {
+        Scenario scenario = short_channel();
+        scenario.analysis = {.steady_start = 2, .window = 2, .segments = 1};
+        scenario.path.table = {{0, 0, 0, 0}, {10, 1, 0, 5 * side}};
+        const Simulation simulation = run(scenario);
+        EXPECT_LT(side * mean_in_window(scenario, simulation.motions().yaw_load), -0.05);
+        EXPECT_GT(simulation.work().hull_friction, 0);
+    }
+}
+
+TEST(MooredStructure, ResumesWithTheSameBitsWhileNothingTouchesIt) {
+    Scenario scenario = short_channel();
+    scenario.structure.start = 1.2;
+    scenario.moorings = of_period(3);
+    scenario.moorings.quadratic_surge = 100;
+    const FloeSet floes = make_arrangement(scenario, 1, 0);
+    const Simulation start(scenario, floes);
+    SimulationState pushed = start.state();
+    pushed.moored.velocity = {0.01, 0.002, 0.01};
+    Simulation whole(scenario, floes, pushed);
+    for (int i = 0; i < 10; ++i) whole.step();
+    Simulation resumed(scenario, floes, whole.state());
+    for (int i = 0; i < 10; ++i) {
+        whole.step();
+        resumed.step();
+    }
+    ASSERT_EQ(whole.loads().surge.back(), 0);
+    EXPECT_NE(whole.motions().yaw.back(), 0);
+    EXPECT_EQ(resumed.motions().x.back(), whole.motions().x.back());
+    EXPECT_EQ(resumed.motions().yaw.back(), whole.motions().yaw.back());
+    for (std::size_t i = 0; i < whole.element_states().size(); ++i)
+        EXPECT_NEAR((resumed.element_states()[i].position - whole.element_states()[i].position).norm(), 0, 1e-6) << i;
+}
+
+TEST(MooredStructure, FailsAtTheBank) {
+    Scenario scenario = short_channel();
+    scenario.moorings = of_period(6);
+    const FloeSet floes = make_arrangement(scenario, 1, 0);
+    SimulationState pushed = Simulation(scenario, floes).state();
+    pushed.moored.velocity = {0, 3, 0};
+    Simulation simulation(scenario, floes, pushed);
+    try {
+        simulation.run({});
+        FAIL() << "no bank";
+    } catch (const MemberFailure& failure) {
+        EXPECT_NE(std::string(failure.what()).find("has come to the ice sheet at a side"), std::string::npos)
+            << failure.what();
+    }
+}
+
+}  // namespace
+}  // namespace floes
