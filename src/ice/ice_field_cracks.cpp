@@ -104,13 +104,23 @@ int IceField::pieces() const {
 }
 
 std::vector<PieceArea> IceField::piece_areas() const {
-    std::vector<int> elements(elements_.size(), 0);  // of the piece that begins with this one
-    for (const IceElement& element : elements_) ++elements[static_cast<std::size_t>(element.piece)];
+    struct Sum {
+        int elements = 0;
+        double area = 0;
+    };
+    std::vector<Sum> of_piece(elements_.size());  // that begins with this element
+    for (const IceElement& element : elements_) {
+        const Sheet& sheet = floes_[static_cast<std::size_t>(element.floe)];
+        Sum& sum = of_piece[static_cast<std::size_t>(element.piece)];
+        ++sum.elements;
+        sum.area += sheet.cut ? sheet.cut->elements[static_cast<std::size_t>(element.index)].area
+                              : sheet.grid.element * sheet.grid.element;
+    }
     std::vector<PieceArea> areas;
     for (std::size_t i = 0; i < elements_.size(); ++i) {
-        const Sheet& sheet = floes_[static_cast<std::size_t>(elements_[i].floe)];
-        if (elements[i] > 0 && elements[i] < sheet.grid.elements())
-            areas.push_back({elements_[i].floe, elements[i] * sheet.grid.element * sheet.grid.element});
+        const int whole = floes_[static_cast<std::size_t>(elements_[i].floe)].elements();
+        if (of_piece[i].elements > 0 && of_piece[i].elements < whole)
+            areas.push_back({elements_[i].floe, of_piece[i].area});
     }
     return areas;
 }
