@@ -117,7 +117,8 @@ class BulletPeer final : public Peer {
 
     void add_structure() {
         constexpr int corners = 32;
-        for (const Frustum& frustum : scene_.structure) {
+        for (const ConvexSolid& solid : scene_.structure) {
+            const Frustum& frustum = std::get<Frustum>(solid.form);
             btConvexHullShape& hull = hulls_.emplace_back();
             for (int i = 0; i < corners; ++i) {
                 const double angle = 2 * std::numbers::pi * i / corners;

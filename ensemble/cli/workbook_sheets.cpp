@@ -20,7 +20,7 @@ std::string sheet_name(std::string_view part) {
 }
 
 /// Parts in the order of their sheets, and what a sheet holds.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 13> kinds{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kinds{{
     {"cases",
      "a line for each case: means over arrangements with their 95 % intervals: _low and _high by "
      "Student's t, _bca_ by bootstrap, _prediction_ of one further run"},
@@ -36,6 +36,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 13> kinds{{
     {"moored", "a hull on moorings: offset, mooring force and amplification, and these over its natural period"},
     {"steady", "when the load became steady"},
     {"energy", "where the work of the tow goes, over the distance towed"},
+    {"parts", "loads on the parts of the hull"},
+    {"moments", "moments on the hull about its axis at the waterline"},
 }};
 
 auto kind_of(std::string_view part) {

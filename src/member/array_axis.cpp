@@ -82,6 +82,12 @@ const ArrayAxis property_axis{
     true,
     property_words};
 
+const ArrayAxis part_axis{"part", "1", "part of the structure, by /cases/parts", AxisKind::counted,
+                          [](const Scenario& scenario) {
+                              const std::size_t parts = scenario.structure.shape.parts().size();
+                              return counted_to(parts > 1 ? parts : 0);
+                          }};
+
 const ArrayAxis time_axis{"time",
                           "s",
                           "end of the time steps of a value",

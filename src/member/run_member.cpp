@@ -54,11 +54,16 @@ void take_statistics(MemberResult& result, const Scenario& scenario, const Simul
     result.load =
         load_statistics(in_window(result.history.surge), scenario.general.time_step, scenario.analysis.segments);
     const std::vector<double> times = scenario.averaging_times();
-    result.averaged =
-        averaged_load(in_window(result.history.surge), {.time_step = scenario.general.time_step,
-                                                        .segments = scenario.analysis.segments,
-                                                        .times = times,
-                                                        .peak_separation = scenario.analysis.peak_separation});
+    const Averaging how{.time_step = scenario.general.time_step,
+                        .segments = scenario.analysis.segments,
+                        .times = times,
+                        .peak_separation = scenario.analysis.peak_separation};
+    result.averaged = averaged_load(in_window(result.history.surge), how);
+    const HullLoads& hull = simulation.hull_loads();
+    result.parts = hull.parts(how);
+    result.yaw = hull.yaw();
+    result.roll = hull.roll();
+    result.pitch = hull.pitch();
     result.levels = count_levels(in_window(result.history.surge), scenario.analysis.exceedance_levels);
     result.load_map = simulation.load_map();
     result.load_map.along_tow = part_means(in_window(result.history.surge), LoadMap::parts);

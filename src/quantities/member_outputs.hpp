@@ -8,6 +8,7 @@
 #include "statistics/averaged_load.hpp"
 #include "statistics/load_statistics.hpp"
 #include "statistics/moored_response.hpp"
+#include "statistics/part_loads.hpp"
 #include "statistics/work_shares.hpp"
 
 namespace floes {
@@ -17,6 +18,8 @@ namespace floes {
 struct MemberOutputs {
     LoadStatistics load;                                       ///< of the surge load in the window
     std::vector<AveragedLoad> averaged;                        ///< the same load over each averaging time, rising
+    std::vector<PartLoad> parts;                               ///< loads on each part of a structure of several
+    MomentStatistics yaw, roll, pitch;                         ///< of the moments on the structure, in the window
     double mean_sway = 0;                                      ///< N, over the window
     double mean_heave = 0;                                     ///< N, over the window
     double failure_ratio = 0;                                  ///< broken floes / floes at the end of the run, 0-1

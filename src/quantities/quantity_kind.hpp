@@ -89,4 +89,16 @@ constexpr Quantity work_quantity(const char* key, std::string_view long_name, Pl
     return {.key = key, .unit = "N", .long_name = long_name, .place = place, .least = no_least, .since = since};
 }
 
+/// A statistic of a moment on the structure in the window; simulation/hull_loads.hpp has the signs.
+template <auto moment, auto statistic>
+constexpr Quantity moment_quantity(const char* key, std::string_view long_name) {
+    const bool has_sign = ShortText(key).view().starts_with("mean");
+    return {.key = key,
+            .unit = "N m",
+            .long_name = long_name,
+            .place = at<moment, statistic>(),
+            .least = has_sign ? no_least : 0,
+            .since = 13};
+}
+
 }  // namespace floes

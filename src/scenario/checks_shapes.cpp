@@ -31,6 +31,9 @@ void check_shapes(const Scenario& scenario, Contradictions& found) {
                "arrangement.method = \"scattered\"");
     else if (scenario.arrangement.ordering_sweeps > 0)
         refuse("arrangement.ordering_sweeps", "Monte Carlo moves rectangles only", "arrangement.ordering_sweeps = 0");
+    if (!scenario.structure.shape.is_of_revolution() && scenario.water.flow == WaterFlow::potential)
+        refuse("hull.shape", "the flow round a hull that is none of revolution is computed for square elements only",
+               "water.flow = \"still\"");
     if (voronoi && scenario.sizes.law != SizeLaw::one)
         refuse("sizes.law", "the diagram decides the areas",
                "sizes.law = \"one\", shapes.kind = \"polygon\", or another number of shapes.relaxations");

@@ -18,17 +18,35 @@ namespace {
 
 constexpr double rounding = 1e-9;  // m
 
+void check_added_volume(const Structure& structure, Contradictions& found) {
+    const double own = structure.hull_file.volume;
+    if (structure.shape.kind() != HullKind::file || own == 0) return;
+    const double added = structure.shape.volume() / own - 1;
+    if (added <= structure.hull_file.most_added) return;
+    found.push_back(
+        {{"hull.most_added_percent", "hull.file"},
+         fmt::format("the convex pieces of the hull fill {:.3g} % more than it, over hull.most_added_percent = {:g}; "
+                     "cut the hull into bodies that are convex yourself, or allow more",
+                     100 * added, 100 * structure.hull_file.most_added)});
+}
+
 }  // namespace
 
 void check_shape(const Scenario& scenario, Contradictions& found) {
-    const std::string key = "structure.profile_m";
-    if (const auto fault = scenario.structure.shape.fault())
+    const Structure& structure = scenario.structure;
+    const bool by_profile = structure.shape.kind() == HullKind::profile;
+    const std::string key = by_profile ? "structure.profile_m" : "hull.shape";
+    if (const auto fault = structure.shape.fault()) {
         found.push_back({{key}, fmt::format("{} {}", given(scenario, key), *fault)});
+        return;
+    }
+    check_added_volume(structure, found);
 }
 
 void check_tow(const Scenario& scenario, Contradictions& found) {
     const Structure& structure = scenario.structure;
     const double radius = structure.shape.waterline_radius();
+    const double ahead = structure.shape.waterline_ahead();
     const double duration = scenario.analysis.steady_start + scenario.analysis.window;
     // Ice that nothing holds drifts with the current while the structure comes.
     const double drift = scenario.field.far_end == FarEnd::open ? scenario.water.current_velocity().x() : 0;
@@ -50,23 +68,23 @@ void check_tow(const Scenario& scenario, Contradictions& found) {
                  "the field or make the structure slimmer",
                  radius, given(scenario, "field.half_width_m"))});
     }
-    if (structure.start + radius > scenario.field.begin + rounding) {
+    if (structure.start + ahead > scenario.field.begin + rounding) {
         found.push_back(
             {{"structure.start_m", "field.begin_m"},
              fmt::format("{} puts the structure's waterline to x = {:.4g} m, inside the ice that begins at {}; start "
                          "before {:.4g}",
-                         given(scenario, "structure.start_m"), structure.start + radius,
-                         given(scenario, "field.begin_m"), scenario.field.begin - radius)});
-    } else if (end + radius < scenario.field.begin && !scenario.path.any()) {
+                         given(scenario, "structure.start_m"), structure.start + ahead,
+                         given(scenario, "field.begin_m"), scenario.field.begin - ahead)});
+    } else if (end + ahead < scenario.field.begin && !scenario.path.any()) {
         found.push_back(
             {{"field.begin_m", "structure.start_m", "structure.speed_m_s", "analysis.window_s",
               "analysis.steady_start_s"},
              fmt::format(
                  "the tow never reaches the ice: with {} the structure's waterline ends at x = {:.4g} m after {:.6g} "
                  "s, before {}; start nearer, tow faster or longer",
-                 course(), end + radius, duration, given(scenario, "field.begin_m"))});
+                 course(), end + ahead, duration, given(scenario, "field.begin_m"))});
     }
-    if (end + radius > scenario.field_end() + rounding && !scenario.path.any()) {
+    if (end + ahead > scenario.field_end() + rounding && !scenario.path.any()) {
         const bool closed = scenario.field.far_end == FarEnd::ice_sheet;
         found.push_back(
             {{"analysis.window_s", "analysis.steady_start_s", "structure.speed_m_s", "structure.start_m",
@@ -74,7 +92,7 @@ void check_tow(const Scenario& scenario, Contradictions& found) {
              fmt::format(
                  "the tow runs {}: with {} the structure's waterline ends at x = {:.4g} m after {:.6g} s, past the "
                  "field's end at {:.4g} m; tow for a shorter time or take more floes",
-                 closed ? "into the ice sheet at the far end" : "out of the ice", course(), end + radius, duration,
+                 closed ? "into the ice sheet at the far end" : "out of the ice", course(), end + ahead, duration,
                  scenario.field_end())});
     }
 }

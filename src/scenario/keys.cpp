@@ -52,6 +52,7 @@ Keys describe(Scenario& scenario) {
     add_field(keys, scenario.field);
     add_arrangement(keys, scenario.arrangement);
     add_structure(keys, scenario.structure);
+    add_hull(keys, scenario.structure);
     add_path(keys, scenario.path);
     add_moorings(keys, scenario.moorings);
     add_contact(keys, scenario.contact);
@@ -80,7 +81,11 @@ TableTitles scenario_titles() {
          "and the concentration."},
         {"arrangement", "How the initial positions of the floes are generated."},
         {"structure",
-         "The towed body of revolution. Its wall, the far end of the channel and how the floes lie decide the load."},
+         "The towed structure. Its wall, the far end of the channel and how the floes lie decide the load."},
+        {"hull",
+         "The shape of the structure, where it is no body of revolution by structure.profile_m (hulls.md). Ahead is "
+         "+x, "
+         "starboard +z; the axis is in the middle of the waterline's length."},
         {"path", "Where the structure goes, or the ice drifts, if not straight on at structure.speed_m_s."},
         {"moorings",
          "What holds a structure that gives way to the ice. Its anchors are towed, which is the same as ice that "

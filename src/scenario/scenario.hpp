@@ -136,9 +136,24 @@ struct ArrangementRule {
     std::vector<std::vector<double>> values;  ///< of each floe, in the order of `columns` and in the units of the keys
 };
 
+enum class LengthUnit { m, mm, cm, inch, foot };                            ///< of a file
+enum class HullAxis { plus_x, minus_x, plus_y, minus_y, plus_z, minus_z };  ///< of a file
+
+/// How a CAD file becomes a hull. It is read once; the shape's pieces are the truth from then on.
+struct HullFile {
+    std::string path;  ///< empty once its pieces are in the shape
+    LengthUnit unit = LengthUnit::m;
+    HullAxis up = HullAxis::plus_z;
+    HullAxis forward = HullAxis::plus_x;
+    double waterline = 0;      ///< height of the waterline along `up` in the file, m
+    double most_added = 0.05;  ///< volume that pieces may add to the hull, over its own
+    double volume = 0;         ///< of the hull in the file, m³; 0: it came from none
+};
+
 /// The towed structure.
 struct Structure {
-    Shape shape;          ///< Table 2
+    Shape shape;  ///< Table 2
+    HullFile hull_file;
     double start = 2.0;   ///< x of the axis at t = 0, m
     double speed = 0.07;  ///< V, m/s (Table 1)
 };

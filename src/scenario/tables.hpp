@@ -13,6 +13,7 @@ void add_joint(Keys& keys, Joint& joint);
 void add_field(Keys& keys, Field& field);
 void add_arrangement(Keys& keys, ArrangementRule& arrangement);
 void add_structure(Keys& keys, Structure& structure);
+void add_hull(Keys& keys, Structure& structure);
 void add_path(Keys& keys, Path& path);
 void add_moorings(Keys& keys, Moorings& moorings);
 void add_contact(Keys& keys, ContactLaw& contact);

@@ -44,7 +44,7 @@ RowsField shape_rows(Shape& shape) {
         columns.push_back(
             {fmt::format("{}_{}", column.name, column.unit), unit::one, at_least(column.low).at_most(column.high)});
     return {columns, [&shape] { return shape.rows(); },
-            [&shape](const std::vector<std::vector<double>>& rows) { shape = Shape::of_rows(rows); }};
+            [&shape](const std::vector<std::vector<double>>& rows) { shape.set_profile(rows); }};
 }
 
 /// The radius of the lowest point as a key of its own, so that a design can have it as an axis.
@@ -58,7 +58,7 @@ Key keel_radius(Shape& shape) {
                        [&shape, rows_of](double value) {
                            std::vector<std::vector<double>> rows = rows_of();
                            rows.front().back() = value;
-                           shape = Shape::of_rows(rows);
+                           shape.set_profile(rows);
                        },
                        unit::one, at_least(0).at_most(Shape::columns.back().high)};
     return part_key({"structure.keel_radius_m", std::move(radius), "structure.profile_m",
@@ -171,12 +171,14 @@ void add_arrangement(Keys& keys, ArrangementRule& arrangement) {
 }
 
 void add_structure(Keys& keys, Structure& structure) {
-    keys.push_back(
+    const auto by_profile = [&structure] { return structure.shape.kind() == HullKind::profile; };
+    keys.push_back(only_with(
+        "hull.shape = \"profile\"", by_profile,
         {"structure.profile_m", shape_rows(structure.shape),
          "Table 2; the radius at the bottom is fitted (docs/validation.md)",
          "Radius over height above the waterline, from the keel up, with heights that never decrease. The wall angle "
-         "decides the load: a steeper wall below the waterline gives higher loads and more broken floes."});
-    keys.push_back(keel_radius(structure.shape));
+         "decides the load: a steeper wall below the waterline gives higher loads and more broken floes."}));
+    keys.push_back(only_with("hull.shape = \"profile\"", by_profile, keel_radius(structure.shape)));
     keys.push_back(number_key("structure.start_m", structure.start, unit::one, at_least(-farthest).at_most(farthest),
                               "the paper, Simulation Design", "Initial position of the structure's axis along x."));
     keys.push_back(number_key("structure.speed_m_s", structure.speed, unit::one, above(0).at_most(100), "Table 1",

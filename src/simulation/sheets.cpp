@@ -10,7 +10,9 @@
 namespace floes {
 
 Sheets::Sheets(World& world, const Scenario& scenario, const Channel& channel)
-    : confining_(scenario.field.confining), radius_(scenario.structure.shape.waterline_radius()) {
+    : confining_(scenario.field.confining),
+      radius_(scenario.structure.shape.waterline_radius()),
+      ahead_(scenario.structure.shape.waterline_ahead()) {
     for (const IceSheet& form : channel.sheets) {
         if (!give_way()) {
             world.add_fixed_box({.half_extents = form.half_extents, .pose = {.position = form.centre}});
@@ -59,7 +61,7 @@ void Sheets::read(const World& world, const PlanarPose& at, double time) {
         mean_speed_[i] = 0.5 * (before + motions_[i].speed);
         const Vec3 edge = state.position + form.half_extents.cwiseProduct(form.inwards);
         const Vec3 structure(at.x, 0, at.z);
-        if ((structure - edge).dot(form.inwards) > radius_) continue;
+        if ((structure - edge).dot(form.inwards) > (form.inwards.x() == 0 ? radius_ : ahead_)) continue;
         throw MemberFailure(fmt::format(
             "The ice sheet at {} has closed as far as the structure (t = {:.2f} s), which sheets cannot touch; take a "
             "smaller field.confining_N_m, a wider field or a higher concentration.",

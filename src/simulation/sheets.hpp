@@ -52,6 +52,7 @@ class Sheets {
 
     double confining_;
     double radius_;  ///< of the structure
+    double ahead_;   ///< of its waterline, from the axis, m
     std::vector<Sheet> sheets_;
     std::vector<SheetMotion> motions_;
     std::vector<double> mean_speed_;  ///< in the last step, m/s

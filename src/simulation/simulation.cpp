@@ -17,11 +17,22 @@
 namespace floes {
 namespace {
 
-BodyId add_structure(World& world, const Scenario& scenario) {
+std::vector<ConvexSolid> solids_of(const Scenario& scenario) {
     const Shape& shape = scenario.structure.shape;
-    const std::vector<ConvexSolid> solids =
-        scenario.contact.internal_edges ? shape.solids() : shape.overlapping_solids();
-    return world.add_structure(solids, {scenario.structure.start, 0, 0});
+    return scenario.contact.internal_edges ? shape.solids() : shape.overlapping_solids();
+}
+
+BodyId add_structure(World& world, const Scenario& scenario) {
+    return world.add_structure(solids_of(scenario), {scenario.structure.start, 0, 0});
+}
+
+/// What water flows round; none: the waterline circle.
+std::vector<FlowEllipse> flow_ellipses(const Shape& shape) {
+    std::vector<FlowEllipse> ellipses;
+    if (shape.is_of_revolution()) return ellipses;
+    for (const WaterlineEllipse& one : shape.waterline_ellipses())
+        ellipses.push_back({one.x, one.z, one.half_length, one.half_breadth});
+    return ellipses;
 }
 
 /// Of the structure in one step. More than the tank's ever are, and no bound: with more the memory grows.
@@ -33,6 +44,7 @@ WaterLanes make_water(const Scenario& scenario, const FloeSet& floes, const IceF
     std::map<std::pair<std::size_t, double>, std::size_t> kinds;  // shape and density -> model
     std::vector<WaterModel> models;
     std::vector<std::size_t> kind_of_floe;
+    const std::vector<FlowEllipse> ellipses = flow_ellipses(scenario.structure.shape);
     for (std::size_t i = 0; i < floes.size(); ++i) {
         if (floes.shape(i).is_polygon()) {
             kind_of_floe.push_back(0);
@@ -46,6 +58,7 @@ WaterLanes make_water(const Scenario& scenario, const FloeSet& floes, const IceF
         models.emplace_back(scenario.water, scenario.general.gravity, ElementShape{shape.element, shape.thickness},
                             shape.element_mass(floes.material(i).ice), scenario.structure.shape.waterline_radius(),
                             scenario.structure.speed, scenario.wind.stress());
+        models.back().flow_round(ellipses);
     }
     std::vector<std::size_t> kind_of_element;
     std::vector<PolygonWater> polygons;
@@ -78,7 +91,9 @@ Simulation::Simulation(const Scenario& scenario, const FloeSet& floes)
       piece_water_(scenario, floes),
       work_(scenario, floes, ice_, structure_),
       sleeping_(scenario.field.wake_radius, ice_.elements()),
-      contact_bins_(scenario.structure.shape.bottom(), scenario.structure.shape.top()) {
+      contact_bins_(scenario.structure.shape.bottom(), scenario.structure.shape.top()),
+      hull_loads_(scenario.structure.shape, solids_of(scenario),
+                  static_cast<std::size_t>(scenario.step_count() - scenario.first_window_step())) {
     for (int floe = 0; floe < ice_.floes(); ++floe) piece_water_.share_out(floe, ice_, world_, water_);
     const auto steps = static_cast<std::size_t>(scenario.step_count());
     loads_.surge.reserve(steps);
@@ -220,7 +235,8 @@ void Simulation::apply_water() {
                    {state.position, state.rotation, state.velocity, state.angular_velocity, elements[i].exposed_edges});
     }
     const PlanarPose& structure = motion_.before();
-    if (motion_.is_free()) water_.move_structure(structure.z, {motion_.velocity().x(), motion_.velocity().z()});
+    if (motion_.is_free())
+        water_.move_structure({structure.z, structure.yaw, {motion_.velocity().x(), motion_.velocity().z()}});
     if (work_.looks_at(steps_))
         work_.split_water(water_, structure.x);
     else
@@ -249,7 +265,8 @@ void Simulation::check_structure() const {
     const double radius = scenario_.structure.shape.waterline_radius();
     const PlanarPose& at = motion_.after();
     const bool bank = field.sides == FieldSides::ice_sheet && std::abs(at.z) + radius > field.half_width;
-    const bool end = field.far_end == FarEnd::ice_sheet && at.x + radius > scenario_.field_end();
+    const bool end = field.far_end == FarEnd::ice_sheet &&
+                     at.x + scenario_.structure.shape.waterline_ahead() > scenario_.field_end();
     if (field.confining > 0 || (!bank && !end)) return;
     throw MemberFailure(fmt::format(
         "The moored structure has come to the ice sheet at {} (t = {:.2f} s), {:.4g} m from where its moorings would "

@@ -18,6 +18,7 @@
 #include "scenario/scenario.hpp"
 #include "simulation/channel.hpp"
 #include "simulation/frame.hpp"
+#include "simulation/hull_loads.hpp"
 #include "simulation/load_history.hpp"
 #include "simulation/motion_history.hpp"
 #include "simulation/piece_water.hpp"
@@ -76,6 +77,9 @@ class Simulation {
     /// Where on the structure the load acted, over the steps of the analysis window so far; at least one.
     LoadMap load_map() const { return contact_bins_.means(static_cast<std::size_t>(steps_in_window_)); }
 
+    /// On parts of the structure, and moments, over the steps of the analysis window so far; at least one.
+    const HullLoads& hull_loads() const { return hull_loads_; }
+
     /// Where the work of the tow went in the analysis window so far.
     WorkShares work() const { return work_.shares(); }
 
@@ -129,6 +133,7 @@ class Simulation {
     MotionHistory motions_;
     std::vector<ContactForce> structure_contacts_;  ///< of the last step in the window
     ContactBins contact_bins_;
+    HullLoads hull_loads_;
     int steps_in_window_ = 0;
     std::int64_t sweeps_ = 0;
     int swept_steps_ = 0;

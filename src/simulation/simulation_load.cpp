@@ -34,6 +34,7 @@ void Simulation::map_contacts() {
         const double surge = -motion_.in_own_axes(one.normal + one.friction).x();  // of a; on b the opposite
         contact_bins_.add(arm.x(), arm.y(), arm.z(), one.a == structure_ ? surge : -surge, one.normal.norm());
     }
+    hull_loads_.add(structure_contacts_, structure_, motion_);
     ++steps_in_window_;
 }
 

@@ -24,6 +24,7 @@ struct SolverContact {
     /// m², of a crushing contact: the area that crushes, in place of that of two boxes; below 0: that of the boxes.
     double section = -1;
     double section_growth = 0;  ///< m, what it gains per depth
+    int solid = -1;             ///< of a structure's solids, which one it is at; -1: at none
 };
 
 }  // namespace floes

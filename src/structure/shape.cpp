@@ -1,152 +1,199 @@
 #include "structure/shape.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/units.hpp"
+#include "structure/measures.hpp"
 
 namespace floes {
 namespace {
 
-constexpr std::size_t most_points = 1000;
+constexpr std::size_t most_pieces = 1000;
 
-bool is_a_point(const ProfilePoint& point) {
-    return std::isfinite(point.height) && std::isfinite(point.radius) && point.radius >= 0;
+double farthest(const std::vector<ConvexSolid>& solids, const Vec3& direction) {
+    double reach = -1e300;
+    for (const ConvexSolid& solid : solids)
+        reach = std::max(reach, direction.dot(solid.place + solid.farthest(direction)));
+    return reach;
 }
 
-bool falls(const ProfilePoint& below, const ProfilePoint& above) {
-    return above.height < below.height;
+std::vector<ConvexSolid> as_solids(const std::vector<Frustum>& frusta) {
+    return {frusta.begin(), frusta.end()};
 }
 
-std::string part_words(const ProfilePoint& lower, const ProfilePoint& upper) {
-    const double angle = std::atan2(upper.height - lower.height, std::abs(upper.radius - lower.radius)) / unit::degree;
-    return fmt::format("{:.1f}° from the horizontal (radius {:.3f} m at {:+.3f} m to {:.3f} m at {:+.3f} m)", angle,
-                       lower.radius, lower.height, upper.radius, upper.height);
+/// A list of names as one text, divided by commas.
+std::vector<std::string> names_in(const std::string& text) {
+    std::vector<std::string> names;
+    for (std::size_t from = 0; from <= text.size() && !text.empty();) {
+        const std::size_t comma = std::min(text.find(',', from), text.size());
+        const std::size_t first = std::min(text.find_first_not_of(' ', from), comma);
+        std::size_t last = comma;
+        while (last > first && text[last - 1] == ' ') --last;
+        names.push_back(text.substr(first, last - first));
+        from = comma + 1;
+    }
+    return names;
 }
 
 }  // namespace
 
-Shape::Shape() : Shape({{-0.443, 0.445}, {0, 0.614}, {0.122, 0.736}}) {}
+Shape::Shape() : Shape(std::vector<ProfilePoint>{{-0.443, 0.445}, {0, 0.614}, {0.122, 0.736}}) {}
 
 Shape::Shape(std::vector<ProfilePoint> profile) : profile_(std::move(profile)) {}
 
-std::vector<std::vector<double>> Shape::rows() const {
-    std::vector<std::vector<double>> rows;
-    for (const ProfilePoint& point : profile_) rows.push_back({point.height, point.radius});
-    return rows;
+Shape::Shape(HullKind kind, const HullSizes& sizes) : Shape() {
+    kind_ = kind;
+    sizes_ = sizes;
 }
 
 Shape Shape::of_rows(const std::vector<std::vector<double>>& rows) {
-    std::vector<ProfilePoint> profile;
-    for (const std::vector<double>& row : rows) profile.push_back({row.at(0), row.at(1)});
-    return Shape(std::move(profile));
+    return Shape(Profile::of_rows(rows).points());
 }
 
-std::optional<std::string> Shape::fault() const {
-    if (profile_.size() < 2) return "is not a body; give at least two [height_m, radius_m] points";
-    if (profile_.size() > most_points) return fmt::format("has more than {} points", most_points);
-    if (!std::ranges::all_of(profile_, is_a_point))
-        return "has a point that is none; heights must be finite, radii finite and at least 0";
-    if (std::ranges::adjacent_find(profile_, falls) != profile_.end())
-        return "has a height that falls; give the points from the keel up";
-    if (!(bottom() < 0 && top() > 0)) return "does not span the waterline; give points below and above height 0";
-    if (waterline_radius() <= 0) return "has no radius at the waterline; make its radius at height 0 greater than 0";
+Profile Shape::in_force() const {
+    if (kind_ == HullKind::profile) return profile_;
+    std::vector<ProfilePoint> points;
+    for (const Vec2& point : profile_of(kind_, sizes_)) points.push_back({point.x(), point.y()});
+    return Profile(std::move(points));
+}
+
+HullSolids Shape::pieces() const {
+    if (kind_ != HullKind::file) return solids_of(kind_, sizes_);
+    HullSolids all{names_in(part_list_), file_solids_};
+    for (const std::vector<double>& row : face_rows_) {
+        const auto piece = static_cast<std::size_t>(row.at(0));
+        const auto face = static_cast<std::size_t>(row.at(1));
+        if (piece >= all.solids.size()) continue;
+        ConvexSolid& solid = all.solids[piece];
+        const std::size_t faces = std::get<Polyhedron>(solid.form).faces.size();
+        if (solid.face_parts.empty()) solid.face_parts.assign(faces, solid.part);
+        if (face < faces) solid.face_parts[face] = static_cast<int>(row.at(2));
+    }
+    return all;
+}
+
+std::vector<std::vector<double>> Shape::profile() const {
+    return is_of_revolution() ? in_force().rows() : std::vector<std::vector<double>>{};
+}
+
+std::vector<std::string> Shape::parts() const {
+    return is_of_revolution() ? std::vector<std::string>{"hull"} : pieces().parts;
+}
+
+const Polyhedron& Shape::polyhedron(std::size_t piece) const {
+    return std::get<Polyhedron>(file_solids_[piece].form);
+}
+
+std::vector<std::vector<double>> Shape::piece_rows() const {
+    std::vector<std::vector<double>> rows;
+    for (std::size_t k = 0; k < file_solids_.size(); ++k)
+        for (const Vec3& corner : polyhedron(k).corners)
+            rows.push_back({static_cast<double>(k), static_cast<double>(file_solids_[k].part), corner.x(), corner.y(),
+                            corner.z()});
+    return rows;
+}
+
+void Shape::set_pieces(const std::vector<std::vector<double>>& rows) {
+    std::map<double, std::pair<int, std::vector<Vec3>>> pieces;
+    for (const std::vector<double>& row : rows) {
+        auto& [part, points] = pieces[row.at(0)];
+        part = static_cast<int>(row.at(1));
+        points.emplace_back(row.at(2), row.at(3), row.at(4));
+    }
+    file_solids_.clear();
+    for (const auto& [number, piece] : pieces) file_solids_.emplace_back(convex_hull(piece.second), piece.first);
+}
+
+std::optional<std::string> Shape::fault_of_pieces() const {
+    if (file_solids_.empty()) return "needs hull.file, or hull.pieces and hull.parts";
+    if (file_solids_.size() > most_pieces) return fmt::format("has more than {} pieces", most_pieces);
+    const std::vector<std::string> given = names_in(part_list_);
+    for (std::size_t k = 0; k < file_solids_.size(); ++k) {
+        const ConvexSolid& one = file_solids_[k];
+        if (one.fault()) return fmt::format("has its piece {} flat; give it points that are not in one plane", k);
+        if (one.part < 0 || one.part >= static_cast<int>(given.size()))
+            return fmt::format("has its piece {} in part {}, but hull.parts names {}", k, one.part, given.size());
+    }
+    for (const std::vector<double>& row : face_rows_) {
+        const auto piece = static_cast<std::size_t>(row.at(0));
+        if (piece >= file_solids_.size() || row.at(1) >= static_cast<double>(polyhedron(piece).faces.size()) ||
+            row.at(2) >= static_cast<double>(given.size()))
+            return fmt::format("has a row in hull.faces, [{}, {}, {}], of a piece, face or part that there is not",
+                               row.at(0), row.at(1), row.at(2));
+    }
+    const std::set<std::string> names(given.begin(), given.end());
+    if (names.size() < given.size() || names.contains("")) return "has parts without a name of their own";
+    if (!(bottom() < 0 && top() > 0)) return "does not reach above and below the water; set hull.waterline_m";
+    if (!(waterplane_area() > 0)) return "cuts nothing out of the water";
     return std::nullopt;
 }
 
+std::optional<std::string> Shape::fault() const {
+    if (kind_ == HullKind::profile) return profile_.fault();
+    if (kind_ == HullKind::file) return fault_of_pieces();
+    if (auto wrong = fault_of(kind_, sizes_)) return wrong;
+    return is_of_revolution() ? in_force().fault() : std::nullopt;
+}
+
 std::vector<ConvexSolid> Shape::solids() const {
-    if (const auto wrong = fault()) throw InputError(fmt::format("The structure's profile {}.", *wrong));
-    std::vector<ConvexSolid> solids;
-    for (std::size_t i = 1; i < profile_.size(); ++i) {
-        const ProfilePoint& low = profile_[i - 1];
-        const ProfilePoint& high = profile_[i];
-        const bool flat = low.height == high.height;
-        const bool on_axis = low.radius == 0 && high.radius == 0;
-        if (!flat && !on_axis) solids.push_back({low.height, low.radius, high.height, high.radius});
-    }
-    return solids;
+    if (is_of_revolution()) return as_solids(in_force().solids());
+    if (const auto wrong = fault()) throw InputError(fmt::format("The structure {}.", *wrong));
+    return pieces().solids;
 }
 
 std::vector<ConvexSolid> Shape::overlapping_solids() const {
-    std::vector<ConvexSolid> continued = solids();
-    for (ConvexSolid& solid : continued) {
-        const double slope = (solid.top_radius - solid.bottom_radius) / (solid.top_height - solid.bottom_height);
-        const double low = solid.bottom_height;
-        const auto wall = [&, from = solid.bottom_radius](double height) { return from + slope * (height - low); };
-        const auto inside = [&](const ProfilePoint& point) {
-            const double radius = wall(point.height);
-            return radius >= 0 && radius <= point.radius;
-        };
-        for (const ProfilePoint& point : profile_) {
-            if (point.height <= solid.top_height) continue;
-            if (!inside(point)) break;
-            solid.top_height = point.height;
-            solid.top_radius = wall(point.height);
-        }
-        for (const ProfilePoint& point : profile_ | std::views::reverse) {
-            if (point.height >= solid.bottom_height) continue;
-            if (!inside(point)) break;
-            solid.bottom_radius = wall(point.height);
-            solid.bottom_height = point.height;
-        }
-    }
-    return continued;
+    return is_of_revolution() ? as_solids(in_force().overlapping_solids()) : solids();
 }
 
 double Shape::waterline_radius() const {
-    double radius = 0;
-    for (std::size_t i = 1; i < profile_.size(); ++i) {
-        const ProfilePoint& below = profile_[i - 1];
-        const ProfilePoint& above = profile_[i];
-        if (below.height > 0 || above.height < 0) continue;
-        const double rise = above.height - below.height;
-        const double here = rise > 0 ? below.radius - (above.radius - below.radius) * below.height / rise
-                                     : std::max(below.radius, above.radius);
-        radius = std::max(radius, here);
-    }
-    return radius;
+    if (is_of_revolution()) return in_force().waterline_radius();
+    double half_breadth = 0;
+    for (const std::vector<Vec2>& outline : waterlines())
+        for (const Vec2& point : outline) half_breadth = std::max(half_breadth, std::abs(point.y()));
+    return half_breadth;
+}
+
+double Shape::waterline_ahead() const {
+    if (is_of_revolution()) return in_force().waterline_radius();
+    double ahead = 0;
+    for (const std::vector<Vec2>& outline : waterlines())
+        for (const Vec2& point : outline) ahead = std::max(ahead, point.x());
+    return ahead;
 }
 
 double Shape::largest_radius() const {
+    if (is_of_revolution()) return in_force().largest_radius();
     double largest = 0;
-    for (const ProfilePoint& point : profile_) largest = std::max(largest, point.radius);
+    for (const ConvexSolid& solid : pieces().solids)
+        for (const Vec3& corner : solid.corners(round_sides))
+            largest = std::max(largest, std::hypot(corner.x(), corner.z()));
     return largest;
 }
 
 double Shape::bottom() const {
-    return profile_.empty() ? 0 : profile_.front().height;
+    return is_of_revolution() ? in_force().bottom() : -farthest(pieces().solids, -Vec3::UnitY());
 }
 
 double Shape::top() const {
-    return profile_.empty() ? 0 : profile_.back().height;
+    return is_of_revolution() ? in_force().top() : farthest(pieces().solids, Vec3::UnitY());
 }
 
 double Shape::wall_angle_above_water() const {
-    const auto above = std::ranges::find_if(profile_, [](const ProfilePoint& point) { return point.height > 0; });
-    if (above == profile_.begin() || above == profile_.end())
-        throw InputError("The structure has no wall above the waterline.");
-    const auto below = above - 1;
-    return std::atan2(above->height - below->height, above->radius - below->radius);
+    if (is_of_revolution()) return in_force().wall_angle_above_water();
+    throw InputError("Only a body of revolution has the same wall all round; hull.shape is none.");
 }
 
 std::string Shape::words() const {
-    std::vector<std::string> parts;
-    for (std::size_t i = 1; i < profile_.size(); ++i) parts.push_back(part_words(profile_[i - 1], profile_[i]));
-    return fmt::format("{}{}", parts.size() == 1 ? "straight, " : "", fmt::join(parts, ", then "));
-}
-
-std::vector<Vec2> Shape::section() const {
-    std::vector<Vec2> outline;
-    for (const ProfilePoint& point : profile_) outline.emplace_back(point.radius, point.height);
-    for (auto point = profile_.rbegin(); point != profile_.rend(); ++point)
-        outline.emplace_back(-point->radius, point->height);
-    return outline;
+    if (is_of_revolution()) return in_force().words();
+    if (kind_ != HullKind::file) return words_of(kind_, sizes_);
+    return fmt::format("{} convex pieces in {} parts, {:.4g} m wide at the waterline, draught {:.4g} m",
+                       file_solids_.size(), names_in(part_list_).size(), 2 * waterline_radius(), draught());
 }
 
 }  // namespace floes

@@ -1,6 +1,7 @@
 #pragma once
-// The shape of the towed structure, as one value that answers all that others need to know of it. How it is given, a
-// body of revolution about a vertical axis by its radius over height, is known in this room only.
+// The shape of the towed structure, as one value that answers all that others need to know of it. How it is given, as a
+// body of revolution about a vertical axis by its radius over height, by a few sizes, or as convex pieces, is known in
+// this room only. Axes: x ahead, y up from the waterline, z to starboard.
 
 #include <array>
 #include <optional>
@@ -10,15 +11,10 @@
 
 #include "core/vector.hpp"
 #include "structure/convex_solid.hpp"
+#include "structure/hull_sizes.hpp"
+#include "structure/profile.hpp"
 
 namespace floes {
-
-/// A point of the profile: height above the waterline (m, negative below) and radius there (m).
-struct ProfilePoint {
-    double height = 0;
-    double radius = 0;
-    friend bool operator==(const ProfilePoint&, const ProfilePoint&) = default;
-};
 
 /// One number of each row in which a shape is written down, SI.
 struct ShapeColumn {
@@ -38,6 +34,16 @@ struct SurfaceMesh {
     Vec3 normal(const std::vector<int>& polygon) const;
 };
 
+/// A circle or an ellipse that stands for what the hull cuts out of the water, where water flows round it, m.
+struct WaterlineEllipse {
+    double x = 0;  ///< of its middle
+    double z = 0;
+    double half_length = 0;   ///< along x
+    double half_breadth = 0;  ///< along z
+
+    friend bool operator==(const WaterlineEllipse&, const WaterlineEllipse&) = default;
+};
+
 class Shape {
   public:
     /// Table 2: breadths 1.472 and 1.228 m, draught 0.443 m, depth 0.565 m. Above the waterline a straight wall through
@@ -49,11 +55,47 @@ class Shape {
     /// be convex. Whether it is a body is for fault() to say.
     explicit Shape(std::vector<ProfilePoint> profile);
 
+    /// As one of the built-in hulls.
+    Shape(HullKind kind, const HullSizes& sizes);
+
+    /// The same shape, given in another way, or with other numbers: all that is given is kept beside what is in force.
+    HullKind kind() const { return kind_; }
+    void set_kind(HullKind kind) { kind_ = kind; }
+    const HullSizes& sizes() const { return sizes_; }
+    void set_size(double HullSizes::*size, double value) { sizes_.*size = value; }
+    void set_profile(const std::vector<std::vector<double>>& rows) { profile_ = Profile::of_rows(rows); }
+
+    /// A point of a convex piece of kind file: number of its piece, index of its part, then x, height and z in m.
+    static constexpr std::array<ShapeColumn, 5> piece_columns{{{"piece", "", "number of the piece, from 0", 0, 1e6},
+                                                               {"part", "", "index of its part", 0, 1e6},
+                                                               {"x", "_m", "ahead of the axis", -1e4, 1e4},
+                                                               {"height", "_m", "above the waterline", -1e4, 1e4},
+                                                               {"z", "_m", "to starboard", -1e4, 1e4}}};
+    std::vector<std::vector<double>> piece_rows() const;
+    /// Points of one piece are its corners; those inside the hull of the others are left out. Throws InputError as
+    /// convex_hull() does.
+    void set_pieces(const std::vector<std::vector<double>>& rows);
+    /// A face of such a piece that is of another part than the piece; faces as convex_hull() orders them.
+    static constexpr std::array<ShapeColumn, 3> face_columns{{{"piece", "", "number of the piece, from 0", 0, 1e6},
+                                                              {"face", "", "number of its face, from 0", 0, 1e6},
+                                                              {"part", "", "index of the face's part", 0, 1e6}}};
+    const std::vector<std::vector<double>>& face_rows() const { return face_rows_; }
+    void set_faces(const std::vector<std::vector<double>>& rows) { face_rows_ = rows; }
+
+    /// Names of the parts of kind file, divided by commas.
+    std::string& part_list() { return part_list_; }
+
+    bool is_of_revolution() const { return kind_ <= HullKind::cone_down; }
+
+    /// Names of its parts; a body of revolution is one.
+    std::vector<std::string> parts() const;
+
     /// The shape as rows of numbers, for keys, files and reports.
     static constexpr std::array<ShapeColumn, 2> columns{
         {{"height", "m", "height of a profile point above the waterline", -1000, 1000},
          {"radius", "m", "radius of the structure at a profile point", 0, 1000}}};
-    std::vector<std::vector<double>> rows() const;
+    std::vector<std::vector<double>> rows() const { return profile_.rows(); }     ///< as given, in force or not
+    std::vector<std::vector<double>> profile() const;  ///< in force; of a hull that is none of revolution empty
     static Shape of_rows(const std::vector<std::vector<double>>& rows);
 
     /// Why it is no body that stands in the water, as "does not span the waterline; give points below and above height
@@ -67,12 +109,24 @@ class Shape {
     /// shape: at a waist the rims at which solids meet then lie inside, where nothing can touch them.
     std::vector<ConvexSolid> overlapping_solids() const;
 
-    /// Of the circle that it cuts out of the water, m; at a flat ring the larger. 0 if it does not span the waterline.
+    /// Of the circle that it cuts out of the water, m; at a flat ring the larger. Of a hull that is none of revolution
+    /// half its breadth there. 0 if it does not span the waterline.
     double waterline_radius() const;
-    double largest_radius() const;                ///< m
+    double waterline_ahead() const;               ///< from the axis to where the waterline ends ahead, m
+    double largest_radius() const;                ///< m, from the axis
     double bottom() const;                        ///< height of the keel, m, below 0
     double top() const;                           ///< height of the upper end, m
     double draught() const { return -bottom(); }  ///< m
+
+    double volume() const;           ///< m³; where pieces overlap it counts once
+    double displacement() const;     ///< of what is below the water, m³; sums up pieces
+    double waterplane_area() const;  ///< m²; likewise
+
+    /// What it cuts out of the water, an outline for each piece, m in (x, z).
+    std::vector<std::vector<Vec2>> waterlines() const;
+    /// Ellipses of the same length and breadth, one round all pieces that meet at the waterline; at most most_ellipses.
+    std::vector<WaterlineEllipse> waterline_ellipses() const;
+    static constexpr std::size_t most_ellipses = 8;
 
     /// Angle from the horizontal of the wall that rises from the waterline, rad: under 90 degrees it flares upward (and
     /// bends ice down), 90 degrees is vertical, over 90 degrees it narrows upward.
@@ -82,17 +136,27 @@ class Shape {
     /// part, from the bottom up.
     std::string words() const;
 
-    /// The surface for pictures, m from the axis at the waterline: x along the tow, y up. Round parts have `sides`
-    /// sides.
+    /// The surface for pictures, m from the axis at the waterline. Round parts have `sides` sides; pieces keep faces
+    /// that others hide.
     SurfaceMesh mesh(int sides) const;
 
-    /// Outline of the section along the tow through the axis: (x, height) in m, closed.
-    std::vector<Vec2> section() const;
+    /// Outlines as seen from abeam, one for each piece: (x, height) in m, closed.
+    std::vector<std::vector<Vec2>> side_view() const;
 
     friend bool operator==(const Shape&, const Shape&) = default;
 
   private:
-    std::vector<ProfilePoint> profile_;
+    Profile in_force() const;  ///< of a body of revolution
+    std::optional<std::string> fault_of_pieces() const;
+    const Polyhedron& polyhedron(std::size_t piece) const;  ///< of kind file
+    HullSolids pieces() const;                              ///< of a hull that is none of revolution
+
+    HullKind kind_ = HullKind::profile;
+    Profile profile_;
+    HullSizes sizes_;
+    std::string part_list_;                       ///< of kind file
+    std::vector<ConvexSolid> file_solids_;        ///< likewise
+    std::vector<std::vector<double>> face_rows_;  ///< likewise
 };
 
 }  // namespace floes

@@ -19,10 +19,12 @@ Vec3 SurfaceMesh::normal(const std::vector<int>& polygon) const {
     return size > 0 ? Vec3(twice_area / size) : Vec3(Vec3::Zero());
 }
 
-SurfaceMesh Shape::mesh(int sides) const {
-    const int rings = static_cast<int>(profile_.size());
+namespace {
+
+SurfaceMesh mesh_of(const std::vector<ProfilePoint>& profile, int sides) {
+    const int rings = static_cast<int>(profile.size());
     SurfaceMesh mesh;
-    for (const ProfilePoint& ring : profile_) {
+    for (const ProfilePoint& ring : profile) {
         for (int side = 0; side < sides; ++side) {
             const double angle = 2 * std::numbers::pi * side / sides;
             mesh.points.emplace_back(ring.radius * std::cos(angle), ring.height, ring.radius * std::sin(angle));
@@ -44,6 +46,31 @@ SurfaceMesh Shape::mesh(int sides) const {
         }
     }
     return mesh;
+}
+
+void add(SurfaceMesh& all, const SurfaceMesh& one, const Vec3& place) {
+    const int first = static_cast<int>(all.points.size());
+    for (const Vec3& point : one.points) all.points.emplace_back(point + place);
+    for (std::vector<int> polygon : one.polygons) {
+        for (int& corner : polygon) corner += first;
+        all.polygons.push_back(std::move(polygon));
+    }
+}
+
+}  // namespace
+
+SurfaceMesh Shape::mesh(int sides) const {
+    if (is_of_revolution()) return mesh_of(in_force().points(), sides);
+    SurfaceMesh all;
+    for (const ConvexSolid& solid : pieces().solids) {
+        if (const auto* round = std::get_if<Frustum>(&solid.form))
+            add(all,
+                mesh_of({{round->bottom_height, round->bottom_radius}, {round->top_height, round->top_radius}}, sides),
+                solid.place);
+        else
+            add(all, {std::get<Polyhedron>(solid.form).corners, std::get<Polyhedron>(solid.form).faces}, solid.place);
+    }
+    return all;
 }
 
 }  // namespace floes

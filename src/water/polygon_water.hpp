@@ -29,7 +29,7 @@ class PolygonWater {
     const WaterFactors& factors() const { return factors_; }
 
     /// As WaterLanes::move_structure().
-    void move_structure(double z, const Vec2& velocity) { follow_structure(factors_, flows_, z, velocity); }
+    void move_structure(const StructureInWater& structure) { follow_structure(factors_, flows_, structure); }
 
   private:
     WaterFactors factors_;

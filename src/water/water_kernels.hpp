@@ -19,6 +19,15 @@ inline constexpr std::size_t count = 18;
 /// Fields of the result: force, then moment about the centre of mass.
 inline constexpr std::size_t wrench_fields = 6;
 
+/// Round what the water flows, if not round the circle: up to so many ellipses.
+inline constexpr int most_flow_ellipses = 8;
+
+/// In the structure's axes.
+struct FlowEllipse {
+    double x, z;                       ///< of its middle, m
+    double half_length, half_breadth;  ///< along x and z, m
+};
+
 /// Constants of the terms of water_model.hpp.
 struct WaterFactors {
     double half_side;
@@ -38,6 +47,9 @@ struct WaterFactors {
     double current_x, current_z;  ///< of the water far away, m/s
     double turn_cos, turn_sin;    ///< of the turning angle
     double wind_x, wind_z;        ///< force on a quarter of an element's top, N
+    int ellipses;                 ///< 0: the circle of `radius` about the axis
+    FlowEllipse ellipse[most_flow_ellipses];
+    double yaw_cos, yaw_sin;  ///< of the structure, about +y; ellipses turn with it
 };
 
 /// Structure of arrays: field f of element i is at [f * stride + i]. All start on a vector boundary; the stride is a

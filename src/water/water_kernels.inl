@@ -68,12 +68,60 @@ inline Column submerged_column(const Element& e, double x, double z, double thic
     return {0.0 < length ? length : zero, foot + e.normal * (0.5 * (low + high))};
 }
 
+/// Velocity of the water round one ellipse in the structure's own axes, added to `along` and `across`; (x, z) from its middle.
+inline void add_flow_round(const FlowEllipse& one, const WaterFactors& factors, Pack x, Pack z, Pack& along,
+                           Pack& across) {
+    const Pack zero{};
+    const double a = one.half_length;
+    const double b = one.half_breadth;
+    // Within the ellipse the value on its edge in the same direction; in the middle that at the end of its length.
+    const Pack depth = square_root(x * x / (a * a) + z * z / (b * b));
+    const auto middle = depth == 0.0;
+    const Pack out = middle ? zero + 1.0 : (depth < 1.0 ? 1.0 / depth : zero + 1.0);
+    const Pack p = middle ? zero + a : x * out;
+    const Pack q = middle ? zero : z * out;
+    // s = √(ζ² - c²), ζ = p + i q, c² = a² - b², on the branch that goes with ζ.
+    const Pack u = p * p - q * q - (a * a - b * b);
+    const Pack v = 2.0 * p * q;
+    const Pack size = square_root(u * u + v * v);
+    const Pack real = square_root(0.5 * (size + absolute(u)));
+    const Pack other = real == 0.0 ? zero : 0.5 * v / real;
+    Pack s = u >= 0.0 ? real : absolute(other);
+    Pack t = u >= 0.0 ? other : (v < 0.0 ? zero - real : real);
+    const auto turned = s * p + t * q < 0.0;
+    s = turned ? zero - s : s;
+    t = turned ? zero - t : t;
+    // u - i w = (a + b) (b V_x + i a V_z) / (s (s + ζ))
+    const Pack e = s * (s + p) - t * (t + q);
+    const Pack f = s * (t + q) + t * (s + p);
+    const Pack scale = (a + b) / (e * e + f * f);
+    const double g = b * (factors.speed * factors.yaw_cos - factors.speed_across * factors.yaw_sin);
+    const double h = a * (factors.speed * factors.yaw_sin + factors.speed_across * factors.yaw_cos);
+    along = along + scale * (g * e + h * f);
+    across = across - scale * (h * e - g * f);
+}
+
 /// Velocity of the water relative to the element's material at `arm`; cos²θ is x²/r², and so on.
 template <bool drifts>
 inline V3 relative_velocity(const Element& e, const V3& arm, const WaterFactors& factors, double structure_x) {
     const Pack zero{};
     const Pack x = e.position.x + arm.x - structure_x;
     const Pack z = drifts ? e.position.z + arm.z - factors.structure_z : e.position.z + arm.z;
+    if (factors.ellipses > 0) {
+        // In the structure's own axes, and back.
+        const double cos = factors.yaw_cos;
+        const double sin = factors.yaw_sin;
+        const Pack ahead = x * cos - z * sin;
+        const Pack aside = x * sin + z * cos;
+        Pack along = zero;
+        Pack across = zero;
+        for (int k = 0; k < factors.ellipses; ++k)
+            add_flow_round(factors.ellipse[k], factors, ahead - factors.ellipse[k].x, aside - factors.ellipse[k].z,
+                           along, across);
+        const V3 flow{along * cos + across * sin + factors.current_x, zero,
+                      across * cos - along * sin + factors.current_z};
+        return flow - (e.velocity + cross(e.angular_velocity, arm));
+    }
     const Pack r2 = x * x + z * z;
     const double radius2 = factors.radius * factors.radius;
     if constexpr (drifts) {

@@ -62,9 +62,9 @@ WaterLanes::WaterLanes(std::span<const WaterModel> models, std::span<const std::
     wrench_ = AlignedArray<double>(wrench_fields * stride_);
 }
 
-void WaterLanes::move_structure(double z, const Vec2& velocity) {
-    for (Group& group : groups_) follow_structure(group.factors, group.flows, z, velocity);
-    for (PolygonWater& water : polygon_water_) water.move_structure(z, velocity);
+void WaterLanes::move_structure(const StructureInWater& structure) {
+    for (Group& group : groups_) follow_structure(group.factors, group.flows, structure);
+    for (PolygonWater& water : polygon_water_) water.move_structure(structure);
 }
 
 void WaterLanes::clear() {

@@ -35,9 +35,9 @@ class WaterLanes {
     /// Damping c of an element from now on, kg/s (water_model.hpp); that of an element alone at first.
     void set_damping(std::size_t element, double damping) { linear_of_[element] = damping / 4; }
 
-    /// Flow round a structure with its axis at `z` m that moves with this velocity, m/s along x and z, from now on; at
-    /// first at z = 0 with the speed of the models along +x.
-    void move_structure(double z, const Vec2& velocity);
+    /// Flow round a structure that is and moves like this from now on; at first it is at z = 0 without yaw, with the
+    /// speed of the models along +x.
+    void move_structure(const StructureInWater& structure);
 
     void clear();
     void set(std::size_t element, const ElementState& state);

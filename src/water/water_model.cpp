@@ -1,5 +1,6 @@
 #include "water/water_model.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -14,12 +15,14 @@ constexpr double rounding = 1e-9;
 
 }  // namespace
 
-void follow_structure(WaterFactors& factors, bool flows, double z, const Vec2& velocity) {
+void follow_structure(WaterFactors& factors, bool flows, const StructureInWater& structure) {
     factors.drifts = true;
-    factors.structure_z = z;
+    factors.structure_z = structure.z;
+    factors.yaw_cos = std::cos(structure.yaw);
+    factors.yaw_sin = std::sin(structure.yaw);
     if (!flows) return;
-    factors.speed = velocity.x() - factors.current_x;
-    factors.speed_across = velocity.y() - factors.current_z;
+    factors.speed = structure.velocity.x() - factors.current_x;
+    factors.speed_across = structure.velocity.y() - factors.current_z;
 }
 
 WaterModel::WaterModel(const Water& water, double gravity, ElementShape shape, double mass, double waterline_radius,
@@ -49,7 +52,11 @@ WaterModel::WaterModel(const Water& water, double gravity, ElementShape shape, d
                 .turn_cos = std::cos(water.turning),
                 .turn_sin = std::sin(water.turning),
                 .wind_x = wind_stress.x() * gauss_area,
-                .wind_z = wind_stress.y() * gauss_area};
+                .wind_z = wind_stress.y() * gauss_area,
+                .ellipses = 0,
+                .ellipse = {},
+                .yaw_cos = 1,
+                .yaw_sin = 0};
     if (by_outline) {
         const double draught = mass / (water.density * shape.side * shape.side);
         damping_ = water_of_piece({{Vec2::Zero()}}, shape.side, draught, {water.density, gravity}).front().damping;
@@ -57,6 +64,12 @@ WaterModel::WaterModel(const Water& water, double gravity, ElementShape shape, d
         damping_ = 2 * water.heave_damping *
                    std::sqrt(water.density * gravity * shape.side * shape.side * mass * (1 + water.isotropic_mass()));
     }
+}
+
+void WaterModel::flow_round(std::span<const FlowEllipse> ellipses) {
+    factors_.ellipses = 0;
+    for (const FlowEllipse& one : ellipses.first(std::min<std::size_t>(ellipses.size(), most_flow_ellipses)))
+        factors_.ellipse[factors_.ellipses++] = one;
 }
 
 Wrench WaterModel::wrench(const ElementState& state, double structure_x, double damping) const {

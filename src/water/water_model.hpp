@@ -23,10 +23,17 @@
 // r >= R (no flow through the circle, no vorticity). Inside the circle, the value at r = R in the same direction; at
 // the centre (V, 0). With WaterFlow::still u = 0. A current c makes it c and the flow of a circle that moves at V - c.
 //
+// Hulls of other shapes: the flow round ellipses of half length a and half breadth b, each as if alone (Lamb,
+// Hydrodynamics, article 71, cited from memory):  u - i w = (a + b)(b V_x + i a V_z) / (s (s + ζ)),  ζ = x + i z from
+// the middle, s² = ζ² - a² + b². For a = b it is the circle's. Ellipses that are neighbours neglect each other, an
+// error of the order of their size over their distance squared.
+//
 // Below the ice the boundary layer turns skin drag by θ, anticlockwise from above (Leppäranta, The Drift of Sea Ice,
 // 2011, chapter 5: τ = ρ C |U| (cosθ U + sinθ k × U), U the water's velocity relative to the ice).
 //
 // Wind. Where a column's top is above the water, ρ_a C_a U² (L²/4) along the wind at the top.
+
+#include <span>
 
 #include "core/vector.hpp"
 #include "scenario/scenario.hpp"
@@ -35,9 +42,15 @@
 
 namespace floes {
 
-/// Flow round a structure with its axis at `z` m that moves with this velocity, m/s along x and z; `flows`: whether there
-/// is one.
-void follow_structure(WaterFactors& factors, bool flows, double z, const Vec2& velocity);
+/// Where the structure is across the channel, and how it moves through the water.
+struct StructureInWater {
+    double z = 0;                  ///< of its axis, m
+    double yaw = 0;                ///< about +y, rad
+    Vec2 velocity = Vec2::Zero();  ///< along x and z, m/s
+};
+
+/// `flows`: whether the water flows round the structure.
+void follow_structure(WaterFactors& factors, bool flows, const StructureInWater& structure);
 
 class WaterModel {
   public:
@@ -45,6 +58,9 @@ class WaterModel {
     /// its tow m/s, `wind_stress` along x and z Pa.
     WaterModel(const Water& water, double gravity, ElementShape shape, double mass, double waterline_radius,
                double speed, const Vec2& wind_stress = Vec2::Zero());
+
+    /// From now on the water flows round these ellipses, at most most_flow_ellipses, in place of the circle.
+    void flow_round(std::span<const FlowEllipse> ellipses);
 
     /// c of an element alone, kg/s.
     double damping() const { return damping_; }

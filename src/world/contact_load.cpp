@@ -1,5 +1,7 @@
 #include "world/contact_load.hpp"
 
+#include <BulletCollision/CollisionShapes/btCollisionShape.h>
+
 #include "world/conversion.hpp"
 #include "world/piece_dispatcher.hpp"
 
@@ -8,6 +10,12 @@ namespace {
 
 Vec3 vector_of(const std::array<double, 3>& v) {
     return {v[0], v[1], v[2]};
+}
+
+/// Of the body that has several, which is the structure.
+int solid_at(const btPersistentManifold& manifold, const btManifoldPoint& point) {
+    if (manifold.getBody0()->getCollisionShape()->isCompound()) return point.m_index0;
+    return manifold.getBody1()->getCollisionShape()->isCompound() ? point.m_index1 : -1;
 }
 
 }  // namespace
@@ -40,7 +48,8 @@ void read_contact_forces(std::span<btPersistentManifold* const> manifolds, const
                  .b = BodyId(static_cast<std::size_t>(body_id_of(*manifold->getBody1()))),
                  .point = from_bullet((point.getPositionWorldOnA() + point.getPositionWorldOnB()) / 2),
                  .normal = from_bullet(point.m_normalWorldOnB * (point.m_appliedImpulse / time_step)),
-                 .friction = from_bullet(point.m_lateralFrictionDir1 * (point.m_appliedImpulseLateral1 / time_step))});
+                 .friction = from_bullet(point.m_lateralFrictionDir1 * (point.m_appliedImpulseLateral1 / time_step)),
+                 .solid = solid_at(*manifold, point)});
         }
     }
 }
@@ -67,7 +76,8 @@ void read_contact_forces(std::span<const SolverContact> contacts, std::optional<
                          .b = BodyId(contact.b),
                          .point = (vector_of(contact.on_a) + vector_of(contact.on_b)) / 2,
                          .normal = vector_of(contact.normal) * (contact.impulse / time_step),
-                         .friction = vector_of(contact.slide) * (contact.friction_impulse / time_step)});
+                         .friction = vector_of(contact.slide) * (contact.friction_impulse / time_step),
+                         .solid = contact.solid});
     }
 }
 

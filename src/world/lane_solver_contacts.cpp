@@ -81,7 +81,8 @@ void LaneSolver::read(std::uint32_t a, std::uint32_t b, bool solvable, btPersist
                              .normal = array_of(point.m_normalWorldOnB),
                              .distance = point.getDistance(),
                              .friction = point.m_combinedFriction,
-                             .impulse = point.m_appliedImpulse * kept});
+                             .impulse = point.m_appliedImpulse * kept,
+                             .solid = structure_ == a ? point.m_index0 : point.m_index1});
         set_section(contacts_.back());
         sources_.push_back({nullptr, &point});
         if (!cone() || number == 0) continue;

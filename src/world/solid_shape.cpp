@@ -9,6 +9,12 @@ SolidShape::SolidShape(const ConvexSolid& solid) : core_(solid.inside(margin)) {
     setMargin(margin);
 }
 
+btTransform SolidShape::place() const {
+    btTransform place = btTransform::getIdentity();
+    place.setOrigin(to_bullet(core_.place));
+    return place;
+}
+
 btVector3 SolidShape::localGetSupportingVertexWithoutMargin(const btVector3& direction) const {
     return to_bullet(core_.farthest(from_bullet(direction)));
 }

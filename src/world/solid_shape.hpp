@@ -3,8 +3,9 @@
 //
 // Known to Bullet by its support function, so a contact normal on a round wall is its true normal and does not step
 // from facet to facet. As with all round shapes of Bullet the outermost layer, the margin, is a sphere swept over a
-// core. The core is smaller such that the wall is exact; flat ends stand out by the margin and rims are rounded with
-// it.
+// core. The core is smaller such that the wall is exact; flat ends of a round solid stand out by the margin and rims
+// are rounded with it. All faces of a polyhedron are exact, and its edges rounded; one that is thinner than twice the
+// margin stands out by it.
 
 #include <BulletCollision/CollisionShapes/btConvexInternalShape.h>
 
@@ -21,6 +22,9 @@ ATTRIBUTE_ALIGNED16(class) SolidShape final : public btConvexInternalShape {
     static constexpr double margin = 1e-3;
 
     explicit SolidShape(const ConvexSolid& solid);
+
+    /// In the structure.
+    btTransform place() const;
 
     btVector3 localGetSupportingVertexWithoutMargin(const btVector3& direction) const override;
     void batchedUnitVectorGetSupportingVertexWithoutMargin(const btVector3* directions, btVector3* vertices, int count)

@@ -32,6 +32,7 @@ struct ContactForce {
     Vec3 point = Vec3::Zero();     ///< between the two surfaces, m
     Vec3 normal = Vec3::Zero();    ///< normal force on a, N; on b the opposite
     Vec3 friction = Vec3::Zero();  ///< likewise
+    int solid = -1;                ///< of the structure's solids, which one it is at; -1: at none
 };
 
 }  // namespace floes

@@ -3,11 +3,12 @@
 #include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
-#include <BulletCollision/CollisionShapes/btCollisionShape.h>
+#include <BulletCollision/CollisionShapes/btCompoundShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace floes {
@@ -36,6 +37,18 @@ double way_of_turn(const btRigidBody& body, const btMatrix3x3& before, const btM
     btScalar radius = 0;
     body.getCollisionShape()->getBoundingSphere(centre, radius);
     return std::sqrt(squares) * (centre.length() + radius);
+}
+
+/// Of each of its solids.
+void read_solid_bounds(const btRigidBody& structure, std::vector<Bounds>& solids) {
+    solids.clear();
+    const auto* shape = static_cast<const btCompoundShape*>(structure.getCollisionShape());
+    for (int i = 0; i < shape->getNumChildShapes(); ++i) {
+        btVector3 low;
+        btVector3 high;
+        shape->getChildShape(i)->getAabb(structure.getWorldTransform() * shape->getChildTransform(i), low, high);
+        solids.push_back({{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}});
+    }
 }
 
 }  // namespace
@@ -68,6 +81,7 @@ void StructureContacts::leave(btCollisionAlgorithm*& algorithm) {
 void StructureContacts::find(std::deque<btRigidBody>& bodies, const BodyMotion* motions, std::size_t structure) {
     btRigidBody& body = bodies[structure];
     const Bounds bounds = bounds_of(body);
+    read_solid_bounds(body, solids_);
     const btVector3 position = body.getWorldTransform().getOrigin();
     const btMatrix3x3& rotation = body.getWorldTransform().getBasis();
     const double way = (position - position_).length() + way_of_turn(body, rotation_, rotation);
@@ -81,12 +95,19 @@ void StructureContacts::find(std::deque<btRigidBody>& bodies, const BodyMotion* 
         const double reach = 2 * bodies[i].getCollisionShape()->getContactBreakingThreshold(gContactBreakingThreshold);
         const Bounds box = bounds_of({half_extent_[i].data(), motion.position, motion.rotation});
         clearance_[i] = gap_between(box, bounds) - reach;
+        if (clearance_[i] <= 0 && solids_.size() > 1) clearance_[i] = gap_to_solids(box) - reach;
         if (clearance_[i] > 0)
             leave(algorithms_[i]);
         else
             look(bodies[i], motion, body, algorithms_[i]);
     }
     collect();
+}
+
+double StructureContacts::gap_to_solids(const Bounds& box) const {
+    double gap = std::numeric_limits<double>::infinity();
+    for (const Bounds& solid : solids_) gap = std::min(gap, gap_between(box, solid));
+    return gap;
 }
 
 /// As btCollisionDispatcher::defaultNearCallback does.

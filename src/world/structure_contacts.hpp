@@ -43,6 +43,7 @@ class StructureContacts {
     void look(btRigidBody& box, const BodyMotion& motion, btRigidBody& structure, btCollisionAlgorithm*& algorithm);
     void leave(btCollisionAlgorithm*& algorithm);
     void collect();
+    double gap_to_solids(const Bounds& box) const;
 
     btCollisionDispatcher* dispatcher_;
     const btDispatcherInfo* info_;
@@ -53,6 +54,7 @@ class StructureContacts {
     btVector3 position_{0, 0, 0};                    ///< of the structure in the last find()
     btMatrix3x3 rotation_ = btMatrix3x3::getIdentity();
     std::vector<btPersistentManifold*> touching_;
+    std::vector<Bounds> solids_;  ///< of the structure, in the last find()
 };
 
 }  // namespace floes

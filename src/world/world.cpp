@@ -153,8 +153,8 @@ BodyId World::add_structure(std::span<const ConvexSolid> solids, const Vec3& pos
     check_structure(solids, bullet_->structure.has_value());
     bullet_->structure_shape.emplace();
     for (const ConvexSolid& solid : solids) {
-        bullet_->structure_shape->addChildShape(btTransform::getIdentity(),
-                                                &bullet_->solids.emplace_back(bullet_->units.to_own(solid)));
+        SolidShape& shape = bullet_->solids.emplace_back(bullet_->units.to_own(solid));
+        bullet_->structure_shape->addChildShape(shape.place(), &shape);
     }
     const Pose pose{bullet_->units.to_own(position), Quat::Identity()};
     bullet_->structure = bullet_->add_body(&*bullet_->structure_shape, 0, pose, bullet_->friction.structure,

@@ -35,7 +35,7 @@ class World {
     BodyId add_fixed_box(const FixedBoxDefinition& box);
     BodyId add_sliding_box(const SlidingBoxDefinition& box);
 
-    /// The towed body: solids about the vertical axis through its origin, together not necessarily convex. Driven by
+    /// The towed body: convex solids in its own axes, together not necessarily convex. Driven by
     /// move_structure, never pushed back. At most one in a World.
     BodyId add_structure(std::span<const ConvexSolid> solids, const Vec3& position);
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <numbers>
@@ -100,15 +101,15 @@ TEST_P(WaterLanesOf, EveryWidthHasTheBitsOfOneElementAlone) {
 }
 
 // The flow goes with the structure: everything moved aside and turned by 90° has the same forces, turned.
-TEST_P(WaterLanesOf, FlowFollowsTheStructure) {
+void expect_flow_to_follow(const WaterModel& made) {
     const std::vector<ElementState> elements = every_kind_of_element();
     const std::vector<std::size_t> model_of(elements.size(), 0);
     const Mat3 turn = turned(std::numbers::pi / 2, Vec3::UnitY());  // +x to -z
     const Vec3 aside(3, 0, 0.4);
-    const std::vector<WaterModel> models{model(GetParam())};
+    const std::vector<WaterModel> models{made};
     WaterLanes there(models, model_of, 1);
     WaterLanes here(models, model_of, 1);
-    here.move_structure(aside.z(), {0, -0.07});
+    here.move_structure({.z = aside.z(), .yaw = std::numbers::pi / 2, .velocity = {0, -0.07}});
     for (std::size_t i = 0; i < elements.size(); ++i) {
         ElementState state = elements[i];
         state.position.x() -= structure_x;
@@ -126,6 +127,14 @@ TEST_P(WaterLanesOf, FlowFollowsTheStructure) {
         EXPECT_NEAR((here.wrench(i).force - turn * there.wrench(i).force).norm(), 0, scale) << i;
         EXPECT_NEAR((here.wrench(i).moment - turn * there.wrench(i).moment).norm(), 0, scale) << i;
     }
+}
+
+TEST_P(WaterLanesOf, FlowFollowsTheStructure) {
+    WaterModel made = model(GetParam());
+    expect_flow_to_follow(made);
+    const std::array<FlowEllipse, 2> hulls{{{0.1, 0.05, 1, 0.4}, {-1.5, 0, 0.3, 0.2}}};
+    made.flow_round(hulls);
+    expect_flow_to_follow(made);
 }
 
 INSTANTIATE_TEST_SUITE_P(Flows, WaterLanesOf, ::testing::Values(WaterFlow::potential, WaterFlow::still));

@@ -19,7 +19,7 @@ LanesScene::LanesScene(const WorldDefinition& definition, int floes)
     sheet.half_extents = Vec3(0.3, 0.1, 2);
     sheet.pose.position = Vec3(spacing * floes + 0.1, 0, 0);
     world.add_fixed_box(sheet);
-    const std::vector<ConvexSolid> frusta{{-0.4, 0.2, 0.2, 0.8}};
+    const std::vector<ConvexSolid> frusta{Frustum{-0.4, 0.2, 0.2, 0.8}};
     cone = world.add_structure(frusta, cone_start);
 }
 

@@ -77,7 +77,7 @@ TEST_P(LengthUnit, AContactCarriesTheWeight) {
 TEST_P(LengthUnit, TheStructurePushesAtItsSpeed) {
     for (const double unit : {0.25, 1.0, 30.0}) {
         World world(definition(unit));
-        const std::vector<ConvexSolid> solids{{-0.5, 0.5, 0.5, 0.5}};
+        const std::vector<ConvexSolid> solids{Frustum{-0.5, 0.5, 0.5, 0.5}};
         world.add_structure(solids, {0, 0, 0});
         const BodyId pushed = world.add_element(element_at({0.62, 0, 0}));
         for (int step = 1; step <= 50; ++step) {

@@ -19,7 +19,7 @@ constexpr double time_step = 0.02;
 // the 5 N, for the element moves at the drum's steady speed.
 TEST(WorldStructure, CarriesTheAppliedForce) {
     World world(weightless());
-    const BodyId structure = world.add_structure(std::vector<ConvexSolid>{{-0.5, 0.6, 0.5, 0.6}}, Vec3(2, 0, 0));
+    const BodyId structure = world.add_structure(std::vector<ConvexSolid>{Frustum{-0.5, 0.6, 0.5, 0.6}}, Vec3(2, 0, 0));
     const BodyId body = world.add_element(element_at({2.75, 0, 0}));
     Vec3 sum = Vec3::Zero();
     const int count = 1000;
@@ -37,7 +37,7 @@ TEST(WorldStructure, CarriesTheAppliedForce) {
 
 TEST(WorldStructure, MovesAsItIsTold) {
     World world(weightless());
-    const BodyId structure = world.add_structure(std::vector<ConvexSolid>{{-0.5, 0.6, 0.5, 0.6}}, Vec3(2, 0, 0));
+    const BodyId structure = world.add_structure(std::vector<ConvexSolid>{Frustum{-0.5, 0.6, 0.5, 0.6}}, Vec3(2, 0, 0));
     for (int step = 0; step < 10; ++step) {
         world.move_structure({2 + speed * time_step * (step + 1), 0, 0});
         world.step();
@@ -78,7 +78,7 @@ Vec3 force_on_cone(double azimuth, double turn, double structure_friction) {
     WorldDefinition definition = weightless();
     definition.contact.ice_structure_friction = structure_friction;
     World world(definition);
-    const std::vector<ConvexSolid> cone{{-0.443, 0.171, 0.122, 0.736}};
+    const std::vector<ConvexSolid> cone{Frustum{-0.443, 0.171, 0.122, 0.736}};
     const BodyId structure = world.add_structure(cone, Vec3::Zero());
     const Vec3 outward(std::cos(azimuth), 0, std::sin(azimuth));
     const double reach = turn == 0 ? element_side / 2 : element_side / std::sqrt(2.0);
@@ -119,8 +119,8 @@ TEST(WorldStructure, RubsWithItsCoefficient) {
 // upper edge, where the wall has come out by as much, on a 45° cone.
 TEST(WorldStructure, HasItsWallWhereTheProfileSays) {
     const double half = element_thickness / 2;
-    const std::vector<ConvexSolid> drum{{-0.5, 0.6, 0.5, 0.6}};
-    const std::vector<ConvexSolid> cone{{-0.443, 0.171, 0.122, 0.736}};
+    const std::vector<ConvexSolid> drum{Frustum{-0.5, 0.6, 0.5, 0.6}};
+    const std::vector<ConvexSolid> cone{Frustum{-0.443, 0.171, 0.122, 0.736}};
     for (const bool is_cone : {false, true}) {
         for (const double gap : {2e-4, -2e-4}) {
             World world(weightless());
@@ -141,7 +141,7 @@ class WaistTest : public testing::Test {
     /// Load on the hourglass after ten steps with an element at rest at the height of the waist.
     double load(double gap) {
         World world(weightless());
-        const std::vector<ConvexSolid> hourglass{{-0.4, 0.6, 0, 0.3}, {0, 0.3, 0.4, 0.6}};
+        const std::vector<ConvexSolid> hourglass{Frustum{-0.4, 0.6, 0, 0.3}, Frustum{0, 0.3, 0.4, 0.6}};
         const BodyId structure = world.add_structure(hourglass, Vec3::Zero());
         world.add_element(element_at({0.3 + gap + element_side / 2, 0, 0}));
         double largest = 0;
@@ -165,10 +165,10 @@ TEST_F(WaistTest, IsSolid) {
 TEST(WorldStructure, RefusesWhatHasNoVolume) {
     World world(weightless());
     EXPECT_THROW(world.add_structure(std::vector<ConvexSolid>{}, Vec3::Zero()), InputError);
-    EXPECT_THROW(world.add_structure(std::vector<ConvexSolid>{{0, 1, 0, 1}}, Vec3::Zero()), InputError);
-    EXPECT_THROW(world.add_structure(std::vector<ConvexSolid>{{0, -1, 1, 1}}, Vec3::Zero()), InputError);
-    world.add_structure(std::vector<ConvexSolid>{{0, 0, 1, 1}}, Vec3::Zero());
-    EXPECT_THROW(world.add_structure(std::vector<ConvexSolid>{{0, 0, 1, 1}}, Vec3::Zero()), InputError);
+    EXPECT_THROW(world.add_structure(std::vector<ConvexSolid>{Frustum{0, 1, 0, 1}}, Vec3::Zero()), InputError);
+    EXPECT_THROW(world.add_structure(std::vector<ConvexSolid>{Frustum{0, -1, 1, 1}}, Vec3::Zero()), InputError);
+    world.add_structure(std::vector<ConvexSolid>{Frustum{0, 0, 1, 1}}, Vec3::Zero());
+    EXPECT_THROW(world.add_structure(std::vector<ConvexSolid>{Frustum{0, 0, 1, 1}}, Vec3::Zero()), InputError);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "findings/moored_cases.hpp"
 #include "findings/overview_section.hpp"
 #include "findings/pairs_section.hpp"
+#include "findings/parts_section.hpp"
 #include "findings/piece_sizes.hpp"
 #include "findings/points.hpp"
 #include "findings/report_sections.hpp"
@@ -48,6 +49,11 @@ bool to_be_compared(const Campaign& campaign) {
 bool with_levels(const Campaign& campaign) {
     return std::ranges::any_of(campaign.cases,
                                [](const Case& one) { return !one.scenario.analysis.exceedance_levels.empty(); });
+}
+
+bool with_parts(const Campaign& campaign) {
+    return std::ranges::any_of(campaign.cases,
+                               [](const Case& one) { return one.scenario.structure.shape.parts().size() > 1; });
 }
 
 bool without_design(const Campaign& campaign) {
@@ -151,6 +157,7 @@ constexpr std::array all{
     Finding{"model", one<model_section>, with_base_case, "What does the model leave open?", with_base_case},
     Finding{"", one<histories_section>, never, "Load over time", always},
     Finding{"", one<load_map_section>, never, "Where the load acts", always},
+    Finding{"hull", parts_sections, with_parts, "Parts of the hull", with_parts},
     Finding{"energy", one<energy_section>, never, "Where the work goes", always},
     Finding{"design", design, never, "Design load", in_detail},
     Finding{"extremes", one<extremes>, in_detail, "Extremes", in_detail},

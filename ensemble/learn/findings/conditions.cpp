@@ -134,13 +134,13 @@ std::vector<std::string> condition_lines(const Summary& summary) {
 
 std::vector<ConditionColumn> condition_columns(const Summary& summary) {
     std::size_t rows = 0;  // largest number in any case
-    for (const CaseSummary& row : summary.cases) rows = std::max(rows, row.about.shape.rows().size());
+    for (const CaseSummary& row : summary.cases) rows = std::max(rows, row.about.shape.profile().size());
     std::vector<ConditionColumn> columns;
     for (std::size_t k = 0; k < rows; ++k) {
         for (std::size_t place = 0; place < Shape::columns.size(); ++place)
             columns.push_back({Names{"", fmt::format("conditions/structure_profile_m/{}/{}", k, place)},
                                [k, place](const CaseRow& about) {
-                                   const auto shape = about.shape.rows();
+                                   const auto shape = about.shape.profile();
                                    return k < shape.size() ? Datum(shape[k].at(place)) : Datum(Absent{});
                                }});
     }

@@ -27,17 +27,10 @@ Figure::Points corners(const PlanarPose& pose, const FloeShape& floe) {
     return points;
 }
 
-Figure::Points ring(double x, double radius) {
-    Figure::Points points;
-    for (int degree = 0; degree < 360; degree += 5)
-        points.emplace_back(x + radius * std::cos(degree * unit::degree), radius * std::sin(degree * unit::degree));
-    return points;
-}
-
 Figure plan_view(const Scenario& scenario, const FloeSet& floes, const std::vector<PlanarPose>& poses,
                  const std::set<int>& broken) {
     const Field& field = scenario.field;
-    const double radius = scenario.structure.shape.waterline_radius();
+    const double radius = scenario.structure.shape.largest_radius();
     const double low = std::min(scenario.structure.start - radius, field.begin) - 0.3;
     const double high = scenario.field_end() + std::min(field.sheet_width, 0.5);
     const double inner = field.half_width;
@@ -55,7 +48,11 @@ Figure plan_view(const Scenario& scenario, const FloeSet& floes, const std::vect
                     "sheet");
     for (std::size_t i = 0; i < poses.size(); ++i)
         figure.area(corners(poses[i], floes.shape(i)), broken.contains(static_cast<int>(i)) ? "ice broken" : "ice");
-    figure.area(ring(scenario.structure.start, radius), "structure");
+    for (const std::vector<Vec2>& piece : scenario.structure.shape.waterlines()) {
+        Figure::Points outline;
+        for (const Vec2& point : piece) outline.emplace_back(scenario.structure.start + point.x(), point.y());
+        figure.area(std::move(outline), "structure");
+    }
     return figure;
 }
 

@@ -35,12 +35,14 @@ Figure side_view(const Scenario& scenario, const std::string& names, double wide
     const double draught = scenario.floe.thickness * scenario.ice.density / scenario.water.density;
     const double freeboard = scenario.floe.thickness - draught;
     for (const double sign : {-1.0, 1.0}) {
-        const double near = sign * (shape.waterline_radius() + 0.02);
+        const double near = sign * (shape.waterline_ahead() + 0.02);
         figure.area({{near, -draught}, {sign * reach, -draught}, {sign * reach, freeboard}, {near, freeboard}}, "ice");
     }
-    Figure::Points outline;
-    for (const Vec2& point : shape.section()) outline.emplace_back(point.x(), point.y());
-    figure.area(std::move(outline), "structure");
+    for (const std::vector<Vec2>& piece : shape.side_view()) {
+        Figure::Points outline;
+        for (const Vec2& point : piece) outline.emplace_back(point.x(), point.y());
+        figure.area(std::move(outline), "structure");
+    }
     figure.level(0, "dashed");
     return figure;
 }
@@ -59,7 +61,7 @@ std::vector<Figure> hulls(const Campaign& campaign, const Summary& summary) {
         return range_text(values);
     }();
     figures.back().caption =
-        fmt::format("Section of the structure and the ice on the water, to scale; the ice is {} m thick{}.", thickness,
+        fmt::format("The structure from abeam and the ice on the water, to scale; the ice is {} m thick{}.", thickness,
                     thickness.find("to") == std::string::npos ? "" : ", drawn as in the first case of each");
     if (drawn < groups.size())
         figures.back().caption += fmt::format(" {} of {} hulls are drawn.", drawn, groups.size());

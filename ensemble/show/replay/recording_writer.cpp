@@ -78,7 +78,8 @@ void write_ice(hid_t file, const RecordingSubject& subject, const IceLayout& lay
 
 void write_structure(hid_t file, const Shape& shape) {
     const Handle group = hdf5::create_group(file, "structure");
-    const std::vector<std::vector<double>> rows = shape.rows();
+    const std::vector<std::vector<double>> rows = shape.profile();
+    if (rows.empty()) return;  // the configuration has its sizes or pieces
     const Scale point =
         hdf5::write_index_scale(group.id(), "profile_point", "point of the profile, from the bottom up", rows.size());
     for (std::size_t k = 0; k < Shape::columns.size(); ++k) {

@@ -71,9 +71,10 @@ CampaignScales::CampaignScales(hid_t file, const CampaignContent& content)
       case_(hdf5::write_index_scale(file, "case", "case, a row of /cases", content.campaign.cases.size())),
       arrangement(hdf5::write_index_scale(file, "arrangement", "arrangement, a row of /arrangements",
                                           static_cast<std::size_t>(content.rows.arrangements().count()))),
-      profile_point(
-          hdf5::write_index_scale(file, "profile_point", "point of the structure's profile, from below",
-                                  content.largest([](const Scenario& s) { return s.structure.shape.rows().size(); }))) {
+      profile_point(hdf5::write_index_scale(file, "profile_point", "point of the structure's profile, from below",
+                                            content.largest([](const Scenario& s) {
+                                                return std::max<std::size_t>(1, s.structure.shape.profile().size());
+                                            }))) {
     for (const ArrayOutput& array : array_outputs) {
         if (!array.in_file() || !content.has(array)) continue;
         for (const ArrayAxis* axis : array.axes)

@@ -24,7 +24,7 @@ void write_shapes(hid_t group, const CampaignContent& content, const CampaignSca
         const auto& [name, unit, text, low, high] = Shape::columns[column];
         std::vector<double> values(scales.case_.size() * points, nan);
         for (std::size_t k = 0; k < content.table().cases.size(); ++k) {
-            const std::vector<std::vector<double>> rows = content.table().cases[k].shape.rows();
+            const std::vector<std::vector<double>> rows = content.table().cases[k].shape.profile();
             for (std::size_t p = 0; p < rows.size(); ++p) values[k * points + p] = rows[p][column];
         }
         hdf5::write_values(group, {fmt::format("profile_{}", name), std::string(unit), std::string(text)},
@@ -41,6 +41,12 @@ void write_cases(hid_t file, const CampaignContent& content, const CampaignScale
     std::vector<std::string> names;
     for (const CaseRow& row : content.table().cases) names.push_back(row.name);
     hdf5::write_values(id, {"name", "1", "name of the case"}, one, names);
+    hdf5::write_values(id, {"hull", "1", "shape of the structure, in words"}, one,
+                       of_cases<std::string>(content, [](const Scenario& s) { return s.structure.shape.words(); }));
+    hdf5::write_values(id, {"parts", "1", "parts of the structure in the order of /parts, divided by commas"}, one,
+                       of_cases<std::string>(content, [](const Scenario& s) {
+                           return fmt::format("{}", fmt::join(s.structure.shape.parts(), ","));
+                       }));
     const auto real = [&](const char* name, const char* unit, const char* long_name, auto function) {
         hdf5::write_values(id, {name, unit, long_name}, one, of_cases<double>(content, function));
     };

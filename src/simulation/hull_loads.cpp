@@ -1,0 +1,41 @@
+#include "simulation/hull_loads.hpp"
+
+#include <utility>
+
+namespace floes {
+
+HullLoads::HullLoads(const Shape& shape, std::vector<ConvexSolid> solids, std::size_t steps)
+    : solids_(std::move(solids)) {
+    if (const std::size_t parts = shape.parts().size(); parts > 1) parts_.resize(parts);
+    for (History& part : parts_)
+        for (std::vector<double>* one : {&part.surge, &part.sway, &part.heave}) one->reserve(steps);
+    for (std::vector<double>* one : {&yaw_, &roll_, &pitch_}) one->reserve(steps);
+}
+
+void HullLoads::add(std::span<const ContactForce> contacts, BodyId structure, const StructureMotion& motion) {
+    const Vec3 axis(motion.after().x, 0, motion.after().z);
+    Vec3 moment = Vec3::Zero();
+    for (History& part : parts_)
+        for (std::vector<double>* one : {&part.surge, &part.sway, &part.heave}) one->push_back(0);
+    for (const ContactForce& one : contacts) {
+        const Vec3 force = motion.in_own_axes((one.a == structure ? 1.0 : -1.0) * (one.normal + one.friction));
+        const Vec3 arm = motion.in_own_axes(one.point - axis);
+        moment += arm.cross(force);
+        if (parts_.empty() || one.solid < 0) continue;
+        History& part = parts_[static_cast<std::size_t>(solids_[static_cast<std::size_t>(one.solid)].part_at(arm))];
+        part.surge.back() -= force.x();
+        part.sway.back() += force.z();
+        part.heave.back() += force.y();
+    }
+    roll_.push_back(moment.x());
+    yaw_.push_back(moment.y());
+    pitch_.push_back(moment.z());
+}
+
+std::vector<PartLoad> HullLoads::parts(const Averaging& how) const {
+    std::vector<PartLoad> loads;
+    for (const History& part : parts_) loads.push_back(part_load(part.surge, part.sway, part.heave, how));
+    return loads;
+}
+
+}  // namespace floes

@@ -1,0 +1,41 @@
+#pragma once
+// What contacts exert on the parts of the structure, and the moments on the whole of it, step by step.
+//
+// Moments are about the axis at the waterline, in the structure's axes and by the right-hand rule: yaw about +y turns
+// the bow to port, roll about +x heels to starboard, pitch about +z lifts the bow.
+
+#include <span>
+#include <vector>
+
+#include "simulation/structure_motion.hpp"
+#include "statistics/part_loads.hpp"
+#include "structure/shape.hpp"
+#include "world/state.hpp"
+
+namespace floes {
+
+class HullLoads {
+  public:
+    /// `solids`: as the world has them; `steps` are kept.
+    HullLoads(const Shape& shape, std::vector<ConvexSolid> solids, std::size_t steps);
+
+    /// One step, at the end of which the structure is at motion.after(). `contacts`: of the structure.
+    void add(std::span<const ContactForce> contacts, BodyId structure, const StructureMotion& motion);
+
+    /// Of each part; a structure that is one part has none.
+    std::vector<PartLoad> parts(const Averaging& how) const;
+    MomentStatistics yaw() const { return moment_statistics(yaw_); }
+    MomentStatistics roll() const { return moment_statistics(roll_); }
+    MomentStatistics pitch() const { return moment_statistics(pitch_); }
+
+  private:
+    struct History {
+        std::vector<double> surge, sway, heave;
+    };
+
+    std::vector<ConvexSolid> solids_;
+    std::vector<History> parts_;
+    std::vector<double> yaw_, roll_, pitch_;
+};
+
+}  // namespace floes
