@@ -36,6 +36,7 @@ const std::vector<Room>& rooms() {
         {5, "simulation", "", "src"},
         {5, "laboratory", "", "src"},
         {6, "member", "POSIX", "src"},
+        {6, "cad", "assimp", "plan"},
         {7, "campaign", "Boost", "plan"},
         {7, "schedule", "", "plan"},
         {8, "records", "POSIX, zlib", "store"},
@@ -74,6 +75,7 @@ const Room* find_room(std::string_view name) {
 
 const std::vector<Library>& libraries() {
     static const std::vector<Library> all{
+        {"assimp", std::regex{R"(assimp/.*)"}},
         {"Boost", std::regex{R"(boost/.*)"}},
         {"Bullet", std::regex{R"((bt[A-Z]|Bullet|LinearMath/).*)"}},
         {"cairo", std::regex{R"((cairo/)?cairo.*\.h)"}},

@@ -8,6 +8,7 @@
 
 #include "campaign/campaign_keys.hpp"
 #include "campaign/case_blocks.hpp"
+#include "campaign/given_hull.hpp"
 #include "campaign/given_poses.hpp"
 #include "campaign/held_numbers.hpp"
 #include "campaign/key_effects.hpp"
@@ -38,7 +39,8 @@ class Reader {
         : source_(source),
           spelling_(source.from_user ? Spelling::present : Spelling::stored),
           document_(parse_document(source.text, source.file)),
-          poses_(source.file, load_file) {
+          poses_(source.file, load_file),
+          hull_(source.file, load_file) {
         if (!source.from_user) base_ = paper_scenario();  // where it is silent
         for (const std::string& text : source.overrides) overrides_.push_back(parse_override(text, "--set"));
     }
@@ -234,6 +236,7 @@ class Reader {
         if (source_.from_user) effects_.note(keys, own);
         const std::string label = one_of_many ? fmt::format("case {}: ", one.name) : "";
         const std::optional<PoseFile> file = poses_.resolve(one.scenario, own, label);
+        hull_.resolve(one.scenario, own, label);
         refuse_contradictions(one.scenario, own, label);
         if (source_.from_user) poses_.refuse_faults(one.scenario, file, own, label);
     }
@@ -278,6 +281,7 @@ class Reader {
     Origins axes_;                                               ///< where each axis of the design is given
     std::vector<std::pair<std::size_t, Entry>> case_overrides_;  ///< for which [[case]], as if it stood there
     GivenPoses poses_;
+    GivenHull hull_;
     KeyEffects effects_;
 };
 

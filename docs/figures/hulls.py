@@ -1,0 +1,128 @@
+#!/usr/bin/python3
+"""The pictures of docs/hulls.md, docs/hulls/platform.stl, and what the hull's cost is.
+
+Usage: hulls.py FLOES             (some minutes)
+       hulls.py FLOES --cost      (prints the time of a member with a hull of 50 pieces over that with the cone)
+"""
+import math
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+FOLDER = pathlib.Path(__file__).resolve().parent.parent / "hulls"
+
+SCENE = """
+[campaign]
+seed = 3
+arrangements = 1
+[field]
+floes = 40
+concentration_percent = 70.0
+begin_m = 2.0
+half_width_m = 1.6
+far_end = "ice_sheet"
+[structure]
+start_m = {start}
+speed_m_s = 0.1
+[analysis]
+steady_start_s = 8.0
+window_s = 14.0
+segments = 2
+[hull]
+{hull}
+"""
+
+SHIP = "length_m = 2.0\nbeam_m = 0.8\ndraught_m = 0.25\nfreeboard_m = 0.15\n"
+HULLS = {
+    "cylinder": ("diameter_m = 1.0\ndraught_m = 0.4\nfreeboard_m = 0.2", 0.5),
+    "cone_up": ("diameter_m = 1.0\nwall_deg = 60.0\ndraught_m = 0.4\nfreeboard_m = 0.2", 0.5),
+    "cone_down": ("diameter_m = 1.0\nwall_deg = 60.0\ndraught_m = 0.4\nfreeboard_m = 0.2", 0.5),
+    "four_legs": ("diameter_m = 0.35\nspacing_m = 1.1\ndraught_m = 0.4\nfreeboard_m = 0.2", 0.725),
+    "wedge_bow": (SHIP + "stem_deg = 45.0\nentrance_deg = 35.0\nflare_deg = 75.0", 1.0),
+    "drillship": (SHIP + "stem_deg = 60.0\nentrance_deg = 35.0", 1.0),
+    "barge": (SHIP + "stem_deg = 45.0", 1.0),
+}
+
+
+def run(floes, folder, name, text, *options):
+    config = folder / f"{name}.toml"
+    config.write_text(text)
+    output = folder / f"{name}.h5"
+    subprocess.run([floes, "run", config, "-o", output, *options], check=True, capture_output=True)
+    return output
+
+
+def pictures(floes):
+    FOLDER.mkdir(exist_ok=True)
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        for name, (sizes, ahead) in HULLS.items():
+            campaign = run(floes, folder, name, SCENE.format(start=1.98 - ahead, hull=f'shape = "{name}"\n{sizes}'))
+            subprocess.run([floes, "replay", campaign, "--worst", "-o", FOLDER / f"{name}.png", "--size", "640x400"],
+                           check=True, capture_output=True)
+
+
+def prism(name, outline, low, high):
+    """An STL solid over a convex outline in (x, y), from z = low to high."""
+    def facet(a, b, c):
+        corners = "".join(f"  vertex {x:.6g} {y:.6g} {z:.6g}\n" for x, y, z in (a, b, c))
+        return f" facet normal 0 0 0\n  outer loop\n{corners}  endloop\n endfacet\n"
+
+    text = f"solid {name}\n"
+    for k in range(1, len(outline) - 1):
+        a, b, c = outline[0], outline[k], outline[k + 1]
+        text += facet((*a, low), (*c, low), (*b, low)) + facet((*a, high), (*b, high), (*c, high))
+    for a, b in zip(outline, outline[1:] + outline[:1]):
+        text += facet((*a, low), (*b, low), (*b, high)) + facet((*a, low), (*b, high), (*a, high))
+    return text + f"endsolid {name}\n"
+
+
+def platform():
+    """A platform of two pontoons and four columns in m, z up from the keel, 15 m of draught wanted."""
+    def ring(x, y, radius):
+        return [(x + radius * math.cos(math.pi * k / 12), y + radius * math.sin(math.pi * k / 12)) for k in range(24)]
+
+    text = ""
+    for y, side in ((-25, "starboard"), (25, "port")):
+        text += prism(f"{side} pontoon", [(-40, y - 7), (40, y - 7), (40, y + 7), (-40, y + 7)], 0, 6)
+        for x, end in ((-25, "aft"), (25, "fore")):
+            text += prism(f"{end} {side} column", ring(x, y, 6), 6, 25)
+    (FOLDER / "platform.stl").write_text(text)
+
+
+def sliced(pieces):
+    """The default cone's place as a box of so many pieces."""
+    rows = [[p, 0, -0.6 + 1.2 * (p + i) / pieces, y, z] for p in range(pieces) for i in (0, 1)
+            for y in (-0.443, 0.122) for z in (-0.6, 0.6)]
+    return f'shape = "file"\nparts = "hull"\npieces = {rows}'
+
+
+def cost(floes, rounds=5):
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        texts = {"cone": SCENE.format(start=1.3, hull='shape = "profile"'),
+                 "whole": SCENE.format(start=1.3, hull=sliced(1)), "pieces": SCENE.format(start=1.3, hull=sliced(50))}
+        times = {name: [] for name in texts}
+        for number in range(rounds):
+            for name, text in texts.items():
+                output = run(floes, folder, f"{name}{number}", text, "--threads", "1")
+                found = subprocess.run([floes, "summarize", output, "--format", "csv", "--parts", "members"], check=True,
+                                       capture_output=True, text=True).stdout.splitlines()
+                row = dict(zip(found[0].split(","), found[1].split(",")))
+                times[name].append(float(row[next(key for key in row if re.match("cpu_time", key))]))
+        for name, found in times.items():
+            ratios = [a / b for a, b in zip(found, times["cone"])]
+            print(name, " ".join(f"{one:.2f}" for one in found), "s, over the cone:",
+                  " ".join(f"{one:.2f}" for one in ratios))
+
+
+if __name__ == "__main__":
+    if len(sys.argv) not in (2, 3):
+        sys.exit(__doc__)
+    if len(sys.argv) == 3:
+        cost(sys.argv[1])
+    else:
+        platform()
+        pictures(sys.argv[1])

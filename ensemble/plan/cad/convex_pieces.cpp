@@ -1,0 +1,229 @@
+#include "cad/convex_pieces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace floes {
+namespace {
+
+constexpr double flat = 1e-6;              // of the body's size: nearer than this is in a plane
+constexpr double deep_enough = 1 / 500.0;  // likewise: less deep is not cut
+
+struct Facet {
+    std::vector<Vec3> corners;
+    Plane plane;
+    int group = 0;
+
+    Vec3 middle() const {
+        Vec3 sum = Vec3::Zero();
+        for (const Vec3& corner : corners) sum += corner;
+        return sum / static_cast<double>(corners.size());
+    }
+    double area() const {
+        Vec3 twice = Vec3::Zero();
+        for (std::size_t k = 1; k + 1 < corners.size(); ++k)
+            twice += (corners[k] - corners[0]).cross(corners[k + 1] - corners[0]);
+        return 0.5 * twice.norm();
+    }
+};
+
+struct Part {
+    Polyhedron cell;  ///< what the cuts so far leave of space
+    std::vector<Facet> surface;
+    Polyhedron hull;
+    double depth = 0;  ///< of the deepest point of the surface in the hull, m
+    Vec3 deepest = Vec3::Zero();
+};
+
+class Cutter {
+  public:
+    explicit Cutter(const Surface& body) : body_(&body) {
+        Part whole;
+        Vec3 low = body.corner(0, 0);
+        Vec3 high = low;
+        for (std::size_t t = 0; t < body.triangles.size(); ++t) {
+            Facet facet{{body.corner(t, 0), body.corner(t, 1), body.corner(t, 2)}, {}, body.group[t]};
+            for (const Vec3& corner : facet.corners) {
+                low = low.cwiseMin(corner);
+                high = high.cwiseMax(corner);
+            }
+            const Vec3 normal = (facet.corners[1] - facet.corners[0]).cross(facet.corners[2] - facet.corners[0]);
+            if (!(normal.norm() > 0)) continue;
+            facet.plane = {normal.normalized(), normal.normalized().dot(facet.middle())};
+            whole.surface.push_back(std::move(facet));
+        }
+        size_ = (high - low).norm();
+        const Vec3 wide = 0.01 * Vec3::Constant(size_);
+        std::vector<Vec3> corners;
+        for (int k = 0; k < 8; ++k)
+            corners.emplace_back((k & 1) != 0 ? high.x() + wide.x() : low.x() - wide.x(),
+                                 (k & 2) != 0 ? high.y() + wide.y() : low.y() - wide.y(),
+                                 (k & 4) != 0 ? high.z() + wide.z() : low.z() - wide.z());
+        whole.cell = convex_hull(corners);
+        finish(whole);
+        parts_.push_back(std::move(whole));
+    }
+
+    std::vector<Part> cut(std::size_t most) && {
+        while (parts_.size() < most) {
+            const auto worst = std::ranges::max_element(parts_, {}, &Part::depth);
+            if (worst->depth <= deep_enough * size_) break;
+            std::optional<std::pair<Part, Part>> halves = best_cut(*worst);
+            if (!halves) {
+                worst->depth = 0;  // it stays as it is
+                continue;
+            }
+            *worst = std::move(halves->first);
+            parts_.push_back(std::move(halves->second));
+        }
+        return std::move(parts_);
+    }
+
+    double size() const { return size_; }
+
+  private:
+    void find_hull(Part& part) const {
+        std::vector<Vec3> points;
+        for (const Facet& facet : part.surface) points.insert(points.end(), facet.corners.begin(), facet.corners.end());
+        for (const Vec3& corner : part.cell.corners)  // corners that cuts alone make, inside the body
+            if (encloses(*body_, corner)) points.push_back(corner);
+        part.hull = convex_hull(points);
+    }
+
+    void find_depth(Part& part) const {
+        part.depth = 0;
+        const auto probe = [&](const Vec3& point) {
+            double depth = size_;
+            for (const Plane& plane : part.hull.planes) {
+                depth = std::min(depth, -plane.height(point));
+                if (depth <= part.depth) return;
+            }
+            part.depth = depth;
+            part.deepest = point;
+        };
+        for (const Facet& facet : part.surface) {
+            for (const Vec3& corner : facet.corners) probe(corner);
+            probe(facet.middle());
+            for (std::size_t k = 0; k < facet.corners.size(); ++k)
+                probe(0.5 * (facet.corners[k] + facet.corners[(k + 1) % facet.corners.size()]));
+        }
+    }
+
+    void finish(Part& part) const {
+        find_hull(part);
+        if (!part.hull.empty()) find_depth(part);
+    }
+
+    /// The side of the facet where the plane's normal points from; other sides by turning the plane.
+    Facet below(const Facet& facet, const Plane& plane) const {
+        const double slack = flat * size_;
+        Facet kept{{}, facet.plane, facet.group};
+        bool any = false;
+        for (std::size_t k = 0; k < facet.corners.size(); ++k) {
+            const Vec3& a = facet.corners[k];
+            const Vec3& b = facet.corners[(k + 1) % facet.corners.size()];
+            const double low = plane.height(a);
+            const double high = plane.height(b);
+            any = any || low < -slack;
+            if (low <= slack) kept.corners.push_back(a);
+            if ((low < -slack && high > slack) || (low > slack && high < -slack))
+                kept.corners.emplace_back(a + (b - a) * (low / (low - high)));
+        }
+        const bool lies_in = std::ranges::all_of(
+            facet.corners, [&](const Vec3& corner) { return std::abs(plane.height(corner)) <= slack; });
+        if (lies_in ? facet.plane.normal.dot(plane.normal) < 0 : !any) kept.corners.clear();
+        return kept;
+    }
+
+    Part half(const Part& part, const Plane& plane) const {
+        Part side;
+        side.cell = part.cell.cut(plane);
+        for (const Facet& facet : part.surface)
+            if (Facet kept = below(facet, plane); kept.corners.size() >= 3) side.surface.push_back(std::move(kept));
+        if (!side.surface.empty() && !side.cell.empty()) find_hull(side);
+        return side;
+    }
+
+    std::vector<Plane> planes_at(const Part& part) const {
+        std::vector<Plane> planes;
+        const auto add = [&](const Vec3& normal) {
+            const auto same = [&](const Plane& one) { return std::abs(one.normal.dot(normal)) > 1 - 1e-9; };
+            if (std::ranges::none_of(planes, same)) planes.push_back({normal, normal.dot(part.deepest)});
+        };
+        for (const Facet& facet : part.surface) {
+            const bool touches =
+                std::abs(facet.plane.height(part.deepest)) <= flat * size_ &&
+                std::ranges::any_of(facet.corners, [&, k = std::size_t{0}](const Vec3& corner) mutable {
+                    const Vec3& next = facet.corners[++k % facet.corners.size()];
+                    const Vec3 along = next - corner;
+                    const double share = std::clamp((part.deepest - corner).dot(along) / along.squaredNorm(), 0.0, 1.0);
+                    return (corner + share * along - part.deepest).norm() <= flat * size_;
+                });
+            if (touches && planes.size() < 12) add(facet.plane.normal);
+        }
+        for (int axis = 0; axis < 3; ++axis) add(Vec3::Unit(axis));
+        return planes;
+    }
+
+    std::optional<std::pair<Part, Part>> best_cut(const Part& part) const {
+        std::optional<std::pair<Part, Part>> best;
+        double least = part.hull.volume();
+        for (const Plane& plane : planes_at(part)) {
+            Part low = half(part, plane);
+            Part high = half(part, {-plane.normal, -plane.offset});
+            if (low.hull.empty() || high.hull.empty()) continue;
+            const double volume = low.hull.volume() + high.hull.volume();
+            if (volume >= least * (1 - 1e-9)) continue;
+            least = volume;
+            best.emplace(std::move(low), std::move(high));
+        }
+        if (best) {
+            find_depth(best->first);
+            find_depth(best->second);
+        }
+        return best;
+    }
+
+    const Surface* body_;
+    double size_ = 0;
+    std::vector<Part> parts_;
+};
+
+int largest(const std::map<int, double>& areas) {
+    const auto found = std::ranges::max_element(areas, {}, [](const auto& one) { return one.second; });
+    return found == areas.end() ? -1 : found->first;
+}
+
+ConvexPiece piece_of(const Part& part, double size) {
+    ConvexPiece piece{part.hull, {}, 0};
+    // Until its corners are all that it is made of: whoever makes it of its corners again finds the same faces.
+    for (int again = 0; again < 3; ++again) piece.body = convex_hull(std::vector<Vec3>(piece.body.corners));
+    std::map<int, double> all;
+    for (const Facet& facet : part.surface) all[facet.group] += facet.area();
+    piece.group = largest(all);
+    for (const Plane& face : piece.body.planes) {
+        std::map<int, double> areas;
+        for (const Facet& facet : part.surface)
+            if (facet.plane.normal.dot(face.normal) > 0.99 &&
+                std::abs(face.height(facet.middle())) <= 2 * deep_enough * size)
+                areas[facet.group] += facet.area();
+        piece.face_groups.push_back(largest(areas));
+    }
+    return piece;
+}
+
+}  // namespace
+
+std::vector<ConvexPiece> convex_pieces(const Surface& body, std::size_t most) {
+    Cutter cutter(body);
+    const double size = cutter.size();
+    std::vector<ConvexPiece> pieces;
+    for (const Part& part : std::move(cutter).cut(most))
+        if (!part.hull.empty()) pieces.push_back(piece_of(part, size));
+    return pieces;
+}
+
+}  // namespace floes

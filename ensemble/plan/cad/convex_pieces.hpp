@@ -1,0 +1,28 @@
+#pragma once
+// A closed body cut into convex pieces.
+//
+// A piece that is not convex is cut by a plane through the point of its surface that lies deepest inside its hull: by
+// that of a face there, or one across an axis, whichever leaves the least volume in the two hulls. The deepest piece
+// goes first. A body that is convex stays whole, and one that meets along faces is cut exactly; a surface that curves
+// inwards is cut until no point is deeper than 1/500 of the body's size, or there are as many pieces as wanted. So
+// pieces fill hollows less deep than that, never less than the body.
+//
+// Bullet's HACD was tried instead (docs/hulls.md): it divides the surface and not the body, and left one hollow.
+
+#include <vector>
+
+#include "cad/surface.hpp"
+#include "structure/polyhedron.hpp"
+
+namespace floes {
+
+struct ConvexPiece {
+    Polyhedron body;
+    std::vector<int> face_groups;  ///< group of the surface that each face lies in; -1: in none
+    int group = 0;                 ///< that of most of its surface
+};
+
+/// At most `most` pieces, at least one.
+std::vector<ConvexPiece> convex_pieces(const Surface& body, std::size_t most);
+
+}  // namespace floes
