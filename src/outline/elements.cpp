@@ -126,7 +126,7 @@ std::vector<Block> blocks_of(Corners outline, const Grid& grid) {
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, {}, [&](std::size_t n) { return areas[n]; });
     for (const std::size_t n : order)
-        if (areas[n] < least_share * grid.dx * grid.dz) small.push_back(blocks[n]);
+        if (areas[n] < least_element_share * grid.dx * grid.dz) small.push_back(blocks[n]);
     for (const Block& sliver : small) {
         const auto own = std::ranges::find(blocks, sliver);
         if (own == blocks.end()) continue;  // another one joined it

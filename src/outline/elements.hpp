@@ -40,7 +40,7 @@ struct CutFloe {
 inline constexpr std::size_t most_corners = 24;
 
 /// Cells keep at least this share of their area, or are merged.
-inline constexpr double least_share = 0.3;
+inline constexpr double least_element_share = 0.3;
 
 /// The elements of a convex outline about its centroid, cells of about `side`, m: as many along each axis as its
 /// extents over `side`, rounded.
