@@ -117,8 +117,10 @@ void check_wake(const Scenario& scenario, Contradictions& found) {
     const double radius = scenario.field.wake_radius;
     if (radius == 0) return;
     double diagonal = 0;
+    constexpr double larger = 1.5;  // floes of other arrangements, where outlines are drawn
     for (const FloeShape& shape : floes_of(scenario).shapes)
-        diagonal = std::max(diagonal, std::hypot(shape.length, shape.breadth));
+        diagonal = std::max(diagonal, shape.is_polygon() ? larger * 2 * reach_of(shape.outline)
+                                                         : std::hypot(shape.length, shape.breadth));
     const double least = scenario.structure.shape.largest_radius() + 0.5 * diagonal;
     if (radius < least) {
         found.push_back(

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -96,6 +97,30 @@ TEST(Plan, ShowsTheChannelToScaleWithTheTowToTheRight) {
     EXPECT_NEAR(b.x() - a.x(), projection.scale(), 1e-9);
     EXPECT_NEAR(b.y() - a.y(), projection.scale(), 1e-9);
     EXPECT_NEAR(projection.scale(), 200 / (2 * channel.outer_edge), 1e-9);
+}
+
+// Every element of a polygon shows its own corners from above, and lines where the floe ends.
+TEST(Faces, OfPolygonsHaveTheirCorners) {
+    RecordingSubject made = subject();
+    made.scenario.field.floes = 3;
+    made.scenario.shapes.kind = ShapeKind::voronoi;
+    made.floes = floes_of(made.scenario, {1, 0});
+    const IceLayout layout(made.floes);
+    Frame seen;
+    for (std::size_t i = 0; i < layout.elements.size(); ++i) {
+        seen.elements.push_back({.position = {3 + 0.05 * static_cast<double>(i), 0.1, 0}});
+        seen.pieces.push_back(0);
+        seen.utilisation.push_back(0);
+    }
+    const Stage stage(made, {});
+    const Projection projection(camera(View::plan, made, 2), 4000, 800);
+    const std::vector<Face> faces = stage.faces(seen, projection, {4000, 800}, Colouring::ice);
+    for (std::size_t corners = 3; corners < 9; ++corners) {
+        if (corners == 4) continue;  // as ice sheets and walls have
+        const auto wanted = std::ranges::count_if(
+            layout.elements, [&](const IceLayout::LaidElement& one) { return one.corners.size() == corners; });
+        EXPECT_EQ(std::ranges::count_if(faces, [&](const Face& one) { return one.corners.size() == corners; }), wanted);
+    }
 }
 
 // What lies between the eye and the structure would hide it: ice sheets and floes alongside.

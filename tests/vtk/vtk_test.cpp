@@ -94,6 +94,35 @@ TEST_F(Vtk, IceIsABoxForEachElementWhereTheFrameHasIt) {
     EXPECT_EQ(file.values<std::uint8_t>("types"), std::vector<std::uint8_t>(18, 12));
 }
 
+TEST_F(Vtk, PolygonsAreSolidsOfTheirCorners) {
+    Scenario scenario;
+    scenario.field.floes = 3;
+    scenario.shapes.kind = ShapeKind::voronoi;
+    const IceLayout layout(floes_of(scenario, {1, 0}));
+    Frame frame;
+    frame.elements.resize(layout.elements.size(), {.position = {1, 2, 3}});
+    frame.pieces.resize(frame.elements.size());
+    frame.utilisation.resize(frame.elements.size());
+    const VtkReader file = written(ice_part(frame, layout, std::vector<std::uint8_t>(3)));
+    const auto points = file.values<float>("Points");
+    const auto offsets = file.values<std::int32_t>("offsets");
+    const auto types = file.values<std::uint8_t>("types");
+    std::size_t first = 0;
+    bool unlike_boxes = false;
+    for (std::size_t i = 0; i < layout.elements.size(); ++i) {
+        const Outline& corners = layout.elements[i].corners;
+        ASSERT_EQ(static_cast<std::size_t>(offsets[i]), first + 2 * corners.size());
+        EXPECT_EQ(types[i], corners.size() == 4 ? 12 : 41);
+        unlike_boxes |= corners.size() != 4;
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            EXPECT_LT((point(points, first + k) - Vec3(1 + corners[k].x, 2 - 0.0165, 3 + corners[k].z)).norm(), 1e-6);
+            EXPECT_NEAR(point(points, first + corners.size() + k).y(), 2.0165, 1e-6);
+        }
+        first += 2 * corners.size();
+    }
+    EXPECT_TRUE(unlike_boxes);
+}
+
 TEST_F(Vtk, EveryElementCarriesItsNumbers) {
     const Frame frame = some_frame(0.5);
     const VtkReader file = written(ice_part(frame, two_floes({}), std::vector<std::uint8_t>{0, 1}));
