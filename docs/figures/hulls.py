@@ -92,18 +92,27 @@ def platform():
     (FOLDER / "platform.stl").write_text(text)
 
 
-def sliced(pieces):
-    """The default cone's place as a box of so many pieces."""
-    rows = [[p, 0, -0.6 + 1.2 * (p + i) / pieces, y, z] for p in range(pieces) for i in (0, 1)
-            for y in (-0.443, 0.122) for z in (-0.6, 0.6)]
+def sectors(sides):
+    """The default cone as two rings of so many wedges."""
+    rows = []
+    for layer, (low, high) in enumerate((((-0.443, 0.445), (0.0, 0.614)), ((0.0, 0.614), (0.122, 0.736)))):
+        for side in range(sides):
+            for height, radius in (low, high):
+                rows.append([layer * sides + side, 0, 0.0, height, 0.0])
+                for end in (side, side + 1):
+                    angle = 2 * math.pi * end / sides
+                    rows.append([layer * sides + side, 0, radius * math.cos(angle), height, radius * math.sin(angle)])
     return f'shape = "file"\nparts = "hull"\npieces = {rows}'
+
+
+LONG = SCENE.replace("floes = 40", "floes = 80").replace("window_s = 14.0", "window_s = 30.0")
 
 
 def cost(floes, rounds=5):
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
-        texts = {"cone": SCENE.format(start=1.3, hull='shape = "profile"'),
-                 "whole": SCENE.format(start=1.3, hull=sliced(1)), "pieces": SCENE.format(start=1.3, hull=sliced(50))}
+        texts = {"cone": LONG.format(start=1.3, hull='shape = "profile"'),
+                 "pieces": LONG.format(start=1.3, hull=sectors(25))}
         times = {name: [] for name in texts}
         for number in range(rounds):
             for name, text in texts.items():

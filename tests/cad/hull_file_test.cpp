@@ -125,12 +125,12 @@ TEST(TakeHull, SolidsAndBodiesAreParts) {
         std::vector<std::pair<std::string, std::vector<Triangle3>>> all;
         for (const double x : {-20.0, 20.0})
             for (const double y : {-20.0, 20.0})
-                all.emplace_back(fmt::format("leg{}", all.size() + 1), box({x - 4, y - 4, -10}, {x + 4, y + 4, 5}));
+                all.emplace_back(fmt::format("leg {}", all.size() + 1), box({x - 4, y - 4, -10}, {x + 4, y + 4, 5}));
         return all;
     }();
     Structure named;
     take_hull(named, stl_text(legs), "legs.stl");
-    EXPECT_EQ(named.shape.part_list(), "leg1, leg2, leg3, leg4");
+    EXPECT_EQ(named.shape.part_list(), "leg 1, leg 2, leg 3, leg 4");
     std::vector<Triangle3> together;
     for (const auto& [name, triangles] : legs) together.insert(together.end(), triangles.begin(), triangles.end());
     Structure one;

@@ -44,18 +44,18 @@ MatrixXd centred(const MatrixXd& rows) {
 }
 
 /// A plane through the values over centred covariates.
-struct Plane {
+struct FittedPlane {
     VectorXd slopes;
     MatrixXd inverse;     ///< of X'X
     double residual = 0;  ///< sum of squares
     double left_out = 0;  ///< R² of predictions of each value from the others
 };
 
-Plane fit(const VectorXd& values, const MatrixXd& covariates) {
+FittedPlane fit(const VectorXd& values, const MatrixXd& covariates) {
     const MatrixXd x = centred(covariates);
     const double count = static_cast<double>(values.size());
     const VectorXd y = values.array() - values.mean();
-    Plane plane;
+    FittedPlane plane;
     plane.inverse = (x.transpose() * x).inverse();
     plane.slopes = plane.inverse * x.transpose() * y;
     const VectorXd errors = y - x * plane.slopes;
@@ -82,7 +82,7 @@ ControlledMean controlled_mean(std::span<const double> values, const Covariates&
     if (samples.known.cols() == 0 || freedom < 2 || values.size() < fewest_controlled || population.size() < 2)
         return result;
     const VectorXd y = Eigen::Map<const VectorXd>(values.data(), count);
-    const Plane plane = fit(y, samples.known);
+    const FittedPlane plane = fit(y, samples.known);
     result.left_out = plane.left_out;
     if (!(plane.left_out > 0)) return result;
     const VectorXd shift = (samples.population.colwise().mean() - samples.known.colwise().mean()).transpose();

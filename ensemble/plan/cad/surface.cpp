@@ -69,13 +69,36 @@ void add_mesh(Surface& surface, Points& points, const aiMesh& mesh, int group, c
     }
 }
 
-void add_node(Surface& surface, Points& points, const aiScene& scene, const aiNode& node, const std::string& file) {
+/// Names of the solids of an STL text, which assimp would end at the first blank.
+std::vector<std::string> solid_names(const std::string& bytes) {
+    std::vector<std::string> names;
+    for (std::size_t from = 0; from < bytes.size();) {
+        const std::size_t end = std::min(bytes.find_first_of("\r\n", from), bytes.size());
+        constexpr std::string_view word = "solid ";
+        const std::size_t first = bytes.find_first_not_of(" \t", from);
+        if (first < end && bytes.compare(first, word.size(), word) == 0) {
+            std::size_t last = end;
+            while (bytes[last - 1] == ' ' || bytes[last - 1] == '\t') --last;
+            names.push_back(
+                bytes.substr(std::min(first + word.size(), last), last - std::min(first + word.size(), last)));
+        }
+        from = end + 1;
+    }
+    return names;
+}
+
+/// `names`: of the meshes; empty where nodes have theirs.
+void add_node(Surface& surface, Points& points, const aiScene& scene, const aiNode& node,
+              const std::vector<std::string>& names, const std::string& file) {
     for (unsigned m = 0; m < node.mNumMeshes; ++m) {
-        const aiMesh& mesh = *scene.mMeshes[node.mMeshes[m]];
-        const std::string name = node.mName.length > 0 ? node.mName.C_Str() : mesh.mName.C_Str();
+        const unsigned number = node.mMeshes[m];
+        const aiMesh& mesh = *scene.mMeshes[number];
+        const std::string name = !names.empty()          ? names[number]
+                                 : node.mName.length > 0 ? node.mName.C_Str()
+                                                         : mesh.mName.C_Str();
         add_mesh(surface, points, mesh, group_named(surface, name), file);
     }
-    for (unsigned k = 0; k < node.mNumChildren; ++k) add_node(surface, points, scene, *node.mChildren[k], file);
+    for (unsigned k = 0; k < node.mNumChildren; ++k) add_node(surface, points, scene, *node.mChildren[k], names, file);
 }
 
 /// Of every triangle the number of its body: those that edges join.
@@ -184,7 +207,9 @@ Surface read_surface(const std::string& bytes, const std::string& file) {
                                      importer.GetErrorString()));
     Surface surface;
     Points points(surface);
-    add_node(surface, points, *scene, *scene->mRootNode, file);
+    std::vector<std::string> names = ending == "stl" ? solid_names(bytes) : std::vector<std::string>{};
+    if (names.size() != scene->mNumMeshes) names.clear();
+    add_node(surface, points, *scene, *scene->mRootNode, names, file);
     if (surface.triangles.empty()) throw InputError(fmt::format("{}: the file has no triangles", file));
     if (surface.triangles.size() > most_triangles)
         throw InputError(fmt::format("{}: the surface has {} triangles, more than {}; export it more coarsely", file,
