@@ -61,6 +61,7 @@ void draw_lines(Canvas& canvas, const Stage& stage, const Frame& frame, const Pr
 }
 
 void draw_tow(Canvas& canvas, const Stage& stage, const Frame& frame, const Projection& projection, double unit) {
+    if (stage.subject().scenario.path.any()) return;  // it goes elsewhere than along +x
     const Structure& structure = stage.subject().scenario.structure;
     const double ahead = structure.speed < 0 ? -1 : 1;
     const double radius = structure.shape.largest_radius();

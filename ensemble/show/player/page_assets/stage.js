@@ -15,7 +15,8 @@ class Stage {
     this.water = makeWater(header);
     const contacts = Math.max(...Array.from({length: replay.frames},
       (_, f) => replay.firstContact[f + 1] - replay.firstContact[f]));
-    this.arrows = new Arrows(2 * contacts + 5);
+    const lines = Math.max(0, ...(header.lines || []).map(held => held.length));
+    this.arrows = new Arrows(2 * contacts + lines + 5);
     this.scene.add(makeLights(), this.ice.mesh, this.structure, this.sheets, this.water);
     this.overlay = new THREE.Scene().add(this.arrows.mesh);
     this.renderer.autoClear = false;
