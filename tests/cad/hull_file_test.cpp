@@ -193,7 +193,7 @@ TEST(TakeHull, SaysWhatIsWrongWithAFile) {
     EXPECT_NE(refusal_of("x", "x.step").find("export one of these"), std::string::npos);
     EXPECT_NE(refusal_of(stl_bytes(box({-1, -1, 1}, {1, 1, 2})), "x.stl").find("does not stand in the water"),
               std::string::npos);
-    EXPECT_NE(refusal_of(stl_bytes(closed), "x.stl", {.up = HullAxis::plus_x, .forward = HullAxis::minus_x})
+    EXPECT_NE(refusal_of(stl_bytes(closed), "x.stl", {.path = "", .up = HullAxis::plus_x, .forward = HullAxis::minus_x})
                   .find("right angles"),
               std::string::npos);
     EXPECT_EQ(refusal_of(stl_bytes(closed), "x.stl"), "");

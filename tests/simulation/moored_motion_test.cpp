@@ -151,7 +151,7 @@ TEST(MooredMotion, StruckByAFloeItTakesItsMomentum) {
         definition.gravity = 0;
         definition.solver = SolverKind::lanes;
         World world(definition);
-        const std::vector<ConvexSolid> drum{{-0.5, 0.6, 0.5, 0.6}};
+        const std::vector<ConvexSolid> drum{Frustum{-0.5, 0.6, 0.5, 0.6}};
         const BodyId structure = world.add_structure(drum, Vec3::Zero());
         const double floe_mass = 1.2;
         const BodyId floe = world.add_element({.half_extents = {0.1, 0.0165, 0.1},

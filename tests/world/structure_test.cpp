@@ -56,7 +56,7 @@ TEST(WorldStructure, WallThatTurnsRubs) {
             WorldDefinition definition = weightless();
             definition.solver = solver;
             World world(definition);
-            const std::vector<ConvexSolid> drum{{-0.5, 0.6, 0.5, 0.6}};
+            const std::vector<ConvexSolid> drum{Frustum{-0.5, 0.6, 0.5, 0.6}};
             const BodyId structure = world.add_structure(drum, Vec3::Zero());
             const BodyId body = world.add_element(element_at({0.7, 0, 0}));
             for (int step = 1; step <= 5; ++step) {
