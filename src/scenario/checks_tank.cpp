@@ -41,6 +41,12 @@ void check_shape(const Scenario& scenario, Contradictions& found) {
         return;
     }
     check_added_volume(structure, found);
+    const double breadth = 2 * structure.shape.waterline_radius();
+    if (by_profile || breadth >= 0.5 * scenario.floe.element) return;
+    found.push_back({{key, "floe.element_m"},
+                     fmt::format("the structure is {:.4g} m wide at the waterline, less than half of {}; take smaller "
+                                 "elements, or look at hull.unit",
+                                 breadth, given(scenario, "floe.element_m"))});
 }
 
 void check_tow(const Scenario& scenario, Contradictions& found) {

@@ -72,6 +72,9 @@ TEST(ReadHull, SaysWhatIsWrong) {
         message("beam_m = 2.0"),
         "configs/a.toml:2: hull.beam_m = 2.0 has no effect: it needs a hull.shape that has it (docs/hulls.md). Add "
         "that, or leave hull.beam_m out.");
+    EXPECT_NE(message("shape = \"cylinder\"\ndiameter_m = 0.05\ndraught_m = 1.0\nfreeboard_m = 1.0")
+                  .find("less than half of floe.element_m = 0.2"),
+              std::string::npos);
     EXPECT_NE(message("shape = \"bargee\"").find("did you mean \"barge\"?"), std::string::npos);
     EXPECT_NE(message("shape = \"cylinder\"\ndiameter_m = 6.0\ndraught_m = 1.0\nfreeboard_m = 1.0")
                   .find("does not fit between the ice sheets"),
