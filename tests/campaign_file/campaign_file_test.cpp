@@ -79,7 +79,12 @@ TEST(CampaignTable, HasEveryMemberWithItsNumbers) {
     const MemberResult& result = synthetic::record(campaign, 8).result;
     EXPECT_EQ(row.status, RowStatus::done);
     EXPECT_EQ(row.case_index, 2);
-    for (const Quantity& one : quantities) EXPECT_EQ(row.value(one), one.of(result)) << one.key.view();
+    for (const Quantity& one : quantities) {
+        if (std::isnan(one.of(result)))  // of a structure that gives way or turns
+            EXPECT_TRUE(std::isnan(row.value(one))) << one.key.view();
+        else
+            EXPECT_EQ(row.value(one), one.of(result)) << one.key.view();
+    }
     EXPECT_EQ(row.load.segment_maximum, result.load.segment_maximum);
     EXPECT_TRUE(row.load.steady);
 }

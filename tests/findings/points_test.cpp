@@ -189,7 +189,7 @@ TEST(WhatWasRun, DrawsFloesThatDifferAsTheyAre) {
     EXPECT_THAT(told.figures.back().caption, HasSubstr("the smallest, the middle one by area and the largest"));
 
     Evidence cells =
-        evidence_with("[campaign]\narrangements = 3\n[shapes]\nkind = \"voronoi\"\n[joint]\nfailure = \"moment\"\n");
+        evidence_with("[campaign]\narrangements = 3\n[shapes]\nkind = \"voronoi\"\n[contact]\npreset = \"physical\"\n[general]\nsolver = \"direct\"\n[joint]\nmodel = \"beam\"\nfailure = \"moment\"\n");
     const Section drawn = what_was_run(cells);
     const Figure& figure = drawn.figures.back();
     const auto polygons = std::ranges::count_if(

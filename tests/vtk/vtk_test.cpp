@@ -96,14 +96,14 @@ TEST_F(Vtk, IceIsABoxForEachElementWhereTheFrameHasIt) {
 
 TEST_F(Vtk, PolygonsAreSolidsOfTheirCorners) {
     Scenario scenario;
-    scenario.field.floes = 3;
+    scenario.field.floes = 12;
     scenario.shapes.kind = ShapeKind::voronoi;
     const IceLayout layout(floes_of(scenario, {1, 0}));
     Frame frame;
     frame.elements.resize(layout.elements.size(), {.position = {1, 2, 3}});
     frame.pieces.resize(frame.elements.size());
     frame.utilisation.resize(frame.elements.size());
-    const VtkReader file = written(ice_part(frame, layout, std::vector<std::uint8_t>(3)));
+    const VtkReader file = written(ice_part(frame, layout, std::vector<std::uint8_t>(12)));
     const auto points = file.values<float>("Points");
     const auto offsets = file.values<std::int32_t>("offsets");
     const auto types = file.values<std::uint8_t>("types");
