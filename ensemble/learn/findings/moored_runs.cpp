@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "findings/moored_cases.hpp"
@@ -12,6 +13,8 @@
 
 namespace floes {
 namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 struct MooredRow {
     std::size_t case_index = 0;
@@ -41,7 +44,11 @@ std::vector<MooredRow> find_rows(const Evidence& evidence) {
     for (std::size_t index = 0; index < evidence.campaign.cases.size(); ++index) {
         const Scenario& scenario = evidence.campaign.cases[index].scenario;
         if (!scenario.moorings.give_way() || done_members(evidence.table, index).empty()) continue;
-        const auto interval = [&](std::string_view key) { return mean_interval(values_of(evidence, index, key)); };
+        const auto interval = [&](std::string_view key) {
+            const std::vector<double> values = values_of(evidence, index, key);
+            const bool known = std::ranges::none_of(values, [](double value) { return std::isnan(value); });
+            return known ? mean_interval(values) : Interval{nan, nan, nan};  // without lines there is no tension
+        };
         const std::vector<double> yaw = values_of(evidence, index, "largest_yaw");
         double squares = 0;
         const std::vector<double> speeds = values_of(evidence, index, "rms_surge_velocity");
