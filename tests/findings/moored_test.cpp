@@ -9,9 +9,11 @@
 #include <functional>
 #include <numbers>
 
+#include "campaign/read.hpp"
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "findings/design_load_section.hpp"
+#include "findings/example.hpp"
 #include "support/refusal.hpp"
 
 namespace floes {
@@ -207,6 +209,33 @@ TEST(Moored, IsToldAtFullScale) {
     EXPECT_THAT(told, HasSubstr("mean_offset_m"));
     EXPECT_THAT(told, HasSubstr(",4,8,2,0.02,0.4"));   // scale, period, averaging, separation, offset
     EXPECT_THAT(told, HasSubstr(",128,128,128,64,"));  // largest force and load
+}
+
+/// Springs alone: no line, so no tension and none broken.
+TEST(MooredRuns, WithoutLinesTellNoTension) {
+    Campaign campaign = read_campaign({"[campaign]\narrangements = 2\n[moorings]\nmass_t = 1.0\ngyration_m = 0.4\n"
+                                       "surge_kN_m = 1.0\nsway_kN_m = 1.0\nyaw_kN_m_rad = 1.0\n",
+                                       "a.toml",
+                                       {}},
+                                      nullptr);
+    CampaignTable table;
+    CaseRow row;
+    row.name = campaign.cases.front().name;
+    row.shape = campaign.cases.front().scenario.structure.shape;
+    table.cases.push_back(row);
+    for (int arrangement = 0; arrangement < 2; ++arrangement) {
+        MemberRow member = example::done(0, arrangement, 20 + arrangement, 0.1, 1);
+        member.moored.surge_offset = {0.01, 0.002, 0.03};
+        member.moored.surge_mooring = {20, 5, 40};
+        member.moored.mean_maximum = 30;
+        member.moored.rms_velocity = 0.001;
+        member.moored.yaw = {0, 0, 0};
+        table.members.push_back(member);
+    }
+    const std::optional<Section> told = moored_runs_section(evidence_of(campaign, table));
+    ASSERT_TRUE(told);
+    EXPECT_THAT(told->table.front(), testing::Not(testing::Contains(testing::Field(&Cell::value, "lines broken"))));
+    EXPECT_EQ(told->table.size(), 2u);
 }
 
 }  // namespace

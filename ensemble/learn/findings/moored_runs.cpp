@@ -47,7 +47,7 @@ std::vector<MooredRow> find_rows(const Evidence& evidence) {
         const auto interval = [&](std::string_view key) {
             const std::vector<double> values = values_of(evidence, index, key);
             const bool known = std::ranges::none_of(values, [](double value) { return std::isnan(value); });
-            return known ? mean_interval(values) : Interval{nan, nan, nan};  // without lines there is no tension
+            return known ? mean_interval(values) : Interval{nan, nan, nan, nan, nan};  // without lines there is no tension
         };
         const std::vector<double> yaw = values_of(evidence, index, "largest_yaw");
         double squares = 0;
