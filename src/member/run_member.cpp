@@ -86,7 +86,6 @@ void take_motion(MemberResult& result, const Scenario& scenario) {
         return std::span(history).subspan(static_cast<std::size_t>(scenario.first_window_step()));
     };
     const MotionHistory& motion = result.motion;
-    result.yaw_load = swing_of(in_window(motion.yaw_load));
     if (!scenario.moorings.give_way()) return;
     const double step = scenario.general.time_step;
     result.moored = {

@@ -32,7 +32,6 @@ struct MemberOutputs {
     double coverage_ahead = 0;  ///< share of the structure's path covered by ice at t = 0, 0-1
     WorkShares work;            ///< where the work of the tow went in the window
     double mean_sweeps = 0;     ///< of the solver a step, over the run
-    Swing yaw_load;             ///< N m, of the ice about the axis of a structure that is not towed straight on
     MooredResponse moored;      ///< of a structure that gives way
     PeakReactions peaks;        ///< over all joints and the whole run
 };

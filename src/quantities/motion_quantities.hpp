@@ -66,11 +66,6 @@ inline constexpr std::array motion_quantities{
              .long_name = "mooring lines that broke",
              .place = at<&MemberOutputs::moored, &MooredResponse::broken_lines>(),
              .count = true,
-             .since = 13},
-    motion_quantity("mean_yaw_load", "N m",
-                    "mean moment of the ice about the structure's axis, positive where it turns +z to +x",
-                    at<&MemberOutputs::yaw_load, &Swing::mean>()),
-    motion_quantity("largest_yaw_load", "N m", "largest amount of the moment of the ice about the structure's axis",
-                    at<&MemberOutputs::yaw_load, &Swing::largest>())};
+             .since = 13}};
 
 }  // namespace floes
