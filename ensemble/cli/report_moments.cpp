@@ -57,8 +57,13 @@ std::vector<MomentPicture> pictures_of(const ReplaySubject& subject, const KeyFr
 
 void add_moments(const std::filesystem::path& file, bool all, ReportData& data) {
     std::vector<ReplaySubject> subjects;
-    for (const int member : pictured_members(data.evidence, all))
+    const CampaignTable& table = data.evidence.table;
+    for (const int member : pictured_members(data.evidence, all)) {
+        const auto of_case = static_cast<std::size_t>(table.members.at(static_cast<std::size_t>(member)).case_index);
+        if (table.cases.at(of_case).far_end == FarEnd::never) continue;  // a recording holds a field with an end
         subjects.push_back(replay_subject(file, data.evidence.table, member));
+    }
+    if (subjects.empty()) return;
     const WaitingNote patience(std::cerr,
                                fmt::format("computing {} again for pictures of the largest loads; --pictures none "
                                            "leaves them out",

@@ -4,10 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <span>
 
 #include "arrangement/check.hpp"
+#include "arrangement/endless_field.hpp"
 #include "arrangement/jittered_lattice.hpp"
 #include "arrangement/order.hpp"
 #include "arrangement/sampler.hpp"
@@ -118,6 +120,13 @@ std::string sizes_text(const Scenario& scenario) {
     return text;
 }
 
+void measure(Arrangement& made, const Scenario& scenario) {
+    const std::vector<PlanarPose> poses = made.poses();
+    made.psi4 = fourfold_order(poses);
+    made.local_order = local_order(poses);
+    made.coverage_ahead = coverage_ahead(scenario, made);
+}
+
 }  // namespace
 
 std::uint64_t geometry_key(const Scenario& scenario) {
@@ -152,6 +161,7 @@ double coverage_ahead(const Scenario& scenario, const FloeSet& floes) {
 }
 
 Arrangement make_arrangement(const Scenario& scenario, std::uint64_t seed, std::uint32_t number) {
+    if (scenario.field.endless()) return lay_field(scenario, seed, number).floes;
     Arrangement made{floes_of(scenario, {seed, number})};
     const std::vector<PlanarPose> poses = scenario.shapes.any() ? poses_of_polygons(scenario, made, seed, number)
                                                                 : find_poses(scenario, rectangles(made), seed, number);
@@ -163,10 +173,17 @@ Arrangement make_arrangement(const Scenario& scenario, std::uint64_t seed, std::
         throw RunError(fmt::format("arrangement {} came out wrong, which is an error of the program: {}", number,
                                    fault->sentence));
     }
-    made.psi4 = fourfold_order(poses);
-    made.local_order = local_order(poses);
-    made.coverage_ahead = coverage_ahead(scenario, made);
+    measure(made, scenario);
     return made;
+}
+
+LaidField lay_field(const Scenario& scenario, std::uint64_t seed, std::uint32_t number) {
+    if (!scenario.field.endless()) return {make_arrangement(scenario, seed, number), {}};
+    const auto field = std::make_shared<EndlessField>(scenario, seed, number);
+    const FieldPart first = field->next();
+    LaidField laid{{gathered(first.floes)}, {first.end, [field] { return field->next(); }}};
+    measure(laid.floes, scenario);
+    return laid;
 }
 
 }  // namespace floes

@@ -26,6 +26,15 @@ struct Arrangement : FloeSet {
 /// do not come to rest, or given poses overlap.
 Arrangement make_arrangement(const Scenario& scenario, std::uint64_t seed, std::uint32_t number);
 
+/// The floes of a field with an end; of one without, those of its first part, and where the others come from.
+struct LaidField {
+    Arrangement floes;
+    IceAhead ahead;  ///< next is empty for a field with an end
+};
+
+/// As make_arrangement(), with what lies beyond.
+LaidField lay_field(const Scenario& scenario, std::uint64_t seed, std::uint32_t number);
+
 /// Digest of everything that determines the poses: floe sides, field, arrangement rule. Scenarios with the same key get
 /// the same floes for the same seed and number, whatever else differs (common random numbers).
 std::uint64_t geometry_key(const Scenario& scenario);

@@ -174,4 +174,21 @@ std::optional<Fault> find_fault(const Scenario& scenario, const FloeSet& floes) 
         {i, j}};
 }
 
+std::optional<std::string> nearness_fault(const Walls& walls, std::span<const Rectangle> shapes,
+                                          std::span<const PlanarPose> poses, double clearance) {
+    const double margin = 0.5 * (clearance - rounding);
+    std::vector<TurnedRectangle> grown;
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        const Turn turn = turn_of(poses[i].yaw);
+        grown.push_back({shapes[i].grown(margin), turn});
+        if (std::abs(poses[i].z) + extent(shapes[i], turn).z > 0.5 * walls.breadth - clearance + rounding)
+            return fmt::format("the floe at x = {:.4f} m, z = {:.4f} m crosses a side", poses[i].x, poses[i].z);
+    }
+    const auto pair = overlapping_pair(walls, grown, poses);
+    if (!pair) return std::nullopt;
+    const auto [i, j] = *pair;
+    return fmt::format("the floes at x = {:.4f} m, z = {:.4f} m and x = {:.4f} m, z = {:.4f} m are too near",
+                       poses[i].x, poses[i].z, poses[j].x, poses[j].z);
+}
+
 }  // namespace floes

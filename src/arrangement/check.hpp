@@ -2,6 +2,7 @@
 // The final check of an arrangement: every pair of floes, every wall, the concentration.
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,5 +32,10 @@ struct Fault {
 /// floes are too close if they overlap with half the clearance added on every side; between a corner and a side this
 /// requires up to 1.21 times the clearance.
 std::optional<Fault> find_fault(const Scenario& scenario, const FloeSet& floes);
+
+/// The first of rectangles that is nearer than the clearance (less a nanometre) to an earlier one, or to the sides of
+/// `walls`, in words; nothing if none is. Poses and shapes one by one.
+std::optional<std::string> nearness_fault(const Walls& walls, std::span<const Rectangle> shapes,
+                                          std::span<const PlanarPose> poses, double clearance);
 
 }  // namespace floes

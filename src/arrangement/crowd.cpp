@@ -73,8 +73,12 @@ void Crowd::Body::lie(const PlanarPose& pose) {
     place = {pose.x, pose.z};
 }
 
-Crowd::Crowd(const Walls& walls, std::span<const Rectangle> shapes, std::span<const PlanarPose> poses)
-    : walls_(walls), diagonal_(2 * widest_reach(shapes)), skin_(0.25 * widest_reach(shapes)) {
+Crowd::Crowd(const Walls& walls, std::span<const Rectangle> shapes, std::span<const PlanarPose> poses,
+             const Fixed& fixed)
+    : walls_(walls),
+      diagonal_(2 * std::max(widest_reach(shapes), widest_reach(fixed.shapes))),
+      skin_(0.25 * widest_reach(shapes)),
+      free_(poses.size()) {
     for (std::size_t i = 0; i < poses.size(); ++i) {
         const double reach = shapes[i].half_diagonal();
         bodies_.push_back({.shape = shapes[i],
@@ -82,6 +86,10 @@ Crowd::Crowd(const Walls& walls, std::span<const Rectangle> shapes, std::span<co
                            .turn_weight = turning / (reach * reach),
                            .turn = {}});
         bodies_.back().lie(poses[i]);
+    }
+    for (std::size_t i = 0; i < fixed.poses.size(); ++i) {
+        bodies_.push_back({.shape = fixed.shapes[i], .weight = 0, .turn_weight = 0, .turn = {}});
+        bodies_.back().lie(fixed.poses[i]);
     }
     find_neighbours();
 }
@@ -98,13 +106,13 @@ double Crowd::sweep() {
         const double by_one = lever(met->arm_first, met->normal);
         const double by_other = lever(met->arm_second, met->normal);
         // By ratios of weights, which are exactly 1 where floes are alike.
-        const double ratio = other.weight / one.weight;
+        const double ratio = other.weight / one.weight;  // 0 for a fixed one, which is never the first of a pair
         const double turned = by_one * by_one + by_other * by_other * ratio * (other.turn_weight / one.turn_weight);
         const double push = over_relaxation * met->depth / (1 + ratio + one.turn_weight * turned);
         shift(one, met->arm_first, met->normal, -push);
         shift(other, met->arm_second, met->normal, ratio * push);
     }
-    for (Body& body : bodies_) {
+    for (Body& body : std::span(bodies_).first(free_)) {
         for (const Vec2& normal : wall_normals) {
             const auto met = contact(body, normal);
             if (!met) continue;
@@ -125,7 +133,7 @@ void Crowd::for_each_overlap(const See& see) const {
         see(first, met->depth);
         see(second, met->depth);
     }
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    for (std::size_t i = 0; i < free_; ++i) {
         for (const Vec2& normal : wall_normals)
             if (const auto met = contact(bodies_[i], normal)) see(i, met->depth);
     }
@@ -134,6 +142,7 @@ void Crowd::for_each_overlap(const See& see) const {
 std::vector<double> Crowd::overlaps() const {
     std::vector<double> sums(bodies_.size(), 0);
     for_each_overlap([&](std::size_t rectangle, double depth) { sums[rectangle] += depth; });
+    sums.resize(free_);
     return sums;
 }
 
@@ -162,7 +171,7 @@ void Crowd::put(std::size_t rectangle, const PlanarPose& pose) {
 
 std::vector<PlanarPose> Crowd::poses() const {
     std::vector<PlanarPose> result;
-    for (const Body& body : bodies_)
+    for (const Body& body : std::span(bodies_).first(free_))
         result.push_back({body.place.x(), body.place.y(), std::remainder(body.yaw, 2 * std::numbers::pi)});
     return result;
 }
@@ -220,6 +229,7 @@ void Crowd::find_neighbours() {
         const std::size_t number = places_.size();
         const double own = body.shape.half_diagonal();
         cells.for_each_near(body.place.x(), body.place.y(), [&](const Resident& other) {
+            if (static_cast<std::size_t>(other.floe) >= free_) return;  // both are fixed
             const double both = own + bodies_[static_cast<std::size_t>(other.floe)].shape.half_diagonal() + skin_;
             if ((body.place - Vec2(other.x, other.z)).squaredNorm() < both * both)
                 pairs_.emplace_back(static_cast<std::size_t>(other.floe), number);

@@ -20,10 +20,17 @@
 
 namespace floes {
 
+/// Rectangles that stay where they are; a pose of each shape.
+struct Fixed {
+    std::span<const Rectangle> shapes;
+    std::span<const PlanarPose> poses;
+};
+
 class Crowd {
   public:
-    /// Rectangles between walls, at poses of any overlap, one a shape.
-    Crowd(const Walls& walls, std::span<const Rectangle> shapes, std::span<const PlanarPose> poses);
+    /// Rectangles between walls, at poses of any overlap, one a shape. Those of `fixed` push and are never pushed.
+    Crowd(const Walls& walls, std::span<const Rectangle> shapes, std::span<const PlanarPose> poses,
+          const Fixed& fixed = {});
 
     /// Pushes every overlapping pair apart once, then every rectangle inside the walls. Returns the largest overlap
     /// that it met, m.
@@ -70,8 +77,9 @@ class Crowd {
     void find_neighbours();
 
     Walls walls_;
-    double diagonal_;  // of the largest, m
-    double skin_;      // m, in which neighbours are found beyond those that can touch
+    double diagonal_;   // of the largest, m
+    double skin_;       // m, in which neighbours are found beyond those that can touch
+    std::size_t free_;  // so many bodies, the first, can be pushed
     std::vector<Body> bodies_;
     std::vector<Vec2> places_;  // of the bodies when neighbours were found
     std::vector<std::pair<std::size_t, std::size_t>> pairs_;

@@ -57,17 +57,17 @@ double reach(const Outline& shape) {
 /// Of mixed sizes the smallest of the floes that overlap most, where it overlaps least among many throws: a pocket that
 /// a small floe fills loosens the rest, and large floes stay as they were thrown.
 template <class AnyCrowd, class Shape>
-void fill_a_pocket(AnyCrowd& crowd, std::span<const Shape> shapes, const Walls& walls, RandomStream& random) {
+void fill_a_pocket(AnyCrowd& crowd, std::span<const Shape> shapes, const Walls& thrown, RandomStream& random) {
     const std::vector<double> overlaps = crowd.overlaps();
     std::vector<std::size_t> floes(overlaps.size());
     std::iota(floes.begin(), floes.end(), std::size_t{0});
     std::ranges::stable_sort(floes, std::ranges::greater(), [&](std::size_t floe) { return overlaps[floe]; });
     floes.resize(1 + (floes.size() - 1) / pocket_choice);
     const std::size_t floe = *std::ranges::min_element(floes, {}, [&](std::size_t i) { return reach(shapes[i]); });
-    PlanarPose best = throw_anywhere(walls, random);
+    PlanarPose best = throw_anywhere(thrown, random);
     double least = crowd.overlap_at(floe, best);
     for (int i = 1; i < pocket_throws; ++i) {
-        const PlanarPose pose = throw_anywhere(walls, random);
+        const PlanarPose pose = throw_anywhere(thrown, random);
         const double overlap = crowd.overlap_at(floe, pose);
         if (overlap >= least) continue;
         best = pose;
@@ -76,48 +76,77 @@ void fill_a_pocket(AnyCrowd& crowd, std::span<const Shape> shapes, const Walls& 
     crowd.put(floe, best);
 }
 
-template <class AnyCrowd, class Shape>
-std::optional<std::vector<PlanarPose>> attempt_mixed(const Walls& room, std::span<const Shape> shapes, double margin,
+/// Between which walls floes are pushed and thrown, and beside what.
+struct Room {
+    Walls walls;
+    Walls first;  // where floes are thrown
+    Walls again;  // where those are that do not fit
+    Fixed fixed;
+    std::span<const PlanarPose> loose;
+
+    std::vector<PlanarPose> poses(std::size_t floes, RandomStream& random) const {
+        std::vector<PlanarPose> found(loose.begin(), loose.end());
+        while (found.size() < floes) found.push_back(throw_anywhere(first, random));
+        return found;
+    }
+};
+
+Crowd crowd_in(const Room& room, std::span<const Rectangle> shapes, RandomStream& random) {
+    return {room.walls, shapes, room.poses(shapes.size(), random), room.fixed};
+}
+/// Beside nothing: no polygon is fixed.
+PolygonCrowd crowd_in(const Room& room, std::span<const Outline> shapes, RandomStream& random) {
+    return {room.walls, shapes, room.poses(shapes.size(), random)};
+}
+
+template <class Shape>
+std::optional<std::vector<PlanarPose>> attempt_mixed(const Room& room, std::span<const Shape> shapes, double margin,
                                                      RandomStream& random) {
-    std::vector<PlanarPose> poses;
-    for (std::size_t i = 0; i < shapes.size(); ++i) poses.push_back(throw_anywhere(room, random));
-    AnyCrowd crowd(room, shapes, poses);
+    auto crowd = crowd_in(room, shapes, random);
     for (int round = 0; round < pocket_rounds; ++round) {
         for (int sweep = 0; sweep < pocket_sweeps; ++sweep)
             if (crowd.sweep() < margin && crowd.deepest() < margin) return crowd.poses();
-        fill_a_pocket(crowd, shapes, room, random);
+        fill_a_pocket(crowd, shapes, room.again, random);
     }
     return {};
 }
 
-std::optional<std::vector<PlanarPose>> attempt(const Walls& room, std::span<const Rectangle> shapes, double margin,
+std::optional<std::vector<PlanarPose>> attempt(const Room& room, std::span<const Rectangle> shapes, double margin,
                                                RandomStream& random) {
-    std::vector<PlanarPose> poses;
-    for (std::size_t i = 0; i < shapes.size(); ++i) poses.push_back(throw_anywhere(room, random));
-    Crowd crowd(room, shapes, poses);
+    Crowd crowd = crowd_in(room, shapes, random);
     for (int round = 0; round < rounds; ++round) {
         for (int sweep = 0; sweep < sweeps_per_round; ++sweep)
             if (crowd.sweep() < margin && crowd.deepest() < margin) return crowd.poses();
         // Some floes are wedged: most often a straight row from wall to wall that is a little too long. Pushing does
         // not bend it, and one floe less loosens it.
-        for (const std::size_t floe : most_pressed(crowd)) crowd.put(floe, throw_anywhere(room, random));
+        for (const std::size_t floe : most_pressed(crowd)) crowd.put(floe, throw_anywhere(room.again, random));
     }
     return {};
 }
 
-}  // namespace
-
-std::vector<PlanarPose> scattered(const Walls& walls, std::span<const Rectangle> shapes, double clearance,
-                                  RandomStream& random) {
+/// Thrown and pushed until none overlap.
+std::vector<PlanarPose> pushed_apart(const Walls& walls, std::span<const Rectangle> shapes,
+                                     const std::optional<Beside>& beside, double clearance, RandomStream& random) {
     // Floes are enlarged by this margin and come to rest with overlaps below it, so the true floes do not overlap.
     const double margin = 1e-4 * least_half_side(shapes);
-    const Walls room = walls.shrunk(0.5 * clearance);
-    std::vector<Rectangle> grown;
-    for (const Rectangle& shape : shapes) grown.push_back(shape.grown(0.5 * clearance).grown(margin));
+    const auto grown_all = [&](std::span<const Rectangle> given) {
+        std::vector<Rectangle> grown;
+        for (const Rectangle& shape : given) grown.push_back(shape.grown(0.5 * clearance).grown(margin));
+        return grown;
+    };
+    const std::vector<Rectangle> grown = grown_all(shapes);
+    const std::vector<Rectangle> fixed = beside ? grown_all(beside->fixed.shapes) : std::vector<Rectangle>{};
+    const Walls inner = walls.shrunk(0.5 * clearance);
+    Room room{inner, inner, inner, {}, {}};
+    if (beside) {
+        const auto beyond = [&](double x) {
+            return Walls{x, inner.low_z, inner.low_x + inner.length - x, inner.breadth};
+        };
+        room = {inner, beyond(beside->from), beyond(beside->again), {fixed, beside->fixed.poses}, beside->loose};
+    }
     const bool mixed = std::ranges::any_of(shapes, [&](const Rectangle& one) { return one != shapes.front(); });
     for (int i = 0; i < attempts; ++i)
-        if (const auto poses = (mixed ? attempt_mixed<Crowd, Rectangle> : attempt)(room, grown, margin, random))
-            return *poses;
+        if (const auto poses = (mixed ? attempt_mixed<Rectangle> : attempt)(room, grown, margin, random)) return *poses;
     const Rectangle largest = covering(shapes);
     throw InputError(fmt::format(
         "{} floes of {} m x {} m, scattered in a field of {:.3f} m x {:.3f} m, still overlap after {} attempts at "
@@ -125,6 +154,18 @@ std::vector<PlanarPose> scattered(const Walls& walls, std::span<const Rectangle>
         "arrangement.method = \"monte_carlo\", whose floes lie in rows where they are dense",
         shapes.size(), 2 * largest.half_length, 2 * largest.half_breadth, walls.length, walls.breadth, attempts,
         clearance));
+}
+
+}  // namespace
+
+std::vector<PlanarPose> scattered(const Walls& walls, std::span<const Rectangle> shapes, double clearance,
+                                  RandomStream& random) {
+    return pushed_apart(walls, shapes, {}, clearance, random);
+}
+
+std::vector<PlanarPose> scattered_beside(const Walls& walls, std::span<const Rectangle> shapes, const Beside& beside,
+                                         double clearance, RandomStream& random) {
+    return pushed_apart(walls, shapes, beside, clearance, random);
 }
 
 std::vector<PlanarPose> scattered(const Walls& walls, std::span<const Outline> outlines, double clearance,
@@ -136,12 +177,13 @@ std::vector<PlanarPose> scattered(const Walls& walls, std::span<const Outline> o
         area += area_of(one);
     }
     const double margin = 1e-4 * least;
-    const Walls room = walls.shrunk(0.5 * clearance);
+    const Walls inner = walls.shrunk(0.5 * clearance);
+    const Room room{inner, inner, inner, {}, {}};
     std::vector<Outline> larger;
     for (const Outline& one : outlines) larger.push_back(grown(one, 0.5 * clearance + margin));
     const std::span<const Outline> shapes = larger;
     for (int i = 0; i < attempts; ++i)
-        if (const auto poses = attempt_mixed<PolygonCrowd, Outline>(room, shapes, margin, random)) return *poses;
+        if (const auto poses = attempt_mixed<Outline>(room, shapes, margin, random)) return *poses;
     throw InputError(fmt::format(
         "{} polygons that cover {:.3g} % of a field of {:.3f} m x {:.3f} m still overlap after {} attempts at pushing "
         "them apart to a clearance of {} m; lower field.concentration_percent or the clearance, or take "

@@ -31,6 +31,26 @@ void BoxContacts::add(const ContactBox& box) {
     pieces_changed_ = moved_ = true;
 }
 
+void BoxContacts::take_out(std::uint32_t box) {
+    move(box);
+    is_box_[box] = 0;
+    piece_[box] = -1;
+    pieces_changed_ = true;
+}
+
+void BoxContacts::put_in(std::uint32_t number, const ContactBox& box) {
+    move(number);
+    half_extent_[number] = box.half_extent;
+    is_prism_[number] = box.corners.empty() ? 0 : 1;
+    prism_[number] = box.corners.empty() ? PrismShape{} : PrismShape(box.corners, box.half_extent[1]);
+    reach_[number] = box.reach;
+    fixed_[number] = box.fixed ? 1 : 0;
+    is_box_[number] = box.is_box ? 1 : 0;
+    asleep_[number] = 0;
+    piece_[number] = box.piece;
+    pieces_changed_ = true;
+}
+
 void BoxContacts::set_piece(std::uint32_t box, int piece) {
     pieces_changed_ = pieces_changed_ || piece_[box] != piece;
     piece_[box] = piece;

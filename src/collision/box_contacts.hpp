@@ -32,6 +32,10 @@ class BoxContacts {
   public:
     void add(const ContactBox& box);
 
+    /// From the next find() on the box touches nothing; its number is free for another one.
+    void take_out(std::uint32_t box);
+    void put_in(std::uint32_t number, const ContactBox& box);
+
     /// In force from the next find() on.
     void set_piece(std::uint32_t box, int piece);
 

@@ -13,6 +13,11 @@
 #include "ice/scenario_world.hpp"
 
 namespace floes {
+namespace {
+
+constexpr std::size_t no_element = ~std::size_t{0};
+
+}  // namespace
 
 IceField::IceField(World& world, const Scenario& scenario, const FloeSet& floes)
     : by_stress_(scenario.joint.fails_by_stress()), time_step_(scenario.general.time_step) {
@@ -34,57 +39,112 @@ IceField::IceField(World& world, const Scenario& scenario, const FloeSet& floes)
     if (by_stress_) stress_.reserve(elements);
     for (std::size_t i = 0; i < floes.size(); ++i) {
         const Floe& floe = floes.floes[i];
+        const SingleFloe single{floe.pose, floes.shape(i), floes.material(i)};
         if (cuts[floe.shape])
-            add_polygon(world, scenario, floe, floes.shape(i), floes.material(i), cuts[floe.shape]);
+            add_polygon(world, scenario, single, cuts[floe.shape]);
         else
-            add_floe(world, scenario, floe.pose, floes.shape(i), floes.material(i), orders[floe.shape]);
+            add_floe(world, scenario, single, orders[floe.shape]);
     }
 }
 
-void IceField::add_floe(World& world, const Scenario& scenario, const PlanarPose& pose, const FloeShape& shape,
-                        const Material& material, const std::vector<GridJoint>& order) {
+std::size_t IceField::free_place(const FloeGrid& grid) const {
+    const auto fits = [&](const Sheet& sheet) {
+        return !sheet.there && !sheet.cut && sheet.grid.elements_long == grid.elements_long &&
+               sheet.grid.elements_broad == grid.elements_broad;
+    };
+    return static_cast<std::size_t>(std::ranges::find_if(floes_, fits) - floes_.begin());
+}
+
+void IceField::add_floe(World& world, const Scenario& scenario, const SingleFloe& floe,
+                        const std::vector<GridJoint>& order) {
+    const FloeShape& shape = floe.shape;
+    const Material& material = floe.material;
     const FloeGrid grid = grid_of(shape);
     const Water& water = scenario.water;
     const double pressure = scenario.contact_law(material.ice).crushing_pressure;
     const std::optional<JointSpring> spring = joint_spring(shape, material);
-    const int floe = floes();
-    const int first = static_cast<int>(elements_.size());
-    floes_.push_back({first, grid, make_thresholds(shape, material), ice_section(shape, material),
-                      spring ? spring->moment[2] : 0.0,
-                      material.ice.fracture_energy * shape.element * shape.thickness});
-    const Turn half = turn_of(0.5 * pose.yaw);
+    const std::size_t place = free_place(grid);
+    const bool again = place < floes_.size();
+    const auto first = again ? static_cast<std::size_t>(floes_[place].first) : elements_.size();
+    const std::size_t first_joint = again ? floes_[place].first_joint : joint_ids_.size();
+    if (!again) floes_.emplace_back();
+    floes_[place] = {static_cast<int>(first),
+                     grid,
+                     make_thresholds(shape, material),
+                     ice_section(shape, material),
+                     spring ? spring->moment[2] : 0.0,
+                     material.ice.fracture_energy * shape.element * shape.thickness,
+                     first_joint,
+                     entered_++};
+    const Turn half = turn_of(0.5 * floe.pose.yaw);
     const Quat yaw(half.cos, 0, half.sin, 0);
-    const Vec3 middle(pose.x, shape.floating_height(material.ice, water.density), pose.z);
+    const Vec3 middle(floe.pose.x, shape.floating_height(material.ice, water.density), floe.pose.z);
 
+    const std::uint32_t whole = water.form_drag_on == FormDragOn::outline ? 0U : std::uint32_t{every_edge};
+    const double crushing = pressure > 0 ? pressure : material.ice.compressive_strength;
     for (int index = 0; index < grid.elements(); ++index) {
-        const BodyId body = world.add_element({.half_extents = Vec3(shape.element, shape.thickness, shape.element) / 2,
-                                               .mass = shape.element_mass(material.ice) * (1 + water.isotropic_mass()),
-                                               .pose = {middle + yaw * grid.centre(index), yaw},
-                                               .piece = first,
-                                               .crushing_pressure = pressure});
-        const bool outline = water.form_drag_on == FormDragOn::outline;
-        const std::uint32_t edges = outline ? grid.outline_edges(index) : std::uint32_t{every_edge};
-        elements_.push_back({body, floe, index, first, edges});
-        if (by_stress_) {
-            const double crushing = pressure > 0 ? pressure : material.ice.compressive_strength;
-            stress_.add_element(body, {shape.element, shape.thickness, material.ice.poisson_ratio, crushing});
-        }
+        const std::uint32_t edges = whole != 0 ? whole : grid.outline_edges(index);
+        put_element(world, first + static_cast<std::size_t>(index),
+                    {BodyId(0), static_cast<int>(place), index, static_cast<int>(first), edges},
+                    {.half_extents = Vec3(shape.element, shape.thickness, shape.element) / 2,
+                     .mass = shape.element_mass(material.ice) * (1 + water.isotropic_mass()),
+                     .pose = {middle + yaw * grid.centre(index), yaw},
+                     .piece = static_cast<int>(first),
+                     .crushing_pressure = pressure},
+                    {shape.element, shape.thickness, material.ice.poisson_ratio, crushing});
     }
-    for (int number = 0; number < static_cast<int>(order.size()); ++number) {
-        const GridJoint& joint = order[static_cast<std::size_t>(number)];
-        const JointId id = world.add_joint({.a = elements_[static_cast<std::size_t>(first + joint.a)].body,
-                                            .b = elements_[static_cast<std::size_t>(first + joint.b)].body,
-                                            .pivot = middle + yaw * grid.pivot(joint),
-                                            .frame = yaw * joint_frame(joint.axis),
-                                            .cfm = material.joint.cfm,
-                                            .erp = material.joint.erp,
-                                            .spring = spring});
-        if (by_stress_) {
-            stress_.add_joint(id, static_cast<std::size_t>(first + joint.a), static_cast<std::size_t>(first + joint.b),
-                              joint.axis);
-        }
-        joints_.push_back({id, floe, number, joint, joints_.size()});
+    for (std::size_t number = 0; number < order.size(); ++number) {
+        const GridJoint& joint = order[number];
+        const std::size_t at = first_joint + number;
+        put_joint(world, at, joint,
+                  {.a = elements_[first + static_cast<std::size_t>(joint.a)].body,
+                   .b = elements_[first + static_cast<std::size_t>(joint.b)].body,
+                   .pivot = middle + yaw * grid.pivot(joint),
+                   .frame = yaw * joint_frame(joint.axis),
+                   .cfm = material.joint.cfm,
+                   .erp = material.joint.erp,
+                   .spring = spring});
+        joints_.push_back({joint_ids_[at], static_cast<int>(place), static_cast<int>(number), joint, at});
     }
+}
+
+/// At the end, or in place of an element that has left.
+void IceField::put_element(World& world, std::size_t at, const IceElement& element, const BoxDefinition& box,
+                           const PressedElement& pressed) {
+    const bool again = at < elements_.size();
+    const BodyId body = again ? elements_[at].body : world.add_element(box);
+    if (again) {
+        world.put_in(body, box);
+        elements_[at] = element;
+        elements_[at].body = body;
+        if (by_stress_) stress_.put_in(at, pressed);
+        return;
+    }
+    append(element, body);
+    if (by_stress_) stress_.add_element(body, pressed);
+}
+
+void IceField::append(const IceElement& element, BodyId body) {
+    element_of_body_.resize(std::max(element_of_body_.size(), body.index() + 1), no_element);
+    element_of_body_[body.index()] = elements_.size();
+    elements_.push_back(element);
+    elements_.back().body = body;
+}
+
+void IceField::put_joint(World& world, std::size_t at, const GridJoint& joint, const JointDefinition& definition) {
+    if (at < joint_ids_.size()) {
+        world.put_in(joint_ids_[at], definition);
+        if (by_stress_) stress_.put_in_joint(at);
+        return;
+    }
+    joint_ids_.push_back(world.add_joint(definition));
+    if (by_stress_)
+        stress_.add_joint(joint_ids_.back(), *element_of(definition.a), *element_of(definition.b), joint.axis);
+}
+
+std::optional<std::size_t> IceField::element_of(BodyId body) const {
+    if (body.index() >= element_of_body_.size() || element_of_body_[body.index()] == no_element) return {};
+    return element_of_body_[body.index()];
 }
 
 int IceField::break_joints(World& world, double time) {
@@ -92,12 +152,12 @@ int IceField::break_joints(World& world, double time) {
     auto kept = joints_.begin();
     if (by_stress_) stress_.read(world);
     for (Joint& joint : joints_) {
-        const std::optional<FailureMode> mode = failing(world, joint);
+        const std::optional<FailureMode> mode = floe_of(joint).rests ? std::nullopt : failing(world, joint);
         if (!mode) {
             *kept++ = joint;
             continue;
         }
-        fail(world, joint, {time, joint.floe, joint.number, *mode});
+        fail(world, joint, {time, number_of(joint.floe), joint.number, *mode});
     }
     joints_.erase(kept, joints_.end());
     split_broken(world, before);
@@ -112,7 +172,7 @@ double IceField::joint_power(const World& world, std::span<const BodyState> befo
         const auto a = static_cast<std::size_t>(sheet.first + joint.grid.a);
         const auto b = static_cast<std::size_t>(sheet.first + joint.grid.b);
         const JointReaction reaction = world.reaction(joint.id);
-        const JointPlace at = place_of(joint, before[a]);
+        const JointPlace at = joint_place(joint, before[a]);
         const Mat3& frame = at.axes;
         const Vec3 force = frame * Vec3(reaction.axial, reaction.shear_vertical, reaction.shear_in_plane);
         const Vec3 moment = frame * Vec3(reaction.torsion, reaction.in_plane_bending, reaction.bending);
@@ -127,8 +187,9 @@ double IceField::joint_power(const World& world, std::span<const BodyState> befo
 void IceField::repeat_breaks(World& world, std::span<const BreakEvent> breaks) {
     const std::size_t before = breaks_.size();
     for (const BreakEvent& event : breaks) {
-        const auto joint = std::ranges::find_if(
-            joints_, [&](const Joint& live) { return live.floe == event.floe && live.number == event.joint; });
+        const auto joint = std::ranges::find_if(joints_, [&](const Joint& live) {
+            return number_of(live.floe) == event.floe && live.number == event.joint;
+        });
         if (joint == joints_.end()) {
             throw InputError(fmt::format("Joint {} of floe {} cannot break at t = {:.2f} s: there is no such joint.",
                                          event.joint, event.floe, event.time));
@@ -142,7 +203,8 @@ void IceField::repeat_breaks(World& world, std::span<const BreakEvent> breaks) {
 void IceField::fail(World& world, const Joint& joint, const BreakEvent& event) {
     world.remove_joint(joint.id);
     if (by_stress_) failed_.push_back(joint.place);
-    floes_[static_cast<std::size_t>(joint.floe)].cracked = true;
+    Sheet& sheet = floes_[static_cast<std::size_t>(joint.floe)];
+    sheet.cracked = sheet.broken = true;
     expose_edges(joint);
     breaks_.push_back(event);
 }
@@ -151,7 +213,7 @@ void IceField::split_broken(World& world, std::size_t first_break) {
     for (const std::size_t joint : failed_) stress_.remove_joint(joint);
     failed_.clear();
     for (std::size_t i = first_break; i < breaks_.size(); ++i) {
-        if (i == first_break || breaks_[i].floe != breaks_[i - 1].floe) split_pieces(world, breaks_[i].floe);
+        if (i == first_break || breaks_[i].floe != breaks_[i - 1].floe) split_pieces(world, place_of(breaks_[i].floe));
     }
 }
 

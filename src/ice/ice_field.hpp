@@ -40,7 +40,27 @@ class IceField {
     /// piece. Of the scenario it takes the water and what the paper leaves open, not the ice.
     IceField(World& world, const Scenario& scenario, const FloeSet& floes);
 
-    /// All elements, floe by floe, within a floe by index.
+    /// A floe more, in the place of one of as many elements that has left or, without one, behind all others. Returns
+    /// its place: the index by which elements() and the functions below know it.
+    int enter(World& world, const Scenario& scenario, const SingleFloe& floe);
+
+    /// Takes the floe at this place out of the world; the counts below keep it.
+    void leave(World& world, int place);
+
+    /// A floe at rest does not fail, and nor do its joints crack.
+    void set_resting(int place, bool rests) { floes_[static_cast<std::size_t>(place)].rests = rests; }
+
+    bool is_there(int place) const { return floes_[static_cast<std::size_t>(place)].there; }
+
+    /// Where the floe is that was the `number`-th to enter, from 0: as the break log knows it. It is there.
+    int place_of(int number) const;
+    int number_of(int place) const { return floes_[static_cast<std::size_t>(place)].number; }
+    bool is_broken(int place) const { return floes_[static_cast<std::size_t>(place)].broken; }
+
+    /// The index in elements() of the element with this body; nothing for a body that is no ice.
+    std::optional<std::size_t> element_of(BodyId body) const;
+
+    /// All elements, floe by floe, within a floe by index; those of a place without a floe are of the last one there.
     const std::vector<IceElement>& elements() const { return elements_; }
 
     /// To be called after every step of the world, which must be the one given to the constructor. Every joint whose
@@ -72,21 +92,23 @@ class IceField {
     int elements(int floe) const { return floes_[static_cast<std::size_t>(floe)].elements(); }
     int first_element(int floe) const { return floes_[static_cast<std::size_t>(floe)].first; }  ///< in elements()
 
-    int floes() const { return static_cast<int>(floes_.size()); }
+    int places() const { return static_cast<int>(floes_.size()); }
+    int floes() const { return entered_; }                                   ///< that are there or have left
     int broken_floes() const;                                                ///< floes with at least one failed joint
     double failure_ratio() const { return share_of_floes(broken_floes()); }  ///< 0-1
     int split_floes() const;                                                 ///< floes in more than one piece
     int cracked_floes() const;  ///< floes of which a joint reached its strength, whether or not it failed
     double fracture_work() const { return fracture_work_; }  ///< J, that cracks have taken, of joints that soften
-    double share_of_floes(int some) const { return floes_.empty() ? 0.0 : static_cast<double>(some) / floes(); }
-    int pieces() const;                          ///< of all floes
-    std::vector<PieceArea> piece_areas() const;  ///< of the floes in more than one piece, by floe
+    double share_of_floes(int some) const { return entered_ == 0 ? 0.0 : static_cast<double>(some) / floes(); }
+    int pieces() const;  ///< of all floes
+    /// Of the floes in more than one piece, by floe, as the break log knows it.
+    std::vector<PieceArea> piece_areas() const;
     int live_joints() const { return static_cast<int>(joints_.size()); }
 
   private:
     struct Joint {
         JointId id;
-        int floe;
+        int floe;           // its place
         int number;         // in joint_order()
         GridJoint grid;     // indices within the floe
         std::size_t place;  // among all joints ever made
@@ -99,9 +121,14 @@ class IceField {
         FloeGrid grid;
         Thresholds thresholds;
         IceSection section;
-        double stiffness;     // K of a joint against bending, N m
-        double crack_energy;  // of a joint, N m
+        double stiffness;         // K of a joint against bending, N m
+        double crack_energy;      // of a joint, N m
+        std::size_t first_joint;  // of those ever made; the others follow
+        int number;               // in the order of entry
         bool cracked = false;
+        bool broken = false;
+        bool there = true;
+        bool rests = false;
         std::shared_ptr<const CutFloe> cut{};  // of a polygon
         std::vector<Thresholds> of_joints{};   // likewise, by number
 
@@ -109,6 +136,12 @@ class IceField {
         const Thresholds& of(const Joint& joint) const {
             return cut ? of_joints[static_cast<std::size_t>(joint.number)] : thresholds;
         }
+    };
+
+    /// Of floes that have left.
+    struct Left {
+        int broken = 0, split = 0, cracked = 0, pieces = 0;
+        std::vector<PieceArea> areas{};  // of those in more than one piece
     };
 
     /// How far a joint is turned out of the plane, bending and torsion together, and how fast that grows.
@@ -122,16 +155,22 @@ class IceField {
     std::optional<FailureMode> failing(World& world, Joint& joint);
     std::optional<FailureMode> crack_on(World& world, Joint& joint);
 
-    void add_floe(World& world, const Scenario& scenario, const PlanarPose& pose, const FloeShape& shape,
-                  const Material& material, const std::vector<GridJoint>& order);
-    void add_polygon(World& world, const Scenario& scenario, const Floe& floe, const FloeShape& shape,
-                     const Material& material, const std::shared_ptr<const CutFloe>& cut);
+    int pieces_at(const Sheet& sheet) const;
+    void add_piece_areas(const Sheet& sheet, std::vector<PieceArea>& areas) const;
+    std::size_t free_place(const FloeGrid& grid) const;
+    void add_floe(World& world, const Scenario& scenario, const SingleFloe& floe, const std::vector<GridJoint>& order);
+    void add_polygon(World& world, const Scenario& scenario, const SingleFloe& floe,
+                     const std::shared_ptr<const CutFloe>& cut);
+    void put_element(World& world, std::size_t at, const IceElement& element, const BoxDefinition& box,
+                     const PressedElement& pressed);
+    void put_joint(World& world, std::size_t at, const GridJoint& joint, const JointDefinition& definition);
+    void append(const IceElement& element, BodyId body);
     /// Where a joint is, by the state of its element a.
     struct JointPlace {
         Mat3 axes;   ///< joint -> world
         Vec3 pivot;  ///< m
     };
-    JointPlace place_of(const Joint& joint, const BodyState& a) const;
+    JointPlace joint_place(const Joint& joint, const BodyState& a) const;
     const Sheet& floe_of(const Joint& joint) const { return floes_[static_cast<std::size_t>(joint.floe)]; }
     void fail(World& world, const Joint& joint, const BreakEvent& event);
     void split_broken(World& world, std::size_t first_break);
@@ -140,6 +179,10 @@ class IceField {
 
     std::vector<Sheet> floes_;
     std::vector<IceElement> elements_;
+    std::vector<std::size_t> element_of_body_;
+    std::vector<JointId> joint_ids_;  // of all ever made
+    int entered_ = 0;
+    Left left_;
     std::vector<Joint> joints_;  // live, in order of creation
     std::vector<BreakEvent> breaks_;
     PeakReactions peaks_;

@@ -13,14 +13,16 @@ Vec3 flat(const Corner& point) {
 
 }  // namespace
 
-void IceField::add_polygon(World& world, const Scenario& scenario, const Floe& floe, const FloeShape& shape,
-                           const Material& material, const std::shared_ptr<const CutFloe>& cut) {
+void IceField::add_polygon(World& world, const Scenario& scenario, const SingleFloe& floe,
+                           const std::shared_ptr<const CutFloe>& cut) {
+    const FloeShape& shape = floe.shape;
+    const Material& material = floe.material;
     const Water& water = scenario.water;
     const double pressure = scenario.contact_law(material.ice).crushing_pressure;
     const double per_area = material.ice.density * shape.thickness * (1 + water.isotropic_mass());
-    const int number = floes();
+    const int place = places();
     const int first = static_cast<int>(elements_.size());
-    Sheet& sheet = floes_.emplace_back(Sheet{first, {}, {}, {}, 0.0, 0.0});
+    Sheet& sheet = floes_.emplace_back(Sheet{first, {}, {}, {}, 0.0, 0.0, joint_ids_.size(), entered_++});
     sheet.cut = cut;
     const Turn half = turn_of(0.5 * floe.pose.yaw);
     const Quat yaw(half.cos, 0, half.sin, 0);
@@ -34,8 +36,7 @@ void IceField::add_polygon(World& world, const Scenario& scenario, const Floe& f
                                              .piece = first,
                                              .crushing_pressure = pressure});
         const unsigned every = (1U << static_cast<unsigned>(one.corners.size())) - 1;
-        elements_.push_back(
-            {body, number, static_cast<int>(elements_.size()) - first, first, on_all ? every : one.rim});
+        append({body, place, static_cast<int>(elements_.size()) - first, first, on_all ? every : one.rim}, body);
     }
     for (std::size_t k = 0; k < cut->joints.size(); ++k) {
         const CutJoint& joint = cut->joints[k];
@@ -47,11 +48,12 @@ void IceField::add_polygon(World& world, const Scenario& scenario, const Floe& f
                                             .cfm = material.joint.cfm,
                                             .erp = material.joint.erp,
                                             .spring = polygon_joint(joint, shape, material)});
-        joints_.push_back({id, number, static_cast<int>(k), {joint.a, joint.b, JointAxis::x}, joints_.size()});
+        joints_.push_back({id, place, static_cast<int>(k), {joint.a, joint.b, JointAxis::x}, joint_ids_.size()});
+        joint_ids_.push_back(id);
     }
 }
 
-IceField::JointPlace IceField::place_of(const Joint& joint, const BodyState& a) const {
+IceField::JointPlace IceField::joint_place(const Joint& joint, const BodyState& a) const {
     const Sheet& sheet = floe_of(joint);
     if (!sheet.cut) {
         const Mat3 axes = a.rotation * joint_frame(joint.grid.axis).toRotationMatrix();

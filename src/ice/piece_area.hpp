@@ -4,7 +4,7 @@
 namespace floes {
 
 struct PieceArea {
-    int floe = 0;     ///< its index in the arrangement
+    int floe = 0;     ///< its number in the order of entry: its index in the arrangement, if the field has an end
     double area = 0;  ///< of the upper side, m²
 };
 

@@ -27,20 +27,40 @@ void StressField::reserve(std::size_t elements) {
     touched_.reserve(elements);
 }
 
+StressField::Element StressField::made_of(BodyId body, const PressedElement& element) {
+    return {element, body, most_contact_stress(element), {none, none, none, none}};
+}
+
 void StressField::add_element(BodyId body, const PressedElement& element) {
-    if (elements_.empty()) first_body_ = body.index();
-    elements_.push_back({element, body, most_contact_stress(element), {none, none, none, none}});
+    element_of_body_.resize(std::max(element_of_body_.size(), body.index() + 1), none);
+    element_of_body_[body.index()] = elements_.size();
+    elements_.push_back(made_of(body, element));
 }
 
 void StressField::add_joint(JointId id, std::size_t a, std::size_t b, JointAxis axis) {
-    const int face = face_of_a(axis);
-    elements_[a].joint_of[static_cast<std::size_t>(face)] = joints_.size();
-    elements_[b].joint_of[static_cast<std::size_t>(face + 1)] = joints_.size();
-    elements_[a].ice.joined |= bit_of(face);
-    elements_[b].ice.joined |= bit_of(face + 1);
     joints_.push_back({id, a, b, axis});
     live_.push_back(true);
     reactions_.emplace_back();
+    join(joints_.size() - 1);
+}
+
+void StressField::join(std::size_t joint) {
+    const Joint& made = joints_[joint];
+    const int face = face_of_a(made.axis);
+    elements_[made.a].joint_of[static_cast<std::size_t>(face)] = joint;
+    elements_[made.b].joint_of[static_cast<std::size_t>(face + 1)] = joint;
+    elements_[made.a].ice.joined |= bit_of(face);
+    elements_[made.b].ice.joined |= bit_of(face + 1);
+}
+
+/// What touched the one before is not what touches this one.
+void StressField::put_in(std::size_t number, const PressedElement& element) {
+    elements_[number] = made_of(elements_[number].body, element);
+}
+
+void StressField::put_in_joint(std::size_t number) {
+    live_[number] = true;
+    join(number);
 }
 
 void StressField::remove_joint(std::size_t joint) {
@@ -71,8 +91,9 @@ void StressField::read(const World& world) {
 }
 
 void StressField::touch(BodyId body, std::size_t contact, bool on_a) {
-    const std::size_t number = body.index() - first_body_;
-    if (number >= elements_.size() || elements_[number].ice.joined == 0) return;
+    if (body.index() >= element_of_body_.size()) return;
+    const std::size_t number = element_of_body_[body.index()];
+    if (number == none || elements_[number].ice.joined == 0) return;
     Element& element = elements_[number];
     const auto place = static_cast<std::uint32_t>(touches_.size());
     touches_.push_back({contact, on_a});

@@ -18,12 +18,16 @@ class StressField {
     /// For this many elements reading then allocates nothing unless contacts are very many.
     void reserve(std::size_t elements);
 
-    /// Elements and joints are numbered from 0 in the order in which they are added; bodies of elements follow one
-    /// another in the world.
+    /// Elements and joints are numbered from 0 in the order in which they are added.
     void add_element(BodyId body, const PressedElement& element);
     void add_joint(JointId id, std::size_t a, std::size_t b, JointAxis axis);
 
     void remove_joint(std::size_t joint);
+
+    /// Another element under the number, and the body, of one whose joints have been removed; and another joint between
+    /// the same two elements.
+    void put_in(std::size_t number, const PressedElement& element);
+    void put_in_joint(std::size_t number);
 
     /// Reads the reactions of the live joints and the contacts. To be called once after a step.
     void read(const World& world);
@@ -63,6 +67,8 @@ class StressField {
     static constexpr std::size_t none = ~std::size_t{0};
     static constexpr std::uint32_t no_touch = ~std::uint32_t{0};
 
+    static Element made_of(BodyId body, const PressedElement& element);
+    void join(std::size_t joint);
     void touch(BodyId body, std::size_t contact, bool on_a);
     double bending(const Element& element, int face) const;
     Press press(const World& world, const Element& element, const Touch& touch) const;
@@ -71,8 +77,8 @@ class StressField {
     std::vector<Joint> joints_;
     std::vector<bool> live_;
     std::vector<JointReaction> reactions_;
-    std::size_t first_body_ = 0;
-    std::vector<ContactForce> contacts_;  ///< of the last step
+    std::vector<std::size_t> element_of_body_;  ///< none: not an element
+    std::vector<ContactForce> contacts_;        ///< of the last step
     std::vector<Touch> touches_;
     std::vector<std::size_t> touched_;  ///< elements, by number
 };

@@ -71,10 +71,14 @@ void take_statistics(MemberResult& result, const Scenario& scenario, const Simul
     result.mean_heave = mean_of(in_window(result.history.heave));
     result.work = simulation.work();
     const IceField& ice = simulation.ice();
-    result.failure_ratio = ice.failure_ratio();
-    result.split_ratio = ice.share_of_floes(ice.split_floes());
-    result.cracked_ratio = ice.share_of_floes(ice.cracked_floes());
-    result.pieces = ice.pieces();
+    const double entered = simulation.floes_entered();
+    result.floes_entered = entered;
+    result.floes_met = simulation.floes_met();
+    result.met_failure_ratio = simulation.floes_met_broken() / result.floes_met;  // NaN where none was met
+    result.failure_ratio = ice.broken_floes() / entered;
+    result.split_ratio = ice.split_floes() / entered;
+    result.cracked_ratio = ice.cracked_floes() / entered;
+    result.pieces = ice.pieces() - simulation.floes_resting();
     result.piece_areas = ice.piece_areas();
     result.fracture_work = ice.fracture_work();
     result.mean_sweeps = simulation.mean_sweeps();
@@ -130,12 +134,12 @@ MemberResult run_member(const Scenario& scenario, std::uint64_t seed, std::uint3
                         const Watcher& watch) {
     const auto start = std::chrono::steady_clock::now();
     const double cpu_start = cpu_seconds_of_this_thread();
-    const Arrangement floes = make_arrangement(scenario, seed, arrangement);
+    auto [floes, ahead] = lay_field(scenario, seed, arrangement);
     MemberResult result;
     result.arrangement = floes.poses();
     if (floes_may_differ(scenario)) result.floe_properties = properties_of(floes);
     result.psi4 = floes.psi4;
-    Simulation simulation(scenario, floes);
+    Simulation simulation(scenario, floes, std::move(ahead));
     try {
         if (!simulation.run(stop, watch)) {
             throw Interrupted(

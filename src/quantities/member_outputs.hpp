@@ -22,10 +22,13 @@ struct MemberOutputs {
     MomentStatistics yaw, roll, pitch;                         ///< of the moments on the structure, in the window
     double mean_sway = 0;                                      ///< N, over the window
     double mean_heave = 0;                                     ///< N, over the window
-    double failure_ratio = 0;                                  ///< broken floes / floes at the end of the run, 0-1
-    double split_ratio = 0;                                    ///< floes in more than one piece / floes, 0-1
-    double cracked_ratio = 0;                                  ///< floes that began to crack / floes, 0-1
+    double failure_ratio = 0;                                  ///< broken floes / floes_entered, 0-1
+    double split_ratio = 0;                                    ///< floes in more than one piece / floes_entered, 0-1
+    double cracked_ratio = 0;                                  ///< floes that began to crack / floes_entered, 0-1
     double pieces = 0;                                         ///< of ice, at the end of the run
+    double floes_entered = 0;                                  ///< that were computed, at any time of the run
+    double floes_met = 0;                                      ///< of these, that touched the structure at any time
+    double met_failure_ratio = 0;                              ///< broken floes among those met / those met, 0-1
     double fracture_work = 0;                                  ///< J, taken by cracks over the run
     std::array<double, failure_mode_names.size()> failures{};  ///< failed joints by mode
     double local_order = 0;     ///< of the arrangement, arrangement/order.hpp; its psi4 is stored with the poses

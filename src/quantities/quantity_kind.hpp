@@ -84,6 +84,11 @@ constexpr Quantity crack_quantity(const char* key, const char* name, const char*
             .since = 12};
 }
 
+/// A number of floes.
+constexpr Quantity floe_count(const char* key, std::string_view long_name, Place place) {
+    return {.key = key, .unit = "1", .long_name = long_name, .place = place, .since = 13};
+}
+
 /// A share of the work of the tow (statistics/work_shares.hpp).
 constexpr Quantity work_quantity(const char* key, std::string_view long_name, Place place, int since = 10) {
     return {.key = key, .unit = "N", .long_name = long_name, .place = place, .least = no_least, .since = since};

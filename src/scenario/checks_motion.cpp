@@ -182,7 +182,7 @@ double structure_over_floe(const Scenario& scenario) {
 
 void check_path(const Scenario& scenario, Contradictions& found) {
     const Path& path = scenario.path;
-    if (!path.any()) return;
+    if (!path.any() || scenario.field.endless()) return;  // check_endless() refuses both
     const std::size_t before = found.size();
     if (!path.legs.empty()) check_legs(scenario, found);
     if (!path.table.empty()) check_table(path.table, found);

@@ -90,7 +90,7 @@ void check_tow(const Scenario& scenario, Contradictions& found) {
                  "s, before {}; start nearer, tow faster or longer",
                  course(), end + ahead, duration, given(scenario, "field.begin_m"))});
     }
-    if (end + ahead > scenario.field_end() + rounding && !scenario.path.any()) {
+    if (!scenario.field.endless() && end + ahead > scenario.field_end() + rounding && !scenario.path.any()) {
         const bool closed = scenario.field.far_end == FarEnd::ice_sheet;
         found.push_back(
             {{"analysis.window_s", "analysis.steady_start_s", "structure.speed_m_s", "structure.start_m",

@@ -75,7 +75,7 @@ std::vector<SingleFloe> sized_floes(const Scenario& scenario, const Draw& draw) 
     std::vector<SingleFloe> sized;
     for (const FloeShape& shape : floe_sizes(scenario)) sized.push_back({{}, shape, scenario.material()});
     if (scenario.sizes.law == SizeLaw::one) return sized;
-    RandomStream random(draw.seed, draw.number, StreamId::floe_sizes, 0);
+    RandomStream random(draw.seed, draw.number, StreamId::floe_sizes, draw.part);
     for (std::size_t left = sized.size(); left > 1; --left)
         std::swap(sized[left - 1].shape, sized[random.below(static_cast<std::uint32_t>(left))].shape);
     return sized;

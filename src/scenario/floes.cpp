@@ -51,6 +51,11 @@ bool sizes_may_differ(const Scenario& scenario) {
     return !scenario.arrangement.columns.empty() || scenario.sizes.law != SizeLaw::one;
 }
 
+double computed_floes(const Scenario& scenario) {
+    if (!scenario.field.endless()) return scenario.field.floes;
+    return scenario.field.floes * (scenario.window_ahead() + scenario.window_behind()) / scenario.field_length();
+}
+
 double covered_area(const FloeSet& floes) {
     std::vector<double> count(floes.shapes.size());
     for (const Floe& floe : floes.floes) ++count[floe.shape];

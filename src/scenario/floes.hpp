@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -37,6 +38,18 @@ struct SingleFloe {
     Material material;
 };
 
+/// A part of a field without end: the floes whose middles lie behind its end, and ahead of that of the part before.
+struct FieldPart {
+    std::vector<SingleFloe> floes;
+    double end = 0;  ///< x, m
+};
+
+/// Of a field without end: what is laid already ends at `end`, x in m, and next() lays one part more.
+struct IceAhead {
+    double end = 0;
+    std::function<FieldPart()> next;
+};
+
 /// The set of these floes, in their order; equal shapes and equal materials stand in the tables once.
 FloeSet gathered(std::span<const SingleFloe> floes);
 
@@ -47,6 +60,7 @@ FloeSet floes_at(const Scenario& scenario, std::span<const PlanarPose> poses);
 struct Draw {
     std::uint64_t seed = 0;    ///< of the campaign
     std::uint32_t number = 0;  ///< of the arrangement
+    std::uint64_t part = 0;    ///< of a field without end, laid part after part; 0: all of any other
 };
 
 /// The floes of a scenario, which an arrangement will give their places; given poses are kept. Throws InputError with
@@ -58,6 +72,9 @@ bool floes_may_differ(const Scenario& scenario);
 
 /// Whether their sizes can.
 bool sizes_may_differ(const Scenario& scenario);
+
+/// Floes of a scenario that are computed at a time: all of them, or about those in the window of a field without end.
+double computed_floes(const Scenario& scenario);
 
 /// Of all floes, m².
 double covered_area(const FloeSet& floes);

@@ -13,7 +13,8 @@ namespace {
 class PropertyDraws {
   public:
     PropertyDraws(const Spread& spread, const Scenario& scenario, const Draw& draw, StreamId stream)
-        : random_(draw.seed, draw.number, stream, static_cast<std::uint64_t>(scenario.spread.draw)) {
+        : random_(draw.seed, draw.number, stream,
+                  static_cast<std::uint64_t>(scenario.spread.draw) + (draw.part << 32U)) {
         if (spread.any()) factors_.emplace(spread.factors());
     }
 

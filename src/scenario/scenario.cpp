@@ -6,6 +6,13 @@
 #include "outline/elements.hpp"
 
 namespace floes {
+namespace {
+
+// Of a field without end, in widths of the field (docs/endless.md).
+constexpr double widths_ahead = 2;
+constexpr double widths_behind = 1;
+
+}  // namespace
 
 int FloeShape::elements_long() const {
     return static_cast<int>(std::lround(length / element));
@@ -43,6 +50,14 @@ std::vector<PathPlace> Scenario::places() const {
 double Scenario::towed() const {
     if (path.any()) return way_of(places(), general.time_step);
     return structure.speed * (analysis.steady_start + analysis.window);
+}
+
+double Scenario::window_ahead() const {
+    return field.ahead > 0 ? field.ahead : widths_ahead * 2 * field.half_width;
+}
+
+double Scenario::window_behind() const {
+    return field.behind > 0 ? field.behind : widths_behind * 2 * field.half_width;
 }
 
 Vec2 Water::current_velocity() const {

@@ -26,9 +26,10 @@ enum class MomentAbout { pivot, element_centre };
 enum class ThresholdForm { force, as_printed };  ///< of Eqs. (1)-(2): L_e T_e σ, or L_e T_e² σ as the paper prints them
 enum class ArrangementMethod { monte_carlo, lattice, file, scattered };
 enum class ArrangementStart { lattice, stripes };  ///< of the Monte Carlo chain; the result forgets it
-enum class FarEnd { ice_sheet, open };             ///< what stands behind the ice field
-enum class FieldSides { ice_sheet, open };         ///< what bounds it abeam of the tow
-enum class WaterFlow { potential, still };         ///< water velocity that drag is relative to
+/// What stands behind the ice field; never: ice comes from ahead as long as the run lasts.
+enum class FarEnd { ice_sheet, open, never };
+enum class FieldSides { ice_sheet, open };  ///< what bounds it abeam of the tow
+enum class WaterFlow { potential, still };  ///< water velocity that drag is relative to
 /// Where added mass and the damping by waves come from: a share, alike for all elements, or the outline of each piece.
 enum class WaterFrom { share, outline };
 enum class FormDragOn { outline, every_element };  ///< edge faces that form drag acts on
@@ -117,6 +118,11 @@ struct Field {
     double confining = 0;      ///< p, N/m: line load by which the ice sheets press on the field; 0: they are fixed
     double closing_speed = 0;  ///< m/s, of a sheet that meets nothing; 0: that of the tow
     double wake_radius = 0;    ///< m from the structure's axis; untouched floes beyond it are at rest. 0: none are
+    /// m; of a field without end, floes farther ahead of the structure's axis rest. 0: Scenario::window_ahead()
+    double ahead = 0;
+    double behind = 0;  ///< m; likewise, floes farther behind it are taken out. 0: Scenario::window_behind()
+
+    bool endless() const { return far_end == FarEnd::never; }
 };
 
 /// How the initial positions of the floes are generated.
@@ -223,6 +229,8 @@ struct Scenario {
 
     double field_length() const;   ///< m: covered area / (concentration * 2 half_width)
     double field_end() const;      ///< x of the field's far edge, m
+    double window_ahead() const;   ///< of a field without end: field.ahead, or its default, m
+    double window_behind() const;  ///< likewise field.behind
     double closing_speed() const;  ///< of the field, or that of the tow, m/s
     bool towed_straight() const { return !path.any() && !moorings.give_way(); }
     std::vector<PathPlace> places() const;  ///< of a path, places_of() it; empty without one

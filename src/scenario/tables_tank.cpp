@@ -100,12 +100,29 @@ void add_confinement(Keys& keys, Field& field) {
                    "field.confining_N_m at rest to nothing at this speed. 0: the speed of the tow."))));
 }
 
+/// Of a field without end.
+void add_window(Keys& keys, Field& field) {
+    const auto add = [&](const char* path, double& length, const char* source, const char* doc) {
+        keys.push_back(late_key(only_with(
+            "field.far_end = \"never\"", [&field] { return field.endless(); },
+            number_key(path, length, unit::one, at_least(0).at_most(farthest), source, doc))));
+    };
+    add("field.ahead_m", field.ahead, "longer changes no load; docs/endless.md",
+        "How far ahead of the structure's axis floes are computed. Those farther ahead rest, fixed to whatever touches "
+        "them, as a field that is held from ahead. 0: two widths of the field.");
+    add("field.behind_m", field.behind, "longer changes no load; docs/endless.md",
+        "How far behind the structure's axis floes are computed. Those farther behind are taken out. 0: one width of "
+        "the field.");
+}
+
 }  // namespace
 
 void add_field(Keys& keys, Field& field) {
     const Range place = at_least(-farthest).at_most(farthest);
-    keys.push_back(integer_key("field.floes", field.floes, 1, most_floes, "Table 3",
-                               "Number of floes. The failure ratio is relative to all of them."));
+    keys.push_back(integer_key(
+        "field.floes", field.floes, 1, most_floes, "Table 3",
+        "Number of floes. The failure ratio is relative to all of them. Of a field without end: of each part "
+        "that is laid; the failure ratio is relative to the floes that were computed."));
     keys.push_back(number_key(
         "field.concentration_percent", field.concentration, unit::percent, above(0).at_most(100), "Table 1",
         "Covered area fraction of the field. Together with the number and size of floes it sets the field's length."));
@@ -118,9 +135,12 @@ void add_field(Keys& keys, Field& field) {
                               "Breadth of the fixed ice sheets. If a floe is pushed over a sheet and beyond its outer "
                               "edge, the member ends as failed."));
     keys.push_back(word_key(
-        "field.far_end", field.far_end, {"ice_sheet", "open"}, "design decision; the paper names the walls only",
+        "field.far_end", field.far_end, {"ice_sheet", "open", "never"},
+        "design decision; the paper names the walls only",
         "Far end of the field: closed by a fixed ice sheet, or open water. With an open far end, the "
-        "load on a straight 45° wall is half as large and that on a 76° wall a fifth, and hardly any floe breaks."));
+        "load on a straight 45° wall is half as large and that on a 76° wall a fifth, and hardly any floe breaks. "
+        "never: ice comes from ahead as long as the run lasts, laid in parts of field.floes floes; docs/endless.md."));
+    add_window(keys, field);
     keys.push_back(
         late_key(word_key("field.sides", field.sides, {"ice_sheet", "open"}, "the paper: walls",
                           "Sides of the field: ice sheets along the walls, or open water, into which floes drift.")));

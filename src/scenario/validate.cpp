@@ -26,6 +26,7 @@ std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
     check_moorings(scenario, found);
     check_boundaries(scenario, found);
     check_wake(scenario, found);
+    check_endless(scenario, found);
     check_lattice(scenario, found);
     check_poses(scenario, found);
     return found;

@@ -43,6 +43,7 @@ void check_path(const Scenario& scenario, Contradictions& found);         ///< l
 void check_moorings(const Scenario& scenario, Contradictions& found);     ///< they hold, and a step resolves the motion
 void check_boundaries(const Scenario& scenario, Contradictions& found);   ///< what presses has something to press on
 void check_wake(const Scenario& scenario, Contradictions& found);         ///< the structure strikes no resting floe
+void check_endless(const Scenario& scenario, Contradictions& found);      ///< such ice comes from ahead and rests there
 void check_lattice(const Scenario& scenario, Contradictions& found);      ///< the floes fit
 void check_given_floes(const Scenario& scenario, Contradictions& found);  ///< each is ice that floats, in elements
 void check_poses(const Scenario& scenario, Contradictions& found);        ///< given poses belong to the field

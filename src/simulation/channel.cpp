@@ -11,6 +11,10 @@ double room_for_a_floe(const FloeSet& floes) {
     return 5 * largest_side(floes) / 3;
 }
 
+/// Length of the sides of a field without end, m. The same for every run, or the bits of a load would tell how long
+/// its run is; twice the longest tow (scenario/checks_endless.cpp).
+constexpr double without_end = 2e5;
+
 /// How far wind and current can take floes beside what the tow pushes, at most: with the current, and by the wind
 /// against skin drag alone.
 double drift_of(const Scenario& scenario) {
@@ -39,6 +43,7 @@ Channel make_channel(const Scenario& scenario, const FloeSet& floes) {
     channel.room = room_for_a_floe(floes);
     channel.begin = scenario.structure.start - scenario.structure.shape.largest_radius() - channel.room;
     channel.end = scenario.field_end() + field.sheet_width + (closed ? 0.0 : towed);
+    if (field.endless()) channel.end = channel.begin + without_end;
     channel.inner_edge = field.half_width;
     channel.outer_edge = field.half_width + field.sheet_width;
     const bool moves = field.confining > 0;

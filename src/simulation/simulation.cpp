@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "core/error.hpp"
 #include "ice/scenario_world.hpp"
-#include "solver/lane_width.hpp"
+#include "simulation/field_water.hpp"
 
 namespace floes {
 namespace {
@@ -26,59 +25,12 @@ BodyId add_structure(World& world, const Scenario& scenario) {
     return world.add_structure(solids_of(scenario), {scenario.structure.start, 0, 0});
 }
 
-/// What water flows round; none: the waterline circle.
-std::vector<FlowEllipse> flow_ellipses(const Shape& shape) {
-    std::vector<FlowEllipse> ellipses;
-    if (shape.is_of_revolution()) return ellipses;
-    for (const WaterlineEllipse& one : shape.waterline_ellipses())
-        ellipses.push_back({one.x, one.z, one.half_length, one.half_breadth});
-    return ellipses;
-}
-
 /// Of the structure in one step. More than the tank's ever are, and no bound: with more the memory grows.
 constexpr std::size_t most_contacts = 1024;
 
-/// One model for all squares of the same size and density, and one for each polygon.
-WaterLanes make_water(const Scenario& scenario, const FloeSet& floes, const IceField& ice) {
-    const std::vector<IceElement>& elements = ice.elements();
-    std::map<std::pair<std::size_t, double>, std::size_t> kinds;  // shape and density -> model
-    std::vector<WaterModel> models;
-    std::vector<std::size_t> kind_of_floe;
-    const std::vector<FlowEllipse> ellipses = flow_ellipses(scenario.structure.shape);
-    for (std::size_t i = 0; i < floes.size(); ++i) {
-        if (floes.shape(i).is_polygon()) {
-            kind_of_floe.push_back(0);
-            continue;
-        }
-        const auto [kind, is_new] =
-            kinds.try_emplace({floes.floes[i].shape, floes.material(i).ice.density}, kinds.size());
-        kind_of_floe.push_back(kind->second);
-        if (!is_new) continue;
-        const FloeShape& shape = floes.shape(i);
-        models.emplace_back(scenario.water, scenario.general.gravity, ElementShape{shape.element, shape.thickness},
-                            shape.element_mass(floes.material(i).ice), scenario.structure.shape.waterline_radius(),
-                            scenario.structure.speed, scenario.wind.stress());
-        models.back().flow_round(ellipses);
-    }
-    std::vector<std::size_t> kind_of_element;
-    std::vector<PolygonWater> polygons;
-    for (const IceElement& element : elements) {
-        const auto floe = static_cast<std::size_t>(element.floe);
-        const FloeShape& shape = floes.shape(floe);
-        kind_of_element.push_back(shape.is_polygon() ? models.size() + polygons.size() : kind_of_floe[floe]);
-        if (!shape.is_polygon()) continue;
-        const CutElement& one = ice.cut(element.floe)->elements[static_cast<std::size_t>(element.index)];
-        polygons.emplace_back(scenario.water, scenario.general.gravity, one, shape.thickness,
-                              floes.material(floe).ice.density * shape.thickness * one.area,
-                              scenario.structure.shape.waterline_radius(), scenario.structure.speed,
-                              scenario.wind.stress());
-    }
-    return {models, kind_of_element, lane_widths().back(), std::move(polygons)};
-}
-
 }  // namespace
 
-Simulation::Simulation(const Scenario& scenario, const FloeSet& floes)
+Simulation::Simulation(const Scenario& scenario, const FloeSet& floes, IceAhead ahead)
     : scenario_(scenario),
       channel_(make_channel(scenario, floes)),
       wellbeing_(scenario, channel_),
@@ -94,7 +46,7 @@ Simulation::Simulation(const Scenario& scenario, const FloeSet& floes)
       contact_bins_(scenario.structure.shape.bottom(), scenario.structure.shape.top()),
       hull_loads_(scenario.structure.shape, solids_of(scenario),
                   static_cast<std::size_t>(scenario.step_count() - scenario.first_window_step())) {
-    for (int floe = 0; floe < ice_.floes(); ++floe) piece_water_.share_out(floe, ice_, world_, water_);
+    for (int floe = 0; floe < ice_.places(); ++floe) piece_water_.share_out(floe, ice_, world_, water_);
     const auto steps = static_cast<std::size_t>(scenario.step_count());
     loads_.surge.reserve(steps);
     loads_.sway.reserve(steps);
@@ -107,6 +59,8 @@ Simulation::Simulation(const Scenario& scenario, const FloeSet& floes)
     read_states();
     drift_with_current();
     sleeping_.lay_down(world_, states_, motion_.after());
+    encounters_.enter(ice_.floes());
+    if (ahead.next) start_window(floes, std::move(ahead));
     if (motion_.after().yaw != 0) place_structure();
 }
 
@@ -122,6 +76,8 @@ void Simulation::drift_with_current() {
 
 Simulation::Simulation(const Scenario& scenario, const FloeSet& floes, const SimulationState& state)
     : Simulation(scenario, floes) {
+    if (scenario.field.endless())
+        throw InputError("A tow through a field without end begins at its start: a state does not hold all its floes.");
     if (state.elements.size() != states_.size()) {
         throw InputError(fmt::format("A state of {} elements cannot be that of {} floes with {} elements.",
                                      state.elements.size(), floes.size(), states_.size()));
@@ -174,12 +130,10 @@ void Simulation::read_frame(Frame& frame) const {
 }
 
 FrameContact Simulation::seen(const ContactForce& contact) const {
-    const std::vector<IceElement>& elements = ice_.elements();
-    const std::size_t first = elements.front().body.index();  // elements were added one after another
     const auto element = [&](BodyId body) {
         if (body == structure_) return touches_structure;
-        const std::size_t index = body.index() - first;
-        return index < elements.size() ? static_cast<int>(index) : touches_ice_sheet;
+        const std::optional<std::size_t> index = ice_.element_of(body);
+        return index ? static_cast<int>(*index) : touches_ice_sheet;
     };
     const int a = element(contact.a);
     const int b = element(contact.b);
@@ -189,6 +143,7 @@ FrameContact Simulation::seen(const ContactForce& contact) const {
 
 void Simulation::step() {
     move_structure();
+    move_window();
     wake_floes();
     apply_water();
     sheets_.press(world_);
@@ -201,7 +156,9 @@ void Simulation::step() {
     if (work_.looks_at(steps_)) work_.add(world_, ice_, sheets_, piece_water_, motion_, states_before_, states_);
     check_wellbeing();
     check_structure();
+    world_.read_contacts(structure_contacts_, structure_);
     read_ice_load();
+    encounters_.meet(structure_contacts_, ice_);
     if (steps_ >= scenario_.first_window_step()) map_contacts();
     break_joints();
     record();
@@ -253,8 +210,9 @@ void Simulation::check_wellbeing() const {
         const std::optional<std::string> trouble = wellbeing_.trouble(states_[i]);
         if (!trouble) continue;
         const IceElement& element = ice_.elements()[i];
-        throw MemberFailure(
-            fmt::format("Element {} of floe {} {} (t = {:.2f} s).", element.index, element.floe, *trouble, step_end()));
+        if (!ice_.is_there(element.floe)) continue;
+        throw MemberFailure(fmt::format("Element {} of floe {} {} (t = {:.2f} s).", element.index,
+                                        ice_.number_of(element.floe), *trouble, step_end()));
     }
 }
 
@@ -283,7 +241,7 @@ void Simulation::share_out_water(std::size_t first_break) {
     const std::vector<BreakEvent>& breaks = ice_.breaks();
     for (std::size_t i = first_break; i < breaks.size(); ++i) {
         if (i == first_break || breaks[i].floe != breaks[i - 1].floe)
-            piece_water_.share_out(breaks[i].floe, ice_, world_, water_);
+            piece_water_.share_out(ice_.place_of(breaks[i].floe), ice_, world_, water_);
     }
 }
 

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -17,10 +18,12 @@
 #include "scenario/floes.hpp"
 #include "scenario/scenario.hpp"
 #include "simulation/channel.hpp"
+#include "simulation/encounters.hpp"
 #include "simulation/frame.hpp"
 #include "simulation/hull_loads.hpp"
 #include "simulation/load_history.hpp"
 #include "simulation/motion_history.hpp"
+#include "simulation/moving_window.hpp"
 #include "simulation/piece_water.hpp"
 #include "simulation/sheets.hpp"
 #include "simulation/sleeping_floes.hpp"
@@ -50,7 +53,8 @@ using Watcher = std::function<void(const Simulation&)>;
 class Simulation {
   public:
     /// Floes float at rest at their poses. Throws InputError for what the world refuses.
-    Simulation(const Scenario& scenario, const FloeSet& floes);
+    /// ahead: of a field without end, where it goes on beyond these floes.
+    Simulation(const Scenario& scenario, const FloeSet& floes, IceAhead ahead = {});
 
     /// A tow that has come as far as `state`: floes as in `floes` when their joints were made, then moved. The
     /// contacts of the last step and cracks that are not open yet are not part of a state, so the next steps differ
@@ -73,6 +77,13 @@ class Simulation {
     const MotionHistory& motions() const { return motions_; }
     const StructureMotion& structure() const { return motion_; }
     const IceField& ice() const { return ice_; }  ///< breaks, broken floes, peak reactions
+
+    /// Floes that were computed at any time so far: all of a field with an end.
+    int floes_entered() const { return encounters_.entered(); }
+    int floes_met() const { return encounters_.met(ice_); }  ///< that touched the structure so far
+    int floes_met_broken() const { return encounters_.met_broken(ice_); }
+    /// Floes of a field without end that rest ahead of what is computed.
+    int floes_resting() const { return window_ ? sleeping_.resting() : 0; }
 
     /// Where on the structure the load acted, over the steps of the analysis window so far; at least one.
     LoadMap load_map() const { return contact_bins_.means(static_cast<std::size_t>(steps_in_window_)); }
@@ -101,6 +112,11 @@ class Simulation {
     double step_end() const { return (steps_ + 1) * scenario_.general.time_step; }
     void place_structure();
     void move_structure();
+    void start_window(const FloeSet& floes, IceAhead ahead);
+    void move_window();
+    void leave_behind();
+    bool enter_ahead();
+    void measure_anew();
     void wake_floes();
     void apply_water();
     void drift_with_current();
@@ -127,11 +143,13 @@ class Simulation {
     TowWork work_;
     std::vector<BodyState> states_, states_before_;
     SleepingFloes sleeping_;
+    std::optional<MovingWindow> window_;  ///< of a field without end
+    Encounters encounters_;
     Vec3 ice_load_ = Vec3::Zero();
     double ice_moment_ = 0;  ///< about the axis and +y, N m; of a structure that is not towed straight on
     LoadHistory loads_;
     MotionHistory motions_;
-    std::vector<ContactForce> structure_contacts_;  ///< of the last step in the window
+    std::vector<ContactForce> structure_contacts_;  ///< of the last step
     ContactBins contact_bins_;
     HullLoads hull_loads_;
     int steps_in_window_ = 0;

@@ -14,7 +14,6 @@ void Simulation::read_ice_load() {
     if (motion_.is_free()) {
         const PlanarPose& axis = motion_.after();
         ice_moment_ = 0;
-        world_.read_contacts(structure_contacts_, structure_);
         for (const ContactForce& one : structure_contacts_) {
             const Vec3 on_a = one.normal + one.friction;
             const double moment = (one.point.z() - axis.z) * on_a.x() - (one.point.x() - axis.x) * on_a.z();
@@ -27,7 +26,6 @@ void Simulation::read_ice_load() {
 }
 
 void Simulation::map_contacts() {
-    world_.read_contacts(structure_contacts_, structure_);
     const PlanarPose& axis = motion_.after();  // where contacts were looked for
     for (const ContactForce& one : structure_contacts_) {
         const Vec3 arm = motion_.in_own_axes(one.point - Vec3(axis.x, 0, axis.z));

@@ -5,16 +5,32 @@
 namespace floes {
 
 SleepingFloes::SleepingFloes(double wake_radius, const std::vector<IceElement>& elements) : wake_radius_(wake_radius) {
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-        const auto floe = static_cast<std::size_t>(elements[i].floe);
-        floes_.resize(std::max(floes_.size(), floe + 1));
-        floes_[floe].indices.push_back(i);
-        const std::size_t body = elements[i].body.index();
-        floe_of_body_.resize(std::max(floe_of_body_.size(), body + 1));
-        floe_of_body_[body] = floe;
-        body_.push_back(elements[i].body);
-    }
+    for (std::size_t i = 0; i < elements.size(); ++i) add(i, elements[i]);
     list_awake();
+}
+
+void SleepingFloes::add(std::size_t element, const IceElement& of) {
+    const auto floe = static_cast<std::size_t>(of.floe);
+    floes_.resize(std::max(floes_.size(), floe + 1));
+    floes_[floe].indices.push_back(element);
+    const std::size_t body = of.body.index();
+    floe_of_body_.resize(std::max(floe_of_body_.size(), body + 1));
+    floe_of_body_[body] = floe;
+    body_.push_back(of.body);
+}
+
+void SleepingFloes::rest(World& world, const IceField& ice, int place, std::span<const BodyState> states) {
+    for (std::size_t i = body_.size(); i < ice.elements().size(); ++i) add(i, ice.elements()[i]);
+    FloeElements& floe = floes_[static_cast<std::size_t>(place)];
+    floe.there = true;
+    floe.middle = Vec3::Zero();
+    for (const std::size_t i : floe.indices)
+        floe.middle += states[i].position / static_cast<double>(floe.indices.size());
+    set_asleep(world, floe, true);
+}
+
+void SleepingFloes::leave(int place) {
+    floes_[static_cast<std::size_t>(place)].there = false;
 }
 
 void SleepingFloes::lay_down(World& world, std::span<const BodyState> states, const PlanarPose& structure) {
@@ -33,7 +49,7 @@ void SleepingFloes::lay_down(World& world, std::span<const BodyState> states, co
 }
 
 void SleepingFloes::wake(World& world, const PlanarPose& structure) {
-    if (sleepers_ == 0) return;
+    if (wake_radius_ == 0 || sleepers_ == 0) return;  // a field without end has sleepers that nothing wakes but rouse()
     const std::size_t before = sleepers_;
     for (const BodyId body : world.touched_asleep()) set_asleep(world, floes_[floe_of_body_[body.index()]], false);
     for (FloeElements& floe : floes_) {
@@ -66,7 +82,8 @@ void SleepingFloes::list_awake() {
     for (const FloeElements& floe : floes_) most = std::max(most, floe.indices.size());
     for (std::size_t place = 0; place < most; ++place) {
         for (const FloeElements& floe : floes_) {
-            if (!floe.asleep && place < floe.indices.size()) awake_elements_.push_back(floe.indices[place]);
+            if (floe.there && !floe.asleep && place < floe.indices.size())
+                awake_elements_.push_back(floe.indices[place]);
         }
     }
 }

@@ -29,6 +29,17 @@ class SleepingFloes {
 
     void wake_all(World& world);
 
+    /// Of a field without end (moving_window.hpp). The floe at this place of the ice, at rest in these states of all
+    /// elements, is laid down, and waits for rouse() whatever touches it; it may be new there.
+    void rest(World& world, const IceField& ice, int place, std::span<const BodyState> states);
+    void rouse(World& world, int place) { set_asleep(world, floes_[static_cast<std::size_t>(place)], false); }
+    void leave(int place);
+    bool rests(int place) const { return floes_[static_cast<std::size_t>(place)].asleep; }
+    double middle_x(int place) const { return floes_[static_cast<std::size_t>(place)].middle.x(); }  ///< when laid, m
+    int resting() const { return static_cast<int>(sleepers_); }
+
+    void list_awake();
+
     /// Indices of awake elements. The same place of all floes side by side: mostly the same edges are exposed there.
     const std::vector<std::size_t>& awake_elements() const { return awake_elements_; }
 
@@ -37,11 +48,12 @@ class SleepingFloes {
         std::vector<std::size_t> indices;
         Vec3 middle = Vec3::Zero();
         bool asleep = false;
+        bool there = true;
     };
 
     bool reached(const FloeElements& floe, const PlanarPose& structure) const;
     void set_asleep(World& world, FloeElements& floe, bool asleep);
-    void list_awake();
+    void add(std::size_t element, const IceElement& of);
 
     double wake_radius_;
     std::vector<BodyId> body_;  ///< by element

@@ -25,11 +25,17 @@ TowWork::TowWork(const Scenario& scenario, const FloeSet& floes, const IceField&
       time_step_(scenario.general.time_step),
       gravity_(scenario.general.gravity),
       structure_(structure),
-      first_element_(ice.elements().front().body),
+      carried_(1 + scenario.water.isotropic_mass()),
       speed_(scenario.structure.speed),
       paced_(scenario.path.any()),
       blows_(scenario.wind.speed > 0) {
-    const double carried = 1 + scenario.water.isotropic_mass();
+    measure(floes, ice);
+}
+
+void TowWork::measure(const FloeSet& floes, const IceField& ice) {
+    mass_.clear();
+    weight_.clear();
+    inertia_.clear();
     for (const IceElement& element : ice.elements()) {
         const auto floe = static_cast<std::size_t>(element.floe);
         const FloeShape& shape = floes.shape(floe);
@@ -37,7 +43,7 @@ TowWork::TowWork(const Scenario& scenario, const FloeSet& floes, const IceField&
         const CutElement* polygon = cut != nullptr ? &cut->elements[static_cast<std::size_t>(element.index)] : nullptr;
         const double ice_mass = polygon != nullptr ? floes.material(floe).ice.density * shape.thickness * polygon->area
                                                    : shape.element_mass(floes.material(floe).ice);
-        mass_.push_back(ice_mass * carried);
+        mass_.push_back(ice_mass * carried_);
         weight_.push_back(ice_mass * gravity_);
         const double broad = shape.element * shape.element;
         const double thin = shape.thickness * shape.thickness;
@@ -85,7 +91,7 @@ void TowWork::add(const World& world, const IceField& ice, const Sheets& sheets,
     }
     const double before_step = together(sum_);
     double load = -world.contact_force(structure_).dot(motion.velocity());
-    load -= add_contacts(world, sheets, motion) * motion.turning();
+    load -= add_contacts(world, ice, sheets, motion) * motion.turning();
     add_water();
     add_motion(water, before, after);
     sum_.joints -= ice.joint_power(world, before, velocity_, angular_velocity_);
@@ -95,7 +101,8 @@ void TowWork::add(const World& world, const IceField& ice, const Sheets& sheets,
 }
 
 /// Gives the moment of the ice about the structure's axis and +y, N m.
-double TowWork::add_contacts(const World& world, const Sheets& sheets, const StructureMotion& motion) {
+double TowWork::add_contacts(const World& world, const IceField& ice, const Sheets& sheets,
+                             const StructureMotion& motion) {
     world.read_contacts(contacts_);
     const Vec3 axis(motion.after().x, 0, motion.after().z);
     double moment = 0;
@@ -109,12 +116,13 @@ double TowWork::add_contacts(const World& world, const Sheets& sheets, const Str
                 moment += arm.cross(body == contact.a ? on_a : Vec3(-on_a)).y();
                 return motion.velocity() + Vec3(0, motion.turning(), 0).cross(arm);
             }
-            const std::size_t i = body.index() - first_element_.index();  // elements were added one after another
-            if (i >= velocity_.size()) {                                  // an ice sheet
+            const std::optional<std::size_t> element = ice.element_of(body);
+            if (!element) {  // an ice sheet
                 const Vec3 sheet = sheets.velocity(body);
                 sum_.driving += (body == contact.a ? on_a : Vec3(-on_a)).dot(sheet);
                 return sheet;
             }
+            const std::size_t i = *element;
             return velocity_[i] + angular_velocity_[i].cross(contact.point - position_[i]);
         };
         const Vec3 sliding = velocity(contact.a) - velocity(contact.b);

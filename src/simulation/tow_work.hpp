@@ -24,6 +24,9 @@ class TowWork {
   public:
     TowWork(const Scenario& scenario, const FloeSet& floes, const IceField& ice, BodyId structure);
 
+    /// Other floes have come: `floes` are those at the places of the ice.
+    void measure(const FloeSet& floes, const IceField& ice);
+
     /// Whether the step with this number, from 0, is looked at.
     bool looks_at(int step) const { return step >= first_step_ && (step - first_step_) % stride == 0; }
 
@@ -43,7 +46,7 @@ class TowWork {
     static constexpr int stride = 5;
 
     double power(const Wrench& wrench, std::size_t element) const;
-    double add_contacts(const World& world, const Sheets& sheets, const StructureMotion& motion);
+    double add_contacts(const World& world, const IceField& ice, const Sheets& sheets, const StructureMotion& motion);
     void add_water();
     void add_motion(const PieceWater& water, std::span<const BodyState> before, std::span<const BodyState> after);
 
@@ -51,7 +54,7 @@ class TowWork {
     double time_step_;
     double gravity_;
     BodyId structure_;
-    BodyId first_element_;
+    double carried_;                                                  ///< mass with isotropic added mass / mass of ice
     double speed_;                                                    ///< of the straight tow, m/s
     double way_ = 0;                                                  ///< sum of the paces of the steps looked at, m/s
     bool paced_;                                                      ///< whether they differ from that speed

@@ -6,6 +6,6 @@
 namespace floes {
 
 using BodyId = Id<struct BodyTag>;    ///< in order of creation in a World
-using JointId = Id<struct JointTag>;  ///< in order of creation in a World; never used again after removal
+using JointId = Id<struct JointTag>;  ///< in order of creation in a World; used again after removal by put_in alone
 
 }  // namespace floes

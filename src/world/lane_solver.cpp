@@ -22,6 +22,25 @@ Triple half_extent(const btRigidBody& body) {
     return array_of(static_cast<const btBoxShape*>(body.getCollisionShape())->getHalfExtentsWithMargin());
 }
 
+double reach_of(const btRigidBody& body) {
+    return body.getCollisionShape()->getContactBreakingThreshold(gContactBreakingThreshold);
+}
+
+SolverJoint joint_of(const JointDefinition& definition, const btRigidBody& a, const btRigidBody& b) {
+    const auto frame_in = [&](const btRigidBody& body) {
+        const btTransform frame =
+            body.getWorldTransform().inverse() * to_bullet(Pose{definition.pivot, definition.frame});
+        return SolverFrame{rows_of(frame.getBasis()), array_of(frame.getOrigin())};
+    };
+    return {static_cast<std::uint32_t>(definition.a.index()),
+            static_cast<std::uint32_t>(definition.b.index()),
+            frame_in(a),
+            frame_in(b),
+            definition.cfm,
+            definition.erp,
+            definition.spring};
+}
+
 constexpr std::size_t not_in_system = static_cast<std::size_t>(-1);
 
 }  // namespace
@@ -32,48 +51,69 @@ LaneSolver::LaneSolver(const WorldDefinition& definition, btCollisionDispatcher&
       width_(lane_kernels(definition.lanes > 0 ? definition.lanes : lane_widths().back()).width),
       structure_contacts_(dispatcher, info) {}
 
-void LaneSolver::add_body(const btRigidBody& body, int piece, double crushing_pressure, std::optional<int> rail) {
-    const bool fixed = !(body.getInvMass() > 0);
-    const bool turns = !fixed && !rail;
-    const Triple extent = half_extent(body);
-    const double reach = body.getCollisionShape()->getContactBreakingThreshold(gContactBreakingThreshold);
-    free_.push_back(fixed ? 0 : 1);
-    Body& added = bodies_.emplace_back();
-    if (!fixed) {
-        added.parts = {body.getInvMass(), array_of(body.getInvInertiaDiagLocal()), {}, 0, 0, {}};
-        added.parts.weight = -definition_.gravity * (1.0 / body.getInvMass());
+LaneSolver::Body LaneSolver::made_of(const btRigidBody& body, double crushing_pressure, std::optional<int> rail) const {
+    Body made;
+    if (body.getInvMass() > 0) {
+        made.parts = {body.getInvMass(), array_of(body.getInvInertiaDiagLocal()), {}, 0, 0, {}};
+        made.parts.weight = -definition_.gravity * (1.0 / body.getInvMass());
     }
     if (rail) {
-        added.parts.rail = *rail;
-        added.parts.weight = 0;
-        added.parts.inverse_inertia.fill(body.getInvMass() / (1e3 * off_rail));
+        made.parts.rail = *rail;
+        made.parts.weight = 0;
+        made.parts.inverse_inertia.fill(body.getInvMass() / (1e3 * off_rail));
     }
-    added.parts.half_extent = extent;
-    added.parts.crushing_pressure = crushing_pressure;
-    added.start = state_of(body);
-    added.friction = body.getFriction();
+    made.parts.half_extent = half_extent(body);
+    made.parts.crushing_pressure = crushing_pressure;
+    made.start = state_of(body);
+    made.friction = body.getFriction();
     if (const PrismHull* hull = hull_of(body)) {
-        added.parts.is_prism = true;
-        added.prism = hull->prism();
+        made.parts.is_prism = true;
+        made.prism = hull->prism();
     }
-    boxes_.add({extent, reach, !turns, extent != Triple{}, rail ? no_piece : piece,
+    return made;
+}
+
+void LaneSolver::add_body(const btRigidBody& body, int piece, double crushing_pressure, std::optional<int> rail) {
+    const bool turns = body.getInvMass() > 0 && !rail;
+    const Triple extent = half_extent(body);
+    free_.push_back(body.getInvMass() > 0 ? 1 : 0);
+    const Body& added = bodies_.emplace_back(made_of(body, crushing_pressure, rail));
+    boxes_.add({extent, reach_of(body), !turns, extent != Triple{}, rail ? no_piece : piece,
                 added.parts.is_prism ? added.prism.corners : Outline{}});
     structure_contacts_.add(turns ? extent : Triple{});
     stale_ = true;
 }
 
+void LaneSolver::take_out(std::size_t body) {
+    bodies_[body].asleep = true;
+    boxes_.take_out(static_cast<std::uint32_t>(body));
+    structure_contacts_.put_in(body, {});
+    stale_ = true;
+}
+
+void LaneSolver::put_in(std::size_t number, const btRigidBody& body, int piece, double crushing_pressure) {
+    bodies_[number] = made_of(body, crushing_pressure, {});
+    if (in_system_body(number)) system_->set_state(number, bodies_[number].start);
+    const Triple extent = half_extent(body);
+    boxes_.put_in(static_cast<std::uint32_t>(number), {extent, reach_of(body), false, true, piece});
+    structure_contacts_.put_in(number, extent);
+    stale_ = true;
+}
+
 void LaneSolver::add_joint(const JointDefinition& definition, const btRigidBody& a, const btRigidBody& b) {
-    const auto frame_in = [&](const btRigidBody& body) {
-        const btTransform frame =
-            body.getWorldTransform().inverse() * to_bullet(Pose{definition.pivot, definition.frame});
-        return SolverFrame{rows_of(frame.getBasis()), array_of(frame.getOrigin())};
-    };
-    joints_.push_back({static_cast<std::uint32_t>(definition.a.index()),
-                       static_cast<std::uint32_t>(definition.b.index()), frame_in(a), frame_in(b), definition.cfm,
-                       definition.erp, definition.spring});
+    joints_.push_back(joint_of(definition, a, b));
     removed_.push_back(false);
     hold_edge(joints_.back().a, joints_.back().in_a, 1, true);
     hold_edge(joints_.back().b, joints_.back().in_b, -1, true);
+    stale_ = true;
+}
+
+void LaneSolver::put_in_joint(std::size_t number, const JointDefinition& definition, const btRigidBody& a,
+                              const btRigidBody& b) {
+    joints_[number] = joint_of(definition, a, b);
+    removed_[number] = false;
+    hold_edge(joints_[number].a, joints_[number].in_a, 1, true);
+    hold_edge(joints_[number].b, joints_[number].in_b, -1, true);
     stale_ = true;
 }
 
@@ -129,7 +169,7 @@ BodyState LaneSolver::state(std::size_t body) const {
 
 void LaneSolver::set_water(std::size_t body, const CarriedWater& water) {
     bodies_[body].parts.water = water;
-    if (in_system_body(body)) system_->set_water(body, water);
+    if (!stale_ && in_system_body(body)) system_->set_water(body, water);  // a new system takes it from `parts`
 }
 
 JointReaction LaneSolver::reaction(std::size_t joint) const {

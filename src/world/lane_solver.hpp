@@ -50,6 +50,14 @@ class LaneSolver {
     /// From the next step on. Bodies that sleep are fixed in place, and their joints are left out.
     void set_asleep(std::size_t body, bool asleep);
 
+    /// From the next step on the body, an element without joints, touches nothing and is not computed.
+    void take_out(std::size_t body);
+
+    /// Another element, or joint, under the number of one that was taken out, or removed.
+    void put_in(std::size_t number, const btRigidBody& body, int piece, double crushing_pressure);
+    void put_in_joint(std::size_t number, const JointDefinition& definition, const btRigidBody& a,
+                      const btRigidBody& b);
+
     /// Sleeping bodies that an awake one or the structure touched in the last step, in the order of the contacts.
     std::vector<BodyId> touched_asleep() const;
 
@@ -96,6 +104,7 @@ class LaneSolver {
         btManifoldPoint* structure;
     };
 
+    Body made_of(const btRigidBody& body, double crushing_pressure, std::optional<int> rail) const;
     bool cone() const { return definition_.contact.friction == Friction::cone; }
     bool acts(double distance) const;
     bool is_prism(std::uint32_t body) const { return bodies_[body].parts.is_prism; }

@@ -65,6 +65,12 @@ void StructureContacts::add(const Triple& half_extent) {
     touching_.reserve(2 * algorithms_.size());
 }
 
+void StructureContacts::put_in(std::size_t box, const Triple& half_extent) {
+    half_extent_[box] = half_extent;
+    radius_[box] = std::sqrt(dot(half_extent, half_extent));
+    move(box);
+}
+
 void StructureContacts::move(std::size_t box) {
     clearance_[box] = 0;
     leave(algorithms_[box]);

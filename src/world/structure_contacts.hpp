@@ -26,6 +26,9 @@ class StructureContacts {
     /// Bodies are numbered from 0. Boxes that move have a half extent; for others nothing is looked for. Lengths in m.
     void add(const Triple& half_extent);
 
+    /// Another box under that number; for one without a half extent nothing is looked for.
+    void put_in(std::size_t box, const Triple& half_extent);
+
     /// The box is somewhere else now; contacts that it had begin anew.
     void move(std::size_t box);
 

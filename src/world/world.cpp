@@ -2,7 +2,6 @@
 
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
-#include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 #include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
@@ -11,7 +10,6 @@
 #include <deque>
 #include <limits>
 #include <optional>
-#include <ranges>
 #include <vector>
 
 #include "core/error.hpp"
@@ -27,6 +25,7 @@
 #include "world/ordered_dynamics_world.hpp"
 #include "world/piece_dispatcher.hpp"
 #include "world/prism_hull.hpp"
+#include "world/rigid_body.hpp"
 #include "world/solid_shape.hpp"
 #include "world/solver_state.hpp"
 
@@ -52,23 +51,11 @@ class World::Bullet {
     btRigidBody& body(BodyId id) { return bodies[id.index()]; }
     const btRigidBody& body(BodyId id) const { return bodies[id.index()]; }
 
-    btBoxShape* box_shape(const Vec3& half_extents) {
-        for (auto& box : std::views::reverse(boxes)) {  // most often the last: elements of one floe are equal
-            if (box.half_extents == half_extents) return &box.shape;
-        }
-        return &boxes.emplace_back(half_extents).shape;
-    }
-
     /// Adds any body. Worlds in different threads share one datum, which is never read: Bullet's counter of bodies.
     BodyId add_body(btCollisionShape* shape, double mass, const Pose& pose, double material, int piece, int flags,
                     double crushing_pressure, std::optional<int> rail = {}) {
         const BodyId id(bodies.size());
-        btVector3 inertia(0, 0, 0);
-        if (mass > 0 && !rail) shape->calculateLocalInertia(mass, inertia);
-        btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, shape, inertia);
-        info.m_startWorldTransform = to_bullet(pose);
-        info.m_friction = material;
-        btRigidBody& added = bodies.emplace_back(info);
+        btRigidBody& added = bodies.emplace_back(parts_of_body(shape, mass, pose, material, !rail));
         added.setCollisionFlags(added.getCollisionFlags() | flags);
         added.setActivationState(DISABLE_DEACTIVATION);  // floes as slow as the tow would fall asleep
         added.setUserIndex(static_cast<int>(id.index()));
@@ -87,12 +74,6 @@ class World::Bullet {
         return id;
     }
 
-    struct Box {
-        explicit Box(const Vec3& given) : half_extents(given), shape(to_bullet(given)) {}
-        Vec3 half_extents;
-        btBoxShape shape;
-    };
-
     FroudeUnits units;
     WorldDefinition definition;
     MaterialFriction friction;
@@ -100,7 +81,7 @@ class World::Bullet {
     PieceDispatcher dispatcher{&configuration};
     btDbvtBroadphase broadphase;
     btSequentialImpulseConstraintSolver stock;
-    std::deque<Box> boxes;
+    BoxShapes boxes;
     std::deque<PrismHull> hulls;
     std::deque<SolidShape> solids;
     std::optional<btCompoundShape> structure_shape;
@@ -125,8 +106,8 @@ World& World::operator=(World&&) noexcept = default;
 BodyId World::add_element(const BoxDefinition& given) {
     check(given);
     const BoxDefinition box = bullet_->units.to_own(given);
-    return bullet_->add_body(bullet_->box_shape(box.half_extents), box.mass, box.pose, bullet_->friction.ice, box.piece,
-                             0, box.crushing_pressure);
+    return bullet_->add_body(bullet_->boxes.take(box.half_extents), box.mass, box.pose, bullet_->friction.ice,
+                             box.piece, 0, box.crushing_pressure);
 }
 
 BodyId World::add_prism(const PrismDefinition& given) {
@@ -139,13 +120,13 @@ BodyId World::add_prism(const PrismDefinition& given) {
 BodyId World::add_fixed_box(const FixedBoxDefinition& given) {
     check(given);
     const FixedBoxDefinition box = bullet_->units.to_own(given);
-    return bullet_->add_body(bullet_->box_shape(box.half_extents), 0, box.pose, bullet_->friction.ice, no_piece, 0, 0);
+    return bullet_->add_body(bullet_->boxes.take(box.half_extents), 0, box.pose, bullet_->friction.ice, no_piece, 0, 0);
 }
 
 BodyId World::add_sliding_box(const SlidingBoxDefinition& given) {
     check(given);
     const SlidingBoxDefinition box = bullet_->units.to_own(given);
-    return bullet_->add_body(bullet_->box_shape(box.half_extents), box.mass, {box.position, Quat::Identity()},
+    return bullet_->add_body(bullet_->boxes.take(box.half_extents), box.mass, {box.position, Quat::Identity()},
                              bullet_->friction.ice, sheet_piece, 0, 0, box.axis);
 }
 
@@ -208,6 +189,29 @@ void World::set_water(BodyId body, const CarriedWater& given) {
 void World::set_asleep(BodyId body, bool asleep) {
     check_sleep(bullet_->definition.solver);
     bullet_->lanes->set_asleep(body.index(), asleep);
+}
+
+void World::take_out(BodyId element) {
+    check_sleep(bullet_->definition.solver);
+    bullet_->lanes->take_out(element.index());
+}
+
+void World::put_in(BodyId element, const BoxDefinition& given) {
+    check_sleep(bullet_->definition.solver);
+    check(given);
+    const BoxDefinition box = bullet_->units.to_own(given);
+    btRigidBody& body = bullet_->body(element);
+    bullet_->boxes.give_back(body.getCollisionShape());
+    make_anew(body,
+              parts_of_body(bullet_->boxes.take(box.half_extents), box.mass, box.pose, bullet_->friction.ice, true));
+    bullet_->lanes->put_in(element.index(), body, box.piece, box.crushing_pressure);
+}
+
+void World::put_in(JointId joint, const JointDefinition& given) {
+    check_sleep(bullet_->definition.solver);
+    check(given, bullet_->bodies.size(), bullet_->definition.solver);
+    const JointDefinition definition = bullet_->units.to_own(given);
+    bullet_->lanes->put_in_joint(joint.index(), definition, bullet_->body(definition.a), bullet_->body(definition.b));
 }
 
 std::vector<BodyId> World::touched_asleep() const {

@@ -64,6 +64,16 @@ class World {
     /// be at rest; all bodies that joints connect sleep or none. Throws InputError with the stock solver.
     void set_asleep(BodyId body, bool asleep);
 
+    /// Takes an element out of the world: from now on it touches nothing and costs next to nothing. Its joints must
+    /// have been removed. Throws InputError with the stock solver.
+    void take_out(BodyId element);
+
+    /// Another element under the id of one that was taken out; it carries no water yet.
+    void put_in(BodyId element, const BoxDefinition& box);
+
+    /// Another joint under the id of one that was removed. Throws InputError as add_joint does.
+    void put_in(JointId joint, const JointDefinition& definition);
+
     /// Sleeping bodies that the structure or an awake element touched in the last step (nearer than a contact point
     /// lives, some millimetres for elements of 0.2 m), in the order of the contacts; a body may come more than once.
     std::vector<BodyId> touched_asleep() const;

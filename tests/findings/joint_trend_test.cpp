@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "findings/example.hpp"
+#include "findings/stationary.hpp"
 #include "findings/warnings.hpp"
 
 namespace floes {
@@ -67,6 +68,27 @@ TEST(JointTrend, ThatIsSureAndNegligibleIsNoNews) {
 TEST(JointTrend, OfSlopesOfBothSignsOrOfFewMembersIsNone) {
     EXPECT_FALSE(joint_trends(campaign(24, {0.05, -0.05}))[0].seen);
     EXPECT_FALSE(joint_trends(campaign(2, {0.05, 0.051}))[0].seen);
+}
+
+TEST(Stationary, IsSaidWithItsTestAndWhatItLeavesOpen) {
+    CampaignTable table = campaign(24, {0.02, -0.02, 0.01, -0.01});
+    const JointTrend none = joint_trends(table)[0];
+    CaseRow about = table.cases[0];
+    EXPECT_THAT(
+        stationary_text("E30", none, about),
+        testing::AllOf(testing::StartsWith("E30: no trend within this window. Slopes of 24 members, Student's t: "
+                                           "the load changes by +0 % ["),
+                       testing::HasSubstr("ends at an ice sheet")));
+    about.far_end = FarEnd::never;
+    EXPECT_THAT(stationary_text("E30", none, about),
+                testing::AllOf(testing::StartsWith("E30: stationary, and ice comes as long as the run lasts."),
+                               testing::Not(testing::HasSubstr("passage"))));
+    const JointTrend few = joint_trends(campaign(3, {0.08, -0.08, 0.07}))[0];
+    EXPECT_THAT(stationary_text("E30", few, about), testing::StartsWith("E30: not shown to be stationary"));
+    const JointTrend rising = joint_trends(campaign(24, {0.02, 0.05, 0.01, 0.08}))[0];
+    EXPECT_EQ(stationary_text("E30", rising, about), "");
+    EXPECT_EQ(end_text(about), "");
+    EXPECT_THAT(end_text(table.cases[0]), testing::HasSubstr("field.far_end = \"never\""));
 }
 
 TEST(JointTrend, WarnsOfMembersFarAboveTheOthers) {

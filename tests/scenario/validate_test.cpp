@@ -218,6 +218,38 @@ TEST(Validate, EveryContradictionIsOneSentence) {
          "paper.split_impulse_depth_m = 0.04 is not possible with general.solver = \"direct\": the direct solver "
          "opens every penetration of rigid contacts within the impulse; take "
          "paper.split_impulse_depth_m = inf"},
+        {[](Scenario& s) {
+             s.field.far_end = FarEnd::never;
+             s.water.current = 0.1;
+         },
+         "water.current_m_s = 0.1 does not go together with field.far_end = \"never\": ice ahead of the computed part "
+         "rests and cannot drift; take 0, or a field with an end"},
+        {[](Scenario& s) {
+             s.field.far_end = FarEnd::never;
+             s.field.confining = 40;
+         },
+         "field.confining_N_m = 40.0 does not go together with field.far_end = \"never\": no rigid sheet is as long as "
+         "the field; take 0, or a field with an end"},
+        {[](Scenario& s) {
+             s.field.far_end = FarEnd::never;
+             s.arrangement.method = ArrangementMethod::monte_carlo;
+         },
+         "arrangement.method = \"monte_carlo\" does not go together with field.far_end = \"never\", whose parts are "
+         "laid beside one another without a seam; take \"scattered\", or a field with an end"},
+        {[](Scenario& s) {
+             s.field.far_end = FarEnd::never;
+             s.arrangement.method = ArrangementMethod::scattered;
+             s.arrangement.ordering_sweeps = 10;
+         },
+         "arrangement.ordering_sweeps = 10 would move floes that lie already, which field.far_end = \"never\" does not "
+         "allow; take 0, or a field with an end"},
+        {[](Scenario& s) {
+             s.field.far_end = FarEnd::never;
+             s.arrangement.method = ArrangementMethod::scattered;
+             s.field.ahead = 1.5;
+         },
+         "field.ahead_m = 1.5 is 1.5 m, and the structure would strike floes at rest when they are nearer than the "
+         "structure's radius and a floe's diagonal, 1.585 m; take more"},
         {[](Scenario& s) { s.field.wake_radius = 1.1; },
          "field.wake_radius_m = 1.1 lets the structure strike a floe at rest, whose middle may be 1.16 m from its axis "
          "then; take more than that, or 0 for none at rest"},
@@ -278,6 +310,12 @@ TEST(Validate, BordersAreConsistent) {
     EXPECT_EQ(sentence([](Scenario& s) { s.floe.element = 0.6; }), "consistent");        // one element a floe
     EXPECT_EQ(sentence([](Scenario& s) { s.analysis.steady_start = 0; }), "consistent");
     EXPECT_EQ(sentence([](Scenario& s) { s.field.wake_radius = 1.17; }), "consistent");
+    EXPECT_EQ(sentence([](Scenario& s) {
+                  s.field.far_end = FarEnd::never;
+                  s.arrangement.method = ArrangementMethod::scattered;
+                  s.analysis.window = 36000;  // ten hours
+              }),
+              "consistent");
     EXPECT_EQ(sentence([](Scenario& s) { s.analysis.history_stride = 500; }), "consistent");
     EXPECT_EQ(sentence([](Scenario& s) {
                   s.analysis.history_stride = 3;

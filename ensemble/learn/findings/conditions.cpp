@@ -83,6 +83,7 @@ std::string joint_words(const CaseRow& row) {
 }  // namespace
 
 std::string far_end_words(FarEnd far_end) {
+    if (far_end == FarEnd::never) return "none: ice comes from ahead as long as the run lasts";
     return far_end == FarEnd::ice_sheet ? "an ice sheet" : "open";
 }
 
@@ -109,6 +110,7 @@ std::string window_words(const Analysis& analysis) {
 }
 
 std::string far_end_key(FarEnd far_end) {
+    if (far_end == FarEnd::never) return "never";
     return far_end == FarEnd::ice_sheet ? "ice_sheet" : "open";
 }
 

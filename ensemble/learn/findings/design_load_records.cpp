@@ -45,11 +45,22 @@ DataRows basis_records(const Summary& summary, const std::vector<CaseDesignLoad>
     const auto found = [](auto value) {
         return [value](const CaseDesignLoad& one) { return one.load.valid() ? Datum(value(one.load)) : Undefined{}; };
     };
+    const auto change = [](auto value) {
+        return [value](const CaseDesignLoad& one) {
+            const double told = value(one.trend.load);
+            return std::isfinite(told) ? Datum(told) : Datum(Undefined{});
+        };
+    };
     using Load = const DesignLoad&;
     std::vector<DataColumn<CaseDesignLoad>> columns{
         {"case", [&](const CaseDesignLoad& one) { return summary.name_of(one.case_index); }},
         {"arrangements", [](const CaseDesignLoad& one) { return one.load.arrangements; }},
         {"refused_as_rising", [](const CaseDesignLoad& one) { return one.refused; }},
+        {"trend_seen", [](const CaseDesignLoad& one) { return one.trend.seen; }},
+        {"trend_p", change([](const Change& found) { return found.p; })},
+        {"change_over_window_N", change([](const Change& found) { return found.over_window.estimate; })},
+        {"change_low_N", change([](const Change& found) { return found.over_window.low; })},
+        {"change_high_N", change([](const Change& found) { return found.over_window.high; })},
         {"time_run_s", seen([](Load load) { return load.time_run; })},
         {"exposure_s", [&](const CaseDesignLoad&) { return request.model_exposure(); }},
         {"peak_separation_s", [](const CaseDesignLoad& one) { return one.separation; }},

@@ -12,6 +12,7 @@
 #include "findings/design_load_pairs.hpp"
 #include "findings/design_load_records.hpp"
 #include "findings/printable.hpp"
+#include "findings/stationary.hpp"
 #include "tables/number_text.hpp"
 
 namespace floes {
@@ -64,12 +65,12 @@ std::string negligible_text(const std::string& name, const JointTrend& trend) {
 }
 
 /// "E30: too few peaks (3 of 20) to fit; about 27 arrangements would do."
-std::string none_text(const std::string& name, const CaseDesignLoad& one) {
+std::string none_text(const std::string& name, const CaseDesignLoad& one, const CaseRow& about) {
     if (one.refused)
         return fmt::format(
             "{}: {}, so it is not known how high it gets later. Measure later (--window auto, or run with a later "
-            "analysis.steady_start_s); --rising extrapolates as if it stayed as in the window.",
-            name, trend_text(one.trend));
+            "analysis.steady_start_s); --rising extrapolates as if it stayed as in the window.{}",
+            name, trend_text(one.trend), end_text(about));
     const DesignLoad& load = one.load;
     if (load.arrangements < fewest_members)
         return fmt::format("{}: {} of the {} arrangements that a design load needs; 8 or more are a beginning.", name,
@@ -122,15 +123,18 @@ Section loads_section(const Summary& summary, const std::vector<CaseDesignLoad>&
     for (const double p : request.quantiles)
         table.front().push_back({fmt::format("exceeded with {}, {}", percent(1 - p), unit.name), ""});
     std::vector<std::string> too_few;
-    std::vector<std::string> small_trends;
+    std::vector<std::string> steadiness;
     for (const CaseDesignLoad& one : designs) {
         const std::string& name = summary.label_of(one.case_index);
+        const CaseRow& about = summary.cases[one.case_index].about;
         if (std::string small = negligible_text(name, one.trend); !small.empty())
-            small_trends.push_back(std::move(small));
+            steadiness.push_back(std::move(small));
         if (!one.load.valid()) {
-            too_few.push_back(none_text(name, one));
+            too_few.push_back(none_text(name, one, about));
             continue;
         }
+        if (std::string steady = stationary_text(name, one.trend, about); !steady.empty())
+            steadiness.push_back(std::move(steady));
         for (const DesignLoadEstimate& made : shown(one)) {
             std::vector<Cell>& line = table.emplace_back();
             const bool first = made.method == LargestBy::both_tails;
@@ -144,7 +148,7 @@ Section loads_section(const Summary& summary, const std::vector<CaseDesignLoad>&
     if (too_few.size() == designs.size())
         return {.title = design_title(request), .before = fmt::format("{}\n", fmt::join(too_few, "\n"))};
     std::vector<std::string> notes = std::move(too_few);
-    notes.insert(notes.end(), small_trends.begin(), small_trends.end());
+    notes.insert(notes.end(), steadiness.begin(), steadiness.end());
     return {
         .title = design_title(request),
         .table = std::move(table),

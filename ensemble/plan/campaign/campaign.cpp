@@ -58,15 +58,15 @@ double numeric_value(const Case& one, const std::string& path) {
 double expected_cost(const Campaign& campaign, int number) {
     const MemberKey key = member_key(campaign, number);
     const Scenario& scenario = campaign.cases[static_cast<std::size_t>(key.case_index)].scenario;
-    if (scenario.sizes.law == SizeLaw::one)
-        return scenario.floe.elements() * scenario.field.floes * scenario.step_count();
+    const double floes = computed_floes(scenario);
+    if (scenario.sizes.law == SizeLaw::one) return scenario.floe.elements() * floes * scenario.step_count();
     // A few floes tell what their law makes of all: this is asked for every member.
     constexpr int few = 16;
     Scenario sample = scenario;
     sample.field.floes = few;
     double elements = 0;
     for (const FloeShape& shape : floe_sizes(sample)) elements += shape.elements();
-    return elements * scenario.field.floes / few * scenario.step_count();
+    return elements * floes / few * scenario.step_count();
 }
 
 }  // namespace floes

@@ -59,10 +59,11 @@ std::string size_words(const Scenario& scenario) {
     const auto [least, most] = std::ranges::minmax(shapes, {}, &FloeShape::element);
     return fmt::format(
         "{}, sides of their squares {} m, mean {:.4g} m, half of the area in floes of {:.4g} m and more{}; {:.0f} "
-        "elements of {} m; the field is {:.4g} m long",
+        "elements of {} m; {} {:.4g} m long",
         counted(std::ssize(shapes), "floe"), between(diameter_of(shapes.front()), diameter_of(shapes.back())),
         diameters / static_cast<double>(shapes.size()), diameter_of(*half), list, elements,
-        between(least.element, most.element), scenario.field_length());
+        between(least.element, most.element), scenario.field.endless() ? "each part is" : "the field is",
+        scenario.field_length());
 }
 
 /// What the polygons of the first arrangement are.
@@ -114,6 +115,18 @@ std::string ice_words(const Scenario& scenario, std::uint64_t seed) {
     return "in arrangement 0 the floes have on average" + words.substr(1);
 }
 
+std::string endless_words(const Scenario& scenario) {
+    const double duration = scenario.analysis.steady_start + scenario.analysis.window;
+    const double towed = scenario.structure.speed * duration;
+    return fmt::format(
+        "the field has no end: it is laid in parts of {} floes, {:.4g} m long each, ahead of a tow of {:.4g} m in "
+        "{:.4g} s; computed are floes up to {:.4g} m ahead of the structure's axis and {:.4g} m behind it, about "
+        "{:.0f} "
+        "at a time",
+        scenario.field.floes, scenario.field_length(), towed, duration, scenario.window_ahead(),
+        scenario.window_behind(), computed_floes(scenario));
+}
+
 }  // namespace
 
 std::vector<std::string> floe_words(const Campaign& campaign) {
@@ -128,6 +141,7 @@ std::vector<std::string> floe_words(const Campaign& campaign) {
                 (words.empty() ? "" : "; ") + shape_words(scenario, arrangement_seed(campaign, static_cast<int>(k)));
         if (scenario.spread.any() || scenario.brine.salinity > 0)
             words += (words.empty() ? "" : "; ") + ice_words(scenario, arrangement_seed(campaign, static_cast<int>(k)));
+        if (scenario.field.endless()) words += (words.empty() ? "" : "; ") + endless_words(scenario);
         if (words.empty() || !said.insert(words).second) continue;
         sentences.push_back(fmt::format("case {}: {}.", campaign.cases[k].name, words));
     }

@@ -101,6 +101,12 @@ ReplaySubject replay_subject(const CampaignFile& file, const CampaignTable& tabl
                                      static_cast<int>(table.members.size()) - 1));
     const MemberKey key = member_key(campaign, member);
     const auto row = static_cast<std::size_t>(key.case_index);
+    if (campaign.cases[row].scenario.field.endless())
+        throw InputError(
+            fmt::format("case {} has field.far_end = \"never\", and a recording holds the floes of a field with an "
+                        "end; replay a case "
+                        "with another far end, or look at the loads with floes report",
+                        campaign.cases[row].name));
     ReplaySubject subject;
     subject.file = file.path();
     subject.stored = table.members[static_cast<std::size_t>(member)];

@@ -79,7 +79,7 @@ void write_cases(hid_t file, const CampaignContent& content, const CampaignScale
                        of_cases<std::int32_t>(content, [](const Scenario& s) { return s.analysis.segments; }));
     hdf5::write_values(id, {"history_stride", "1", "successive steps whose mean is one value of /history"}, one,
                        of_cases<std::int32_t>(content, [](const Scenario& s) { return s.analysis.history_stride; }));
-    choice("far_end", "what stands behind the ice field", "ice_sheet open",
+    choice("far_end", "what stands behind the ice field", "ice_sheet open never",
            [](const Scenario& s) { return s.field.far_end; });
     write_shapes(id, content, scales);
 }

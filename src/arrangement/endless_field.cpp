@@ -1,0 +1,140 @@
+#include "arrangement/endless_field.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+
+#include "arrangement/arrangement.hpp"
+#include "arrangement/check.hpp"
+#include "arrangement/scattered.hpp"
+#include "core/error.hpp"
+#include "core/hash.hpp"
+#include "core/random.hpp"
+
+namespace floes {
+namespace {
+
+/// The straight wall ahead of the floes that wait crowds and orders those beside it. So these are thrown again, and all
+/// that wait are so many that none that stays saw the wall. In diagonals of the largest floe.
+constexpr double diagonals_at_the_wall = 1.5;
+constexpr double waiting_diagonals = 4;
+
+/// Of the draws of the floes that wait when nothing is laid yet; no field has so many parts.
+constexpr std::uint64_t first_waiting = 1U << 31U;
+
+double area(const SingleFloe& floe) {
+    return floe.shape.length * floe.shape.breadth;
+}
+
+double diagonal(const SingleFloe& floe) {
+    return std::hypot(floe.shape.length, floe.shape.breadth);
+}
+
+double largest_diagonal(std::span<const SingleFloe> floes) {
+    double largest = 0;
+    for (const SingleFloe& floe : floes) largest = std::max(largest, diagonal(floe));
+    return largest;
+}
+
+std::vector<Rectangle> outlines(std::span<const SingleFloe> floes) {
+    std::vector<Rectangle> found;
+    for (const SingleFloe& floe : floes) found.push_back({0.5 * floe.shape.length, 0.5 * floe.shape.breadth});
+    return found;
+}
+
+std::vector<PlanarPose> poses_of(std::span<const SingleFloe> floes) {
+    std::vector<PlanarPose> found;
+    for (const SingleFloe& floe : floes) found.push_back(floe.pose);
+    return found;
+}
+
+/// Those of the floes, in the order of x, whose middles lie below `x.y()`: thrown out of their places, from not at all
+/// at `x.x()` to a diagonal there. Floes that are thrown anywhere push, and would push those that lie at rest beside
+/// them to a denser field.
+std::vector<PlanarPose> shaken(std::span<const PlanarPose> floes, const Vec2& x, double diagonal,
+                               RandomStream& random) {
+    std::vector<PlanarPose> found;
+    for (PlanarPose pose : floes) {
+        if (pose.x >= x.y()) break;
+        const double share = (pose.x - x.x()) / (x.y() - x.x());
+        pose.x += share * diagonal * random.uniform(-1, 1);
+        pose.z += share * diagonal * random.uniform(-1, 1);
+        pose.yaw += share * std::numbers::pi * random.uniform(-1, 1);
+        found.push_back(pose);
+    }
+    return found;
+}
+
+}  // namespace
+
+EndlessField::EndlessField(const Scenario& scenario, std::uint64_t seed, std::uint32_t number)
+    : scenario_(scenario), seed_(seed), number_(number), end_(scenario.field.begin) {
+    const Field& field = scenario.field;
+    double wanted = 0;  // area of the floes that wait
+    for (std::uint64_t part = first_waiting; waiting_.empty() || area_ < wanted; ++part) {
+        for (const SingleFloe& floe : drawn(part)) {
+            if (!waiting_.empty() && area_ >= wanted) break;
+            waiting_.push_back(floe);
+            area_ += area(floe);
+            wanted = waiting_diagonals * largest_diagonal(waiting_) * field.concentration * 2 * field.half_width;
+        }
+    }
+}
+
+std::vector<SingleFloe> EndlessField::drawn(std::uint64_t part) const {
+    const FloeSet floes = floes_of(scenario_, {seed_, number_, part});
+    std::vector<SingleFloe> found;
+    for (std::size_t i = 0; i < floes.size(); ++i) found.push_back({{}, floes.shape(i), floes.material(i)});
+    return found;
+}
+
+double EndlessField::end_of_all() const {
+    return scenario_.field.begin + area_ / (scenario_.field.concentration * 2 * scenario_.field.half_width);
+}
+
+FieldPart EndlessField::next() {
+    const std::uint64_t part = ++parts_;
+    std::vector<SingleFloe> floes = std::move(waiting_);
+    const std::vector<PlanarPose> before = poses_of(floes);  // in the order of x
+    const double wall = end_of_all();
+    for (const SingleFloe& floe : drawn(part)) {
+        floes.push_back(floe);
+        area_ += area(floe);
+    }
+    const std::vector<Rectangle> shapes = outlines(floes);
+    const double reach = largest_diagonal(floes);
+    const Field& field = scenario_.field;
+    const double low = laid_.empty() ? field.begin : end_ - reach;
+    const Walls walls{low, -field.half_width, end_of_all() - low, 2 * field.half_width};
+    std::erase_if(laid_, [&](const SingleFloe& floe) { return floe.pose.x < low - reach; });
+
+    const double clearance = scenario_.arrangement.clearance;
+    const std::uint64_t key = digest64(fmt::format("{:016x} part {}", geometry_key(scenario_), part));
+    RandomStream random(seed_, number_, StreamId::scattering, key);
+    const std::vector<Rectangle> fixed = outlines(laid_);
+    const std::vector<PlanarPose> fixed_poses = poses_of(laid_);
+    const double from = wall - diagonals_at_the_wall * reach;
+    const std::vector<PlanarPose> loose = shaken(before, {end_, from}, reach, random);
+    const std::vector<PlanarPose> poses =
+        laid_.empty() ? scattered(walls, shapes, clearance, random)
+                      : scattered_beside(walls, shapes, {{fixed, fixed_poses}, loose, from, end_}, clearance, random);
+    for (std::size_t i = 0; i < floes.size(); ++i) floes[i].pose = poses[i];
+    std::ranges::stable_sort(floes, {}, [](const SingleFloe& floe) { return floe.pose.x; });
+
+    const auto stay = static_cast<std::ptrdiff_t>(field.floes);
+    waiting_.assign(floes.begin() + stay, floes.end());
+    end_ = 0.5 * (floes[static_cast<std::size_t>(stay) - 1].pose.x + waiting_.front().pose.x);
+    floes.resize(static_cast<std::size_t>(stay));
+    laid_.insert(laid_.end(), floes.begin(), floes.end());
+    if (const auto fault = nearness_fault(walls, outlines(laid_), poses_of(laid_), clearance)) {
+        throw RunError(fmt::format("part {} of arrangement {} came out wrong, which is an error of the program: {}",
+                                   part, number_, *fault));
+    }
+    return {std::move(floes), end_};
+}
+
+}  // namespace floes

@@ -1,0 +1,60 @@
+#include "simulation/field_water.hpp"
+
+#include <map>
+#include <utility>
+
+#include "solver/lane_width.hpp"
+
+namespace floes {
+
+namespace {
+
+/// What water flows round; none: the waterline circle.
+std::vector<FlowEllipse> flow_ellipses(const Shape& shape) {
+    std::vector<FlowEllipse> ellipses;
+    if (shape.is_of_revolution()) return ellipses;
+    for (const WaterlineEllipse& one : shape.waterline_ellipses())
+        ellipses.push_back({one.x, one.z, one.half_length, one.half_breadth});
+    return ellipses;
+}
+
+}  // namespace
+
+WaterLanes make_water(const Scenario& scenario, const FloeSet& floes, const IceField& ice) {
+    const std::vector<IceElement>& elements = ice.elements();
+    std::map<std::pair<std::size_t, double>, std::size_t> kinds;  // shape and density -> model
+    std::vector<WaterModel> models;
+    std::vector<std::size_t> kind_of_floe;
+    const std::vector<FlowEllipse> ellipses = flow_ellipses(scenario.structure.shape);
+    for (std::size_t i = 0; i < floes.size(); ++i) {
+        if (floes.shape(i).is_polygon()) {
+            kind_of_floe.push_back(0);
+            continue;
+        }
+        const auto [kind, is_new] =
+            kinds.try_emplace({floes.floes[i].shape, floes.material(i).ice.density}, kinds.size());
+        kind_of_floe.push_back(kind->second);
+        if (!is_new) continue;
+        const FloeShape& shape = floes.shape(i);
+        models.emplace_back(scenario.water, scenario.general.gravity, ElementShape{shape.element, shape.thickness},
+                            shape.element_mass(floes.material(i).ice), scenario.structure.shape.waterline_radius(),
+                            scenario.structure.speed, scenario.wind.stress());
+        models.back().flow_round(ellipses);
+    }
+    std::vector<std::size_t> kind_of_element;
+    std::vector<PolygonWater> polygons;
+    for (const IceElement& element : elements) {
+        const auto floe = static_cast<std::size_t>(element.floe);
+        const FloeShape& shape = floes.shape(floe);
+        kind_of_element.push_back(shape.is_polygon() ? models.size() + polygons.size() : kind_of_floe[floe]);
+        if (!shape.is_polygon()) continue;
+        const CutElement& one = ice.cut(element.floe)->elements[static_cast<std::size_t>(element.index)];
+        polygons.emplace_back(scenario.water, scenario.general.gravity, one, shape.thickness,
+                              floes.material(floe).ice.density * shape.thickness * one.area,
+                              scenario.structure.shape.waterline_radius(), scenario.structure.speed,
+                              scenario.wind.stress());
+    }
+    return {models, kind_of_element, lane_widths().back(), std::move(polygons)};
+}
+
+}  // namespace floes

@@ -1,0 +1,137 @@
+// A tow through a field without end: what it measures does not know how long the run is, and costs the same all along.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "arrangement/arrangement.hpp"
+#include "core/error.hpp"
+#include "simulation/simulation.hpp"
+#include "support/jam_scenario.hpp"
+
+namespace floes {
+namespace {
+
+/// A tow of so many seconds at a third of a metre a second, with a window of a few floes: floes come and leave soon.
+Scenario endless(double seconds, SolverKind solver = SolverKind::lanes) {
+    Scenario scenario = jam_scenario();
+    scenario.general.solver = solver;
+    if (solver == SolverKind::direct) scenario.joint.model = JointModel::beam;
+    scenario.arrangement.method = ArrangementMethod::scattered;
+    scenario.field.far_end = FarEnd::never;
+    scenario.field.ahead = 2.4;
+    scenario.field.behind = 1.6;
+    scenario.structure.speed = 0.3;
+    scenario.analysis.window = seconds - scenario.analysis.steady_start;
+    return scenario;
+}
+
+Simulation tow(const Scenario& scenario) {
+    LaidField laid = lay_field(scenario, 1, 0);
+    return {scenario, laid.floes, std::move(laid.ahead)};
+}
+
+TEST(EndlessTow, BeginsWithTheBitsOfAnyLongerOne) {
+    for (const SolverKind solver : {SolverKind::lanes, SolverKind::direct}) {
+        std::vector<LoadHistory> loads;
+        std::vector<std::size_t> breaks;
+        for (const double seconds : {3.0, 6.0, 9.0, 12.0}) {
+            Simulation simulation = tow(endless(seconds, solver));
+            ASSERT_TRUE(simulation.run({}));
+            loads.push_back(simulation.loads());
+            breaks.push_back(simulation.ice().breaks().size());
+        }
+        for (std::size_t k = 0; k + 1 < loads.size(); ++k) {
+            for (const auto part : {&LoadHistory::surge, &LoadHistory::sway, &LoadHistory::heave}) {
+                std::vector<double> longer = loads.back().*part;
+                longer.resize((loads[k].*part).size());
+                EXPECT_EQ(loads[k].*part, longer);
+            }
+        }
+        EXPECT_GT(*std::ranges::max_element(loads.front().surge), 1) << "the structure is to meet the ice";
+        EXPECT_GT(breaks.back(), breaks.front()) << "floes are to break all along";
+    }
+}
+
+TEST(EndlessTow, HasNoMorePlacesForFloesWhenItIsFourTimesAsLong) {
+    Simulation simulation = tow(endless(40));
+    int early = 0;
+    int entered = 0;
+    ASSERT_TRUE(simulation.run({}, [&](const Simulation& run) {
+        if (run.time() <= 10) {
+            early = run.ice().places();
+            entered = run.floes_entered();
+        }
+    }));
+    constexpr int half_a_part = 6;
+    EXPECT_LE(simulation.ice().places(), early + half_a_part) << "more only as the floes in the window scatter";
+    EXPECT_GT(simulation.floes_entered(), 2 * entered);
+    EXPECT_GT(simulation.ice().floes(), 2 * early) << "floes are to have left";
+}
+
+TEST(EndlessTow, CountsFloesThatEnteredAndThoseThatMetTheStructure) {
+    const Scenario scenario = endless(12);
+    Simulation simulation = tow(scenario);
+    std::vector<int> numbers;  // of floes that moved
+    ASSERT_TRUE(simulation.run({}, [&](const Simulation& run) {
+        for (std::size_t i = 0; i < run.element_states().size(); ++i) {
+            if (run.element_states()[i].velocity.isZero(0)) continue;
+            const int number = run.ice().number_of(run.ice().elements()[i].floe);
+            if (std::ranges::find(numbers, number) == numbers.end()) numbers.push_back(number);
+        }
+    }));
+    EXPECT_EQ(simulation.floes_entered(), std::ssize(numbers));
+    EXPECT_GT(simulation.floes_met(), 4);
+    EXPECT_LT(simulation.floes_met(), simulation.floes_entered());
+    EXPECT_LE(simulation.floes_met_broken(), simulation.ice().broken_floes());
+    std::vector<int> broken;
+    for (const BreakEvent& event : simulation.ice().breaks()) {
+        EXPECT_NE(std::ranges::find(numbers, event.floe), numbers.end()) << "a floe at rest broke";
+        if (std::ranges::find(broken, event.floe) == broken.end()) broken.push_back(event.floe);
+    }
+    EXPECT_EQ(simulation.ice().broken_floes(), std::ssize(broken));
+    EXPECT_GE(simulation.ice().pieces(), simulation.ice().floes());
+}
+
+// Floes ahead of the window stay where they were laid.
+TEST(EndlessTow, MovesNothingAheadOfItsWindow) {
+    const Scenario scenario = endless(8);
+    LaidField laid = lay_field(scenario, 1, 0);
+    Simulation simulation(scenario, laid.floes, laid.ahead);
+    ASSERT_TRUE(simulation.run({}));
+    const double axis = scenario.structure.start + scenario.structure.speed * simulation.time();
+    int resting = 0;
+    for (std::size_t i = 0; i < simulation.element_states().size(); ++i) {
+        const BodyState& state = simulation.element_states()[i];
+        if (state.position.x() < axis + scenario.field.ahead + 0.6) continue;
+        ++resting;
+        EXPECT_TRUE(state.velocity.isZero(0));
+    }
+    EXPECT_GT(resting, 9);
+    EXPECT_EQ(simulation.floes_resting() + simulation.floes_entered(), simulation.ice().floes());
+}
+
+TEST(EndlessTow, FloesOfUnlikeIceComeAndLeaveToo) {
+    Scenario scenario = endless(12, SolverKind::direct);
+    scenario.spread.thickness.law = LawKind::lognormal;
+    scenario.spread.thickness.cov = 0.2;
+    scenario.sizes.law = SizeLaw::list;
+    scenario.sizes.list = {{0.4, 0.4, 0.5}, {0.6, 0.6, 0.5}};
+    std::vector<LoadHistory> loads;
+    for (int i = 0; i < 2; ++i) {
+        Simulation simulation = tow(scenario);
+        ASSERT_TRUE(simulation.run({}));
+        loads.push_back(simulation.loads());
+        EXPECT_GT(simulation.ice().floes(), simulation.ice().places());
+    }
+    EXPECT_EQ(loads[0].surge, loads[1].surge);
+}
+
+TEST(EndlessTow, CannotBeContinuedFromAState) {
+    const Scenario scenario = endless(3);
+    const LaidField laid = lay_field(scenario, 1, 0);
+    EXPECT_THROW(Simulation(scenario, laid.floes, Simulation(scenario, laid.floes).state()), InputError);
+}
+
+}  // namespace
+}  // namespace floes
