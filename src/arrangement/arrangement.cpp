@@ -179,7 +179,7 @@ Arrangement make_arrangement(const Scenario& scenario, std::uint64_t seed, std::
 
 LaidField lay_field(const Scenario& scenario, std::uint64_t seed, std::uint32_t number) {
     if (!scenario.field.endless()) return {make_arrangement(scenario, seed, number), {}};
-    const auto field = std::make_shared<EndlessField>(scenario, seed, number);
+    const auto field = std::make_shared<EndlessField>(scenario, seed, number, geometry_key(scenario));
     const FieldPart first = field->next();
     LaidField laid{{gathered(first.floes)}, {first.end, [field] { return field->next(); }}};
     measure(laid.floes, scenario);

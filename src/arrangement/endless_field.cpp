@@ -8,7 +8,6 @@
 #include <optional>
 #include <string>
 
-#include "arrangement/arrangement.hpp"
 #include "arrangement/check.hpp"
 #include "arrangement/scattered.hpp"
 #include "core/error.hpp"
@@ -71,8 +70,8 @@ std::vector<PlanarPose> shaken(std::span<const PlanarPose> floes, const Vec2& x,
 
 }  // namespace
 
-EndlessField::EndlessField(const Scenario& scenario, std::uint64_t seed, std::uint32_t number)
-    : scenario_(scenario), seed_(seed), number_(number), end_(scenario.field.begin) {
+EndlessField::EndlessField(const Scenario& scenario, std::uint64_t seed, std::uint32_t number, std::uint64_t geometry)
+    : scenario_(scenario), seed_(seed), number_(number), geometry_(geometry), end_(scenario.field.begin) {
     const Field& field = scenario.field;
     double wanted = 0;  // area of the floes that wait
     for (std::uint64_t part = first_waiting; waiting_.empty() || area_ < wanted; ++part) {
@@ -113,7 +112,7 @@ FieldPart EndlessField::next() {
     std::erase_if(laid_, [&](const SingleFloe& floe) { return floe.pose.x < low - reach; });
 
     const double clearance = scenario_.arrangement.clearance;
-    const std::uint64_t key = digest64(fmt::format("{:016x} part {}", geometry_key(scenario_), part));
+    const std::uint64_t key = digest64(fmt::format("{:016x} part {}", geometry_, part));
     RandomStream random(seed_, number_, StreamId::scattering, key);
     const std::vector<Rectangle> fixed = outlines(laid_);
     const std::vector<PlanarPose> fixed_poses = poses_of(laid_);

@@ -18,8 +18,9 @@ namespace floes {
 
 class EndlessField {
   public:
-    /// Nothing is laid yet. The scenario's arrangement.method is scattered, without ordering_sweeps.
-    EndlessField(const Scenario& scenario, std::uint64_t seed, std::uint32_t number);
+    /// Nothing is laid yet. The scenario's arrangement.method is scattered, without ordering_sweeps; geometry: its
+    /// geometry_key().
+    EndlessField(const Scenario& scenario, std::uint64_t seed, std::uint32_t number, std::uint64_t geometry);
 
     /// Lays the next part. Its floes stand in the order of their middles' x; they keep the clearance from each other,
     /// from those of the parts before and from the sides. Throws InputError if they do not come to rest.
@@ -32,6 +33,7 @@ class EndlessField {
     Scenario scenario_;
     std::uint64_t seed_;
     std::uint32_t number_;
+    std::uint64_t geometry_;
     std::uint64_t parts_ = 0;
     double area_ = 0;                  // of all floes so far, waiting ones included, m²
     double end_ = 0;                   // of what is laid, m

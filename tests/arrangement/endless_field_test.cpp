@@ -29,7 +29,7 @@ struct Laid {
 };
 
 Laid laid(const Scenario& scenario, int parts, std::uint32_t number = 0) {
-    EndlessField field(scenario, 1, number);
+    EndlessField field(scenario, 1, number, geometry_key(scenario));
     Laid all;
     for (int k = 0; k < parts; ++k) {
         const FieldPart part = field.next();

@@ -16,6 +16,10 @@ WorldDefinition definition_of(SolverKind solver) {
     WorldDefinition definition;
     definition.gravity = 0;
     definition.solver = solver;
+    if (solver == SolverKind::direct) {
+        definition.contact.friction = Friction::cone;
+        definition.contact.split_impulse = false;
+    }
     return definition;
 }
 
