@@ -116,6 +116,7 @@ class Simulation {
     void move_window();
     void leave_behind();
     bool enter_ahead();
+    std::vector<SingleFloe> next_part();
     void measure_anew();
     void wake_floes();
     void apply_water();

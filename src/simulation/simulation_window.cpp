@@ -1,9 +1,12 @@
 // How a Simulation follows a field without end: floes come, wake and leave.
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <limits>
+#include <span>
 #include <utility>
 
+#include "core/error.hpp"
 #include "simulation/field_water.hpp"
 #include "simulation/simulation.hpp"
 
@@ -50,8 +53,19 @@ void Simulation::leave_behind() {
     }
 }
 
+/// A part that finds no room ends the run, not the campaign; of the first ones the campaign hears at once.
+std::vector<SingleFloe> Simulation::next_part() {
+    try {
+        return window_->next_part();
+    } catch (const InputError& error) {
+        if (steps_ == 0) throw;
+        throw MemberFailure(fmt::format("The field cannot be laid on from x = {:.4g} m (t = {:.2f} s): {}.",
+                                        window_->last(), time(), error.what()));
+    }
+}
+
 bool Simulation::enter_ahead() {
-    const std::vector<SingleFloe> part = window_->next_part();
+    const std::vector<SingleFloe> part = next_part();
     std::vector<SingleFloe>& places = window_->places();
     for (const SingleFloe& floe : part) {
         const int place = ice_.enter(world_, scenario_, floe);
