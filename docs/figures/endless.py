@@ -89,7 +89,7 @@ def windows(path):
     with h5py.File(path) as file:
         names = [name.decode() if isinstance(name, bytes) else name for name in file["cases/name"][()]]
         case, number = file["members/case"][()], file["members/arrangement"][()]
-        loads = {q: file["members/" + q][()] for q in ("mean_load", "failure_ratio", "wall_time")}
+        loads = {q: file["members/" + q][()] for q in ("mean_load", "failure_ratio")}
         peaks = file["averaged/mean_maximum"][()]
         times = np.round(file["averaging_time"][()], 3)
     peaks = peaks[:, int(np.flatnonzero(times == 1)[0])]

@@ -6,6 +6,7 @@
 //   all sense
 //
 // After construction nothing in the loop allocates on this side of the world: histories and contacts are reserved.
+// Where floes of a field without end come and leave, and the solver is laid out anew, it does.
 
 #include <cstdint>
 #include <functional>

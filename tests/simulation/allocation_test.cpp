@@ -10,7 +10,6 @@
 #include <ostream>
 #include <utility>
 
-#include "arrangement/arrangement.hpp"
 #include "simulation/simulation.hpp"
 #include "support/replaced_new.hpp"
 #include "support/sweeping_scenario.hpp"
@@ -87,42 +86,6 @@ TEST_F(StepLoop, TakesNothingFromTheHeapWhileTheIceIsAtRest) {
     Simulation simulation(rows.scenario, rows.arrangement);
     taken_in(simulation, 5);
     EXPECT_EQ(taken_in(simulation, 200), Taken{});
-}
-
-// Where floes come from ahead and leave behind, the steps about the moves of the window take memory, and no others.
-TEST_F(StepLoop, OfAFieldWithoutEndTakesSomethingOnlyWhereItsWindowMoves) {
-    Scenario scenario = sweeping_scenario();
-    scenario.general.solver = SolverKind::lanes;
-    scenario.arrangement.method = ArrangementMethod::scattered;
-    scenario.ice.bending_strength *= 100;  // nothing breaks
-    scenario.field.far_end = FarEnd::never;
-    scenario.field.floes = 12;
-    scenario.field.half_width = 1.25;
-    scenario.field.ahead = 2.4;
-    scenario.field.behind = 1.6;
-    scenario.field.begin = 2;
-    scenario.structure.start = 1.38;
-    scenario.structure.speed = 0.2;
-    LaidField laid = lay_field(scenario, 1, 0);
-    Simulation simulation(scenario, laid.floes, std::move(laid.ahead));
-    const double stride = 0.25 * scenario.floe.length;
-    const auto strides = [&] {
-        return std::floor((scenario.structure.start + scenario.structure.speed * simulation.time()) / stride);
-    };
-    taken_in(simulation, 800);  // the first floes have left
-    constexpr int warm = 5;     // steps in which a solver that was laid out anew takes its room
-    double at = strides();
-    int since = 0, moves = 0;
-    for (int step = 0; step < 400; ++step) {
-        const bool moves_now = strides() != at;
-        at = strides();
-        since = moves_now ? 0 : since + 1;
-        moves += moves_now ? 1 : 0;
-        const Taken taken = taken_in(simulation, 1);
-        if (since >= warm) EXPECT_EQ(taken.by_new, 0) << step;
-    }
-    EXPECT_GT(moves, 5);
-    EXPECT_GT(simulation.ice().floes(), simulation.ice().places()) << "floes are to have left";
 }
 
 // Floes that drift into each other come and go as pairs: their algorithms and manifolds come from Bullet's pools.
