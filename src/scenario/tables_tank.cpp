@@ -107,10 +107,10 @@ void add_window(Keys& keys, Field& field) {
             "field.far_end = \"never\"", [&field] { return field.endless(); },
             number_key(path, length, unit::one, at_least(0).at_most(farthest), source, doc))));
     };
-    add("field.ahead_m", field.ahead, "longer changes no load; docs/endless.md",
+    add("field.ahead_m", field.ahead, "longer changed no load that was seen; docs/endless.md",
         "How far ahead of the structure's axis floes are computed. Those farther ahead rest, fixed to whatever touches "
         "them, as a field that is held from ahead. 0: two widths of the field.");
-    add("field.behind_m", field.behind, "longer changes no load; docs/endless.md",
+    add("field.behind_m", field.behind, "longer changed no load that was seen; docs/endless.md",
         "How far behind the structure's axis floes are computed. Those farther behind are taken out. 0: one width of "
         "the field.");
 }
