@@ -50,6 +50,17 @@ TEST(PieceSizes, TakeTheFloesThatCrackedAndAddTheirPieces) {
     EXPECT_DOUBLE_EQ(found[1].after.count(), found[1].before.count());
 }
 
+// Twelve parts of two floes came by; what is known of the sizes is one part.
+TEST(PieceSizes, OfAFieldWithoutEndAreOfAllFloesThatCame) {
+    CampaignTable table = example::campaign();
+    for (MemberRow& member : table.members) member.floes_entered = 24;
+    const std::vector<double> floes{1, 0.36};
+    const auto found = find_piece_sizes(table, {}, std::vector{floes, floes, floes});
+    EXPECT_DOUBLE_EQ(found[0].before.count(), 4 * 24);
+    EXPECT_NEAR(found[0].before.area(), 4 * 12 * 1.36, 1e-6);
+    EXPECT_NEAR(found[0].after.area(), found[0].before.area(), 1e-9);
+}
+
 TEST(PieceSizes, AreMissingWhereNothingBroke) {
     Evidence evidence = evidence_of({}, example::campaign());
     evidence.pieces.emplace();

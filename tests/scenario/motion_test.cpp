@@ -39,6 +39,28 @@ TEST(Motion, MooringsThatHoldAreConsistent) {
     EXPECT_EQ(sentence([](Scenario& s) { s.moorings = {}; }), "consistent");
 }
 
+// What the window of computed floes has left behind does not come back.
+TEST(Motion, OnlyAStraightTowGoesThroughAFieldWithoutEnd) {
+    const auto endless = [](const std::function<void(Scenario&)>& change) {
+        return sentence([&](Scenario& s) {
+            s.field.far_end = FarEnd::never;
+            s.arrangement.method = ArrangementMethod::scattered;
+            change(s);
+        });
+    };
+    EXPECT_EQ(endless([](Scenario& s) { s.moorings = {}; }), "consistent");
+    EXPECT_THAT(
+        endless([](Scenario&) {}),
+        HasSubstr("moorings.mass_t = 0.5 does not go together with field.far_end = \"never\": floes are computed "
+                  "round a structure that is towed straight on, and those behind it are gone; take "
+                  "moorings.mass_t = 0, or take a field with an end"));
+    EXPECT_THAT(endless([](Scenario& s) {
+                    s.moorings = {};
+                    s.path.legs = {{0, 0.1, 500, 0}};
+                }),
+                HasSubstr("a [path] does not go together with field.far_end = \"never\""));
+}
+
 TEST(Motion, MooringsThatDoNotHoldAreRefused) {
     EXPECT_THAT(sentence([](Scenario& s) { s.moorings.sway = 0; }),
                 HasSubstr("nothing holds the structure in sway; give a stiffness or lines"));

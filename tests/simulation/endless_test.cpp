@@ -3,9 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "arrangement/arrangement.hpp"
 #include "core/error.hpp"
+#include "core/units.hpp"
+#include "scenario/validate.hpp"
 #include "simulation/simulation.hpp"
 #include "support/jam_scenario.hpp"
 
@@ -125,6 +129,44 @@ TEST(EndlessTow, FloesOfUnlikeIceComeAndLeaveToo) {
         EXPECT_GT(simulation.ice().floes(), simulation.ice().places());
     }
     EXPECT_EQ(loads[0].surge, loads[1].surge);
+}
+
+/// A barge of 0.8 m by 0.5 m.
+Scenario endless_barge(double seconds) {
+    Scenario scenario = endless(seconds, SolverKind::direct);
+    scenario.structure.shape = Shape(
+        HullKind::barge, {.length = 0.8, .beam = 0.5, .draught = 0.2, .freeboard = 0.1, .stem = 45 * unit::degree});
+    return scenario;
+}
+
+TEST(EndlessTow, OfAHullBeginsWithTheBitsOfAnyLongerOneAndKeepsThePiecesThatLeft) {
+    ASSERT_EQ(find_contradictions(endless_barge(12)).size(), 0u);
+    Simulation shorter = tow(endless_barge(6));
+    Simulation longer = tow(endless_barge(12));
+    ASSERT_TRUE(shorter.run({}));
+    ASSERT_TRUE(longer.run({}));
+    std::vector<double> begin = longer.loads().surge;
+    begin.resize(shorter.loads().surge.size());
+    EXPECT_EQ(begin, shorter.loads().surge);
+    EXPECT_GT(*std::ranges::max_element(begin), 1);
+    const IceField& ice = longer.ice();
+    EXPECT_GT(ice.floes(), ice.places()) << "floes are to have left";
+    std::map<int, std::pair<int, double>> floes;  // their pieces, and the area of these
+    for (const PieceArea& one : ice.piece_areas()) {
+        ++floes[one.floe].first;
+        floes[one.floe].second += one.area;
+    }
+    EXPECT_EQ(std::ssize(floes), ice.split_floes());
+    EXPECT_GT(ice.split_floes(), 0);
+    EXPECT_LT(floes.begin()->first, ice.number_of(0)) << "a floe that left is to be in pieces";
+    int pieces = ice.floes() - ice.split_floes();
+    const FloeShape& floe = endless_barge(12).floe;
+    for (const auto& [number, of] : floes) {
+        pieces += of.first;
+        EXPECT_GT(of.first, 1);
+        EXPECT_NEAR(of.second, floe.length * floe.breadth, 1e-9);
+    }
+    EXPECT_EQ(pieces, ice.pieces());
 }
 
 TEST(EndlessTow, CannotBeContinuedFromAState) {

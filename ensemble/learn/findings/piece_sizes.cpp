@@ -22,7 +22,7 @@ double side_of(long long area) {
 std::vector<double> floe_areas(const Scenario& scenario) {
     const FloeSet floes = floes_of(scenario);
     std::vector<double> areas;
-    for (std::size_t i = 0; i < floes.size(); ++i) areas.push_back(floes.shape(i).length * floes.shape(i).breadth);
+    for (std::size_t i = 0; i < floes.size(); ++i) areas.push_back(floes.shape(i).area());
     return areas;
 }
 
@@ -114,9 +114,12 @@ std::vector<SizesOfCase> find_piece_sizes(const CampaignTable& table, std::span<
         if (!member.done()) continue;
         SizesOfCase& sizes = cases[static_cast<std::size_t>(member.case_index)];
         ++sizes.runs;
-        for (const double area : floes[sizes.case_index]) {
-            sizes.before.add(area);
-            sizes.after.add(area);
+        const std::vector<double>& areas = floes[sizes.case_index];
+        // Every part of a field without end has floes of the same sizes. Files before 1.13 do not count them.
+        const double parts = member.floes_entered > 0 ? member.floes_entered / static_cast<double>(areas.size()) : 1.0;
+        for (const double area : areas) {
+            sizes.before.add(area, parts);
+            sizes.after.add(area, parts);
         }
     }
     for (std::size_t first = 0; first < pieces.size();) {
@@ -172,7 +175,7 @@ Section piece_sizes_section(Evidence& evidence) {
             .after =
                 "\nCracked through: floes in more than one piece, and the share of the area in their pieces. D: side "
                 "of the square with the same area; three values, below which a tenth, half and nine tenths "
-                "of the area are: of the floes at the start, and of floes and pieces at the end. Mean over members.\n",
+                "of the area are: of the floes as they came, and of floes and pieces at the end. Mean over members.\n",
             .records = {std::move(records)},
             .figures = {sizes_figure(evidence.summary, cases)}};
 }

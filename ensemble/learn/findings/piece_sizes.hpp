@@ -44,7 +44,8 @@ struct SizesOfCase {
     IceSizes before, after;  ///< sums over members
 };
 
-/// Of every case with done members. `floes`: areas of the floes of one member of each case, m².
+/// Of every case with done members. `floes`: areas of the floes of one member of each case, m²; of a field without end
+/// those of a part, of which as many count as entered.
 std::vector<SizesOfCase> find_piece_sizes(const CampaignTable& table, std::span<const PieceRow> pieces,
                                           std::span<const std::vector<double>> floes);
 
