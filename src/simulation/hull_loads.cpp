@@ -2,11 +2,15 @@
 
 #include <utility>
 
+#include "structure/overlap.hpp"
+
 namespace floes {
 
 HullLoads::HullLoads(const Shape& shape, std::vector<ConvexSolid> solids, std::size_t steps)
     : solids_(std::move(solids)) {
     if (const std::size_t parts = shape.parts().size(); parts > 1) parts_.resize(parts);
+    if (!parts_.empty()) pieces_ = shape.solids();
+    if (pieces_ == solids_) pieces_.clear();
     for (History& part : parts_)
         for (std::vector<double>* one : {&part.surge, &part.sway, &part.heave}) one->reserve(steps);
     for (std::vector<double>* one : {&yaw_, &roll_, &pitch_}) one->reserve(steps);
@@ -22,7 +26,8 @@ void HullLoads::add(std::span<const ContactForce> contacts, BodyId structure, co
         const Vec3 arm = motion.in_own_axes(one.point - axis);
         moment += arm.cross(force);
         if (parts_.empty() || one.solid < 0) continue;
-        History& part = parts_[static_cast<std::size_t>(solids_[static_cast<std::size_t>(one.solid)].part_at(arm))];
+        const ConvexSolid& touched = solids_[static_cast<std::size_t>(one.solid)];
+        History& part = parts_[static_cast<std::size_t>(part_at(touched, pieces_, arm))];
         part.surge.back() -= force.x();
         part.sway.back() += force.z();
         part.heave.back() += force.y();

@@ -34,6 +34,7 @@ class HullLoads {
     };
 
     std::vector<ConvexSolid> solids_;
+    std::vector<ConvexSolid> pieces_;  ///< of which the solids are made, if they are others; of several parts only
     std::vector<History> parts_;
     std::vector<double> yaw_, roll_, pitch_;
 };

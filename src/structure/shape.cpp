@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "structure/measures.hpp"
+#include "structure/overlap.hpp"
 
 namespace floes {
 namespace {
@@ -148,7 +149,7 @@ std::vector<ConvexSolid> Shape::solids() const {
 }
 
 std::vector<ConvexSolid> Shape::overlapping_solids() const {
-    return is_of_revolution() ? as_solids(in_force().overlapping_solids()) : solids();
+    return is_of_revolution() ? as_solids(in_force().overlapping_solids()) : overlapping(solids());
 }
 
 double Shape::waterline_radius() const {
