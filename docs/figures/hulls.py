@@ -3,6 +3,7 @@
 
 Usage: hulls.py FLOES             (some minutes)
        hulls.py FLOES --cost      (prints the time of a member with a hull of 50 pieces over that with the cone)
+       hulls.py FLOES --pieces    (writes configs/validation/hull_pieces.toml)
 """
 import math
 import pathlib
@@ -12,6 +13,7 @@ import sys
 import tempfile
 
 FOLDER = pathlib.Path(__file__).resolve().parent.parent / "hulls"
+PIECES = FOLDER.parent.parent / "configs" / "validation" / "hull_pieces.toml"
 
 SCENE = """
 [campaign]
@@ -105,6 +107,68 @@ def sectors(sides):
     return f'shape = "file"\nparts = "hull"\npieces = {rows}'
 
 
+CUTS = """# The same flare and the same straight cone as a body of revolution and in pieces, cut at the waterline into rings of 25
+# sides or each ring into 25 wedges: docs/hulls.md. Made by docs/figures/hulls.py. 12 arrangements each.
+
+[campaign]
+seed = 1
+arrangements = 12
+
+[ice]
+elastic_modulus_MPa = 60.0
+
+[field]
+floes = 24
+concentration_percent = 75.0
+begin_m = 2.0
+half_width_m = 1.25
+far_end = "ice_sheet"
+
+[structure]
+start_m = 1.38
+speed_m_s = 0.1
+
+[analysis]
+steady_start_s = 8.0
+window_s = 18.0
+segments = 3
+"""
+
+FLARE = [(-0.443, 0.43), (0.0, 0.614), (0.122, 0.736)]
+STRAIGHT = [(-0.443, 0.171), (0.0, 0.614), (0.122, 0.736)]
+
+
+def cut(profile, sides, wedges):
+    """Rows of hull.pieces of a profile, a piece for each step of it, or for each side of that."""
+    def corner(piece, height, radius, side):
+        angle = 2 * math.pi * side / sides
+        return [piece, 0, round(radius * math.cos(angle), 9), height, round(radius * math.sin(angle), 9)]
+
+    rows = []
+    for step, ends in enumerate(zip(profile, profile[1:])):
+        for side in range(sides):
+            piece = step * sides + side if wedges else step
+            for height, radius in ends:
+                if wedges:
+                    rows += [[piece, 0, 0.0, height, 0.0], corner(piece, height, radius, side)]
+                rows.append(corner(piece, height, radius, side + 1))
+    return rows
+
+
+def pieces():
+    text = CUTS
+    for name, profile in (("flare", FLARE), ("straight", STRAIGHT)):
+        text += f'\n[[case]]\nname = "{name}_cone"\nstructure.profile_m = {[list(one) for one in profile]}\n'
+        whole = [profile[0], profile[-1]]
+        kinds = {"flare": {"rings": (profile, False), "wedges": (profile, True)},
+                 "straight": {"one_piece": (whole, False), "rings": (profile, False)}}[name]
+        for kind, (outline, wedges) in kinds.items():
+            rows = ",\n    ".join(map(str, cut(outline, 25, wedges)))
+            text += (f'\n[[case]]\nname = "{name}_{kind}"\nhull.shape = "file"\nhull.parts = "hull"\n'
+                     f"hull.pieces = [\n    {rows}]\n")
+    PIECES.write_text(text)
+
+
 LONG = SCENE.replace("floes = 40", "floes = 80").replace("window_s = 14.0", "window_s = 30.0")
 
 
@@ -131,7 +195,7 @@ if __name__ == "__main__":
     if len(sys.argv) not in (2, 3):
         sys.exit(__doc__)
     if len(sys.argv) == 3:
-        cost(sys.argv[1])
+        pieces() if sys.argv[2] == "--pieces" else cost(sys.argv[1])
     else:
         platform()
         pictures(sys.argv[1])
