@@ -114,7 +114,7 @@ class Readers(unittest.TestCase):
             self.assertTrue(numpy.isnan(file["arrangements/pose"][1, 4:]).all())
             self.assertEqual(list(file["arrangements/number"][:]), [0, 0, 1, 1, 2, 2, 3, 3])
             self.assertEqual(list(file["cases/far_end"][:]), [0, 0, 1])
-            self.assertEqual(file["cases/far_end"].attrs["flag_meanings"], "ice_sheet open")
+            self.assertEqual(file["cases/far_end"].attrs["flag_meanings"], "ice_sheet open never")
             self.assertEqual([name.decode() for name in file["cases/name"]], ["soft", "stiff", "open"])
             self.assertEqual(list(file["cases/profile_height"][2]), [-0.443, 0.0, 0.122])
             self.assertTrue((numpy.diff(file["breaks/member"][:]) >= 0).all())
