@@ -29,29 +29,38 @@ std::vector<std::pair<std::string, OfPart>> statistics_of(const Scenario& scenar
     return all;
 }
 
-std::string with_interval(const Interval& value, int decimals) {
-    std::string text = fixed(value.estimate, decimals);
-    if (std::isfinite(value.high)) text += " ± " + fixed(value.high - value.estimate, decimals);
-    return text;
-}
+/// In which numbers are shown: a unit, and decimals for the largest of them.
+struct Shown {
+    LoadUnit unit;
+    int decimals;
+
+    explicit Shown(double largest) : unit(load_unit(largest)), decimals(decimals_for(unit.factor * largest)) {}
+
+    std::string with_interval(const Interval& value) const {
+        std::string text = fixed(unit.factor * value.estimate, decimals);
+        if (std::isfinite(value.high)) text += " ± " + fixed(unit.factor * (value.high - value.estimate), decimals);
+        return text;
+    }
+};
 
 Section section_of_parts(const Evidence& evidence, const std::vector<PartRow>& rows) {
     double largest = 0;
     for (const PartRow& row : rows) largest = std::max(largest, std::abs(row.load.estimate));
-    const int decimals = decimals_for(largest);
-    Table table{{"load on a part against the tow, N", "mean", "SD", "largest of a step", "largest averaged"}};
+    const Shown shown(largest);
+    Table table{{fmt::format("load on a part against the tow, {}", shown.unit.name), "mean", "SD", "largest of a step",
+                 "largest averaged"}};
     for (const PartRow& row : rows) {
         if (row.statistic == "mean_N") {
             const bool several = evidence.campaign.cases.size() > 1;
             table.push_back(
                 {several ? evidence.summary.label_of(row.case_index) + ", " + row.part : row.part, "", "", "", ""});
-            table.back()[1] = with_interval(row.load, decimals);
+            table.back()[1] = shown.with_interval(row.load);
         } else if (row.statistic == "sd_N") {
-            table.back()[2] = with_interval(row.load, decimals);
+            table.back()[2] = shown.with_interval(row.load);
         } else if (row.statistic == "maximum_N") {
-            table.back()[3] = with_interval(row.load, decimals);
+            table.back()[3] = shown.with_interval(row.load);
         } else if (row.statistic.starts_with("mean_maximum")) {
-            table.back()[4] = fmt::format("{} over {}", with_interval(row.load, decimals),
+            table.back()[4] = fmt::format("{} over {}", shown.with_interval(row.load),
                                           row.statistic.substr(13, row.statistic.size() - 15));
         }
     }
@@ -108,14 +117,15 @@ Section section_of_moments(const Evidence& evidence) {
     if (rows.empty()) return {.missing = "Moments: unknown, because the members were computed without them.\n"};
     double largest = 0;
     for (const MomentRow& row : rows) largest = std::max(largest, row.values[2].estimate);
-    const int decimals = decimals_for(largest);
-    Table table{{"moment about the axis at the waterline, N m", "mean", "SD", "largest"}};
+    const Shown shown(largest);
+    Table table{
+        {fmt::format("moment about the axis at the waterline, {} m", shown.unit.name), "mean", "SD", "largest"}};
     for (const MomentRow& row : rows) {
         const std::string words(row.moment);
         table.push_back(
             {evidence.campaign.cases.size() > 1 ? evidence.summary.label_of(row.case_index) + ", " + words : words,
-             with_interval(row.values[0], decimals), with_interval(row.values[1], decimals),
-             with_interval(row.values[2], decimals)});
+             shown.with_interval(row.values[0]), shown.with_interval(row.values[1]),
+             shown.with_interval(row.values[2])});
     }
     return {.table = std::move(table),
             .after = "\nLargest: of the magnitude, of a step.\n",

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <numeric>
+
 #include "campaign_file/followed_cfm.hpp"
 
 namespace floes {
@@ -60,8 +63,10 @@ void write_cases(hid_t file, const CampaignContent& content, const CampaignScale
          [](const Scenario& s) { return s.contact_law().crushing_pressure; });
     const auto choice = [&](const char* name, const char* long_name, const std::string& words, auto function) {
         const auto number = [&](const Scenario& s) { return static_cast<std::int8_t>(function(s)); };
+        std::vector<std::int8_t> values(1 + static_cast<std::size_t>(std::ranges::count(words, ' ')));
+        std::iota(values.begin(), values.end(), std::int8_t{0});
         hdf5::write_values(id, {name, "1", long_name}, one, of_cases<std::int8_t>(content, number),
-                           hdf5::Flags{{std::int8_t{0}, std::int8_t{1}}, words});
+                           hdf5::Flags{values, words});
     };
     choice("friction", "where friction points", fmt::format("{}", fmt::join(friction_words, " ")),
            [](const Scenario& s) { return s.contact.friction; });
