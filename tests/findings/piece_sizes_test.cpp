@@ -26,6 +26,10 @@ TEST(IceSizes, AreSharesOfTheArea) {
     EXPECT_EQ(sizes.steps().size(), 1u);
 }
 
+FloeAreas alike(const std::vector<double>& areas) {
+    return [areas](int) { return areas; };
+}
+
 /// E30 has four done members; of each one of two floes is in three pieces.
 TEST(PieceSizes, TakeTheFloesThatCrackedAndAddTheirPieces) {
     const CampaignTable table = example::campaign();
@@ -36,7 +40,7 @@ TEST(PieceSizes, TakeTheFloesThatCrackedAndAddTheirPieces) {
     }
     ASSERT_EQ(pieces.size(), 12u);
     const std::vector<double> floes{1, 0.36};
-    const auto found = find_piece_sizes(table, pieces, std::vector{floes, floes, floes});
+    const auto found = find_piece_sizes(table, pieces, alike(floes));
     ASSERT_EQ(found.size(), 3u);
     EXPECT_EQ(found[0].runs, 4);
     EXPECT_DOUBLE_EQ(found[0].split, 1);
@@ -55,10 +59,29 @@ TEST(PieceSizes, OfAFieldWithoutEndAreOfAllFloesThatCame) {
     CampaignTable table = example::campaign();
     for (MemberRow& member : table.members) member.floes_entered = 24;
     const std::vector<double> floes{1, 0.36};
-    const auto found = find_piece_sizes(table, {}, std::vector{floes, floes, floes});
+    const auto found = find_piece_sizes(table, {}, alike(floes));
     EXPECT_DOUBLE_EQ(found[0].before.count(), 4 * 24);
     EXPECT_NEAR(found[0].before.area(), 4 * 12 * 1.36, 1e-6);
     EXPECT_NEAR(found[0].after.area(), found[0].before.area(), 1e-9);
+}
+
+// Cells of a Voronoi diagram are others in each arrangement, and a sum of pieces is its floe but for rounding.
+TEST(PieceSizes, TakeFloesOfTheMembersOwn) {
+    const CampaignTable table = example::campaign();
+    const auto area = [](int member) { return 1000.0000000005 + member; };
+    std::vector<PieceRow> pieces;
+    for (std::size_t k = 0; k < table.members.size(); ++k) {
+        const MemberRow& member = table.members[k];
+        if (!member.done() || member.case_index != 0) continue;
+        const int number = static_cast<int>(k);
+        for (const double share : {0.3, 0.7}) pieces.push_back({number, 1, share * area(number) + 1e-9});
+    }
+    const auto found = find_piece_sizes(table, pieces, [&](int member) {
+        return std::vector<double>{3.0, area(member)};
+    });
+    EXPECT_DOUBLE_EQ(found[0].before.count(), 8);
+    EXPECT_DOUBLE_EQ(found[0].after.count(), 12) << "two pieces for one of two floes in each";
+    EXPECT_NEAR(found[0].after.area(), found[0].before.area(), 1e-6);
 }
 
 TEST(PieceSizes, AreMissingWhereNothingBroke) {

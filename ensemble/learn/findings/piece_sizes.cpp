@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -19,20 +20,34 @@ double side_of(long long area) {
     return std::sqrt(finest * static_cast<double>(area));
 }
 
-std::vector<double> floe_areas(const Scenario& scenario) {
-    const FloeSet floes = floes_of(scenario);
+std::vector<double> areas_of(const FloeSet& floes) {
     std::vector<double> areas;
     for (std::size_t i = 0; i < floes.size(); ++i) areas.push_back(floes.shape(i).area());
     return areas;
 }
 
-/// Moves the ice of one floe, whose pieces these are, from whole to pieces.
-void break_up(SizesOfCase& sizes, std::span<const PieceRow> pieces) {
-    double whole = 0;
+/// Of each member; drawn again where outlines differ from one arrangement to the next.
+FloeAreas floe_areas(const Campaign& campaign) {
+    std::vector<std::vector<double>> of_cases;
+    for (const Case& one : campaign.cases) of_cases.push_back(areas_of(floes_of(one.scenario)));
+    return [&campaign, of_cases](int member) {
+        const MemberKey key = member_key(campaign, member);
+        const auto of_case = static_cast<std::size_t>(key.case_index);
+        const Scenario& scenario = campaign.cases[of_case].scenario;
+        if (!scenario.shapes.any()) return of_cases[of_case];
+        return areas_of(floes_of(
+            scenario, {arrangement_seed(campaign, key.case_index), static_cast<std::uint32_t>(key.arrangement)}));
+    };
+}
+
+/// Moves the ice of one floe, whose pieces these are, from whole to pieces. `floes`: areas of all, one of them its own.
+void break_up(SizesOfCase& sizes, std::span<const PieceRow> pieces, std::span<const double> floes) {
+    double together = 0;
     for (const PieceRow& piece : pieces) {
-        whole += piece.area;
+        together += piece.area;
         sizes.after.add(piece.area);
     }
+    const double whole = *std::ranges::min_element(floes, {}, [&](double area) { return std::abs(area - together); });
     sizes.after.add(whole, -1);
     sizes.in_pieces += whole;
     ++sizes.split;
@@ -107,29 +122,27 @@ std::vector<std::pair<double, double>> IceSizes::steps() const {
 }
 
 std::vector<SizesOfCase> find_piece_sizes(const CampaignTable& table, std::span<const PieceRow> pieces,
-                                          std::span<const std::vector<double>> floes) {
+                                          const FloeAreas& floes) {
     std::vector<SizesOfCase> cases(table.cases.size());
     for (std::size_t k = 0; k < cases.size(); ++k) cases[k].case_index = k;
-    for (const MemberRow& member : table.members) {
+    for (int number = 0; number < static_cast<int>(table.members.size()); ++number) {
+        const MemberRow& member = table.members[static_cast<std::size_t>(number)];
         if (!member.done()) continue;
         SizesOfCase& sizes = cases[static_cast<std::size_t>(member.case_index)];
         ++sizes.runs;
-        const std::vector<double>& areas = floes[sizes.case_index];
+        const std::vector<double> areas = floes(number);
         // Every part of a field without end has floes of the same sizes. Files before 1.13 do not count them.
         const double parts = member.floes_entered > 0 ? member.floes_entered / static_cast<double>(areas.size()) : 1.0;
         for (const double area : areas) {
             sizes.before.add(area, parts);
             sizes.after.add(area, parts);
         }
-    }
-    for (std::size_t first = 0; first < pieces.size();) {
-        std::size_t end = first;
-        while (end < pieces.size() && pieces[end].member == pieces[first].member &&
-               pieces[end].floe == pieces[first].floe)
-            ++end;
-        const MemberRow& member = table.members.at(static_cast<std::size_t>(pieces[first].member));
-        break_up(cases[static_cast<std::size_t>(member.case_index)], pieces.subspan(first, end - first));
-        first = end;
+        const auto own = std::ranges::equal_range(pieces, number, {}, &PieceRow::member);
+        for (auto first = own.begin(); first != own.end();) {
+            const auto end = std::ranges::upper_bound(first, own.end(), first->floe, {}, &PieceRow::floe);
+            break_up(sizes, {first, end}, areas);
+            first = end;
+        }
     }
     std::erase_if(cases, [](const SizesOfCase& one) { return one.runs == 0; });
     for (SizesOfCase& one : cases) {
@@ -144,9 +157,7 @@ Section piece_sizes_section(Evidence& evidence) {
     const std::vector<PieceRow>& pieces = pieces_of(evidence);
     if (pieces.empty())
         return {.missing = "Sizes of the ice: as at the start, or not kept; no floe is known to be in pieces.\n"};
-    std::vector<std::vector<double>> floes;
-    for (const Case& one : evidence.campaign.cases) floes.push_back(floe_areas(one.scenario));
-    const std::vector<SizesOfCase> cases = find_piece_sizes(evidence.table, pieces, floes);
+    const std::vector<SizesOfCase> cases = find_piece_sizes(evidence.table, pieces, floe_areas(evidence.campaign));
     using Row = const SizesOfCase&;
     DataRows records = make_rows<SizesOfCase>(
         "ice_sizes", cases,

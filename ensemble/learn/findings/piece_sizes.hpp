@@ -3,6 +3,7 @@
 // is D, the side of the square with its area.
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <span>
 #include <vector>
@@ -44,10 +45,13 @@ struct SizesOfCase {
     IceSizes before, after;  ///< sums over members
 };
 
-/// Of every case with done members. `floes`: areas of the floes of one member of each case, m²; of a field without end
-/// those of a part, of which as many count as entered.
+/// Areas of the floes of a member, by its number, m²; of a field without end those of a part, of which as many count as
+/// entered.
+using FloeAreas = std::function<std::vector<double>(int member)>;
+
+/// Of every case with done members. `pieces`: in order of member and floe.
 std::vector<SizesOfCase> find_piece_sizes(const CampaignTable& table, std::span<const PieceRow> pieces,
-                                          std::span<const std::vector<double>> floes);
+                                          const FloeAreas& floes);
 
 /// Part "pieces" of floes summarize.
 Section piece_sizes_section(Evidence& evidence);
