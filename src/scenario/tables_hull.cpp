@@ -75,7 +75,7 @@ void add_file(Keys& keys, Structure& structure) {
         return late_key(only_with(
             "hull.file", [&file] { return !file.path.empty(); }, std::move(key)));
     };
-    keys.push_back(of_file(word_key("hull.unit", file.unit, {"m", "mm", "cm", "in", "ft"}, "judgement",
+    keys.push_back(of_file(word_key("hull.unit", file.unit, {"m", "mm", "cm", "in", "ft"}, "SI, as all keys",
                                     "Unit of lengths in hull.file; neither STL nor OBJ says it.")));
     const std::vector<std::string_view> axes{"+x", "-x", "+y", "-y", "+z", "-z"};
     keys.push_back(
@@ -87,7 +87,8 @@ void add_file(Keys& keys, Structure& structure) {
                            "the file's zero", "Height of the waterline in hull.file along hull.up.")));
     keys.push_back(late_key(only_with(
         "hull.shape = \"file\"", [&structure] { return structure.shape.kind() == HullKind::file; },
-        number_key("hull.most_added_percent", file.most_added, unit::percent, at_least(0).at_most(1000), "judgement",
+        number_key("hull.most_added_percent", file.most_added, unit::percent, at_least(0).at_most(1000),
+                   "1.6 % in each length",
                    "Volume that the convex pieces may add to the hull in the file, of its own. More is refused."))));
 }
 

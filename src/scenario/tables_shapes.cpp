@@ -16,16 +16,17 @@ void add_shapes(Keys& keys, Shapes& shapes) {
         "even gaps that leave the concentration; length_m x breadth_m of [floe] is their mean area. "
         "docs/sea_ice.md.")));
     keys.push_back(of(ShapeKind::polygon, "shapes.kind = \"polygon\"",
-                      integer_key("shapes.corners", shapes.corners, 3, 12, "judgement: most Voronoi cells have 5 to 7",
+                      integer_key("shapes.corners", shapes.corners, 3, 12, "the mean of Voronoi cells in a plane",
                                   "Corners of every floe.")));
     keys.push_back(
         of(ShapeKind::polygon, "shapes.kind = \"polygon\"",
-           number_key("shapes.irregularity", shapes.irregularity, unit::one, at_least(0).at_most(0.9), "judgement",
+           number_key("shapes.irregularity", shapes.irregularity, unit::one, at_least(0).at_most(0.9),
+                      "an example: halfway from regular polygons to any",
                       "How far corners lie from even places on an ellipse, as a share of the way to the next; 0: "
                       "regular polygons.")));
     keys.push_back(
         of(ShapeKind::voronoi, "shapes.kind = \"voronoi\"",
-           integer_key("shapes.relaxations", shapes.relaxations, 0, 1000, "judgement",
+           integer_key("shapes.relaxations", shapes.relaxations, 0, 1000, "no cell smaller than an element; sea_ice.md",
                        "Steps of Lloyd's from random points: 0 leaves cells of very unequal areas, many make "
                        "them alike.")));
 }

@@ -141,8 +141,8 @@ void add_spread(Keys& keys, IceSpread& spread) {
         "floe has one draw, from a stream of its own.")));
     keys.push_back(late_key(only_with(
         "spread.weakened_percent > 0", [&spread] { return spread.weakened > 0; },
-        number_key("spread.weakened_to", spread.weakened_to, unit::one, above(0).at_most(1), "judgement",
-                   "Factor on all strengths of the weaker floes."))));
+        number_key("spread.weakened_to", spread.weakened_to, unit::one, above(0).at_most(1),
+                   "an example: measure yours", "Factor on all strengths of the weaker floes."))));
     keys.push_back(late_key(only_with(
         "a law in [spread]", [&spread] { return spread.any(); },
         integer_key("spread.draw", spread.draw, 0, 1'000'000, "the first",
