@@ -26,11 +26,10 @@ namespace floes {
 
 struct IceElement {
     BodyId body;
-    int floe = 0;   ///< index of its floe in the arrangement
-    int index = 0;  ///< within its floe, see FloeGrid
-    int piece = 0;  ///< index in IceField::elements() of the first element of its connected piece
-    std::uint32_t exposed_edges =
-        0;  ///< edge faces with form drag, water.form_drag_on: bits of Edge; of a polygon bit k
+    int floe = 0;                     ///< index of its floe in the arrangement
+    int index = 0;                    ///< within its floe, see FloeGrid
+    int piece = 0;                    ///< index in IceField::elements() of the first element of its connected piece
+    std::uint32_t exposed_edges = 0;  ///< with form drag, water.form_drag_on: bits of Edge; of a polygon bit k
 };
 
 class IceField {

@@ -47,10 +47,15 @@ void take_record(MemberResult& result, const Arrangement& floes, const Simulatio
     result.peaks = simulation.ice().peaks();
 }
 
-void take_statistics(MemberResult& result, const Scenario& scenario, const Simulation& simulation) {
-    const auto in_window = [&](const std::vector<double>& history) {
-        return std::span(history).subspan(static_cast<std::size_t>(scenario.first_window_step()));
+/// What a history of every step has of the analysis window.
+auto window_of(const Scenario& scenario) {
+    return [first = static_cast<std::size_t>(scenario.first_window_step())](const std::vector<double>& history) {
+        return std::span(history).subspan(first);
     };
+}
+
+void take_statistics(MemberResult& result, const Scenario& scenario, const Simulation& simulation) {
+    const auto in_window = window_of(scenario);
     result.load =
         load_statistics(in_window(result.history.surge), scenario.general.time_step, scenario.analysis.segments);
     const std::vector<double> times = scenario.averaging_times();
@@ -84,13 +89,10 @@ void take_statistics(MemberResult& result, const Scenario& scenario, const Simul
     result.mean_sweeps = simulation.mean_sweeps();
 }
 
-/// Of a structure that is not towed straight on.
-void take_motion(MemberResult& result, const Scenario& scenario) {
-    const auto in_window = [&](const std::vector<double>& history) {
-        return std::span(history).subspan(static_cast<std::size_t>(scenario.first_window_step()));
-    };
+/// Of a structure on moorings that give way.
+void take_response(MemberResult& result, const Scenario& scenario) {
+    const auto in_window = window_of(scenario);
     const MotionHistory& motion = result.motion;
-    if (!scenario.moorings.give_way()) return;
     const double step = scenario.general.time_step;
     result.moored = {
         .surge_offset = swing_of(in_window(motion.surge_offset)),
@@ -106,19 +108,13 @@ void take_motion(MemberResult& result, const Scenario& scenario) {
         std::ranges::count_if(result.line_broken_at, [](double time) { return !std::isnan(time); }));
 }
 
-/// Thins a history of every step as the campaign requests.
-LoadHistory kept(LoadHistory history, const Analysis& analysis) {
+/// Thins a history of every step as the campaign requests. `all`: its vectors.
+template <class History>
+History kept(History history, const auto& all, const Analysis& analysis) {
     if (!analysis.keep_history) return {};
     if (analysis.history_stride == 1) return history;
     const auto stride = static_cast<std::size_t>(analysis.history_stride);
-    return {batch_means(history.surge, stride), batch_means(history.sway, stride), batch_means(history.heave, stride)};
-}
-
-MotionHistory kept(MotionHistory history, const Analysis& analysis) {
-    if (!analysis.keep_history) return {};
-    if (analysis.history_stride == 1) return history;
-    const auto stride = static_cast<std::size_t>(analysis.history_stride);
-    for (const auto one : motion_histories) history.*one = batch_means(history.*one, stride);
+    for (const auto one : all) history.*one = batch_means(history.*one, stride);
     return history;
 }
 
@@ -147,13 +143,13 @@ MemberResult run_member(const Scenario& scenario, std::uint64_t seed, std::uint3
         }
         take_record(result, floes, simulation);
         take_statistics(result, scenario, simulation);
-        if (!scenario.towed_straight()) take_motion(result, scenario);
+        if (scenario.moorings.give_way()) take_response(result, scenario);
     } catch (const MemberFailure& failure) {
         set_aside(result, scenario, failure.what());
         take_record(result, floes, simulation);
     }
-    result.history = kept(std::move(result.history), scenario.analysis);
-    result.motion = kept(std::move(result.motion), scenario.analysis);
+    result.history = kept(std::move(result.history), load_histories, scenario.analysis);
+    result.motion = kept(std::move(result.motion), motion_histories, scenario.analysis);
     result.wall_time = seconds_since(start);
     result.cpu_time = cpu_seconds_of_this_thread() - cpu_start;
     return result;

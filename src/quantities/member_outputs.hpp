@@ -19,7 +19,7 @@ struct MemberOutputs {
     LoadStatistics load;                                       ///< of the surge load in the window
     std::vector<AveragedLoad> averaged;                        ///< the same load over each averaging time, rising
     std::vector<PartLoad> parts;                               ///< loads on each part of a structure of several
-    MomentStatistics yaw, roll, pitch;                         ///< of the moments on the structure, in the window
+    Swing yaw, roll, pitch;                                    ///< of the moments on the structure, in the window
     double mean_sway = 0;                                      ///< N, over the window
     double mean_heave = 0;                                     ///< N, over the window
     double failure_ratio = 0;                                  ///< broken floes / floes_entered, 0-1

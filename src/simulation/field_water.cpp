@@ -25,6 +25,7 @@ WaterLanes make_water(const Scenario& scenario, const FloeSet& floes, const IceF
     std::map<std::pair<std::size_t, double>, std::size_t> kinds;  // shape and density -> model
     std::vector<WaterModel> models;
     std::vector<std::size_t> kind_of_floe;
+    const double radius = scenario.structure.shape.waterline_radius();
     const std::vector<FlowEllipse> ellipses = flow_ellipses(scenario.structure.shape);
     for (std::size_t i = 0; i < floes.size(); ++i) {
         if (floes.shape(i).is_polygon()) {
@@ -37,8 +38,8 @@ WaterLanes make_water(const Scenario& scenario, const FloeSet& floes, const IceF
         if (!is_new) continue;
         const FloeShape& shape = floes.shape(i);
         models.emplace_back(scenario.water, scenario.general.gravity, ElementShape{shape.element, shape.thickness},
-                            shape.element_mass(floes.material(i).ice), scenario.structure.shape.waterline_radius(),
-                            scenario.structure.speed, scenario.wind.stress());
+                            shape.element_mass(floes.material(i).ice), radius, scenario.structure.speed,
+                            scenario.wind.stress());
         models.back().flow_round(ellipses);
     }
     std::vector<std::size_t> kind_of_element;
@@ -50,9 +51,8 @@ WaterLanes make_water(const Scenario& scenario, const FloeSet& floes, const IceF
         if (!shape.is_polygon()) continue;
         const CutElement& one = ice.cut(element.floe)->elements[static_cast<std::size_t>(element.index)];
         polygons.emplace_back(scenario.water, scenario.general.gravity, one, shape.thickness,
-                              floes.material(floe).ice.density * shape.thickness * one.area,
-                              scenario.structure.shape.waterline_radius(), scenario.structure.speed,
-                              scenario.wind.stress());
+                              floes.material(floe).ice.density * shape.thickness * one.area, radius,
+                              scenario.structure.speed, scenario.wind.stress());
     }
     return {models, kind_of_element, lane_widths().back(), std::move(polygons)};
 }

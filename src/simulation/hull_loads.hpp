@@ -9,6 +9,7 @@
 
 #include "simulation/structure_motion.hpp"
 #include "statistics/part_loads.hpp"
+#include "statistics/swing.hpp"
 #include "structure/shape.hpp"
 #include "world/state.hpp"
 
@@ -19,14 +20,16 @@ class HullLoads {
     /// `solids`: as the world has them; `steps` are kept.
     HullLoads(const Shape& shape, std::vector<ConvexSolid> solids, std::size_t steps);
 
+    const std::vector<ConvexSolid>& solids() const { return solids_; }
+
     /// One step, at the end of which the structure is at motion.after(). `contacts`: of the structure.
     void add(std::span<const ContactForce> contacts, BodyId structure, const StructureMotion& motion);
 
     /// Of each part; a structure that is one part has none.
     std::vector<PartLoad> parts(const Averaging& how) const;
-    MomentStatistics yaw() const { return moment_statistics(yaw_); }
-    MomentStatistics roll() const { return moment_statistics(roll_); }
-    MomentStatistics pitch() const { return moment_statistics(pitch_); }
+    Swing yaw() const { return swing_of(yaw_); }
+    Swing roll() const { return swing_of(roll_); }
+    Swing pitch() const { return swing_of(pitch_); }
 
   private:
     struct History {

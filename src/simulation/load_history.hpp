@@ -1,6 +1,7 @@
 #pragma once
 // The ice load of a run over time.
 
+#include <array>
 #include <vector>
 
 namespace floes {
@@ -13,5 +14,7 @@ struct LoadHistory {
     std::vector<double> sway;   ///< positive towards +z
     std::vector<double> heave;  ///< positive up
 };
+
+inline constexpr std::array load_histories{&LoadHistory::surge, &LoadHistory::sway, &LoadHistory::heave};
 
 }  // namespace floes

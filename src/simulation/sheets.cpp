@@ -8,6 +8,17 @@
 #include "core/error.hpp"
 
 namespace floes {
+namespace {
+
+bool is_side(const IceSheet& form) {
+    return form.inwards.x() == 0;
+}
+
+const char* place_of(const IceSheet& form) {
+    return is_side(form) ? "a side" : "the far end";
+}
+
+}  // namespace
 
 Sheets::Sheets(World& world, const Scenario& scenario, const Channel& channel)
     : confining_(scenario.field.confining),
@@ -16,10 +27,10 @@ Sheets::Sheets(World& world, const Scenario& scenario, const Channel& channel)
     for (const IceSheet& form : channel.sheets) {
         if (!give_way()) {
             world.add_fixed_box({.half_extents = form.half_extents, .pose = {.position = form.centre}});
+            fixed_.push_back(form);
             continue;
         }
         const Vec3 size = 2 * form.half_extents;
-        const bool side = form.inwards.x() == 0;
         const double ice = scenario.ice.density * size.prod();
         const double load = confining_ * form.faces;
         const double skin = 0.5 * scenario.water.density * scenario.water.skin_drag * size.x() * size.z();
@@ -28,7 +39,7 @@ Sheets::Sheets(World& world, const Scenario& scenario, const Channel& channel)
                                                                                     : scenario.water.added_mass;
         const double mass = ice * (1 + carried) + scenario.general.time_step * load / closing;
         const BodyId body = world.add_sliding_box(
-            {.half_extents = form.half_extents, .position = form.centre, .mass = mass, .axis = side ? 2 : 0});
+            {.half_extents = form.half_extents, .position = form.centre, .mass = mass, .axis = is_side(form) ? 2 : 0});
         sheets_.push_back({body, form, load, skin, closing});
     }
     motions_.resize(sheets_.size());
@@ -59,14 +70,28 @@ void Sheets::read(const World& world, const PlanarPose& at, double time) {
         const double before = motions_[i].speed;
         motions_[i] = {(state.position - form.centre).dot(form.inwards), state.velocity.dot(form.inwards)};
         mean_speed_[i] = 0.5 * (before + motions_[i].speed);
-        const Vec3 edge = state.position + form.half_extents.cwiseProduct(form.inwards);
-        const Vec3 structure(at.x, 0, at.z);
-        if ((structure - edge).dot(form.inwards) > (form.inwards.x() == 0 ? radius_ : ahead_)) continue;
+        if (!touches(form, state.position, at)) continue;
         throw MemberFailure(fmt::format(
             "The ice sheet at {} has closed as far as the structure (t = {:.2f} s), which sheets cannot touch; take a "
             "smaller field.confining_N_m, a wider field or a higher concentration.",
-            form.inwards.x() == 0 ? "a side" : "the far end", time));
+            place_of(form), time));
     }
+}
+
+void Sheets::check_fixed(const PlanarPose& at, const Vec2& offset, double time) const {
+    for (const IceSheet& form : fixed_) {
+        if (!touches(form, form.centre, at)) continue;
+        throw MemberFailure(fmt::format(
+            "The moored structure has come to the ice sheet at {} (t = {:.2f} s), {:.4g} m from where its moorings "
+            "would have it; take stiffer moorings or a wider field.",
+            place_of(form), time, offset.norm()));
+    }
+}
+
+bool Sheets::touches(const IceSheet& form, const Vec3& centre, const PlanarPose& at) const {
+    const Vec3 edge = centre + form.half_extents.cwiseProduct(form.inwards);
+    const Vec3 structure(at.x, 0, at.z);
+    return !((structure - edge).dot(form.inwards) > (is_side(form) ? radius_ : ahead_));
 }
 
 Vec3 Sheets::velocity(BodyId body) const {

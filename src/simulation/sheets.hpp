@@ -36,6 +36,10 @@ class Sheets {
     /// touch it.
     void read(const World& world, const PlanarPose& structure, double time);
 
+    /// Throws MemberFailure when the structure, which its moorings have let go by `offset` (m along x and z), has come
+    /// to a fixed sheet.
+    void check_fixed(const PlanarPose& structure, const Vec2& offset, double time) const;
+
     const std::vector<SheetMotion>& motions() const { return motions_; }
 
     /// Mean velocity of a body in the last step; zero for those that are no sheets that give way.
@@ -50,9 +54,13 @@ class Sheets {
         double closing = 0;  ///< u_c, m/s
     };
 
+    /// Whether the structure reaches as far as a sheet whose middle is there.
+    bool touches(const IceSheet& form, const Vec3& centre, const PlanarPose& structure) const;
+
     double confining_;
     double radius_;  ///< of the structure
     double ahead_;   ///< of its waterline, from the axis, m
+    std::vector<IceSheet> fixed_;
     std::vector<Sheet> sheets_;
     std::vector<SheetMotion> motions_;
     std::vector<double> mean_speed_;  ///< in the last step, m/s

@@ -21,10 +21,6 @@ std::vector<ConvexSolid> solids_of(const Scenario& scenario) {
     return scenario.contact.internal_edges ? shape.solids() : shape.overlapping_solids();
 }
 
-BodyId add_structure(World& world, const Scenario& scenario) {
-    return world.add_structure(solids_of(scenario), {scenario.structure.start, 0, 0});
-}
-
 /// Of the structure in one step. More than the tank's ever are, and no bound: with more the memory grows.
 constexpr std::size_t most_contacts = 1024;
 
@@ -35,22 +31,20 @@ Simulation::Simulation(const Scenario& scenario, const FloeSet& floes, IceAhead 
       channel_(make_channel(scenario, floes)),
       wellbeing_(scenario, channel_),
       motion_(scenario),
+      hull_loads_(scenario.structure.shape, solids_of(scenario),
+                  static_cast<std::size_t>(scenario.step_count() - scenario.first_window_step())),
       world_(scenario_world(scenario)),
-      structure_(add_structure(world_, scenario)),
+      structure_(world_.add_structure(hull_loads_.solids(), {scenario.structure.start, 0, 0})),
       ice_(world_, scenario, floes),
       sheets_(world_, scenario, channel_),
       water_(make_water(scenario, floes, ice_)),
       piece_water_(scenario, floes),
       work_(scenario, floes, ice_, structure_),
       sleeping_(scenario.field.wake_radius, ice_.elements()),
-      contact_bins_(scenario.structure.shape.bottom(), scenario.structure.shape.top()),
-      hull_loads_(scenario.structure.shape, solids_of(scenario),
-                  static_cast<std::size_t>(scenario.step_count() - scenario.first_window_step())) {
+      contact_bins_(scenario.structure.shape.bottom(), scenario.structure.shape.top()) {
     for (int floe = 0; floe < ice_.places(); ++floe) piece_water_.share_out(floe, ice_, world_, water_);
     const auto steps = static_cast<std::size_t>(scenario.step_count());
-    loads_.surge.reserve(steps);
-    loads_.sway.reserve(steps);
-    loads_.heave.reserve(steps);
+    for (const auto history : load_histories) (loads_.*history).reserve(steps);
     if (motion_.is_free())
         for (const auto history : motion_histories) (motions_.*history).reserve(steps);
     structure_contacts_.reserve(most_contacts);
@@ -83,12 +77,10 @@ Simulation::Simulation(const Scenario& scenario, const FloeSet& floes, const Sim
                                      state.elements.size(), floes.size(), states_.size()));
     }
     const auto known = static_cast<std::size_t>(state.steps);
-    for (std::vector<double>* history : {&loads_.surge, &loads_.sway, &loads_.heave}) {
-        history->assign(known, std::numeric_limits<double>::quiet_NaN());
-    }
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    for (const auto history : load_histories) (loads_.*history).assign(known, unknown);
     if (motion_.is_free())
-        for (const auto history : motion_histories)
-            (motions_.*history).assign(known, std::numeric_limits<double>::quiet_NaN());
+        for (const auto history : motion_histories) (motions_.*history).assign(known, unknown);
     steps_ = state.steps;
     sleeping_.wake_all(world_);
     motion_.place(steps_, state.moored);
@@ -155,7 +147,8 @@ void Simulation::step() {
     sheets_.read(world_, motion_.after(), step_end());
     if (work_.looks_at(steps_)) work_.add(world_, ice_, sheets_, piece_water_, motion_, states_before_, states_);
     check_wellbeing();
-    check_structure();
+    if (const auto& moored = motion_.moored())
+        sheets_.check_fixed(motion_.after(), moored->state().offset.head<2>(), step_end());
     world_.read_contacts(structure_contacts_, structure_);
     read_ice_load();
     encounters_.meet(structure_contacts_, ice_);
@@ -214,22 +207,6 @@ void Simulation::check_wellbeing() const {
         throw MemberFailure(fmt::format("Element {} of floe {} {} (t = {:.2f} s).", element.index,
                                         ice_.number_of(element.floe), *trouble, step_end()));
     }
-}
-
-/// Between fixed ice sheets, which it cannot touch; those that give way look for themselves.
-void Simulation::check_structure() const {
-    if (!motion_.moored()) return;
-    const Field& field = scenario_.field;
-    const double radius = scenario_.structure.shape.waterline_radius();
-    const PlanarPose& at = motion_.after();
-    const bool bank = field.sides == FieldSides::ice_sheet && std::abs(at.z) + radius > field.half_width;
-    const bool end = field.far_end == FarEnd::ice_sheet &&
-                     at.x + scenario_.structure.shape.waterline_ahead() > scenario_.field_end();
-    if (field.confining > 0 || (!bank && !end)) return;
-    throw MemberFailure(fmt::format(
-        "The moored structure has come to the ice sheet at {} (t = {:.2f} s), {:.4g} m from where its moorings would "
-        "have it; take stiffer moorings or a wider field.",
-        bank ? "a side" : "the far end", step_end(), motion_.moored_state().offset.head<2>().norm()));
 }
 
 void Simulation::break_joints() {

@@ -124,7 +124,6 @@ class Simulation {
     void drift_with_current();
     void read_states();
     void check_wellbeing() const;
-    void check_structure() const;
     void read_ice_load();
     void map_contacts();
     void break_joints();
@@ -136,6 +135,7 @@ class Simulation {
     Channel channel_;
     Wellbeing wellbeing_;
     StructureMotion motion_;
+    HullLoads hull_loads_;
     World world_;
     BodyId structure_;
     IceField ice_;
@@ -153,7 +153,6 @@ class Simulation {
     MotionHistory motions_;
     std::vector<ContactForce> structure_contacts_;  ///< of the last step
     ContactBins contact_bins_;
-    HullLoads hull_loads_;
     int steps_in_window_ = 0;
     std::int64_t sweeps_ = 0;
     int swept_steps_ = 0;

@@ -23,9 +23,7 @@ void SleepingFloes::rest(World& world, const IceField& ice, int place, std::span
     for (std::size_t i = body_.size(); i < ice.elements().size(); ++i) add(i, ice.elements()[i]);
     FloeElements& floe = floes_[static_cast<std::size_t>(place)];
     floe.there = true;
-    floe.middle = Vec3::Zero();
-    for (const std::size_t i : floe.indices)
-        floe.middle += states[i].position / static_cast<double>(floe.indices.size());
+    floe.middle = middle_of(floe, states);
     set_asleep(world, floe, true);
 }
 
@@ -36,10 +34,7 @@ void SleepingFloes::leave(int place) {
 void SleepingFloes::lay_down(World& world, std::span<const BodyState> states, const PlanarPose& structure) {
     if (wake_radius_ == 0) return;
     for (FloeElements& floe : floes_) {
-        floe.middle = Vec3::Zero();
-        for (const std::size_t i : floe.indices) {
-            floe.middle += states[i].position / static_cast<double>(floe.indices.size());
-        }
+        floe.middle = middle_of(floe, states);
         const bool at_rest = std::ranges::all_of(floe.indices, [&](std::size_t i) {
             return states[i].velocity.isZero(0) && states[i].angular_velocity.isZero(0);
         });
@@ -61,6 +56,12 @@ void SleepingFloes::wake(World& world, const PlanarPose& structure) {
 void SleepingFloes::wake_all(World& world) {
     for (FloeElements& floe : floes_) set_asleep(world, floe, false);
     list_awake();
+}
+
+Vec3 SleepingFloes::middle_of(const FloeElements& floe, std::span<const BodyState> states) {
+    Vec3 middle = Vec3::Zero();
+    for (const std::size_t i : floe.indices) middle += states[i].position / static_cast<double>(floe.indices.size());
+    return middle;
 }
 
 bool SleepingFloes::reached(const FloeElements& floe, const PlanarPose& structure) const {

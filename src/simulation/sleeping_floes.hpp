@@ -51,6 +51,7 @@ class SleepingFloes {
         bool there = true;
     };
 
+    static Vec3 middle_of(const FloeElements& floe, std::span<const BodyState> states);
     bool reached(const FloeElements& floe, const PlanarPose& structure) const;
     void set_asleep(World& world, FloeElements& floe, bool asleep);
     void add(std::size_t element, const IceElement& of);

@@ -21,33 +21,37 @@ PathPlace StructureMotion::prescribed(int step) const {
     return place;
 }
 
-void StructureMotion::place(int steps, const MooredState& moored) {
-    step_ = steps;
-    const PathPlace place = prescribed(steps);
+void StructureMotion::follow(const PathPlace& place) {
     after_ = place.pose;
     velocity_ = {place.velocity.x(), 0, place.velocity.y()};
     turning_ = place.turning;
     pace_ = place.velocity.norm();
+}
+
+/// Beside the place that it would have with moorings that do not give way.
+void StructureMotion::add_offset() {
+    const Vec3& offset = moored_->state().offset;
+    after_ = {after_.x + offset[0], after_.z + offset[1], after_.yaw + offset[2]};
+}
+
+void StructureMotion::place(int steps, const MooredState& moored) {
+    step_ = steps;
+    follow(prescribed(steps));
     if (moored_) {
         moored_->place(moored);
-        const Vec3& offset = moored_->state().offset;
-        after_ = {after_.x + offset[0], after_.z + offset[1], after_.yaw + offset[2]};
+        add_offset();
     }
     before_ = after_;
 }
 
 void StructureMotion::advance(const Vec3& load) {
     before_ = after_;
-    const PathPlace place = prescribed(++step_);
-    after_ = place.pose;
-    velocity_ = {place.velocity.x(), 0, place.velocity.y()};
-    turning_ = place.turning;
-    pace_ = place.velocity.norm();
+    follow(prescribed(++step_));
     if (!moored_) return;
     const Vec3 from = moored_->state().offset;
     moored_->advance(load, step_ * time_step_);
+    add_offset();
     const Vec3& offset = moored_->state().offset;
-    after_ = {after_.x + offset[0], after_.z + offset[1], after_.yaw + offset[2]};
     velocity_ += Vec3(offset[0] - from[0], 0, offset[1] - from[1]) / time_step_;
     turning_ += (offset[2] - from[2]) / time_step_;
 }

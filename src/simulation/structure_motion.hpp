@@ -47,6 +47,8 @@ class StructureMotion {
 
   private:
     PathPlace prescribed(int step) const;
+    void follow(const PathPlace& place);
+    void add_offset();
 
     double time_step_;
     Tow tow_;

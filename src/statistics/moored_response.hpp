@@ -4,14 +4,9 @@
 #include <limits>
 #include <span>
 
-namespace floes {
+#include "statistics/swing.hpp"
 
-/// Not measured: NaN.
-struct Swing {
-    double mean = std::numeric_limits<double>::quiet_NaN();
-    double sd = std::numeric_limits<double>::quiet_NaN();
-    double largest = std::numeric_limits<double>::quiet_NaN();  ///< amount, at either side
-};
+namespace floes {
 
 /// Signs as in simulation/motion_history.hpp. All NaN without moorings.
 struct MooredResponse {
@@ -25,9 +20,6 @@ struct MooredResponse {
     double line_tension = std::numeric_limits<double>::quiet_NaN();  ///< the largest of any line over the run, N
     double broken_lines = std::numeric_limits<double>::quiet_NaN();  ///< at the end of the run
 };
-
-/// Of values at the ends of steps, at least one.
-Swing swing_of(std::span<const double> values);
 
 /// Root of the mean square of the changes between values over `step` s; at least two values.
 double rms_rate(std::span<const double> values, double step);

@@ -1,7 +1,6 @@
 #include "statistics/part_loads.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "statistics/means.hpp"
 
@@ -16,13 +15,6 @@ PartLoad part_load(std::span<const double> surge, std::span<const double> sway, 
     load.sd = population_sd(surge, load.mean);
     for (const AveragedLoad& one : averaged_load(surge, how)) load.mean_maximum.push_back(one.mean_maximum);
     return load;
-}
-
-MomentStatistics moment_statistics(std::span<const double> window) {
-    MomentStatistics found{.mean = mean_of(window)};
-    found.sd = population_sd(window, found.mean);
-    for (const double moment : window) found.largest = std::max(found.largest, std::abs(moment));
-    return found;
 }
 
 }  // namespace floes

@@ -1,5 +1,5 @@
 #pragma once
-// Loads on the parts of a structure, and moments on the whole of it.
+// Loads on the parts of a structure.
 
 #include <span>
 #include <vector>
@@ -19,17 +19,8 @@ struct PartLoad {
     std::vector<double> mean_maximum{};
 };
 
-/// A moment over the steps of the window, N m.
-struct MomentStatistics {
-    double mean = 0;
-    double sd = 0;       ///< population standard deviation
-    double largest = 0;  ///< of its magnitude
-};
-
 /// Loads of one part at every step of the window, as averaged_load() takes it.
 PartLoad part_load(std::span<const double> surge, std::span<const double> sway, std::span<const double> heave,
                    const Averaging& how);
-
-MomentStatistics moment_statistics(std::span<const double> window);
 
 }  // namespace floes

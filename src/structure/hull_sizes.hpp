@@ -2,6 +2,7 @@
 // Hulls that a few numbers describe. Axes: x ahead, y up from the waterline, z to starboard; the origin is on the
 // waterline, in the middle of its length.
 
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,16 +16,16 @@ enum class HullKind { profile, cylinder, cone_up, cone_down, four_legs, wedge_bo
 
 /// Lengths m, angles rad, from the horizontal; 0: not given.
 struct HullSizes {
-    double length = 0;                            ///< of the waterline
-    double beam = 0;                              ///< likewise
-    double diameter = 0;                          ///< of the circle, or of each, that it cuts out of the water
-    double spacing = 0;                           ///< between the axes of neighbouring legs
-    double draught = 0;                           ///< from the waterline down to the keel
-    double freeboard = 0;                         ///< from the waterline up to the deck
-    double wall = 0;                              ///< angle of a cone's wall
-    double stem = 0;                              ///< angle of a ship's stem, or of a barge's ends
-    double flare = 0.5 * 3.14159265358979323846;  ///< angle of the sides; below a right angle they flare upwards
-    double entrance = 0;                          ///< half of the angle of the waterline at the bow
+    double length = 0;                      ///< of the waterline
+    double beam = 0;                        ///< likewise
+    double diameter = 0;                    ///< of the circle, or of each, that it cuts out of the water
+    double spacing = 0;                     ///< between the axes of neighbouring legs
+    double draught = 0;                     ///< from the waterline down to the keel
+    double freeboard = 0;                   ///< from the waterline up to the deck
+    double wall = 0;                        ///< angle of a cone's wall
+    double stem = 0;                        ///< angle of a ship's stem, or of a barge's ends
+    double flare = 0.5 * std::numbers::pi;  ///< angle of the sides; below a right angle they flare upwards
+    double entrance = 0;                    ///< half of the angle of the waterline at the bow
 
     friend bool operator==(const HullSizes&, const HullSizes&) = default;
 };

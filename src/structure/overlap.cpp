@@ -77,26 +77,6 @@ class Pieces {
                                         : piece.face_parts[static_cast<std::size_t>(same - planes.begin())];
     }
 
-    /// As Polyhedron::cut, but a corner in the plane stays where it is, as on the far side.
-    Polyhedron cut(const Polyhedron& body, const Plane& plane) const {
-        const auto height = [&](const Vec3& corner) { return plane.height(corner); };
-        if (std::ranges::all_of(body.corners, [&](const Vec3& one) { return height(one) <= slack_; })) return body;
-        if (std::ranges::all_of(body.corners, [&](const Vec3& one) { return height(one) >= -slack_; })) return {};
-        std::vector<Vec3> kept;
-        for (const Vec3& corner : body.corners)
-            if (height(corner) <= slack_) kept.push_back(corner);
-        for (const std::vector<int>& face : body.faces) {
-            for (std::size_t k = 0; k < face.size(); ++k) {
-                const Vec3& a = body.corners[static_cast<std::size_t>(face[k])];
-                const Vec3& b = body.corners[static_cast<std::size_t>(face[(k + 1) % face.size()])];
-                const double low = height(a);
-                const double high = height(b);
-                if (low < -slack_ && high > slack_) kept.emplace_back(a + (b - a) * (low / (low - high)));
-            }
-        }
-        return convex_hull(kept);
-    }
-
     /// Whether the section of a piece in the plane of a face of `body` may share more with that face than an edge.
     bool meets_face(const Polyhedron& piece, const Polyhedron& body, std::size_t face) const {
         const Plane& plane = body.planes[face];
@@ -163,10 +143,10 @@ class Pieces {
     /// it.
     Polyhedron beyond(const Polyhedron& piece, const Polyhedron& body, std::size_t face, bool& whole) const {
         const Plane& through = body.planes[face];
-        Polyhedron part = cut(piece, {-through.normal, -through.offset});
+        Polyhedron part = piece.cut({-through.normal, -through.offset}, slack_);
         const double before = part.volume();
         for (std::size_t k = 0; k < body.planes.size() && !part.empty(); ++k)
-            if (k != face) part = cut(part, body.planes[k]);
+            if (k != face) part = part.cut(body.planes[k], slack_);
         whole = whole && (part.empty() || part.volume() > (1 - same_volume) * before);
         return part;
     }
@@ -208,7 +188,7 @@ class Pieces {
         for (const Plane& plane : planes) {
             double length = std::numeric_limits<double>::infinity();
             for (const Vec3& corner : whole) length = std::min(length, -plane.height(corner));
-            if (length > slack_) trimmed = cut(trimmed, {plane.normal, plane.offset - kept_inside * length});
+            if (length > slack_) trimmed = trimmed.cut({plane.normal, plane.offset - kept_inside * length}, slack_);
         }
         return trimmed;
     } catch (const InputError&) {

@@ -64,18 +64,19 @@ Polyhedron Polyhedron::scaled(double factor) const {
     return other;
 }
 
-Polyhedron Polyhedron::cut(const Plane& plane) const {
+Polyhedron Polyhedron::cut(const Plane& plane, double slack) const {
     std::vector<Vec3> kept;
     for (const Vec3& corner : corners)
-        if (plane.height(corner) <= 0) kept.push_back(corner);
+        if (plane.height(corner) <= slack) kept.push_back(corner);
     if (kept.size() == corners.size()) return *this;
+    if (std::ranges::all_of(kept, [&](const Vec3& corner) { return plane.height(corner) >= -slack; })) return {};
     for (const std::vector<int>& face : faces) {
         for (std::size_t k = 0; k < face.size(); ++k) {
             const Vec3& a = corners[static_cast<std::size_t>(face[k])];
             const Vec3& b = corners[static_cast<std::size_t>(face[(k + 1) % face.size()])];
             const double low = plane.height(a);
             const double high = plane.height(b);
-            if (low < 0 && high > 0) kept.emplace_back(a + (b - a) * (low / (low - high)));
+            if (low < -slack && high > slack) kept.emplace_back(a + (b - a) * (low / (low - high)));
         }
     }
     return convex_hull(kept);

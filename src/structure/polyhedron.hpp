@@ -31,8 +31,8 @@ struct Polyhedron {
     /// The body whose faces lie `depth` inside these; empty where it is nowhere as thick as twice that.
     Polyhedron inside(double depth) const;
     Polyhedron scaled(double factor) const;  ///< factor > 0
-    /// The part of it with normal · p <= offset.
-    Polyhedron cut(const Plane& plane) const;
+    /// The part of it with normal · p <= offset. A corner nearer to the plane than `slack` m is in it, on both sides.
+    Polyhedron cut(const Plane& plane, double slack = 0) const;
     /// Its section at the height y, counter-clockwise in (x, z); empty where it has none.
     std::vector<Vec2> section(double y) const;
 

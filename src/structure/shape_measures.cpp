@@ -1,6 +1,7 @@
 #include "structure/measures.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -58,7 +59,7 @@ double covered_length(std::vector<std::pair<double, double>>& spans) {
     return length;
 }
 
-/// Islands of outlines whose bounding boxes meet, each as the indices of its outlines.
+/// Islands of outlines whose bounding boxes meet, each as the box round its outlines.
 std::vector<Box> islands(const std::vector<std::vector<Vec2>>& outlines) {
     std::vector<Box> boxes;
     for (const std::vector<Vec2>& outline : outlines) {

@@ -92,6 +92,9 @@ inline MemberRecord record(const Campaign& campaign, int number) {
         for (int k = 0; k < scenario.analysis.segments; ++k) one.segment_maximum.push_back(base + time + 0.01 * k);
         for (int k = number % 3; k >= 0; --k) one.peaks.push_back(base + time + 0.1 * k);
     }
+    result.yaw = {base + 1.1, base + 1.2, base + 1.3};
+    result.roll = {base + 1.4, base + 1.5, base + 1.6};
+    result.pitch = {base + 1.7, base + 1.8, base + 1.9};
     result.mean_sway = base + 0.7;
     result.mean_heave = -base - 0.8;
     result.failure_ratio = 1.0 / (number + 3);

@@ -9,9 +9,10 @@ namespace floes {
 /// A dark ground for words, between two corners.
 void draw_ground(Canvas& canvas, const Vec2& from, const Vec2& to);
 
-/// An arrow ahead of the structure, as far as the picture goes. `unit`: pixels that a line is thick, as below.
-/// Mooring lines, at most as far as three radii of the structure.
+/// Mooring lines, at most as far as three radii of the structure. `unit`: pixels that a line is thick, as below.
 void draw_lines(Canvas& canvas, const Stage& stage, const Frame& frame, const Projection& projection, double unit);
+
+/// An arrow ahead of the structure, as far as the picture goes.
 void draw_tow(Canvas& canvas, const Stage& stage, const Frame& frame, const Projection& projection, double unit);
 
 /// Forces as lines of Fig. 5: the load in the middle of the structure, normal and friction forces where floes touch.

@@ -58,11 +58,9 @@ json poses(const Recording& recording) {
 json lines(const Recording& recording) {
     if (recording.subject().scenario.moorings.lines.empty()) return nullptr;
     json all = json::array();
-    Frame frame;
-    for (int number = 0; number < recording.frames(); ++number) {
-        recording.read(number, frame);
+    for (int frame = 0; frame < recording.frames(); ++frame) {
         json& seen = all.emplace_back(json::array());
-        for (const FrameLine& line : frame.lines) {
+        for (const FrameLine& line : recording.lines(frame)) {
             const Vec3 way = (line.anchor - line.fairlead).normalized();
             seen.push_back({line.fairlead.x(), line.fairlead.z(), way.x(), way.z()});
         }

@@ -69,6 +69,19 @@ class Recording::File {
         return {structure_.at(number), across_.at(number), yaw_.at(number)};
     }
 
+    std::vector<FrameLine> lines(std::size_t number) {
+        std::vector<FrameLine> held;
+        if (!lines_) return held;
+        const std::span<const float> fairlead = lines_->fairlead.read(number);
+        const std::span<const float> anchor = lines_->anchor.read(number);
+        const std::span<const float> tension = lines_->tension.read(number);
+        for (std::size_t k = 0; k < tension.size(); ++k) {
+            if (std::isnan(tension[k])) continue;
+            held.push_back({static_cast<int>(k), vector_at(fairlead, k), vector_at(anchor, k), tension[k]});
+        }
+        return held;
+    }
+
     void read(std::size_t number, Frame& frame) {
         frame.step = step_.at(number);
         frame.time = times.at(number);
@@ -76,7 +89,7 @@ class Recording::File {
         frame.load = {-surge_.at(number), heave_.at(number), sway_.at(number)};
         read_elements(number, frame);
         read_contacts(number, frame);
-        read_lines(number, frame);
+        frame.lines = lines(number);
     }
 
   private:
@@ -177,18 +190,6 @@ class Recording::File {
         frame.pieces.assign(pieces.begin(), pieces.end());
     }
 
-    void read_lines(std::size_t number, Frame& frame) {
-        frame.lines.clear();
-        if (!lines_) return;
-        const std::span<const float> fairlead = lines_->fairlead.read(number);
-        const std::span<const float> anchor = lines_->anchor.read(number);
-        const std::span<const float> tension = lines_->tension.read(number);
-        for (std::size_t k = 0; k < tension.size(); ++k) {
-            if (std::isnan(tension[k])) continue;
-            frame.lines.push_back({static_cast<int>(k), vector_at(fairlead, k), vector_at(anchor, k), tension[k]});
-        }
-    }
-
     void read_contacts(std::size_t number, Frame& frame) {
         const auto first = static_cast<std::size_t>(first_contact_.at(number));
         const auto count = static_cast<std::size_t>(contact_count_.at(number));
@@ -249,6 +250,10 @@ int Recording::nearest(double time) const {
 
 PlanarPose Recording::structure(int frame) const {
     return file_->structure(static_cast<std::size_t>(frame));
+}
+
+std::vector<FrameLine> Recording::lines(int frame) const {
+    return file_->lines(static_cast<std::size_t>(frame));
 }
 
 void Recording::read(int number, Frame& frame) const {

@@ -73,6 +73,7 @@ class Recording {
     int frames() const;
     double time(int frame) const;  ///< s
     PlanarPose structure(int frame) const;
+    std::vector<FrameLine> lines(int frame) const;  ///< mooring lines that hold
     /// The frame whose time is nearest to `time`, s.
     int nearest(double time) const;
     /// Refills `frame` with frame `number`, as single precision keeps it; element angular velocities are not kept.

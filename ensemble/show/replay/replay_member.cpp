@@ -57,9 +57,7 @@ void compare_breaks(const CampaignFile& file, int member, const MemberResult& no
 
 /// Adds the last step of a run to a history of its own, which is kept whole where the member's is thinned.
 void add_last(const LoadHistory& of_run, LoadHistory& history) {
-    history.surge.push_back(of_run.surge.back());
-    history.sway.push_back(of_run.sway.back());
-    history.heave.push_back(of_run.heave.back());
+    for (const auto one : load_histories) (history.*one).push_back((of_run.*one).back());
 }
 
 /// A campaign of the one case, whose Σ and E are what the file says they were found to be.

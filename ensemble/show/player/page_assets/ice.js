@@ -1,33 +1,30 @@
 'use strict';
 // All elements in one draw call: boxes that stand between their places in two neighbouring frames.
 
-const iceVertexShader = `
-attribute vec3 placeA, placeB, tint, size;
-attribute vec4 turnA, turnB, edges;
+// What boxes here and polygons of polygons.js share: where an element is, the lines on its faces, and light.
+const placedElement = `
+attribute vec3 placeA, placeB, tint;
+attribute vec4 turnA, turnB;
 uniform float share, quantum;
 uniform vec3 middle;
-varying vec3 vTint, vNormal, vUp, vLocal, vSide, vWorld;
-varying vec4 vEdges;
+varying vec3 vTint, vNormal, vUp, vSide, vWorld;
 vec3 turned(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
-void main() {
+void place(vec3 corner, vec3 side) {
   vec4 turn = normalize(mix(turnA, turnB, share));
-  vWorld = middle + quantum * mix(placeA, placeB, share) + turned(turn, size * position);
+  vWorld = middle + quantum * mix(placeA, placeB, share) + turned(turn, corner);
   vTint = tint;
-  vNormal = turned(turn, normal);
+  vNormal = turned(turn, side);
   vUp = turned(turn, vec3(0.0, 1.0, 0.0));
-  vSide = normal;
-  vLocal = position;
-  vEdges = edges;
+  vSide = side;
   gl_Position = projectionMatrix * viewMatrix * vec4(vWorld, 1.0);
 }`;
 
-// Lines along the four edges of upper and lower faces tell joints (faint), outlines of floes (dark), outlines of broken
+// Lines along the edges of upper and lower faces tell joints (faint), outlines of floes (dark), outlines of broken
 // floes and failed joints apart; faces that a failed joint left have its colour.
-const iceFragmentShader = `
+const drawnElement = `
 uniform float parallel;
 uniform vec3 sun, sight, water, jointLine, rimLine, brokenLine, failedLine;
-varying vec3 vTint, vNormal, vUp, vLocal, vSide, vWorld;
-varying vec4 vEdges;
+varying vec3 vTint, vNormal, vUp, vSide, vWorld;
 void line(inout vec3 colour, float edge, float distance, float pixel) {
   float failed = step(0.9, edge), broken = step(0.6, edge) - failed, rim = step(0.3, edge) - failed - broken;
   vec3 ink = failed * failedLine + broken * brokenLine + rim * rimLine +
@@ -38,25 +35,46 @@ void line(inout vec3 colour, float edge, float distance, float pixel) {
   float fade = failed + broken + rim + (1.0 - failed - broken - rim) * clamp(0.25 / (pixel * 6.0), 0.0, 1.0);
   colour = mix(colour, ink, strength * fade * (1.0 - smoothstep(width - pixel, width + pixel, distance)));
 }
-void main() {
-  vec3 colour = vTint;
+// The colour of a face in light; edge is that of a side, and does not matter for a flat face.
+vec4 lit(vec3 colour, bool flatFace, float edge) {
   vec3 n = normalize(vNormal);
   vec3 view = parallel > 0.5 ? -sight : normalize(cameraPosition - vWorld);
-  if (abs(vSide.y) > 0.5) {
-    vec2 pixel = fwidth(vLocal.xz);
-    line(colour, vEdges.x, 0.5 - vLocal.x, pixel.x);
-    line(colour, vEdges.y, 0.5 + vLocal.x, pixel.x);
-    line(colour, vEdges.z, 0.5 - vLocal.z, pixel.y);
-    line(colour, vEdges.w, 0.5 + vLocal.z, pixel.y);
-  } else {
-    float edge = vSide.x > 0.5 ? vEdges.x : vSide.x < -0.5 ? vEdges.y : vSide.z > 0.5 ? vEdges.z : vEdges.w;
+  if (!flatFace) {
     colour = mix(colour, failedLine, 0.5 * step(0.9, edge));
     // Within a piece, faces show only through gaps thinner than a pixel: there they must look like what is round them.
     if (edge < 0.3) n = vUp * sign(dot(vUp, view));
   }
   float light = 0.68 + 0.08 * n.y + 0.2 * max(dot(n, sun), 0.0) + 0.2 * max(dot(n, view), 0.0);
   colour *= min(light, 1.04);
-  gl_FragColor = vec4(mix(colour, water, vWorld.y < 0.0 ? 0.15 : 0.0), 1.0);
+  return vec4(mix(colour, water, vWorld.y < 0.0 ? 0.15 : 0.0), 1.0);
+}`;
+
+const iceVertexShader = placedElement + `
+attribute vec3 size;
+attribute vec4 edges;
+varying vec3 vLocal;
+varying vec4 vEdges;
+void main() {
+  place(size * position, normal);
+  vLocal = position;
+  vEdges = edges;
+}`;
+
+const iceFragmentShader = drawnElement + `
+varying vec3 vLocal;
+varying vec4 vEdges;
+void main() {
+  vec3 colour = vTint;
+  bool flatFace = abs(vSide.y) > 0.5;
+  if (flatFace) {
+    vec2 pixel = fwidth(vLocal.xz);
+    line(colour, vEdges.x, 0.5 - vLocal.x, pixel.x);
+    line(colour, vEdges.y, 0.5 + vLocal.x, pixel.x);
+    line(colour, vEdges.z, 0.5 - vLocal.z, pixel.y);
+    line(colour, vEdges.w, 0.5 + vLocal.z, pixel.y);
+  }
+  float edge = vSide.x > 0.5 ? vEdges.x : vSide.x < -0.5 ? vEdges.y : vSide.z > 0.5 ? vEdges.z : vEdges.w;
+  gl_FragColor = lit(colour, flatFace, edge);
 }`;
 
 const sunDirection = new THREE.Vector3(-0.45, 0.8, 0.5).normalize();

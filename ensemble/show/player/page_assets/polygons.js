@@ -1,54 +1,24 @@
 'use strict';
 // Elements that are convex polygons: flat faces of triangles round the middle, each at one edge, and a side at each.
 
-const polygonVertexShader = `
-attribute vec3 placeA, placeB, tint, side;
-attribute vec4 turnA, turnB;
+const polygonVertexShader = placedElement + `
+attribute vec3 side;
 attribute float edge, inwards;
-uniform float share, quantum;
-uniform vec3 middle;
-varying vec3 vTint, vNormal, vUp, vSide, vWorld;
 varying float vEdge, vInwards;
-vec3 turned(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 void main() {
-  vec4 turn = normalize(mix(turnA, turnB, share));
-  vWorld = middle + quantum * mix(placeA, placeB, share) + turned(turn, position);
-  vTint = tint;
-  vNormal = turned(turn, side);
-  vUp = turned(turn, vec3(0.0, 1.0, 0.0));
-  vSide = side;
+  place(position, side);
   vEdge = edge;
   vInwards = inwards;
-  gl_Position = projectionMatrix * viewMatrix * vec4(vWorld, 1.0);
 }`;
 
-// As of boxes; the distance to the edge is in shares of the element's size.
-const polygonFragmentShader = `
-uniform float parallel;
-uniform vec3 sun, sight, water, jointLine, rimLine, brokenLine, failedLine;
-varying vec3 vTint, vNormal, vUp, vSide, vWorld;
+// The distance to the edge is in shares of the element's size.
+const polygonFragmentShader = drawnElement + `
 varying float vEdge, vInwards;
 void main() {
   vec3 colour = vTint;
-  vec3 n = normalize(vNormal);
-  vec3 view = parallel > 0.5 ? -sight : normalize(cameraPosition - vWorld);
-  float failed = step(0.9, vEdge), broken = step(0.6, vEdge) - failed, rim = step(0.3, vEdge) - failed - broken;
-  float joint = 1.0 - failed - broken - rim;
-  if (abs(vSide.y) > 0.5) {
-    float pixel = fwidth(vInwards);
-    vec3 ink = failed * failedLine + broken * brokenLine + rim * rimLine + joint * jointLine;
-    float strength = 0.3 + 0.4 * rim + 0.6 * broken + 0.7 * failed;
-    float width = max(0.012 + 0.008 * rim + 0.02 * broken + 0.035 * failed,
-                      pixel * (0.5 + 0.3 * rim + 0.8 * broken + 1.5 * failed));
-    float fade = failed + broken + rim + joint * clamp(0.25 / (pixel * 6.0), 0.0, 1.0);
-    colour = mix(colour, ink, strength * fade * (1.0 - smoothstep(width - pixel, width + pixel, vInwards)));
-  } else {
-    colour = mix(colour, failedLine, 0.5 * failed);
-    if (vEdge < 0.3) n = vUp * sign(dot(vUp, view));
-  }
-  float light = 0.68 + 0.08 * n.y + 0.2 * max(dot(n, sun), 0.0) + 0.2 * max(dot(n, view), 0.0);
-  colour *= min(light, 1.04);
-  gl_FragColor = vec4(mix(colour, water, vWorld.y < 0.0 ? 0.15 : 0.0), 1.0);
+  bool flatFace = abs(vSide.y) > 0.5;
+  if (flatFace) line(colour, vEdge, vInwards, fwidth(vInwards));
+  gl_FragColor = lit(colour, flatFace, vEdge);
 }`;
 
 class PolygonIce {
