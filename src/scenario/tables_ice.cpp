@@ -30,7 +30,7 @@ void add_general(Keys& keys, General& general) {
     keys.push_back(
         number_key("general.gravity_m_s2", general.gravity, unit::one, above(0).at_most(100), "standard", "Gravity."));
     keys.push_back(number_key(
-        "general.runaway_speed_m_s", general.runaway_speed, unit::one, above(0).at_most(1000), "judgement",
+        "general.runaway_speed_m_s", general.runaway_speed, unit::one, above(0).at_most(1000), "a fall of 5 m",
         "If an element exceeds this speed, the member ends as failed, because the simulation has diverged."));
 }
 
@@ -116,9 +116,9 @@ void add_joint(Keys& keys, Joint& joint) {
         "with the peak below contacts that a grid of elements does not show, reaches ice.bending_strength_kPa; then it "
         "softens as ice.fracture_energy_J_m2 says. moment: its bending moment exceeds Eq. (3), and it is gone at once; "
         "fewer floes break, and how many depends on floe.element_m."))));
-    keys.push_back(with_beams(
-        late_key(number_key("joint.damping_ratio", joint.damping_ratio, unit::one, at_least(0).at_most(10), "judgement",
-                            "Damping of joints: share of critical for two elements that swing against each other."))));
+    keys.push_back(with_beams(late_key(number_key(
+        "joint.damping_ratio", joint.damping_ratio, unit::one, at_least(0).at_most(10), "hardly matters: docs/ice.md",
+        "Damping of joints: share of critical for two elements that swing against each other."))));
 }
 
 namespace {

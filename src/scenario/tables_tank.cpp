@@ -131,7 +131,8 @@ void add_field(Keys& keys, Field& field) {
     keys.push_back(number_key(
         "field.half_width_m", field.half_width, unit::one, above(0).at_most(1e4), "the paper, Simulation Design",
         "Half width of the field: |z| is at most this, between the fixed ice sheets along the walls."));
-    keys.push_back(number_key("field.sheet_width_m", field.sheet_width, unit::one, above(0).at_most(1e4), "judgement",
+    keys.push_back(number_key("field.sheet_width_m", field.sheet_width, unit::one, above(0).at_most(1e4),
+                              "wider than a floe's diagonal",
                               "Breadth of the fixed ice sheets. If a floe is pushed over a sheet and beyond its outer "
                               "edge, the member ends as failed."));
     keys.push_back(word_key(
@@ -163,8 +164,10 @@ void add_arrangement(Keys& keys, ArrangementRule& arrangement) {
     keys.push_back(
         instead_of({method, word_key("arrangement.start", arrangement.start, {"lattice", "stripes"}, "", "")}, method));
     keys.push_back(number_key("arrangement.clearance_m", arrangement.clearance, unit::one, at_least(0).at_most(10),
-                              "judgement", "Minimum initial gap between floes, and between floes and walls."));
-    keys.push_back(integer_key("arrangement.sweeps", arrangement.sweeps, 0, 10000000, "judgement; see arrangement.md",
+                              "a hundredth of an element: none touch at first",
+                              "Minimum initial gap between floes, and between floes and walls."));
+    keys.push_back(integer_key("arrangement.sweeps", arrangement.sweeps, 0, 10000000,
+                               "stripes decay in 9000: docs/arrangement.md",
                                "Monte Carlo sweeps (one trial move per floe) after the step size is frozen; only for "
                                "method monte_carlo."));
     keys.push_back(late_key(integer_key(
@@ -220,7 +223,7 @@ void add_analysis(Keys& keys, Analysis& analysis) {
         "above each level, and how often the load rises through it. Needs no history.")));
     keys.push_back(late_key(numbers_key(
         "analysis.averaging_s", analysis.averaging, unit::one, above(0).at_most(farthest),
-        "judgement; from a jammed contact to a slow structure",
+        "from a jammed contact to a slow structure",
         "Averaging times, ascending, in whole time steps and at most a segment: each member takes the running mean of "
         "the surge load over each, and its standard deviation and segment maxima. Needs no history. Of the default, "
         "times that do not suit time step or segment are left out.")));
