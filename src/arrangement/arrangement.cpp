@@ -4,10 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 
+#include "arrangement/cell_field.hpp"
 #include "arrangement/check.hpp"
 #include "arrangement/endless_field.hpp"
 #include "arrangement/jittered_lattice.hpp"
@@ -120,6 +122,15 @@ std::string sizes_text(const Scenario& scenario) {
     return text;
 }
 
+/// Of a field without end, one after another.
+std::function<FieldPart()> parts_of(const Scenario& scenario, std::uint64_t seed, std::uint32_t number) {
+    if (scenario.shapes.kind == ShapeKind::voronoi)
+        return [field = std::make_shared<CellField>(scenario, seed, number)] { return field->next(); };
+    return [field = std::make_shared<EndlessField>(scenario, seed, number, geometry_key(scenario))] {
+        return field->next();
+    };
+}
+
 void measure(Arrangement& made, const Scenario& scenario) {
     const std::vector<PlanarPose> poses = made.poses();
     made.psi4 = fourfold_order(poses);
@@ -179,9 +190,9 @@ Arrangement make_arrangement(const Scenario& scenario, std::uint64_t seed, std::
 
 LaidField lay_field(const Scenario& scenario, std::uint64_t seed, std::uint32_t number) {
     if (!scenario.field.endless()) return {make_arrangement(scenario, seed, number), {}};
-    const auto field = std::make_shared<EndlessField>(scenario, seed, number, geometry_key(scenario));
-    const FieldPart first = field->next();
-    LaidField laid{{gathered(first.floes)}, {first.end, [field] { return field->next(); }}};
+    const std::function<FieldPart()> next = parts_of(scenario, seed, number);
+    const FieldPart first = next();
+    LaidField laid{{gathered(first.floes)}, {first.end, next}};
     measure(laid.floes, scenario);
     return laid;
 }

@@ -90,6 +90,13 @@ std::optional<std::pair<std::size_t, std::size_t>> overlapping_pair(const Walls&
     return std::nullopt;
 }
 
+/// Whether they are farther than `gap` apart along x, without a look at their edges.
+bool are_far_apart(Corners a, Corners b, double gap) {
+    const auto [first_a, last_a] = std::ranges::minmax(a, {}, &Corner::x);
+    const auto [first_b, last_b] = std::ranges::minmax(b, {}, &Corner::x);
+    return first_a.x > last_b.x + gap || first_b.x > last_a.x + gap;
+}
+
 /// The first polygon that leaves the walls, or lies nearer than `gap` to an earlier one.
 std::optional<Fault> fault_of_polygons(const Walls& walls, const std::vector<Outline>& outlines, double gap) {
     for (std::size_t i = 0; i < outlines.size(); ++i) {
@@ -100,23 +107,27 @@ std::optional<Fault> fault_of_polygons(const Walls& walls, const std::vector<Out
                     fmt::format("floe {} is not inside the field: it has a corner at x = {:.4f} m, z = {:.4f} m", i,
                                 corner.x, corner.z),
                     {i}};
-        for (std::size_t k = 0; k < i; ++k)
+        for (std::size_t k = 0; k < i; ++k) {
+            if (are_far_apart(outlines[k], outlines[i], gap)) continue;
             if (const double apart = distance_between(outlines[k], outlines[i]); !(apart >= gap))
                 return Fault{fmt::format("floes {} and {} are {:.4g} m apart and are to be {:.4g} m", k, i, apart, gap),
                              {k, i}};
+        }
     }
     return std::nullopt;
 }
 
 }  // namespace
 
+Outline on_water(Corners outline, const PlanarPose& pose) {
+    const Turn turn = turn_of(pose.yaw);
+    return from_axes(outline, {pose.x, pose.z}, {turn.cos, -turn.sin});
+}
+
 std::vector<Outline> outlines_on_water(const FloeSet& floes) {
     std::vector<Outline> found;
-    for (std::size_t i = 0; i < floes.size(); ++i) {
-        const PlanarPose& pose = floes.floes[i].pose;
-        const Turn turn = turn_of(pose.yaw);
-        found.push_back(from_axes(floes.shape(i).outline, {pose.x, pose.z}, {turn.cos, -turn.sin}));
-    }
+    for (std::size_t i = 0; i < floes.size(); ++i)
+        found.push_back(on_water(floes.shape(i).outline, floes.floes[i].pose));
     return found;
 }
 
@@ -189,6 +200,17 @@ std::optional<std::string> nearness_fault(const Walls& walls, std::span<const Re
     const auto [i, j] = *pair;
     return fmt::format("the floes at x = {:.4f} m, z = {:.4f} m and x = {:.4f} m, z = {:.4f} m are too near",
                        poses[i].x, poses[i].z, poses[j].x, poses[j].z);
+}
+
+std::optional<std::string> nearness_fault(const Walls& walls, std::span<const Outline> outlines,
+                                          std::span<const PlanarPose> poses, double clearance) {
+    // Parts of a field without end go on beyond its ends, so only its sides are walls here.
+    constexpr double far = 1e9;
+    const Walls sides = Walls{-far, walls.low_z, 2 * far, walls.breadth}.shrunk(clearance - rounding);
+    std::vector<Outline> laid;
+    for (std::size_t i = 0; i < poses.size(); ++i) laid.push_back(on_water(outlines[i], poses[i]));
+    if (const auto fault = fault_of_polygons(sides, laid, clearance - rounding)) return fault->sentence;
+    return std::nullopt;
 }
 
 }  // namespace floes

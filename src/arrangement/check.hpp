@@ -15,6 +15,9 @@ namespace floes {
 /// The outline of each floe.
 std::vector<Rectangle> rectangles(const FloeSet& floes);
 
+/// An outline where it lies, in the world's (x, z).
+Outline on_water(Corners outline, const PlanarPose& pose);
+
 /// The outline of each floe where it lies, in the world's (x, z).
 std::vector<Outline> outlines_on_water(const FloeSet& floes);
 
@@ -36,6 +39,10 @@ std::optional<Fault> find_fault(const Scenario& scenario, const FloeSet& floes);
 /// The first of rectangles that is nearer than the clearance (less a nanometre) to an earlier one, or to the sides of
 /// `walls`, in words; nothing if none is. Poses and shapes one by one.
 std::optional<std::string> nearness_fault(const Walls& walls, std::span<const Rectangle> shapes,
+                                          std::span<const PlanarPose> poses, double clearance);
+
+/// The same of outlines about their centroids.
+std::optional<std::string> nearness_fault(const Walls& walls, std::span<const Outline> outlines,
                                           std::span<const PlanarPose> poses, double clearance);
 
 }  // namespace floes

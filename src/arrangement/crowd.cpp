@@ -74,7 +74,7 @@ void Crowd::Body::lie(const PlanarPose& pose) {
 }
 
 Crowd::Crowd(const Walls& walls, std::span<const Rectangle> shapes, std::span<const PlanarPose> poses,
-             const Fixed& fixed)
+             const Fixed<Rectangle>& fixed)
     : walls_(walls),
       diagonal_(2 * std::max(widest_reach(shapes), widest_reach(fixed.shapes))),
       skin_(0.25 * widest_reach(shapes)),

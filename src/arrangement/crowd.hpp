@@ -14,23 +14,18 @@
 #include <vector>
 
 #include "arrangement/boundary.hpp"
+#include "arrangement/lying.hpp"
 #include "arrangement/rectangle.hpp"
 #include "core/turn.hpp"
 #include "core/vector.hpp"
 
 namespace floes {
 
-/// Rectangles that stay where they are; a pose of each shape.
-struct Fixed {
-    std::span<const Rectangle> shapes;
-    std::span<const PlanarPose> poses;
-};
-
 class Crowd {
   public:
     /// Rectangles between walls, at poses of any overlap, one a shape. Those of `fixed` push and are never pushed.
     Crowd(const Walls& walls, std::span<const Rectangle> shapes, std::span<const PlanarPose> poses,
-          const Fixed& fixed = {});
+          const Fixed<Rectangle>& fixed = {});
 
     /// Pushes every overlapping pair apart once, then every rectangle inside the walls. Returns the largest overlap
     /// that it met, m.

@@ -25,11 +25,9 @@ constexpr double waiting_diagonals = 4;
 /// Of the draws of the floes that wait when nothing is laid yet; no field has so many parts.
 constexpr std::uint64_t first_waiting = 1U << 31U;
 
-double area(const SingleFloe& floe) {
-    return floe.shape.length * floe.shape.breadth;
-}
-
+/// Of a polygon twice as far as it reaches from its centroid.
 double diagonal(const SingleFloe& floe) {
+    if (floe.shape.is_polygon()) return 2 * reach_of(floe.shape.outline);
     return std::hypot(floe.shape.length, floe.shape.breadth);
 }
 
@@ -39,9 +37,21 @@ double largest_diagonal(std::span<const SingleFloe> floes) {
     return largest;
 }
 
-std::vector<Rectangle> outlines(std::span<const SingleFloe> floes) {
-    std::vector<Rectangle> found;
-    for (const SingleFloe& floe : floes) found.push_back({0.5 * floe.shape.length, 0.5 * floe.shape.breadth});
+template <class Shape>
+Shape outline_of(const FloeShape& shape);
+template <>
+Rectangle outline_of(const FloeShape& shape) {
+    return {0.5 * shape.length, 0.5 * shape.breadth};
+}
+template <>
+Outline outline_of(const FloeShape& shape) {
+    return shape.outline;
+}
+
+template <class Shape>
+std::vector<Shape> outlines(std::span<const SingleFloe> floes) {
+    std::vector<Shape> found;
+    for (const SingleFloe& floe : floes) found.push_back(outline_of<Shape>(floe.shape));
     return found;
 }
 
@@ -68,6 +78,26 @@ std::vector<PlanarPose> shaken(std::span<const PlanarPose> floes, const Vec2& x,
     return found;
 }
 
+/// What is laid beside what.
+struct Laying {
+    Walls walls;
+    std::span<const SingleFloe> floes;
+    std::span<const SingleFloe> laid;
+    std::span<const PlanarPose> loose;
+    double from = 0;
+    double again = 0;
+    double clearance = 0;
+};
+
+template <class Shape>
+std::vector<PlanarPose> poses_beside(const Laying& of, RandomStream& random) {
+    const std::vector<Shape> shapes = outlines<Shape>(of.floes);
+    if (of.laid.empty()) return scattered(of.walls, shapes, of.clearance, random);
+    const std::vector<Shape> fixed = outlines<Shape>(of.laid);
+    const std::vector<PlanarPose> poses = poses_of(of.laid);
+    return scattered_beside(of.walls, shapes, {{fixed, poses}, of.loose, of.from, of.again}, of.clearance, random);
+}
+
 }  // namespace
 
 EndlessField::EndlessField(const Scenario& scenario, std::uint64_t seed, std::uint32_t number, std::uint64_t geometry)
@@ -78,7 +108,7 @@ EndlessField::EndlessField(const Scenario& scenario, std::uint64_t seed, std::ui
         for (const SingleFloe& floe : drawn(part)) {
             if (!waiting_.empty() && area_ >= wanted) break;
             waiting_.push_back(floe);
-            area_ += area(floe);
+            area_ += floe.shape.area();
             wanted = waiting_diagonals * largest_diagonal(waiting_) * field.concentration * 2 * field.half_width;
         }
     }
@@ -102,9 +132,8 @@ FieldPart EndlessField::next() {
     const double wall = end_of_all();
     for (const SingleFloe& floe : drawn(part)) {
         floes.push_back(floe);
-        area_ += area(floe);
+        area_ += floe.shape.area();
     }
-    const std::vector<Rectangle> shapes = outlines(floes);
     const double reach = largest_diagonal(floes);
     const Field& field = scenario_.field;
     const double low = laid_.empty() ? field.begin : end_ - reach;
@@ -114,13 +143,12 @@ FieldPart EndlessField::next() {
     const double clearance = scenario_.arrangement.clearance;
     const std::uint64_t key = digest64(fmt::format("{:016x} part {}", geometry_, part));
     RandomStream random(seed_, number_, StreamId::scattering, key);
-    const std::vector<Rectangle> fixed = outlines(laid_);
-    const std::vector<PlanarPose> fixed_poses = poses_of(laid_);
     const double from = wall - diagonals_at_the_wall * reach;
     const std::vector<PlanarPose> loose = shaken(before, {end_, from}, reach, random);
+    const Laying laying{walls, floes, laid_, loose, from, end_, clearance};
+    const bool polygons = scenario_.shapes.any();
     const std::vector<PlanarPose> poses =
-        laid_.empty() ? scattered(walls, shapes, clearance, random)
-                      : scattered_beside(walls, shapes, {{fixed, fixed_poses}, loose, from, end_}, clearance, random);
+        polygons ? poses_beside<Outline>(laying, random) : poses_beside<Rectangle>(laying, random);
     for (std::size_t i = 0; i < floes.size(); ++i) floes[i].pose = poses[i];
     std::ranges::stable_sort(floes, {}, [](const SingleFloe& floe) { return floe.pose.x; });
 
@@ -129,7 +157,9 @@ FieldPart EndlessField::next() {
     end_ = 0.5 * (floes[static_cast<std::size_t>(stay) - 1].pose.x + waiting_.front().pose.x);
     floes.resize(static_cast<std::size_t>(stay));
     laid_.insert(laid_.end(), floes.begin(), floes.end());
-    if (const auto fault = nearness_fault(walls, outlines(laid_), poses_of(laid_), clearance)) {
+    const std::vector<PlanarPose> all = poses_of(laid_);
+    if (const auto fault = polygons ? nearness_fault(walls, outlines<Outline>(laid_), all, clearance)
+                                    : nearness_fault(walls, outlines<Rectangle>(laid_), all, clearance)) {
         throw RunError(fmt::format("part {} of arrangement {} came out wrong, which is an error of the program: {}",
                                    part, number_, *fault));
     }

@@ -1,8 +1,9 @@
 #pragma once
-// A field without end, laid part after part as a tow needs it: each of field.floes floes, scattered and pushed apart
-// beside the floes of the part before, which stay where they are. There is no seam: ahead of each part wait more floes,
-// between it and the straight wall against which all were packed. When the next part is laid, those near that wall are
-// thrown again with the new floes, the others are pushed from where they lie, and some of all these are the next part.
+// A field without end of rectangles or polygons, laid part after part as a tow needs it: each of field.floes floes,
+// scattered and pushed apart beside the floes of the part before, which stay where they are. There is no seam: ahead of
+// each part wait more floes, between it and the straight wall against which all were packed. When the next part is
+// laid, those near that wall are thrown again with the new floes, the others are pushed from where they lie, and some
+// of all these are the next part.
 //
 // Part k is the same whatever the length of the run: a pure function of (scenario, seed, number, k).
 

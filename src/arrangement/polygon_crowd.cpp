@@ -88,19 +88,26 @@ void PolygonCrowd::Body::shift(const Corner& arm, const Corner& normal, double p
     lie({pose.x + push * normal.x, pose.z + push * normal.z, pose.yaw + push * turn_weight * lever(arm, normal)});
 }
 
-PolygonCrowd::PolygonCrowd(const Walls& walls, std::span<const Outline> outlines, std::span<const PlanarPose> poses)
-    : walls_(walls) {
+PolygonCrowd::PolygonCrowd(const Walls& walls, std::span<const Outline> outlines, std::span<const PlanarPose> poses,
+                           const Fixed<Outline>& fixed)
+    : walls_(walls), free_(poses.size()) {
     const double first = area_of(outlines.front());
     for (std::size_t i = 0; i < poses.size(); ++i) {
-        Body& body = bodies_.emplace_back();
-        body.own = outlines[i];
-        body.reach = reach_of(outlines[i]);
+        Body& body = add(outlines[i], poses[i]);
         body.weight = first / area_of(outlines[i]);
         body.turn_weight = turning / (body.reach * body.reach);
-        body.lie(poses[i]);
-        widest_ = std::max(widest_, body.reach);
     }
+    for (std::size_t i = 0; i < fixed.poses.size(); ++i) add(fixed.shapes[i], fixed.poses[i]);
     find_neighbours();
+}
+
+PolygonCrowd::Body& PolygonCrowd::add(const Outline& outline, const PlanarPose& pose) {
+    Body& body = bodies_.emplace_back();
+    body.own = outline;
+    body.reach = reach_of(outline);
+    body.lie(pose);
+    widest_ = std::max(widest_, body.reach);
+    return body;
 }
 
 double PolygonCrowd::sweep() {
@@ -118,9 +125,9 @@ double PolygonCrowd::sweep() {
                            other.weight * (1 + other.turn_weight * by_other * by_other);
         const double push = over_relaxation * met->depth / sum;
         one.shift(met->arm_first, met->normal, -push * one.weight);
-        other.shift(met->arm_second, met->normal, push * other.weight);
+        if (second < free_) other.shift(met->arm_second, met->normal, push * other.weight);
     }
-    for (Body& body : bodies_) {
+    for (Body& body : std::span(bodies_).first(free_)) {
         for (const Corner& normal : wall_normals) {
             const auto met = contact(body, normal);
             if (!met) continue;
@@ -140,7 +147,7 @@ void PolygonCrowd::for_each_overlap(const See& see) const {
         see(first, met->depth);
         see(second, met->depth);
     }
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
+    for (std::size_t i = 0; i < free_; ++i)
         for (const Corner& normal : wall_normals)
             if (const auto met = contact(bodies_[i], normal)) see(i, met->depth);
 }
@@ -154,6 +161,7 @@ double PolygonCrowd::deepest() const {
 std::vector<double> PolygonCrowd::overlaps() const {
     std::vector<double> sums(bodies_.size(), 0);
     for_each_overlap([&](std::size_t polygon, double depth) { sums[polygon] += depth; });
+    sums.resize(free_);
     return sums;
 }
 
@@ -176,7 +184,7 @@ void PolygonCrowd::put(std::size_t polygon, const PlanarPose& pose) {
 
 std::vector<PlanarPose> PolygonCrowd::poses() const {
     std::vector<PlanarPose> result;
-    for (const Body& body : bodies_)
+    for (const Body& body : std::span(bodies_).first(free_))
         result.push_back({body.pose.x, body.pose.z, std::remainder(body.pose.yaw, 2 * std::numbers::pi)});
     return result;
 }
@@ -223,6 +231,7 @@ void PolygonCrowd::find_neighbours() {
     for (const Body& body : bodies_) {
         const std::size_t number = places_.size();
         cells.for_each_near(body.pose.x, body.pose.z, [&](const Resident& other) {
+            if (static_cast<std::size_t>(other.floe) >= free_) return;  // both are fixed
             const double both = body.reach + bodies_[static_cast<std::size_t>(other.floe)].reach + skin * widest_;
             const Corner apart = body.place() - Corner{other.x, other.z};
             if (dot(apart, apart) < both * both) pairs_.emplace_back(static_cast<std::size_t>(other.floe), number);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "arrangement/boundary.hpp"
+#include "arrangement/lying.hpp"
 #include "core/vector.hpp"
 #include "outline/polygon.hpp"
 
@@ -15,8 +16,10 @@ namespace floes {
 
 class PolygonCrowd {
   public:
-    /// Outlines about their centroids between walls, at poses of any overlap, one an outline.
-    PolygonCrowd(const Walls& walls, std::span<const Outline> outlines, std::span<const PlanarPose> poses);
+    /// Outlines about their centroids between walls, at poses of any overlap, one an outline. Those of `fixed` push and
+    /// are never pushed.
+    PolygonCrowd(const Walls& walls, std::span<const Outline> outlines, std::span<const PlanarPose> poses,
+                 const Fixed<Outline>& fixed = {});
 
     /// As Crowd's.
     double sweep();
@@ -31,7 +34,7 @@ class PolygonCrowd {
         Outline own;      // in its own axes
         Outline corners;  // where they are, from its centroid
         double reach = 0;
-        double weight = 1;       // the first one's area over its own
+        double weight = 0;       // the first one's area over its own; 0 of one that is fixed
         double turn_weight = 0;  // squared turn (rad) that counts as much as a shift of 1 m
         PlanarPose pose;
 
@@ -45,6 +48,7 @@ class PolygonCrowd {
         Corner arm_first;   // from the middle of each to where they press
         Corner arm_second;  // 0 for a wall
     };
+    Body& add(const Outline& outline, const PlanarPose& pose);
     static std::optional<Contact> contact(const Body& first, const Body& second);
     std::optional<Contact> contact(const Body& body, const Corner& wall_normal) const;
     template <class See>
@@ -53,7 +57,8 @@ class PolygonCrowd {
     bool neighbours_are_old() const;
 
     Walls walls_;
-    double widest_ = 0;  // the largest reach, m
+    double widest_ = 0;     // the largest reach, m
+    std::size_t free_ = 0;  // so many bodies, the first, can be pushed
     std::vector<Body> bodies_;
     std::vector<Corner> places_;  // of the bodies when neighbours were found
     std::vector<std::pair<std::size_t, std::size_t>> pairs_;

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <string>
 
 #include "arrangement/crowd.hpp"
 #include "arrangement/polygon_crowd.hpp"
@@ -77,11 +78,12 @@ void fill_a_pocket(AnyCrowd& crowd, std::span<const Shape> shapes, const Walls& 
 }
 
 /// Between which walls floes are pushed and thrown, and beside what.
+template <class Shape>
 struct Room {
     Walls walls;
     Walls first;  // where floes are thrown
     Walls again;  // where those are that do not fit
-    Fixed fixed;
+    Fixed<Shape> fixed;
     std::span<const PlanarPose> loose;
 
     std::vector<PlanarPose> poses(std::size_t floes, RandomStream& random) const {
@@ -91,17 +93,16 @@ struct Room {
     }
 };
 
-Crowd crowd_in(const Room& room, std::span<const Rectangle> shapes, RandomStream& random) {
+Crowd crowd_in(const Room<Rectangle>& room, std::span<const Rectangle> shapes, RandomStream& random) {
     return {room.walls, shapes, room.poses(shapes.size(), random), room.fixed};
 }
-/// Beside nothing: no polygon is fixed.
-PolygonCrowd crowd_in(const Room& room, std::span<const Outline> shapes, RandomStream& random) {
-    return {room.walls, shapes, room.poses(shapes.size(), random)};
+PolygonCrowd crowd_in(const Room<Outline>& room, std::span<const Outline> shapes, RandomStream& random) {
+    return {room.walls, shapes, room.poses(shapes.size(), random), room.fixed};
 }
 
 template <class Shape>
-std::optional<std::vector<PlanarPose>> attempt_mixed(const Room& room, std::span<const Shape> shapes, double margin,
-                                                     RandomStream& random) {
+std::optional<std::vector<PlanarPose>> attempt_mixed(const Room<Shape>& room, std::span<const Shape> shapes,
+                                                     double margin, RandomStream& random) {
     auto crowd = crowd_in(room, shapes, random);
     for (int round = 0; round < pocket_rounds; ++round) {
         for (int sweep = 0; sweep < pocket_sweeps; ++sweep)
@@ -111,8 +112,8 @@ std::optional<std::vector<PlanarPose>> attempt_mixed(const Room& room, std::span
     return {};
 }
 
-std::optional<std::vector<PlanarPose>> attempt(const Room& room, std::span<const Rectangle> shapes, double margin,
-                                               RandomStream& random) {
+std::optional<std::vector<PlanarPose>> attempt_alike(const Room<Rectangle>& room, std::span<const Rectangle> shapes,
+                                                     double margin, RandomStream& random) {
     Crowd crowd = crowd_in(room, shapes, random);
     for (int round = 0; round < rounds; ++round) {
         for (int sweep = 0; sweep < sweeps_per_round; ++sweep)
@@ -124,72 +125,98 @@ std::optional<std::vector<PlanarPose>> attempt(const Room& room, std::span<const
     return {};
 }
 
+/// Floes of one size are thrown again where they are wedged, of others the smallest fills a pocket.
+std::optional<std::vector<PlanarPose>> attempt(const Room<Rectangle>& room, std::span<const Rectangle> shapes,
+                                               double margin, RandomStream& random) {
+    const bool mixed = std::ranges::any_of(shapes, [&](const Rectangle& one) { return one != shapes.front(); });
+    return mixed ? attempt_mixed(room, shapes, margin, random) : attempt_alike(room, shapes, margin, random);
+}
+std::optional<std::vector<PlanarPose>> attempt(const Room<Outline>& room, std::span<const Outline> shapes,
+                                               double margin, RandomStream& random) {
+    return attempt_mixed(room, shapes, margin, random);
+}
+
+double half_width(const Rectangle& shape) {
+    return std::min(shape.half_length, shape.half_breadth);
+}
+double half_width(const Outline& shape) {
+    return inner_radius(shape);
+}
+
+Rectangle enlarged(const Rectangle& shape, double clearance, double margin) {
+    return shape.grown(0.5 * clearance).grown(margin);
+}
+Outline enlarged(const Outline& shape, double clearance, double margin) {
+    return grown(shape, 0.5 * clearance + margin);
+}
+
+std::string refusal(const Walls& walls, std::span<const Rectangle> shapes, double clearance) {
+    const Rectangle largest = covering(shapes);
+    return fmt::format(
+        "{} floes of {} m x {} m, scattered in a field of {:.3f} m x {:.3f} m, still overlap after {} attempts at "
+        "pushing them apart to a clearance of {} m; lower field.concentration_percent or the clearance, or use "
+        "arrangement.method = \"monte_carlo\", whose floes lie in rows where they are dense",
+        shapes.size(), 2 * largest.half_length, 2 * largest.half_breadth, walls.length, walls.breadth, attempts,
+        clearance);
+}
+std::string refusal(const Walls& walls, std::span<const Outline> outlines, double clearance) {
+    double area = 0;
+    for (const Outline& one : outlines) area += area_of(one);
+    return fmt::format(
+        "{} polygons that cover {:.3g} % of a field of {:.3f} m x {:.3f} m still overlap after {} attempts at pushing "
+        "them apart to a clearance of {} m; lower field.concentration_percent or the clearance, or take "
+        "shapes.kind = \"voronoi\", whose cells fit at any concentration",
+        outlines.size(), 100 * area / (walls.length * walls.breadth), walls.length, walls.breadth, attempts, clearance);
+}
+
 /// Thrown and pushed until none overlap.
-std::vector<PlanarPose> pushed_apart(const Walls& walls, std::span<const Rectangle> shapes,
-                                     const std::optional<Beside>& beside, double clearance, RandomStream& random) {
+template <class Shape>
+std::vector<PlanarPose> pushed_apart(const Walls& walls, std::span<const Shape> shapes,
+                                     const std::optional<Beside<Shape>>& beside, double clearance,
+                                     RandomStream& random) {
     // Floes are enlarged by this margin and come to rest with overlaps below it, so the true floes do not overlap.
-    const double margin = 1e-4 * least_half_side(shapes);
-    const auto grown_all = [&](std::span<const Rectangle> given) {
-        std::vector<Rectangle> grown;
-        for (const Rectangle& shape : given) grown.push_back(shape.grown(0.5 * clearance).grown(margin));
-        return grown;
+    double margin = std::numeric_limits<double>::infinity();
+    for (const Shape& shape : shapes) margin = std::min(margin, 1e-4 * half_width(shape));
+    const auto enlarge_all = [&](std::span<const Shape> given) {
+        std::vector<Shape> larger;
+        for (const Shape& shape : given) larger.push_back(enlarged(shape, clearance, margin));
+        return larger;
     };
-    const std::vector<Rectangle> grown = grown_all(shapes);
-    const std::vector<Rectangle> fixed = beside ? grown_all(beside->fixed.shapes) : std::vector<Rectangle>{};
+    const std::vector<Shape> larger = enlarge_all(shapes);
+    const std::vector<Shape> fixed = beside ? enlarge_all(beside->fixed.shapes) : std::vector<Shape>{};
     const Walls inner = walls.shrunk(0.5 * clearance);
-    Room room{inner, inner, inner, {}, {}};
+    Room<Shape> room{inner, inner, inner, {}, {}};
     if (beside) {
         const auto beyond = [&](double x) {
             return Walls{x, inner.low_z, inner.low_x + inner.length - x, inner.breadth};
         };
         room = {inner, beyond(beside->from), beyond(beside->again), {fixed, beside->fixed.poses}, beside->loose};
     }
-    const bool mixed = std::ranges::any_of(shapes, [&](const Rectangle& one) { return one != shapes.front(); });
     for (int i = 0; i < attempts; ++i)
-        if (const auto poses = (mixed ? attempt_mixed<Rectangle> : attempt)(room, grown, margin, random)) return *poses;
-    const Rectangle largest = covering(shapes);
-    throw InputError(fmt::format(
-        "{} floes of {} m x {} m, scattered in a field of {:.3f} m x {:.3f} m, still overlap after {} attempts at "
-        "pushing them apart to a clearance of {} m; lower field.concentration_percent or the clearance, or use "
-        "arrangement.method = \"monte_carlo\", whose floes lie in rows where they are dense",
-        shapes.size(), 2 * largest.half_length, 2 * largest.half_breadth, walls.length, walls.breadth, attempts,
-        clearance));
+        if (const auto poses = attempt(room, std::span<const Shape>(larger), margin, random)) return *poses;
+    throw InputError(refusal(walls, shapes, clearance));
 }
 
 }  // namespace
 
 std::vector<PlanarPose> scattered(const Walls& walls, std::span<const Rectangle> shapes, double clearance,
                                   RandomStream& random) {
-    return pushed_apart(walls, shapes, {}, clearance, random);
-}
-
-std::vector<PlanarPose> scattered_beside(const Walls& walls, std::span<const Rectangle> shapes, const Beside& beside,
-                                         double clearance, RandomStream& random) {
-    return pushed_apart(walls, shapes, beside, clearance, random);
+    return pushed_apart<Rectangle>(walls, shapes, {}, clearance, random);
 }
 
 std::vector<PlanarPose> scattered(const Walls& walls, std::span<const Outline> outlines, double clearance,
                                   RandomStream& random) {
-    double least = std::numeric_limits<double>::infinity();
-    double area = 0;
-    for (const Outline& one : outlines) {
-        least = std::min(least, inner_radius(one));
-        area += area_of(one);
-    }
-    const double margin = 1e-4 * least;
-    const Walls inner = walls.shrunk(0.5 * clearance);
-    const Room room{inner, inner, inner, {}, {}};
-    std::vector<Outline> larger;
-    for (const Outline& one : outlines) larger.push_back(grown(one, 0.5 * clearance + margin));
-    const std::span<const Outline> shapes = larger;
-    for (int i = 0; i < attempts; ++i)
-        if (const auto poses = attempt_mixed<Outline>(room, shapes, margin, random)) return *poses;
-    throw InputError(fmt::format(
-        "{} polygons that cover {:.3g} % of a field of {:.3f} m x {:.3f} m still overlap after {} attempts at pushing "
-        "them apart to a clearance of {} m; lower field.concentration_percent or the clearance, or take "
-        "shapes.kind = \"voronoi\", whose cells fit at any concentration",
-        outlines.size(), 100 * area / (walls.length * walls.breadth), walls.length, walls.breadth, attempts,
-        clearance));
+    return pushed_apart<Outline>(walls, outlines, {}, clearance, random);
+}
+
+std::vector<PlanarPose> scattered_beside(const Walls& walls, std::span<const Rectangle> shapes,
+                                         const Beside<Rectangle>& beside, double clearance, RandomStream& random) {
+    return pushed_apart<Rectangle>(walls, shapes, beside, clearance, random);
+}
+
+std::vector<PlanarPose> scattered_beside(const Walls& walls, std::span<const Outline> outlines,
+                                         const Beside<Outline>& beside, double clearance, RandomStream& random) {
+    return pushed_apart<Outline>(walls, outlines, beside, clearance, random);
 }
 
 }  // namespace floes

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "arrangement/boundary.hpp"
-#include "arrangement/crowd.hpp"
+#include "arrangement/lying.hpp"
 #include "arrangement/rectangle.hpp"
 #include "core/random.hpp"
 #include "core/vector.hpp"
@@ -22,16 +22,10 @@ std::vector<PlanarPose> scattered(const Walls& walls, std::span<const Rectangle>
 std::vector<PlanarPose> scattered(const Walls& walls, std::span<const Outline> outlines, double clearance,
                                   RandomStream& random);
 
-/// What lies already: floes that stay, and others, the first of the shapes, that may be pushed from where they are.
-struct Beside {
-    Fixed fixed;
-    std::span<const PlanarPose> loose;
-    double from = 0;   ///< x: the middles of the other floes are thrown anywhere from here to the far wall, m
-    double again = 0;  ///< x: and of any that does not fit from here, m
-};
-
 /// The same beside what lies already.
-std::vector<PlanarPose> scattered_beside(const Walls& walls, std::span<const Rectangle> shapes, const Beside& beside,
-                                         double clearance, RandomStream& random);
+std::vector<PlanarPose> scattered_beside(const Walls& walls, std::span<const Rectangle> shapes,
+                                         const Beside<Rectangle>& beside, double clearance, RandomStream& random);
+std::vector<PlanarPose> scattered_beside(const Walls& walls, std::span<const Outline> outlines,
+                                         const Beside<Outline>& beside, double clearance, RandomStream& random);
 
 }  // namespace floes

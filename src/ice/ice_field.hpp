@@ -39,8 +39,9 @@ class IceField {
     /// piece. Of the scenario it takes the water and what the paper leaves open, not the ice.
     IceField(World& world, const Scenario& scenario, const FloeSet& floes);
 
-    /// A floe more, in the place of one of as many elements that has left or, without one, behind all others. Returns
-    /// its place: the index by which elements() and the functions below know it.
+    /// A floe more, in the place of one that has left, or behind all others if there is none: of a rectangle with as
+    /// many elements along and across, of a polygon with as many. Returns its place: the index by which elements() and
+    /// the functions below know it.
     int enter(World& world, const Scenario& scenario, const SingleFloe& floe);
 
     /// Takes the floe at this place out of the world; the counts below keep it.
@@ -130,6 +131,7 @@ class IceField {
         bool rests = false;
         std::shared_ptr<const CutFloe> cut{};  // of a polygon
         std::vector<Thresholds> of_joints{};   // likewise, by number
+        std::vector<std::size_t> joints{};     // likewise, which of those ever made
 
         int elements() const { return cut ? static_cast<int>(cut->elements.size()) : grid.elements(); }
         const Thresholds& of(const Joint& joint) const {
@@ -157,11 +159,14 @@ class IceField {
     int pieces_at(const Sheet& sheet) const;
     void add_piece_areas(const Sheet& sheet, std::vector<PieceArea>& areas) const;
     std::size_t free_place(const FloeGrid& grid) const;
+    std::size_t free_place(const CutFloe& cut) const;
     void add_floe(World& world, const Scenario& scenario, const SingleFloe& floe, const std::vector<GridJoint>& order);
     void add_polygon(World& world, const Scenario& scenario, const SingleFloe& floe,
                      const std::shared_ptr<const CutFloe>& cut);
     void put_element(World& world, std::size_t at, const IceElement& element, const BoxDefinition& box,
                      const PressedElement& pressed);
+    void put_element(World& world, std::size_t at, const IceElement& element, const PrismDefinition& prism);
+    std::size_t put_joint(World& world, const JointDefinition& definition);
     void put_joint(World& world, std::size_t at, const GridJoint& joint, const JointDefinition& definition);
     void append(const IceElement& element, BodyId body);
     /// Where a joint is, by the state of its element a.
@@ -179,7 +184,8 @@ class IceField {
     std::vector<Sheet> floes_;
     std::vector<IceElement> elements_;
     std::vector<std::size_t> element_of_body_;
-    std::vector<JointId> joint_ids_;  // of all ever made
+    std::vector<JointId> joint_ids_;        // of all ever made
+    std::vector<std::size_t> free_joints_;  // of these, joints of polygons that have left; the first last
     int entered_ = 0;
     Left left_;
     std::vector<Joint> joints_;  // live, in order of creation

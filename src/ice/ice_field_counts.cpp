@@ -1,16 +1,21 @@
 // Floes of an IceField that come and go, and its counts.
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <set>
 
 #include "ice/ice_field.hpp"
+#include "ice/polygon_floe.hpp"
 
 namespace floes {
 
 int IceField::enter(World& world, const Scenario& scenario, const SingleFloe& floe) {
     const int number = entered_;
-    add_floe(world, scenario, floe, joint_order(grid_of(floe.shape)));
+    if (const std::shared_ptr<const CutFloe> cut = cut_of(floe.shape))
+        add_polygon(world, scenario, floe, cut);
+    else
+        add_floe(world, scenario, floe, joint_order(grid_of(floe.shape)));
     return place_of(number);
 }
 
@@ -29,6 +34,8 @@ void IceField::leave(World& world, int place) {
         if (by_stress_) stress_.remove_joint(joint.place);
     }
     std::erase_if(joints_, [&](const Joint& joint) { return joint.floe == place; });
+    free_joints_.insert(free_joints_.end(), sheet.joints.begin(), sheet.joints.end());
+    std::ranges::sort(free_joints_, std::ranges::greater());
     for (int index = 0; index < sheet.elements(); ++index)
         world.take_out(elements_[static_cast<std::size_t>(sheet.first + index)].body);
 }

@@ -13,16 +13,17 @@ namespace {
 /// Corners nearer than this share of the area's breadth are one.
 constexpr double exact = 1e-6;
 
-Outline cell_of(const WaterArea& area, const std::vector<Corner>& points, const std::vector<std::size_t>& by_x,
-                std::size_t place) {
-    const Corner& own = points[by_x[place]];
+}  // namespace
+
+Outline voronoi_cell(const WaterArea& area, Corners by_x, std::size_t point) {
+    const Corner& own = by_x[point];
     const double right = area.low_x + area.length;
     const double high = area.low_z + area.breadth;
     Outline cell{{area.low_x, area.low_z}, {right, area.low_z}, {right, high}, {area.low_x, high}};
     double reach = reach_of(in_axes(cell, own, {1, 0}));
     // Neighbours in the order of their distance along x, until none can matter.
     const auto meet = [&](std::size_t other) {
-        const Corner apart = points[by_x[other]] - own;
+        const Corner apart = by_x[other] - own;
         const double distance = std::sqrt(dot(apart, apart));
         if (distance > 2 * reach || !(distance > 0)) return;
         const Corner normal = (1 / distance) * apart;
@@ -31,9 +32,9 @@ Outline cell_of(const WaterArea& area, const std::vector<Corner>& points, const 
         cell = left;
         reach = reach_of(in_axes(cell, own, {1, 0}));
     };
-    const auto along = [&](std::size_t other) { return std::abs(points[by_x[other]].x - own.x); };
-    std::size_t before = place;
-    std::size_t next = place + 1;
+    const auto along = [&](std::size_t other) { return std::abs(by_x[other].x - own.x); };
+    std::size_t before = point;
+    std::size_t next = point + 1;
     for (;;) {
         const bool back = before > 0 && along(before - 1) <= 2 * reach;
         const bool on = next < by_x.size() && along(next) <= 2 * reach;
@@ -45,12 +46,16 @@ Outline cell_of(const WaterArea& area, const std::vector<Corner>& points, const 
     }
 }
 
+namespace {
+
 std::vector<Outline> cells_of(const WaterArea& area, const std::vector<Corner>& points) {
-    std::vector<std::size_t> by_x(points.size());
-    std::iota(by_x.begin(), by_x.end(), std::size_t{0});
-    std::ranges::sort(by_x, {}, [&](std::size_t n) { return points[n]; });
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::sort(order, {}, [&](std::size_t n) { return points[n]; });
+    std::vector<Corner> by_x;
+    for (const std::size_t n : order) by_x.push_back(points[n]);
     std::vector<Outline> cells(points.size());
-    for (std::size_t place = 0; place < by_x.size(); ++place) cells[by_x[place]] = cell_of(area, points, by_x, place);
+    for (std::size_t place = 0; place < order.size(); ++place) cells[order[place]] = voronoi_cell(area, by_x, place);
     return cells;
 }
 

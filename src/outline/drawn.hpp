@@ -2,6 +2,7 @@
 // Outlines that are drawn: cells of a Voronoi diagram, and polygons about an ellipse. Each has a random stream of its
 // own. The same bits with any C library: no functions but square roots.
 
+#include <cstddef>
 #include <vector>
 
 #include "core/random.hpp"
@@ -16,6 +17,9 @@ struct WaterArea {
     double length = 0;   ///< along x
     double breadth = 0;  ///< along z
 };
+
+/// The Voronoi cell of one of some points in the area; by_x: all of them, sorted.
+Outline voronoi_cell(const WaterArea& area, Corners by_x, std::size_t point);
 
 /// The Voronoi cells of `count` points thrown into the area. After each of `relaxations` steps of Lloyd's the points
 /// are at the centroids of their cells: none leaves cells of very unequal areas, many make them all much alike.

@@ -19,9 +19,6 @@ void check_shapes(const Scenario& scenario, Contradictions& found) {
                          fmt::format("{} is not possible with {}: {}; take {}", given(scenario, "shapes.kind"),
                                      given(scenario, with), reason, instead)});
     };
-    if (scenario.field.endless())
-        refuse("field.far_end", "parts of such a field are packed beside one another as rectangles only",
-               "shapes.kind = \"rectangle\", or a field with an end");
     const bool voronoi = scenario.shapes.kind == ShapeKind::voronoi;
     if (scenario.joint.model != JointModel::beam)
         refuse("joint.model", "Σ and Γ are fitted to square elements", "joint.model = \"beam\"");

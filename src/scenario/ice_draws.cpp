@@ -9,12 +9,16 @@
 namespace floes {
 namespace {
 
+/// Which draw of which part.
+std::uint64_t of_part(const Scenario& scenario, const Draw& draw) {
+    return static_cast<std::uint64_t>(scenario.spread.draw) + (draw.part << 32U);
+}
+
 /// The factors of one property, floe after floe.
 class PropertyDraws {
   public:
     PropertyDraws(const Spread& spread, const Scenario& scenario, const Draw& draw, StreamId stream)
-        : random_(draw.seed, draw.number, stream,
-                  static_cast<std::uint64_t>(scenario.spread.draw) + (draw.part << 32U)) {
+        : random_(draw.seed, draw.number, stream, of_part(scenario, draw)) {
         if (spread.any()) factors_.emplace(spread.factors());
     }
 
@@ -65,7 +69,7 @@ void draw_ice(const Scenario& scenario, const Draw& draw, std::vector<SingleFloe
     PropertyDraws density = draws(spread.density, StreamId::ice_density);
     PropertyDraws salinity = draws(spread.salinity, StreamId::ice_salinity);
     PropertyDraws temperature = draws(spread.temperature, StreamId::ice_temperature);
-    RandomStream weakened(draw.seed, draw.number, StreamId::weakened_ice, static_cast<std::uint64_t>(spread.draw));
+    RandomStream weakened(draw.seed, draw.number, StreamId::weakened_ice, of_part(scenario, draw));
     const double correlation = spread.thickness.any() && spread.strength.any() ? spread.correlation : 0;
     for (SingleFloe& floe : floes) {
         const double of_thickness = thickness.share();

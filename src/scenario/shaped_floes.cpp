@@ -30,13 +30,6 @@ double yaw_of(const Corner& axis) {
     return static_cast<float>(std::atan2(-axis.z, axis.x));
 }
 
-/// Whether each floe is a sheet that can be cut into elements.
-bool are_floes(const std::vector<Outline>& outlines, double thickness) {
-    return std::ranges::all_of(outlines, [&](const Outline& one) {
-        return one.size() >= 3 && one.size() + 8 <= most_corners && inner_radius(one) > thickness / 2;
-    });
-}
-
 void grow_cells(const Scenario& scenario, const Draw& draw, std::vector<SingleFloe>& floes) {
     constexpr int attempts = 20;
     const Field& field = scenario.field;
@@ -49,7 +42,8 @@ void grow_cells(const Scenario& scenario, const Draw& draw, std::vector<SingleFl
         cells = shrunk_to(voronoi_cells({field.begin, -field.half_width, length, breadth},
                                         static_cast<int>(floes.size()), scenario.shapes.relaxations, random),
                           field.concentration * length * breadth);
-        found = are_floes(cells.outlines, scenario.floe.thickness);
+        found = std::ranges::all_of(cells.outlines,
+                                    [&](const Outline& one) { return is_floe(one, scenario.floe.thickness); });
     }
     if (!found)
         throw InputError(fmt::format(
@@ -57,29 +51,37 @@ void grow_cells(const Scenario& scenario, const Draw& draw, std::vector<SingleFl
             "in by {:.4g} m, in each of {} attempts; relax more, raise field.concentration_percent or take larger "
             "floes",
             scenario.shapes.relaxations, cells.offset, attempts));
-    if (2 * cells.offset < scenario.arrangement.clearance || cells.offset < scenario.arrangement.clearance)
-        throw InputError(fmt::format(
-            "Voronoi cells at field.concentration_percent = {:g} are {:.4g} m apart and {:.4g} m from the walls, less "
-            "than arrangement.clearance_m = {:g}; lower one of the two",
-            100 * field.concentration, 2 * cells.offset, cells.offset, scenario.arrangement.clearance));
-    for (std::size_t i = 0; i < floes.size(); ++i) {
-        const Outline& cell = cells.outlines[i];
-        const Measures measures = measures_of(cell);
-        PlanarPose& pose = floes[i].pose;
-        pose = {measures.centroid.x, measures.centroid.z, yaw_of(long_axis(measures))};
-        const Turn turn = turn_of(pose.yaw);
-        give(floes[i].shape, tidied(cell, shortest_edge * std::sqrt(measures.area)), measures.centroid,
-             {turn.cos, -turn.sin});
-    }
+    check_gap(scenario, cells.offset);
+    for (std::size_t i = 0; i < floes.size(); ++i) lay_cell(floes[i], cells.outlines[i]);
 }
 
 }  // namespace
 
+bool is_floe(Corners outline, double thickness) {
+    return outline.size() >= 3 && outline.size() + 8 <= most_corners && inner_radius(outline) > thickness / 2;
+}
+
+void lay_cell(SingleFloe& floe, const Outline& cell) {
+    const Measures measures = measures_of(cell);
+    floe.pose = {measures.centroid.x, measures.centroid.z, yaw_of(long_axis(measures))};
+    const Turn turn = turn_of(floe.pose.yaw);
+    give(floe.shape, tidied(cell, shortest_edge * std::sqrt(measures.area)), measures.centroid, {turn.cos, -turn.sin});
+}
+
+void check_gap(const Scenario& scenario, double offset) {
+    const double clearance = scenario.arrangement.clearance;
+    if (offset >= clearance) return;  // from the walls; apart from each other they are twice as far
+    throw InputError(fmt::format(
+        "Voronoi cells at field.concentration_percent = {:g} are {:.4g} m apart and {:.4g} m from the walls, less "
+        "than arrangement.clearance_m = {:g}; lower one of the two",
+        100 * scenario.field.concentration, 2 * offset, offset, clearance));
+}
+
 void shape_floes(const Scenario& scenario, const Draw& draw, std::vector<SingleFloe>& floes) {
     const Shapes& shapes = scenario.shapes;
-    if (shapes.kind == ShapeKind::voronoi) return grow_cells(scenario, draw, floes);
+    if (shapes.kind == ShapeKind::voronoi && draw.part == 0) grow_cells(scenario, draw, floes);
     if (shapes.kind != ShapeKind::polygon) return;
-    RandomStream random(draw.seed, draw.number, StreamId::polygons, 0);
+    RandomStream random(draw.seed, draw.number, StreamId::polygons, draw.part);
     for (SingleFloe& floe : floes) {
         const Outline outline =
             polygon_about(floe.shape.length, floe.shape.breadth, shapes.corners, shapes.irregularity, random);

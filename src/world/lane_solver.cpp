@@ -92,10 +92,11 @@ void LaneSolver::take_out(std::size_t body) {
 }
 
 void LaneSolver::put_in(std::size_t number, const btRigidBody& body, int piece, double crushing_pressure) {
-    bodies_[number] = made_of(body, crushing_pressure, {});
+    const Body& made = bodies_[number] = made_of(body, crushing_pressure, {});
     if (in_system_body(number)) system_->set_state(number, bodies_[number].start);
     const Triple extent = half_extent(body);
-    boxes_.put_in(static_cast<std::uint32_t>(number), {extent, reach_of(body), false, true, piece});
+    boxes_.put_in(static_cast<std::uint32_t>(number),
+                  {extent, reach_of(body), false, true, piece, made.parts.is_prism ? made.prism.corners : Outline{}});
     structure_contacts_.put_in(number, extent);
     stale_ = true;
 }

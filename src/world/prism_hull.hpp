@@ -7,6 +7,9 @@
 
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 
+#include <deque>
+#include <vector>
+
 #include "collision/prism.hpp"
 #include "world/definitions.hpp"
 
@@ -27,6 +30,17 @@ ATTRIBUTE_ALIGNED16(class) PrismHull final : public btConvexHullShape {
 
   private:
     PrismShape prism_;
+};
+
+/// Hulls, one a body; one that was given back is used for another prism.
+class PrismHulls {
+  public:
+    PrismHull* take(const PrismDefinition& prism);
+    void give_back(const btCollisionShape* shape);
+
+  private:
+    std::deque<PrismHull> hulls_;
+    std::vector<PrismHull*> unused_;
 };
 
 }  // namespace floes

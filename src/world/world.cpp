@@ -74,6 +74,21 @@ class World::Bullet {
         return id;
     }
 
+    void give_back_shape(BodyId element) {
+        const btCollisionShape* shape = body(element).getCollisionShape();
+        if (shape->getShapeType() == BOX_SHAPE_PROXYTYPE)
+            boxes.give_back(shape);
+        else
+            hulls.give_back(shape);
+    }
+
+    /// A box or a prism under the id of an element that was taken out.
+    template <class Definition>
+    void make_anew(BodyId element, btCollisionShape* shape, const Definition& of) {
+        floes::make_anew(body(element), parts_of_body(shape, of.mass, of.pose, friction.ice, true));
+        lanes->put_in(element.index(), body(element), of.piece, of.crushing_pressure);
+    }
+
     FroudeUnits units;
     WorldDefinition definition;
     MaterialFriction friction;
@@ -82,7 +97,7 @@ class World::Bullet {
     btDbvtBroadphase broadphase;
     btSequentialImpulseConstraintSolver stock;
     BoxShapes boxes;
-    std::deque<PrismHull> hulls;
+    PrismHulls hulls;
     std::deque<SolidShape> solids;
     std::optional<btCompoundShape> structure_shape;
     std::deque<btRigidBody> bodies;  // where there are lanes as they were added, apart from those near the structure
@@ -113,8 +128,8 @@ BodyId World::add_element(const BoxDefinition& given) {
 BodyId World::add_prism(const PrismDefinition& given) {
     check(given, bullet_->definition.solver);
     const PrismDefinition prism = bullet_->units.to_own(given);
-    return bullet_->add_body(&bullet_->hulls.emplace_back(prism), prism.mass, prism.pose, bullet_->friction.ice,
-                             prism.piece, 0, prism.crushing_pressure);
+    return bullet_->add_body(bullet_->hulls.take(prism), prism.mass, prism.pose, bullet_->friction.ice, prism.piece, 0,
+                             prism.crushing_pressure);
 }
 
 BodyId World::add_fixed_box(const FixedBoxDefinition& given) {
@@ -200,11 +215,15 @@ void World::put_in(BodyId element, const BoxDefinition& given) {
     check_sleep(bullet_->definition.solver);
     check(given);
     const BoxDefinition box = bullet_->units.to_own(given);
-    btRigidBody& body = bullet_->body(element);
-    bullet_->boxes.give_back(body.getCollisionShape());
-    make_anew(body,
-              parts_of_body(bullet_->boxes.take(box.half_extents), box.mass, box.pose, bullet_->friction.ice, true));
-    bullet_->lanes->put_in(element.index(), body, box.piece, box.crushing_pressure);
+    bullet_->give_back_shape(element);
+    bullet_->make_anew(element, bullet_->boxes.take(box.half_extents), box);
+}
+
+void World::put_in(BodyId element, const PrismDefinition& given) {
+    check(given, bullet_->definition.solver);
+    const PrismDefinition prism = bullet_->units.to_own(given);
+    bullet_->give_back_shape(element);
+    bullet_->make_anew(element, bullet_->hulls.take(prism), prism);
 }
 
 void World::put_in(JointId joint, const JointDefinition& given) {

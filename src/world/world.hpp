@@ -70,6 +70,7 @@ class World {
 
     /// Another element under the id of one that was taken out; it carries no water yet.
     void put_in(BodyId element, const BoxDefinition& box);
+    void put_in(BodyId element, const PrismDefinition& prism);
 
     /// Another joint under the id of one that was removed. Throws InputError as add_joint does.
     void put_in(JointId joint, const JointDefinition& definition);

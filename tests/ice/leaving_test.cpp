@@ -67,6 +67,51 @@ TEST(Leaving, KeepsTheCountsAndThePieces) {
     }
 }
 
+/// A floe of this outline, about its centroid.
+SingleFloe polygon_at(const Scenario& scenario, Outline outline, const PlanarPose& pose) {
+    SingleFloe floe = floe_at(scenario, pose);
+    floe.shape.outline = in_axes(outline, measures_of(outline).centroid, {1, 0});
+    floe.shape.length = size_of(floe.shape.outline).x;
+    floe.shape.breadth = size_of(floe.shape.outline).z;
+    return floe;
+}
+
+TEST(Leaving, APolygonTakesThePlaceOfOneOfAsManyElements) {
+    Scenario scenario = beam_scenario(3, 1);
+    scenario.joint.failure = JointFailure::moment;
+    scenario.general.gravity = 0;
+    const Outline rhomb{{-0.3, -0.1}, {0.2, -0.1}, {0.3, 0.1}, {-0.2, 0.1}};
+    const Outline kite{{-0.3, 0}, {-0.1, -0.1}, {0.3, -0.02}, {0.05, 0.1}};
+    const Outline other{{-0.3, -0.2}, {0.2, -0.2}, {0.3, 0.2}, {-0.2, 0.2}};
+    const SingleFloe first = polygon_at(scenario, rhomb, {0, 0, 0});
+    const SingleFloe second = polygon_at(scenario, kite, {0.1, 0, 0.3});
+    const SingleFloe third = polygon_at(scenario, other, {0, 2, 0});
+    ASSERT_EQ(first.shape.elements(), second.shape.elements());
+    ASSERT_NE(first.shape.elements(), third.shape.elements());
+    World fresh = scenario_world(scenario);
+    IceField alone(fresh, scenario, gathered(std::vector<SingleFloe>{second}));
+    World used = scenario_world(scenario);
+    IceField ice(used, scenario, gathered(std::vector<SingleFloe>{first}));
+    for (int step = 0; step < 5; ++step) {
+        used.apply(ice.elements().front().body, {{0.1, 0.03, 0.02}, {0.01, 0.02, -0.01}});
+        used.step();
+    }
+    ice.leave(used, 0);
+    EXPECT_EQ(ice.enter(used, scenario, third), 1) << "of more elements";
+    EXPECT_EQ(ice.enter(used, scenario, second), 0);
+    EXPECT_EQ(ice.number_of(0), 2);
+    EXPECT_EQ(ice.live_joints(), alone.live_joints() + static_cast<int>(ice.cut(1)->joints.size()));
+    for (int step = 0; step < 30; ++step) {
+        for (auto& [world, field] : {std::pair(&fresh, &alone), std::pair(&used, &ice)}) {
+            world->apply(field->elements().front().body, {{0.01, 0.03, 0.02}, {0.001, 0.002, -0.001}});
+            world->step();
+        }
+        for (std::size_t i = 0; i < alone.elements().size(); ++i)
+            ASSERT_EQ(fresh.state(alone.elements()[i].body).position, used.state(ice.elements()[i].body).position)
+                << step << ' ' << i;
+    }
+}
+
 /// A floe of five in a row falls across a bar and breaks there: by its weight and by what the bar presses.
 struct Fall {
     explicit Fall(const Scenario& given) : scenario(given), world(scenario_world(given)) {

@@ -66,11 +66,6 @@ TEST(Shapes, AreRefusedWhereSquaresAreNeeded) {
     scenario.sizes.law = SizeLaw::lognormal;
     EXPECT_THAT(refusal_of(scenario), HasSubstr("the diagram decides the areas"));
     scenario = polygon_scenario(ShapeKind::polygon);
-    scenario.field.far_end = FarEnd::never;
-    EXPECT_THAT(refusal_of(scenario),
-                HasSubstr("shapes.kind = \"polygon\" is not possible with field.far_end = \"never\": parts of such a "
-                          "field are packed beside one another as rectangles only; take shapes.kind = \"rectangle\""));
-    scenario = polygon_scenario(ShapeKind::polygon);
     scenario.arrangement.method = ArrangementMethod::monte_carlo;
     EXPECT_THAT(refusal_of(scenario), HasSubstr("take arrangement.method = \"scattered\""));
     scenario = polygon_scenario(ShapeKind::polygon);
@@ -79,6 +74,14 @@ TEST(Shapes, AreRefusedWhereSquaresAreNeeded) {
     scenario = polygon_scenario(ShapeKind::voronoi);
     scenario.field.concentration = 0.999;
     EXPECT_THAT(refusal_of(scenario), HasSubstr("arrangement.clearance_m"));
+}
+
+TEST(Shapes, LieInAFieldWithoutEndToo) {
+    for (const ShapeKind kind : {ShapeKind::polygon, ShapeKind::voronoi}) {
+        Scenario scenario = polygon_scenario(kind);
+        scenario.field.far_end = FarEnd::never;
+        EXPECT_EQ(refusal_of(scenario), "");
+    }
 }
 
 TEST(Shapes, LeaveTheDigestOfOthersAlone) {

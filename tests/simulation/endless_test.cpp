@@ -169,6 +169,35 @@ TEST(EndlessTow, OfAHullBeginsWithTheBitsOfAnyLongerOneAndKeepsThePiecesThatLeft
     EXPECT_EQ(pieces, ice.pieces());
 }
 
+/// Polygons, with three floes that differ in size for each place that can be used again.
+Scenario endless_polygons(double seconds, ShapeKind kind) {
+    Scenario scenario = endless(seconds, SolverKind::direct);
+    scenario.joint.failure = JointFailure::moment;
+    scenario.shapes.kind = kind;
+    return scenario;
+}
+
+TEST(EndlessTow, ThroughPolygonsBeginsWithTheBitsOfAnyLongerOne) {
+    for (const ShapeKind kind : {ShapeKind::polygon, ShapeKind::voronoi}) {
+        ASSERT_EQ(find_contradictions(endless_polygons(16, kind)).size(), 0u);
+        Simulation shorter = tow(endless_polygons(8, kind));
+        Simulation longer = tow(endless_polygons(16, kind));
+        ASSERT_TRUE(shorter.run({}));
+        ASSERT_TRUE(longer.run({}));
+        std::vector<double> begin = longer.loads().surge;
+        begin.resize(shorter.loads().surge.size());
+        EXPECT_EQ(begin, shorter.loads().surge);
+        EXPECT_GT(*std::ranges::max_element(begin), 1);
+        const IceField& ice = longer.ice();
+        EXPECT_GT(ice.floes(), ice.places()) << "floes are to have come in places of others";
+        EXPECT_GT(longer.floes_met(), 4);
+        EXPECT_GT(ice.broken_floes(), 0);
+        std::map<int, double> floes;  // in pieces, and the area of these
+        for (const PieceArea& one : ice.piece_areas()) floes[one.floe] += one.area;
+        EXPECT_EQ(std::ssize(floes), ice.split_floes());
+    }
+}
+
 TEST(EndlessTow, CannotBeContinuedFromAState) {
     const Scenario scenario = endless(3);
     const LaidField laid = lay_field(scenario, 1, 0);

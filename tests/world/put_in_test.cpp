@@ -84,6 +84,40 @@ TEST_P(PutIn, GivesTheBitsOfAWorldThatHadNothingElse) {
     EXPECT_TRUE(touched) << "they are to collide";
 }
 
+/// A hexagon of ice, stretched along its x.
+PrismDefinition hexagon_at(const Vec3& position, double stretched) {
+    PrismDefinition prism{.corners = {}, .half_thickness = 0.05, .mass = 1, .pose = {position, Quat::Identity()}};
+    for (const Corner& corner : {Corner{0.1, 0}, {0.05, 0.08}, {-0.05, 0.08}, {-0.1, 0}, {-0.05, -0.08}, {0.05, -0.08}})
+        prism.corners.push_back({stretched * corner.x, corner.z});
+    return prism;
+}
+
+TEST(PutInPrism, GivesTheBitsOfAWorldThatHadNothingElse) {
+    World fresh(definition_of(SolverKind::direct));
+    World used(definition_of(SolverKind::direct));
+    const BodyId struck(0), striker(1);
+    used.add_prism(hexagon_at({0.02, 0, 0}, 1.6));
+    used.add_prism(hexagon_at({-0.5, 0, 0.03}, 1));
+    used.place(striker, {.position = {-0.5, 0, 0.03}, .velocity = {0.5, 0, 0}});
+    for (int i = 0; i < steps; ++i) used.step();
+    EXPECT_FALSE(used.state(struck).velocity.isZero(0)) << "it is to be struck";
+    for (const BodyId body : {struck, striker}) used.take_out(body);
+    used.step();
+    used.put_in(striker, hexagon_at({-0.4, 0, 0.05}, 1.2));  // in the hull of another
+    used.put_in(struck, hexagon_at({0, 0, 0}, 1));
+    fresh.add_prism(hexagon_at({0, 0, 0}, 1));
+    fresh.add_prism(hexagon_at({-0.4, 0, 0.05}, 1.2));
+    for (World* world : {&fresh, &used}) world->place(striker, {.position = {-0.4, 0, 0.05}, .velocity = {0.5, 0, 0}});
+    bool touched = false;
+    for (int i = 0; i < steps; ++i) {
+        for (World* world : {&fresh, &used}) world->step();
+        touched = touched || !fresh.contact_force(struck).isZero(0);
+        for (const BodyId body : {struck, striker})
+            ASSERT_TRUE(test::same_bits(fresh.state(body), used.state(body))) << i << ' ' << body.index();
+    }
+    EXPECT_TRUE(touched) << "they are to collide";
+}
+
 TEST_P(PutIn, WhatIsOutTouchesNothing) {
     World world(definition_of(GetParam()));
     const BodyId striker = world.add_element(test::element_at({-0.4, 0, 0}));
