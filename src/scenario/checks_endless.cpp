@@ -14,6 +14,7 @@ namespace floes {
 namespace {
 
 constexpr double longest_tow = 1e5;  // m: as far as the sides of the field reach
+constexpr double rounding = 1e-9;    // m
 
 const std::string far_end = "field.far_end";
 
@@ -41,18 +42,27 @@ void check_rest(const Scenario& scenario, Contradictions& found) {
     }
 }
 
-/// The window of floes that are computed goes straight on with the tow, and what it has left does not come back.
-void check_straight(const Scenario& scenario, Contradictions& found) {
-    const auto refuse = [&](const std::string& key, const std::string& what, const std::string& instead) {
-        found.push_back({{key, far_end},
-                         fmt::format("{} does not go together with {}: floes are computed round a structure that is "
-                                     "towed straight on, and those behind it are gone; {}, or take a field with an end",
-                                     what, given(scenario, far_end), instead)});
-    };
-    if (scenario.path.any())
-        refuse(scenario.path.legs.empty() ? "path.places" : "path.legs", "a [path]", "leave the path out");
-    if (scenario.moorings.give_way())
-        refuse("moorings.mass_t", given(scenario, "moorings.mass_t"), "take moorings.mass_t = 0");
+/// The window of floes that are computed goes on with the structure and never back, and what it has left is gone.
+void check_way_back(const Scenario& scenario, Contradictions& found) {
+    const double room = scenario.window_behind() - window_least(scenario);
+    double farthest = 0;
+    double time = 0;
+    for (const PathPlace& place : scenario.places()) {
+        const double x = place.pose.x;
+        farthest = std::max(farthest, x);
+        if (farthest - x > room - rounding) {
+            found.push_back(
+                {{scenario.path.legs.empty() ? "path.places" : "path.legs", far_end, "field.behind_m"},
+                 fmt::format("the path takes the structure back by {:.4g} m to x = {:.4g} m after {:.6g} s, "
+                             "and with {} floes more than {:.4g} m behind the farthest place that it has "
+                             "been to are gone, so {:.4g} m is the most; go on along +x, take a larger "
+                             "field.behind_m or a field with an end",
+                             farthest - x, scenario.structure.start + x, time, given(scenario, far_end),
+                             scenario.window_behind(), room)});
+            return;
+        }
+        time += scenario.general.time_step;
+    }
 }
 
 void check_tiles(const Scenario& scenario, Contradictions& found) {
@@ -72,10 +82,7 @@ void check_tiles(const Scenario& scenario, Contradictions& found) {
 }
 
 void check_window(const Scenario& scenario, Contradictions& found) {
-    double diagonal = 0;
-    for (const FloeShape& shape : floe_sizes(scenario))
-        diagonal = std::max(diagonal, std::hypot(shape.length, shape.breadth));
-    const double least = scenario.structure.shape.largest_radius() + diagonal;
+    const double least = window_least(scenario);
     const auto check = [&](const std::string& key, double length, const char* what) {
         if (length > least) return;
         found.push_back({{key, "structure.profile_m", "field.half_width_m"},
@@ -85,7 +92,7 @@ void check_window(const Scenario& scenario, Contradictions& found) {
     };
     check("field.ahead_m", scenario.window_ahead(), "the structure would strike floes at rest when they are");
     check("field.behind_m", scenario.window_behind(), "floes would be taken out while they touch it when they are");
-    const double towed = scenario.structure.speed * (scenario.analysis.steady_start + scenario.analysis.window);
+    const double towed = scenario.reach();
     if (towed + scenario.window_ahead() > longest_tow) {
         found.push_back({{"analysis.window_s", "structure.speed_m_s", "field.ahead_m"},
                          fmt::format("the tow comes {:.4g} m far and looks {:.4g} m ahead, and the sides of a field "
@@ -96,12 +103,21 @@ void check_window(const Scenario& scenario, Contradictions& found) {
 
 }  // namespace
 
+double window_least(const Scenario& scenario) {
+    double diagonal = 0;
+    for (const FloeShape& shape : floe_sizes(scenario))
+        diagonal = std::max(diagonal, std::hypot(shape.length, shape.breadth));
+    return scenario.structure.shape.largest_radius() + diagonal;
+}
+
 void check_endless(const Scenario& scenario, Contradictions& found) {
     if (!scenario.field.endless()) return;
     check_rest(scenario, found);
-    check_straight(scenario, found);
     check_tiles(scenario, found);
-    if (scenario.arrangement.method == ArrangementMethod::scattered) check_window(scenario, found);
+    if (scenario.arrangement.method != ArrangementMethod::scattered) return;
+    const std::size_t before = found.size();
+    check_window(scenario, found);
+    if (found.size() == before) check_way_back(scenario, found);
 }
 
 }  // namespace floes

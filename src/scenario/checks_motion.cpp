@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -64,7 +65,8 @@ void check_way(const Scenario& scenario, const std::vector<PathPlace>& places, C
     const double radius = scenario.structure.shape.largest_radius();
     const double step = scenario.general.time_step;
     const double begin = scenario.structure.start - rounding;
-    const double end = scenario.field_end() + rounding;
+    const bool endless = scenario.field.endless();
+    const double end = endless ? std::numeric_limits<double>::infinity() : scenario.field_end() + rounding;
     bool meets = false;
     for (std::size_t k = 0; k < places.size(); ++k) {
         const PathPlace& place = places[k];
@@ -80,8 +82,10 @@ void check_way(const Scenario& scenario, const std::vector<PathPlace>& places, C
         if (x + radius > end || x < begin)
             return stop(
                 fmt::format("the path leaves the channel: after {:.6g} s the axis is at x = {:.4g} m, and it "
-                            "has to stay from {} to {:.4g} m; take a shorter way or more floes",
-                            time, x, given(scenario, "structure.start_m"), scenario.field_end() - radius));
+                            "has to stay {} {}{}",
+                            time, x, endless ? "ahead of" : "from", given(scenario, "structure.start_m"),
+                            endless ? std::string("; begin with a leg along +x")
+                                    : fmt::format(" to {:.4g} m; take a shorter way or more floes", end - radius)));
         const double speed = place.velocity.norm() + radius * std::abs(place.turning);
         if (speed >= scenario.general.runaway_speed)
             return stop(
@@ -182,7 +186,7 @@ double structure_over_floe(const Scenario& scenario) {
 
 void check_path(const Scenario& scenario, Contradictions& found) {
     const Path& path = scenario.path;
-    if (!path.any() || scenario.field.endless()) return;  // check_endless() refuses both
+    if (!path.any()) return;
     const std::size_t before = found.size();
     if (!path.legs.empty()) check_legs(scenario, found);
     if (!path.table.empty()) check_table(path.table, found);

@@ -47,6 +47,12 @@ std::vector<PathPlace> Scenario::places() const {
     return path.any() ? places_of(path, general.time_step, step_count()) : std::vector<PathPlace>{};
 }
 
+double Scenario::reach() const {
+    double farthest = 0;
+    for (const PathPlace& place : places()) farthest = std::max(farthest, place.pose.x);
+    return path.any() ? farthest : towed();
+}
+
 double Scenario::towed() const {
     if (path.any()) return way_of(places(), general.time_step);
     return structure.speed * (analysis.steady_start + analysis.window);

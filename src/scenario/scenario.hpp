@@ -234,6 +234,7 @@ struct Scenario {
     double closing_speed() const;  ///< of the field, or that of the tow, m/s
     bool towed_straight() const { return !path.any() && !moorings.give_way(); }
     std::vector<PathPlace> places() const;  ///< of a path, places_of() it; empty without one
+    double reach() const;                   ///< m, how far ahead of its start it comes, without its moorings
     double towed() const;                   ///< m, how far the structure goes in a run, along its path
     Material material() const;              ///< of floes that have no other
     ContactLaw contact_law() const { return contact_law(ice); }  ///< contact, with the crushing pressure in force

@@ -14,6 +14,10 @@ std::vector<FloeShape> floe_sizes(const Scenario& scenario);
 /// Side of the elements, m, of a floe whose shorter side is `breadth` before it is rounded.
 double element_side(const Scenario& scenario, double breadth);
 
+/// How far from the structure's axis the edges of a field without end's window (field.ahead_m, field.behind_m) are at
+/// least, m: its radius and the diagonal of the largest floe, so that it touches nothing beyond them.
+double window_least(const Scenario& scenario);
+
 /// How many floes each entry of sizes.list is of: the nearest whole numbers whose sum is field.floes.
 std::vector<int> listed_counts(const Scenario& scenario);
 

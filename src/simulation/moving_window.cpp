@@ -1,8 +1,11 @@
 #include "simulation/moving_window.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
+
+#include "scenario/sizes.hpp"
 
 namespace floes {
 namespace {
@@ -16,6 +19,7 @@ MovingWindow::MovingWindow(const Scenario& scenario, const FloeSet& floes, IceAh
     : ahead_(scenario.window_ahead()),
       behind_(scenario.window_behind()),
       stride_(largest_side(floes) / strides_in_a_floe),
+      least_(window_least(scenario)),
       reserve_(floes_in_reserve * largest_side(floes)),
       at_(-std::numeric_limits<double>::infinity()),
       ice_(std::move(ahead)) {
@@ -24,7 +28,7 @@ MovingWindow::MovingWindow(const Scenario& scenario, const FloeSet& floes, IceAh
 }
 
 bool MovingWindow::moves_to(double structure_x) {
-    const double at = stride_ * std::floor(structure_x / stride_);
+    const double at = std::max(at_, stride_ * std::floor(structure_x / stride_));
     return std::exchange(at_, at) != at;
 }
 

@@ -115,6 +115,7 @@ class Simulation {
     void move_structure();
     void start_window(const FloeSet& floes, IceAhead ahead);
     void move_window();
+    void check_way_back() const;
     void leave_behind();
     bool enter_ahead();
     std::vector<SingleFloe> next_part();

@@ -23,7 +23,8 @@ void Simulation::start_window(const FloeSet& floes, IceAhead ahead) {
 }
 
 void Simulation::move_window() {
-    if (!window_ || !window_->moves_to(motion_.before().x)) return;
+    if (!window_) return;
+    if (!window_->moves_to(motion_.before().x)) return check_way_back();
     leave_behind();
     bool came = false;
     while (enter_ahead()) came = true;
@@ -35,6 +36,16 @@ void Simulation::move_window() {
         encounters_.enter(1);
     }
     sleeping_.list_awake();
+}
+
+/// Only moorings let a structure come so far back: of the other ways scenario/checks_endless.cpp has seen the whole.
+void Simulation::check_way_back() const {
+    const double x = motion_.before().x;
+    if (!window_->has_left(x)) return;
+    throw MemberFailure(
+        fmt::format("The moored structure has come back to x = {:.4g} m (t = {:.2f} s), and floes behind x = {:.4g} m "
+                    "are gone from the field without end; take a larger field.behind_m or moorings that hold it.",
+                    x, time(), window_->first()));
 }
 
 /// Floes of which no element is in the window any more. What stays in their places does not move.

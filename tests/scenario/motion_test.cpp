@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "scenario/keys.hpp"
+#include "scenario/sizes.hpp"
 #include "scenario/validate.hpp"
 
 namespace floes {
@@ -39,26 +40,35 @@ TEST(Motion, MooringsThatHoldAreConsistent) {
     EXPECT_EQ(sentence([](Scenario& s) { s.moorings = {}; }), "consistent");
 }
 
-// What the window of computed floes has left behind does not come back.
-TEST(Motion, OnlyAStraightTowGoesThroughAFieldWithoutEnd) {
-    const auto endless = [](const std::function<void(Scenario&)>& change) {
+// What the window of computed floes has left behind does not come back: 4.8 m behind the farthest place, less the
+// structure's radius and a floe's diagonal.
+TEST(Motion, WaysThroughAFieldWithoutEndComeBackByNoMoreThanWhatIsStillThere) {
+    const auto endless = [](const Path& path, const Moorings& moorings = {}) {
         return sentence([&](Scenario& s) {
             s.field.far_end = FarEnd::never;
             s.arrangement.method = ArrangementMethod::scattered;
-            change(s);
+            s.path = path;
+            s.moorings = moorings;
         });
     };
-    EXPECT_EQ(endless([](Scenario& s) { s.moorings = {}; }), "consistent");
+    Scenario usual;
+    usual.field.far_end = FarEnd::never;
+    const double room = usual.window_behind() - window_least(usual);
+    ASSERT_GT(room, 2);
+    const auto back_by = [](double way) { return Path{.legs = {{0, 0.1, 100, 0}, {pi, 0.1, 10 * way, 0}}}; };
+    EXPECT_EQ(endless({}), "consistent");
+    EXPECT_EQ(endless({}, {.mass = 500, .gyration = 0.4, .surge = 600, .sway = 600, .yaw = 60}), "consistent");
+    EXPECT_EQ(endless({.legs = {{0, 0.5, 300, 0}}}), "consistent") << "farther than any closed field";
+    EXPECT_EQ(endless({.legs = {{-0.01, 0.07, 100, 0.0002}, {0, 0, 50, 0}, {0, 0.07, 200, 0}}}), "consistent");
+    EXPECT_EQ(endless(back_by(room - 0.01)), "consistent");
     EXPECT_THAT(
-        endless([](Scenario&) {}),
-        HasSubstr("moorings.mass_t = 0.5 does not go together with field.far_end = \"never\": floes are computed "
-                  "round a structure that is towed straight on, and those behind it are gone; take "
-                  "moorings.mass_t = 0, or take a field with an end"));
-    EXPECT_THAT(endless([](Scenario& s) {
-                    s.moorings = {};
-                    s.path.legs = {{0, 0.1, 500, 0}};
-                }),
-                HasSubstr("a [path] does not go together with field.far_end = \"never\""));
+        endless(back_by(room + 0.01)),
+        HasSubstr("and with field.far_end = \"never\" floes more than 4.8 m behind the farthest place that it has "
+                  "been to are gone, so"));
+    EXPECT_THAT(endless({.legs = {{pi, 0.1, 10, 0}, {0, 0.1, 200, 0}}}),
+                HasSubstr("it has to stay ahead of structure.start_m = 2.0; begin with a leg along +x"));
+    EXPECT_THAT(endless({.legs = {{0.1, 0.1, 200, 0}}}), HasSubstr("into the bank"));
+    EXPECT_THAT(endless({.legs = {{0, 400, 300, 0}}}), HasSubstr("the path moves the structure's wall at 400 m/s"));
 }
 
 TEST(Motion, MooringsThatDoNotHoldAreRefused) {

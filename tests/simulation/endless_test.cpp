@@ -11,24 +11,10 @@
 #include "core/units.hpp"
 #include "scenario/validate.hpp"
 #include "simulation/simulation.hpp"
-#include "support/jam_scenario.hpp"
+#include "support/endless_scenario.hpp"
 
 namespace floes {
 namespace {
-
-/// A tow of so many seconds at a third of a metre a second, with a window of a few floes: floes come and leave soon.
-Scenario endless(double seconds, SolverKind solver = SolverKind::lanes) {
-    Scenario scenario = jam_scenario();
-    scenario.general.solver = solver;
-    if (solver == SolverKind::direct) scenario.joint.model = JointModel::beam;
-    scenario.arrangement.method = ArrangementMethod::scattered;
-    scenario.field.far_end = FarEnd::never;
-    scenario.field.ahead = 2.4;
-    scenario.field.behind = 1.6;
-    scenario.structure.speed = 0.3;
-    scenario.analysis.window = seconds - scenario.analysis.steady_start;
-    return scenario;
-}
 
 Simulation tow(const Scenario& scenario) {
     LaidField laid = lay_field(scenario, 1, 0);
@@ -40,7 +26,7 @@ TEST(EndlessTow, BeginsWithTheBitsOfAnyLongerOne) {
         std::vector<LoadHistory> loads;
         std::vector<std::size_t> breaks;
         for (const double seconds : {3.0, 6.0, 9.0, 12.0}) {
-            Simulation simulation = tow(endless(seconds, solver));
+            Simulation simulation = tow(endless_scenario(seconds, solver));
             ASSERT_TRUE(simulation.run({}));
             loads.push_back(simulation.loads());
             breaks.push_back(simulation.ice().breaks().size());
@@ -58,7 +44,7 @@ TEST(EndlessTow, BeginsWithTheBitsOfAnyLongerOne) {
 }
 
 TEST(EndlessTow, HasNoMorePlacesForFloesWhenItIsTwiceAsLong) {
-    Simulation simulation = tow(endless(40));
+    Simulation simulation = tow(endless_scenario(40));
     int early = 0;
     int entered = 0;
     ASSERT_TRUE(simulation.run({}, [&](const Simulation& run) {
@@ -74,7 +60,7 @@ TEST(EndlessTow, HasNoMorePlacesForFloesWhenItIsTwiceAsLong) {
 }
 
 TEST(EndlessTow, CountsFloesThatEnteredAndThoseThatMetTheStructure) {
-    const Scenario scenario = endless(12);
+    const Scenario scenario = endless_scenario(12);
     Simulation simulation = tow(scenario);
     std::vector<int> numbers;  // of floes that moved
     ASSERT_TRUE(simulation.run({}, [&](const Simulation& run) {
@@ -99,7 +85,7 @@ TEST(EndlessTow, CountsFloesThatEnteredAndThoseThatMetTheStructure) {
 
 // Floes ahead of the window stay where they were laid.
 TEST(EndlessTow, MovesNothingAheadOfItsWindow) {
-    const Scenario scenario = endless(8);
+    const Scenario scenario = endless_scenario(8);
     LaidField laid = lay_field(scenario, 1, 0);
     Simulation simulation(scenario, laid.floes, laid.ahead);
     ASSERT_TRUE(simulation.run({}));
@@ -116,7 +102,7 @@ TEST(EndlessTow, MovesNothingAheadOfItsWindow) {
 }
 
 TEST(EndlessTow, FloesOfUnlikeIceComeAndLeaveToo) {
-    Scenario scenario = endless(12, SolverKind::direct);
+    Scenario scenario = endless_scenario(12, SolverKind::direct);
     scenario.spread.thickness.law = LawKind::lognormal;
     scenario.spread.thickness.cov = 0.2;
     scenario.sizes.law = SizeLaw::list;
@@ -133,7 +119,7 @@ TEST(EndlessTow, FloesOfUnlikeIceComeAndLeaveToo) {
 
 /// A barge of 0.8 m by 0.5 m.
 Scenario endless_barge(double seconds) {
-    Scenario scenario = endless(seconds, SolverKind::direct);
+    Scenario scenario = endless_scenario(seconds, SolverKind::direct);
     scenario.structure.shape = Shape(
         HullKind::barge, {.length = 0.8, .beam = 0.5, .draught = 0.2, .freeboard = 0.1, .stem = 45 * unit::degree});
     return scenario;
@@ -199,7 +185,7 @@ TEST(EndlessTow, ThroughPolygonsBeginsWithTheBitsOfAnyLongerOne) {
 }
 
 TEST(EndlessTow, CannotBeContinuedFromAState) {
-    const Scenario scenario = endless(3);
+    const Scenario scenario = endless_scenario(3);
     const LaidField laid = lay_field(scenario, 1, 0);
     EXPECT_THROW(Simulation(scenario, laid.floes, Simulation(scenario, laid.floes).state()), InputError);
 }

@@ -117,13 +117,13 @@ std::string ice_words(const Scenario& scenario, std::uint64_t seed) {
 
 std::string endless_words(const Scenario& scenario) {
     const double duration = scenario.analysis.steady_start + scenario.analysis.window;
-    const double towed = scenario.structure.speed * duration;
+    const double reach = scenario.reach();
     return fmt::format(
         "the field has no end: it is laid in parts of {} floes, {:.4g} m long each, ahead of a tow of {:.4g} m in "
         "{:.4g} s; computed are floes up to {:.4g} m ahead of the structure's axis and {:.4g} m behind it, about "
         "{:.0f} "
         "at a time",
-        scenario.field.floes, scenario.field_length(), towed, duration, scenario.window_ahead(),
+        scenario.field.floes, scenario.field_length(), reach, duration, scenario.window_ahead(),
         scenario.window_behind(), computed_floes(scenario));
 }
 
