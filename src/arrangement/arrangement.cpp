@@ -12,6 +12,7 @@
 #include "arrangement/cell_field.hpp"
 #include "arrangement/check.hpp"
 #include "arrangement/endless_field.hpp"
+#include "arrangement/hard_polygons.hpp"
 #include "arrangement/jittered_lattice.hpp"
 #include "arrangement/order.hpp"
 #include "arrangement/sampler.hpp"
@@ -104,14 +105,40 @@ std::vector<PlanarPose> find_poses(const Scenario& scenario, Rectangles shapes, 
     return monte_carlo(scenario, shapes, RandomStream(seed, number, StreamId::monte_carlo, geometry));
 }
 
-/// Cells of a Voronoi diagram have their places already; other polygons are scattered.
+/// A chain of hard polygons from where they are, of which the step is tuned.
+std::vector<PlanarPose> moved_on(const Scenario& scenario, std::span<const Outline> outlines,
+                                 std::span<const PlanarPose> start, int sweeps, RandomStream& random) {
+    const double clearance = scenario.arrangement.clearance;
+    HardPolygons floes(field_walls(scenario).shrunk(clearance), outlines, clearance, start);
+    const Step step = tune(floes, random);
+    for (int i = 0; i < sweeps; ++i) floes.sweep(step, random);
+    return floes.poses();
+}
+
+/// Cells of a Voronoi diagram have their places already, other polygons are scattered; Monte Carlo goes on from there.
 std::vector<PlanarPose> poses_of_polygons(const Scenario& scenario, const FloeSet& floes, std::uint64_t seed,
                                           std::uint32_t number) {
-    if (scenario.shapes.kind == ShapeKind::voronoi) return floes.poses();
-    RandomStream random(seed, number, StreamId::scattering, geometry_key(scenario));
+    const ArrangementRule& rule = scenario.arrangement;
     std::vector<Outline> outlines;
     for (std::size_t i = 0; i < floes.size(); ++i) outlines.push_back(floes.shape(i).outline);
-    return scattered(field_walls(scenario), outlines, scenario.arrangement.clearance, random);
+    const auto laid = [&](RandomStream& random) {
+        if (scenario.shapes.kind == ShapeKind::voronoi) return floes.poses();
+        return scattered(field_walls(scenario), outlines, rule.clearance, random);
+    };
+    if (rule.method == ArrangementMethod::monte_carlo) {
+        RandomStream random(seed, number, StreamId::monte_carlo, geometry_key(scenario));
+        const std::vector<PlanarPose> start = laid(random);
+        return moved_on(scenario, outlines, start, rule.sweeps, random);
+    }
+    // As of rectangles, more sweeps continue the same chain.
+    Scenario unordered = scenario;
+    unordered.arrangement.ordering_sweeps = 0;
+    const std::uint64_t geometry = geometry_key(unordered);
+    RandomStream scattering(seed, number, StreamId::scattering, geometry);
+    const std::vector<PlanarPose> poses = laid(scattering);
+    if (rule.ordering_sweeps == 0) return poses;
+    RandomStream ordering(seed, number, StreamId::ordering, geometry);
+    return moved_on(scenario, outlines, poses, rule.ordering_sweeps, ordering);
 }
 
 /// Every floe's sides, in the order of the law.

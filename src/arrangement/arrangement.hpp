@@ -3,7 +3,7 @@
 //
 //   scenario, campaign seed, arrangement number -> make_arrangement -> poses and their order
 //
-// Methods (scenario.arrangement.method): monte_carlo, hard-rectangle Monte Carlo from a start that it forgets;
+// Methods (scenario.arrangement.method): monte_carlo, Monte Carlo of hard floes from a start that it forgets;
 // lattice, rows and columns with a random jitter; file, poses given; scattered, thrown at random and pushed apart. See
 // docs/arrangement.md.
 

@@ -114,9 +114,10 @@ struct Tuning {
     double target = 0.45;  ///< accepted moves per trial
 };
 
-/// Runs the rounds, which are part of the chain and also equilibrate it. Returns the step to use from then on.
-template <class Boundary>
-Step tune(HardRectangles<Boundary>& floes, RandomStream& random, const Tuning& tuning = {}) {
+/// Of HardRectangles or HardPolygons. Runs the rounds, which are part of the chain and also equilibrate it. Returns the
+/// step to use from then on.
+template <class HardFloes>
+Step tune(HardFloes& floes, RandomStream& random, const Tuning& tuning = {}) {
     const double half_diagonal = floes.half_diagonal();
     double scale =
         0.1;  // largest shift in half-diagonals, and largest turn in radians: a corner moves as far by either

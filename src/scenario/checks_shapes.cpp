@@ -25,12 +25,11 @@ void check_shapes(const Scenario& scenario, Contradictions& found) {
     else if (scenario.joint.fails_by_stress())
         refuse("joint.failure", "the stress below a contact is known for square elements only",
                "joint.failure = \"moment\"");
-    if (scenario.arrangement.method != ArrangementMethod::scattered)
+    const ArrangementMethod method = scenario.arrangement.method;
+    if (method == ArrangementMethod::lattice || method == ArrangementMethod::file)
         refuse("arrangement.method",
                voronoi ? "cells of a Voronoi diagram lie where they grew" : "polygons fit on no lattice of rectangles",
-               "arrangement.method = \"scattered\"");
-    else if (scenario.arrangement.ordering_sweeps > 0)
-        refuse("arrangement.ordering_sweeps", "Monte Carlo moves rectangles only", "arrangement.ordering_sweeps = 0");
+               "arrangement.method = \"scattered\" or \"monte_carlo\"");
     if (!scenario.structure.shape.is_of_revolution() && scenario.water.flow == WaterFlow::potential)
         refuse("hull.shape", "the flow round a hull that is none of revolution is computed for square elements only",
                "water.flow = \"still\"");

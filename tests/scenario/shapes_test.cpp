@@ -66,14 +66,22 @@ TEST(Shapes, AreRefusedWhereSquaresAreNeeded) {
     scenario.sizes.law = SizeLaw::lognormal;
     EXPECT_THAT(refusal_of(scenario), HasSubstr("the diagram decides the areas"));
     scenario = polygon_scenario(ShapeKind::polygon);
-    scenario.arrangement.method = ArrangementMethod::monte_carlo;
-    EXPECT_THAT(refusal_of(scenario), HasSubstr("take arrangement.method = \"scattered\""));
-    scenario = polygon_scenario(ShapeKind::polygon);
-    scenario.arrangement.ordering_sweeps = 10;
-    EXPECT_THAT(refusal_of(scenario), HasSubstr("Monte Carlo moves rectangles only"));
+    scenario.arrangement.method = ArrangementMethod::lattice;
+    EXPECT_THAT(refusal_of(scenario), HasSubstr("take arrangement.method = \"scattered\" or \"monte_carlo\""));
     scenario = polygon_scenario(ShapeKind::voronoi);
     scenario.field.concentration = 0.999;
     EXPECT_THAT(refusal_of(scenario), HasSubstr("arrangement.clearance_m"));
+}
+
+TEST(Shapes, AreMovedByMonteCarloToo) {
+    for (const ShapeKind kind : {ShapeKind::polygon, ShapeKind::voronoi}) {
+        Scenario scenario = polygon_scenario(kind);
+        scenario.arrangement.ordering_sweeps = 10;
+        EXPECT_EQ(refusal_of(scenario), "");
+        scenario = polygon_scenario(kind);
+        scenario.arrangement.method = ArrangementMethod::monte_carlo;
+        EXPECT_EQ(refusal_of(scenario), "");
+    }
 }
 
 TEST(Shapes, LieInAFieldWithoutEndToo) {
