@@ -37,8 +37,8 @@ std::string drawn(const Stage& stage, const Frame& frame, const PictureStyle& st
     return canvas.png();
 }
 
-std::vector<MomentPicture> pictures_of(const ReplaySubject& subject, const KeyFrames& frames) {
-    const Stage stage(subject.about, {frames.history, frames.result.breaks});
+std::vector<MomentPicture> pictures_of(const KeyFrames& frames) {
+    const Stage stage(frames.about, {frames.history, frames.breaks});
     const PictureStyle plan{.view = View::plan, .width = 1040};
     const double worst = frames.worst.time;
     const PictureStyle near{.width = 1040,
@@ -57,12 +57,8 @@ std::vector<MomentPicture> pictures_of(const ReplaySubject& subject, const KeyFr
 
 void add_moments(const std::filesystem::path& file, bool all, ReportData& data) {
     std::vector<ReplaySubject> subjects;
-    const CampaignTable& table = data.evidence.table;
-    for (const int member : pictured_members(data.evidence, all)) {
-        const auto of_case = static_cast<std::size_t>(table.members.at(static_cast<std::size_t>(member)).case_index);
-        if (table.cases.at(of_case).far_end == FarEnd::never) continue;  // a recording holds a field with an end
+    for (const int member : pictured_members(data.evidence, all))
         subjects.push_back(replay_subject(file, data.evidence.table, member));
-    }
     if (subjects.empty()) return;
     const WaitingNote patience(std::cerr,
                                fmt::format("computing {} again for pictures of the largest loads; --pictures none "
@@ -72,7 +68,7 @@ void add_moments(const std::filesystem::path& file, bool all, ReportData& data) 
     tbb::parallel_for(std::size_t{0}, subjects.size(), [&](std::size_t k) { frames[k] = key_frames(subjects[k]); });
     for (std::size_t k = 0; k < subjects.size(); ++k)
         data.moments.push_back({.member = subjects[k].about.member,
-                                .pictures = pictures_of(subjects[k], frames[k]),
+                                .pictures = pictures_of(frames[k]),
                                 .differences = differences(subjects[k], frames[k].result)});
 }
 

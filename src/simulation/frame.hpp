@@ -31,15 +31,21 @@ struct FrameLine {
 };
 
 struct Frame {
-    int step = 0;                        ///< steps completed; 0: the start
-    double time = 0;                     ///< s
-    PlanarPose structure;                ///< of the structure's axis, and its yaw
-    Vec3 load = Vec3::Zero();            ///< contact force on the structure, world axes (surge load: -x), N
-    std::vector<BodyState> elements;     ///< in the order of IceField::elements()
-    std::vector<int> pieces;             ///< of each element: the first element of its piece
-    std::vector<double> utilisation;     ///< of each element: largest λ/ε of its live joints, 0-1
+    int step = 0;                     ///< steps completed; 0: the start
+    double time = 0;                  ///< s
+    PlanarPose structure;             ///< of the structure's axis, and its yaw
+    Vec3 load = Vec3::Zero();         ///< contact force on the structure, world axes (surge load: -x), N
+    std::vector<BodyState> elements;  ///< in the order of IceField::elements()
+    std::vector<int> pieces;          ///< of each element: the first element of its piece
+    std::vector<double> utilisation;  ///< of each element: largest λ/ε of its live joints, 0-1
+    /// Of a field without end: what each of the above is in the numbers of the record (replay/floe_roll.hpp), which
+    /// `pieces` and `contacts` have too; only what is there stands above. Empty: all elements, in order.
+    std::vector<int> ids{};
     std::vector<FrameLine> lines{};      ///< mooring lines that hold
     std::vector<FrameContact> contacts;  ///< of the structure and among the ice, in the order of the solve
+
+    /// The number of the `k`-th element.
+    std::size_t id(std::size_t k) const { return ids.empty() ? k : static_cast<std::size_t>(ids[k]); }
 };
 
 }  // namespace floes

@@ -31,6 +31,7 @@ class MovingWindow {
 
     /// What lies at each place of the ice (IceField::enter).
     std::vector<SingleFloe>& places() { return places_; }
+    const std::vector<SingleFloe>& places() const { return places_; }
 
   private:
     double ahead_, behind_;  // m

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <cmath>
 #include <cstring>
 
 #include "player/synthetic_recording.hpp"
@@ -97,6 +98,42 @@ TEST_F(PackedReplay, KeepsPosesToHalfAQuantum) {
         }
     }
     EXPECT_LT(quanta_.length, 11.0 / 65000);  // the field is 11 m long
+}
+
+// Of a field without end: elements 0 to 8 leave, others come.
+TEST_F(PackedReplay, SaysByATurnOfZerosWhatIsNotThere) {
+    const auto elements = record_.layout().elements.size();
+    FramePacker packer(quanta_, static_cast<int>(elements));
+    const auto is_there = [](int frame, std::size_t e) { return frame < 5 ? e < 18 : e >= 9; };
+    for (int i = 0; i < 10; ++i) {
+        const Frame whole = record_.read(i);
+        Frame part = whole;
+        part.elements.clear();
+        part.pieces.clear();
+        part.utilisation.clear();
+        for (std::size_t e = 0; e < elements; ++e) {
+            if (!is_there(i, e)) continue;
+            part.ids.push_back(static_cast<int>(e));
+            part.elements.push_back(whole.elements[e]);
+            part.pieces.push_back(whole.pieces[e]);
+            part.utilisation.push_back(whole.utilisation[e]);
+        }
+        packer.add(part);
+    }
+    const Unpacked page(packer.finish(), elements);
+    for (int i = 0; i < 10; ++i) {
+        const Frame whole = record_.read(i);
+        for (std::size_t e = 0; e < elements; ++e) {
+            double turn = 0;
+            for (int part = 3; part < 7; ++part) turn += std::pow(page.part(i, part, e), 2);
+            ASSERT_EQ(turn > 0, is_there(i, e)) << i << " " << e;
+            if (!is_there(i, e)) continue;
+            EXPECT_NEAR(quanta_.middle[0] + quanta_.length * page.part(i, 0, e), whole.elements[e].position[0],
+                        0.501 * quanta_.length);
+        }
+    }
+    const double last = page.part(4, 0, 0);
+    EXPECT_EQ(page.part(9, 0, 0), last) << "what has left keeps its place, which takes no bytes";
 }
 
 TEST_F(PackedReplay, KeepsLoadsUtilisationAndPieces) {

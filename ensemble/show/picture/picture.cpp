@@ -48,8 +48,8 @@ void draw_words(Canvas& canvas, const Stage& stage, const Frame& frame, const Pi
                             subject.arrangement, subject.member),
                 bright, 14 * unit);
     canvas.text({left, 72 * unit},
-                fmt::format("broken floes: {} of {}", stage.broken_floes(frame.time), subject.scenario.field.floes),
-                bright, 14 * unit);
+                fmt::format("broken floes: {} of {}", stage.broken_floes(frame.time), subject.floes.size()), bright,
+                14 * unit);
     if (style.view == View::plan) return;
     const double right = style.width - 16 * unit;
     draw_ground(canvas, {style.width - 290 * unit, 0}, {style.width, 100 * unit});
@@ -151,8 +151,8 @@ void draw_history(Canvas& canvas, const Stage& stage, const Frame& frame, const 
 
 int picture_height(const PictureStyle& style, const RecordingSubject& subject) {
     if (style.view != View::plan) return style.height + style.height % 2;
-    const Channel channel = subject.channel();
-    const double share = 2 * channel.outer_edge / (channel.end - channel.begin);
+    const Vec2 x = plan_of(subject, 0);
+    const double share = 2 * subject.channel().outer_edge / (x.y() - x.x());
     return 2 * static_cast<int>(std::lround((share * style.width + strip_height(style)) / 2));
 }
 

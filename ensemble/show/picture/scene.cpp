@@ -214,19 +214,19 @@ std::vector<Face> Stage::faces(const Frame& frame, const Projection& projection,
             case Colouring::ice:
                 break;
         }
-        return broken[static_cast<std::size_t>(layout_.elements[k].floe)] != 0 ? broken_ice : white_ice;
+        return broken[static_cast<std::size_t>(layout_.elements[frame.id(k)].floe)] != 0 ? broken_ice : white_ice;
     };
     Faces faces(projection, size);
     for (const auto& [box, exposed] : sheets_)
         faces.add(Box{box.centre, Mat3::Identity(), box.half_extents}, exposed, sheet_ice, clear);
     const std::vector<std::uint32_t> exposed = exposed_sides(layout_, failed);
     for (std::size_t k = 0; k < frame.elements.size(); ++k) {
-        const IceLayout::LaidElement& one = layout_.elements[k];
+        const IceLayout::LaidElement& one = layout_.elements[frame.id(k)];
         const Box box{frame.elements[k].position, frame.elements[k].rotation, one.half_extents};
         if (one.corners.empty())
-            faces.add(box, exposed[k], colour(k), clear);
+            faces.add(box, exposed[frame.id(k)], colour(k), clear);
         else
-            faces.add(box, one.corners, exposed[k], colour(k), clear);
+            faces.add(box, one.corners, exposed[frame.id(k)], colour(k), clear);
     }
     add_structure(faces, scenario.structure.shape, frame.structure, scenario.floe.element / 2, clear);
     return std::move(faces).found();

@@ -63,6 +63,8 @@ FramePacker::FramePacker(const Quanta& quanta, int elements)
       pieces_(elements_, -1) {}
 
 void FramePacker::add(const Frame& frame) {
+    at_.assign(elements_, -1);
+    for (std::size_t k = 0; k < frame.elements.size(); ++k) at_[frame.id(k)] = static_cast<int>(k);
     add_states(frame);
     add_utilisation(frame);
     add_contacts(frame);
@@ -79,15 +81,17 @@ void FramePacker::add_states(const Frame& frame) {
     high_.resize(states_.size());
     for (std::size_t e = 0; e < elements_; ++e) {
         const auto before = [&](std::size_t part) -> std::int16_t& { return states_[part * elements_ + e]; };
-        const BodyState& state = frame.elements[e];
+        const bool there = at_[e] >= 0;
+        const BodyState state = there ? frame.elements[static_cast<std::size_t>(at_[e])] : BodyState{};
         const Quat q(state.rotation);
-        const std::array<double, 4> turn{q.w(), q.x(), q.y(), q.z()};
+        const std::array<double, 4> turn =
+            there ? std::array<double, 4>{q.w(), q.x(), q.y(), q.z()} : std::array<double, 4>{};
         double along = frames_ == 0 ? turn[0] : 0;
         for (std::size_t k = 0; k < 4; ++k) along += turn[k] * before(3 + k);
         const double sign = along < 0 ? -1 : 1;
         std::array<std::int16_t, parts> now{};
         for (std::size_t k = 0; k < 3; ++k)
-            now[k] = part_of_position(state.position[static_cast<int>(k)], static_cast<int>(k));
+            now[k] = there ? part_of_position(state.position[static_cast<int>(k)], static_cast<int>(k)) : before(k);
         for (std::size_t k = 0; k < 4; ++k) now[3 + k] = rounded(sign * turn[k] / quanta_.orientation);
         for (std::size_t part = 0; part < parts; ++part) {
             const auto difference = static_cast<std::uint16_t>(now[part] - before(part));
@@ -103,7 +107,8 @@ void FramePacker::add_states(const Frame& frame) {
 void FramePacker::add_utilisation(const Frame& frame) {
     Bytes differences(elements_);
     for (std::size_t e = 0; e < elements_; ++e) {
-        const auto now = static_cast<std::uint8_t>(std::lround(100 * std::clamp(frame.utilisation[e], 0.0, 2.0)));
+        const double used = at_[e] < 0 ? 0.0 : frame.utilisation[static_cast<std::size_t>(at_[e])];
+        const auto now = static_cast<std::uint8_t>(std::lround(100 * std::clamp(used, 0.0, 2.0)));
         differences[e] = static_cast<std::byte>(now - percent_[e]);
         percent_[e] = now;
     }
@@ -132,8 +137,10 @@ void FramePacker::add_contacts(const Frame& frame) {
 void FramePacker::add_pieces(const Frame& frame) {
     Bytes changes;
     for (std::size_t e = 0; e < elements_; ++e) {
-        if (frame.pieces[e] == pieces_[e]) continue;
-        pieces_[e] = frame.pieces[e];
+        if (at_[e] < 0) continue;
+        const int piece = frame.pieces[static_cast<std::size_t>(at_[e])];
+        if (piece == pieces_[e]) continue;
+        pieces_[e] = piece;
         put(changes, frames_);
         put(changes, static_cast<std::int32_t>(e));
         put(changes, pieces_[e]);

@@ -7,6 +7,7 @@
 //   low, high    a frame: lower and upper bytes of 7 e int16 differences; x of all elements, then y, z, and w, x, y, z
 //   of
 //                their unit quaternions, whose signs are such that neighbouring frames are near each other
+//                An element that is not there has four zeros in place of them, and else what it had before
 //   utilisation  a frame: e bytes of differences, %
 //   numbers      a frame: 5 float32: time (s), load x, y, z (N), number of its contacts
 //   contacts     a contact: 10 int16: point, normal force and friction on the ice, and 1 if it is one of the structure;
@@ -73,6 +74,7 @@ class FramePacker {
 
     Quanta quanta_;
     std::size_t elements_;
+    std::vector<int> at_;  // of each element: where the frame has it, or -1
     int frames_ = 0;
     std::vector<std::int16_t> states_;  // of the frame before
     std::vector<std::uint8_t> percent_;

@@ -30,9 +30,9 @@ json conditions(const RecordingSubject& subject) {
     json rows = json::array();
     const auto row = [&](const char* name, const std::string& value) { rows.push_back({name, value}); };
     const FloeShape& shape = scenario.floe;
-    row("Floes", subject.floes.alike() ? fmt::format("{} of {:g} m × {:g} m × {:g} m", field.floes, shape.length,
-                                                     shape.breadth, shape.thickness)
-                                       : fmt::format("{} that differ", field.floes));
+    row("Floes", subject.floes.alike() ? fmt::format("{} of {:g} m × {:g} m × {:g} m", subject.floes.size(),
+                                                     shape.length, shape.breadth, shape.thickness)
+                                       : fmt::format("{} that differ", subject.floes.size()));
     row("Concentration", fmt::format("{:g} %", field.concentration / unit::percent));
     row("Elastic modulus", fmt::format("{:g} MPa", ice.elastic_modulus / 1e6));
     row("Bending strength", fmt::format("{:g} kPa", ice.bending_strength / 1e3));
@@ -81,6 +81,7 @@ json views(const RecordingSubject& subject) {
                        {"up", list(one.up)},
                        {"angle", one.angle},
                        {"height", one.height},
+                       {"length", view == View::plan ? plan_of(subject, 0).y() - plan_of(subject, 0).x() : 0},
                        {"cut", one.angle > 0 ? 0 : (one.eye - one.target).norm()},
                        {"follows", follows}});
     }

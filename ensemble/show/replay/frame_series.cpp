@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace floes {
@@ -9,6 +10,7 @@ namespace {
 
 constexpr hsize_t numbers_a_chunk = 1024;   // of frames
 constexpr hsize_t contacts_a_chunk = 4096;  // of a few frames
+constexpr hsize_t states_a_chunk = 1024;    // of elements that come and go, of a frame or two
 
 /// Bits of a float's mantissa that are kept. What follows in simulated numbers is noise, which would take most of the
 /// time and the room that compression costs.
@@ -22,6 +24,18 @@ void put(std::vector<float>& values, double value, int bits) {
     values.push_back(std::bit_cast<float>((whole + (dropped >> 1)) & ~dropped));
 }
 
+/// What one row is along: all elements of a frame or, where they come and go, one element.
+hdf5::Dimensions of_element(const RecordScales& scales, const hdf5::Scale* part = nullptr) {
+    hdf5::Dimensions row;
+    if (scales.element) row.push_back(*scales.element);
+    if (part != nullptr) row.push_back(*part);
+    return row;
+}
+
+hsize_t elements_a_chunk(const RecordScales& scales) {
+    return scales.element ? 1 : states_a_chunk;
+}
+
 void put(std::vector<float>& values, const Vec3& v, int bits) {
     for (const double part : {v.x(), v.y(), v.z()}) put(values, part, bits);
 }
@@ -29,17 +43,24 @@ void put(std::vector<float>& values, const Vec3& v, int bits) {
 }  // namespace
 
 FrameSeries::Elements::Elements(hid_t group, const RecordScales& scales)
-    : position(group, {"position", "m", "centre of each element"}, {scales.element, scales.coordinate}, 1),
+    : position(group, {"position", "m", "centre of each element"}, of_element(scales, &scales.coordinate),
+               elements_a_chunk(scales)),
       orientation(group, {"orientation", "1", "unit quaternion from the element's axes to world axes"},
-                  {scales.element, scales.quaternion}, 1),
-      velocity(group, {"velocity", "m s-1", "velocity of the centre"}, {scales.element, scales.coordinate}, 1),
-      piece(group, {"piece", "1", "first element of the connected piece that the element belongs to"}, {scales.element},
-            1),
+                  of_element(scales, &scales.quaternion), elements_a_chunk(scales)),
+      velocity(group, {"velocity", "m s-1", "velocity of the centre"}, of_element(scales, &scales.coordinate),
+               elements_a_chunk(scales)),
+      piece(group, {"piece", "1", "first element of the connected piece that the element belongs to"},
+            of_element(scales), elements_a_chunk(scales)),
       utilisation(group,
                   {"utilisation", "1",
                    "largest utilisation of the element's joints, 0 to 1; a crack has 1 and the share of its stiffness "
                    "that is gone"},
-                  {scales.element}, 1) {}
+                  of_element(scales), elements_a_chunk(scales)) {}
+
+FrameSeries::States::States(hid_t frames, hid_t states)
+    : first(frames, {"first_state", "1", "row of /states with the frame's first element"}, {}, numbers_a_chunk),
+      count(frames, {"states", "1", "number of elements that are there"}, {}, numbers_a_chunk),
+      element(states, {"element", "1", "which element it is"}, {}, states_a_chunk) {}
 
 FrameSeries::Numbers::Numbers(hid_t group)
     : step(group, {"step", "1", "steps completed"}, {}, numbers_a_chunk),
@@ -73,19 +94,30 @@ FrameSeries::FrameSeries(hid_t file, const RecordScales& scales)
       contact_(file, {"contact", "1", "contact, frame by frame"}, {}, contacts_a_chunk),
       frames_group_(hdf5::create_group(file, "frames")),
       contacts_group_(hdf5::create_group(file, "contacts")),
-      elements_(frames_group_.id(), scales),
+      states_group_(scales.element ? std::optional<hdf5::Handle>() : hdf5::create_group(file, "states")),
+      elements_(states_group_ ? states_group_->id() : frames_group_.id(), scales),
       numbers_(frames_group_.id()),
       contacts_(contacts_group_.id(), scales.coordinate) {
+    if (!scales.element) {
+        state_.emplace(file, hdf5::Label{"state", "1", "element that is there, frame by frame"}, hdf5::Dimensions{},
+                       states_a_chunk);
+        states_.emplace(frames_group_.id(), states_group_->id());
+        state_->become_scale();
+        state_->scales(states_->element.id());
+    }
     if (scales.line) lines_.emplace(frames_group_.id(), *scales.line, scales.coordinate);
     time_.become_scale();
     if (lines_)
         for (const hid_t dataset : {lines_->fairlead.id(), lines_->anchor.id(), lines_->tension.id()})
             time_.scales(dataset);
+    for (const hid_t dataset : {elements_.position.id(), elements_.orientation.id(), elements_.velocity.id(),
+                                elements_.piece.id(), elements_.utilisation.id()})
+        state_ ? state_->scales(dataset) : time_.scales(dataset);
+    if (states_)
+        for (const hid_t dataset : {states_->first.id(), states_->count.id()}) time_.scales(dataset);
     for (const hid_t dataset :
-         {elements_.position.id(), elements_.orientation.id(), elements_.velocity.id(), elements_.piece.id(),
-          elements_.utilisation.id(), numbers_.step.id(), numbers_.structure.id(), numbers_.across.id(),
-          numbers_.yaw.id(), numbers_.surge.id(), numbers_.sway.id(), numbers_.heave.id(), numbers_.first_contact.id(),
-          numbers_.contacts.id()})
+         {numbers_.step.id(), numbers_.structure.id(), numbers_.across.id(), numbers_.yaw.id(), numbers_.surge.id(),
+          numbers_.sway.id(), numbers_.heave.id(), numbers_.first_contact.id(), numbers_.contacts.id()})
         time_.scales(dataset);
     contact_.become_scale();
     for (const hid_t dataset : {contacts_.element.id(), contacts_.other.id(), contacts_.point.id(),
@@ -104,6 +136,7 @@ void FrameSeries::add(const Frame& frame) {
     numbers_.heave.append(frame.load.y());
     numbers_.first_contact.append(static_cast<std::int32_t>(contacts_.element.rows()));
     numbers_.contacts.append(static_cast<std::int32_t>(frame.contacts.size()));
+    if (states_) add_states(frame);
     add_elements(frame);
     add_contacts(frame.contacts);
     if (lines_) add_lines(frame.lines);
@@ -113,11 +146,25 @@ void FrameSeries::finish() {
     time_.finish();
     contact_.finish();
     const auto finish_all = [](auto&... series) { (series.finish(), ...); };
+    if (states_) {
+        state_->finish();
+        finish_all(states_->first, states_->count, states_->element);
+    }
     if (lines_) finish_all(lines_->fairlead, lines_->anchor, lines_->tension);
     finish_all(elements_.position, elements_.orientation, elements_.velocity, elements_.piece, elements_.utilisation);
     finish_all(numbers_.step, numbers_.structure, numbers_.across, numbers_.yaw, numbers_.surge, numbers_.sway,
                numbers_.heave, numbers_.first_contact, numbers_.contacts);
     finish_all(contacts_.element, contacts_.other, contacts_.point, contacts_.normal, contacts_.friction);
+}
+
+void FrameSeries::add_states(const Frame& frame) {
+    const auto first = static_cast<std::int32_t>(state_->rows());
+    std::vector<std::int32_t> numbers(frame.elements.size());
+    std::iota(numbers.begin(), numbers.end(), first);
+    states_->first.append(first);
+    states_->count.append(static_cast<std::int32_t>(numbers.size()));
+    states_->element.append(std::vector<std::int32_t>(frame.ids.begin(), frame.ids.end()));
+    state_->append(numbers);
 }
 
 void FrameSeries::add_elements(const Frame& frame) {

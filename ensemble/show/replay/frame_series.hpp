@@ -13,8 +13,8 @@ namespace floes {
 struct RecordScales {
     hdf5::Scale coordinate;
     hdf5::Scale quaternion;
-    hdf5::Scale element;
-    std::optional<hdf5::Scale> line;  ///< mooring lines; none: there are none
+    std::optional<hdf5::Scale> element;  ///< none: a frame has those that are there, of a field without end
+    std::optional<hdf5::Scale> line;     ///< mooring lines; none: there are none
 };
 
 class FrameSeries {
@@ -26,6 +26,7 @@ class FrameSeries {
     void finish();
 
   private:
+    void add_states(const Frame& frame);
     void add_elements(const Frame& frame);
     void add_contacts(const std::vector<FrameContact>& contacts);
     void add_lines(const std::vector<FrameLine>& lines);
@@ -37,6 +38,14 @@ class FrameSeries {
         hdf5::Series<float> velocity;
         hdf5::Series<std::int32_t> piece;
         hdf5::Series<float> utilisation;
+    };
+
+    /// Which rows of the elements are of a frame, and what elements they are.
+    struct States {
+        States(hid_t frames, hid_t states);
+        hdf5::Series<std::int32_t> first;
+        hdf5::Series<std::int32_t> count;
+        hdf5::Series<std::int32_t> element;
     };
 
     struct Numbers {
@@ -74,9 +83,12 @@ class FrameSeries {
     hdf5::Series<std::int32_t> contact_;
     hdf5::Handle frames_group_;
     hdf5::Handle contacts_group_;
+    std::optional<hdf5::Handle> states_group_;  ///< of elements that come and go; of others there is none
+    std::optional<hdf5::Series<std::int32_t>> state_;
     Elements elements_;
     Numbers numbers_;
     Contacts contacts_;
+    std::optional<States> states_;
     std::optional<Lines> lines_;
 };
 

@@ -32,22 +32,13 @@ bool is_recording(const std::filesystem::path& path) {
     }
 }
 
-std::vector<std::uint8_t> broken_floes(const std::vector<BreakEvent>& breaks, int floes, double time) {
-    std::vector<std::uint8_t> broken(static_cast<std::size_t>(floes), 0);
-    for (const BreakEvent& event : breaks) {
-        if (event.time > time) break;
-        broken[static_cast<std::size_t>(event.floe)] = 1;
-    }
-    return broken;
-}
-
 class Recording::File {
   public:
     explicit File(const std::filesystem::path& path)
         : file_(opened(path)),
           subject(read_subject(file_.id())),
           layout(subject.floes),
-          elements_(file_.id()),
+          elements_(file_.id(), hdf5::exists(file_.id(), "states") ? "states/" : "frames/"),
           contacts_(file_.id()) {
         times = hdf5::read_values<double>(file_.id(), "time");
         outcome = read_outcome(file_.id(), layout);
@@ -60,6 +51,7 @@ class Recording::File {
         heave_ = hdf5::read_values<double>(file_.id(), "frames/heave_load");
         first_contact_ = hdf5::read_values<std::int32_t>(file_.id(), "frames/first_contact");
         contact_count_ = hdf5::read_values<std::int32_t>(file_.id(), "frames/contacts");
+        if (subject.scenario.field.endless()) states_.emplace(file_.id());
         if (hdf5::exists(file_.id(), "frames/line_tension")) lines_.emplace(file_.id());
         if (times.empty()) throw InputError(fmt::format("{} has no frames.", path.string()));
         check_sizes();
@@ -104,17 +96,28 @@ class Recording::File {
 
   private:
     struct Elements {
-        explicit Elements(hid_t file)
-            : position(file, "frames/position"),
-              orientation(file, "frames/orientation"),
-              velocity(file, "frames/velocity"),
-              utilisation(file, "frames/utilisation"),
-              piece(file, "frames/piece") {}
+        Elements(hid_t file, const std::string& group)
+            : position(file, group + "position"),
+              orientation(file, group + "orientation"),
+              velocity(file, group + "velocity"),
+              utilisation(file, group + "utilisation"),
+              piece(file, group + "piece") {}
         hdf5::RowReader<float> position;
         hdf5::RowReader<float> orientation;
         hdf5::RowReader<float> velocity;
         hdf5::RowReader<float> utilisation;
         hdf5::RowReader<std::int32_t> piece;
+    };
+
+    /// Of a field without end: which rows of the elements are of a frame.
+    struct States {
+        explicit States(hid_t file)
+            : first(hdf5::read_values<std::int32_t>(file, "frames/first_state")),
+              count(hdf5::read_values<std::int32_t>(file, "frames/states")),
+              element(file, "states/element") {}
+        std::vector<std::int32_t> first;
+        std::vector<std::int32_t> count;
+        hdf5::RowReader<std::int32_t> element;
     };
 
     struct Contacts {
@@ -160,7 +163,11 @@ class Recording::File {
             hdf5::check_count(file_.id(), "frames/line_fairlead", lines_->fairlead.width(), 3 * lines);
             hdf5::check_count(file_.id(), "frames/line_anchor", lines_->anchor.width(), 3 * lines);
         }
-        const std::size_t count = layout.elements.size();
+        const std::size_t count = states_ ? 1 : layout.elements.size();
+        if (states_) {
+            hdf5::check_count(file_.id(), "frames/first_state", states_->first.size(), times.size());
+            hdf5::check_count(file_.id(), "frames/states", states_->count.size(), times.size());
+        }
         hdf5::check_count(file_.id(), "frames/position", elements_.position.width(), 3 * count);
         hdf5::check_count(file_.id(), "frames/orientation", elements_.orientation.width(), 4 * count);
         hdf5::check_count(file_.id(), "frames/velocity", elements_.velocity.width(), 3 * count);
@@ -174,18 +181,30 @@ class Recording::File {
     }
 
     void read_elements(std::size_t number, Frame& frame) {
-        const std::span<const float> position = elements_.position.read(number);
-        const std::span<const float> orientation = elements_.orientation.read(number);
-        const std::span<const float> velocity = elements_.velocity.read(number);
-        frame.elements.resize(layout.elements.size());
+        std::size_t row = number;
+        std::size_t rows = 1;
+        frame.ids.clear();
+        if (states_) {
+            row = static_cast<std::size_t>(states_->first[number]);
+            rows = static_cast<std::size_t>(states_->count[number]);
+            for (const std::int32_t id : states_->element.read(row, rows)) {
+                if (id < 0 || static_cast<std::size_t>(id) >= layout.elements.size())
+                    hdf5::refuse_damaged(file_.id(), fmt::format("states/element has the value {}", id));
+                frame.ids.push_back(id);
+            }
+        }
+        const std::span<const float> position = elements_.position.read(row, rows);
+        const std::span<const float> orientation = elements_.orientation.read(row, rows);
+        const std::span<const float> velocity = elements_.velocity.read(row, rows);
+        frame.elements.resize(states_ ? rows : layout.elements.size());
         for (std::size_t k = 0; k < frame.elements.size(); ++k) {
             const float* q = &orientation[4 * k];
             frame.elements[k] = {.position = vector_at(position, k),
                                  .rotation = Quat(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix(),
                                  .velocity = vector_at(velocity, k)};
         }
-        const std::span<const float> utilisation = elements_.utilisation.read(number);
-        const std::span<const std::int32_t> pieces = elements_.piece.read(number);
+        const std::span<const float> utilisation = elements_.utilisation.read(row, rows);
+        const std::span<const std::int32_t> pieces = elements_.piece.read(row, rows);
         frame.utilisation.assign(utilisation.begin(), utilisation.end());
         frame.pieces.assign(pieces.begin(), pieces.end());
     }
@@ -207,7 +226,8 @@ class Recording::File {
 
     Elements elements_;
     Contacts contacts_;
-    std::optional<Lines> lines_;  ///< of a structure with mooring lines
+    std::optional<States> states_;  ///< of a field without end
+    std::optional<Lines> lines_;    ///< of a structure with mooring lines
     std::vector<std::int32_t> step_;
     std::vector<double> structure_;
     std::vector<double> across_;

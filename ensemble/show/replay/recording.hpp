@@ -11,6 +11,7 @@
 
 #include "ice/failure_mode.hpp"
 #include "ice/ice_layout.hpp"
+#include "replay/floe_roll.hpp"
 #include "scenario/floes.hpp"
 #include "scenario/scenario.hpp"
 #include "simulation/channel.hpp"
@@ -31,9 +32,14 @@ struct RecordingSubject {
     int member = 0;
     int arrangement = 0;
     Scenario scenario;  ///< of the member's case
-    FloeSet floes;      ///< of the member; where they lie, frames tell
+    FloeSet floes;      ///< of the member; where they lie, frames tell. Of a field without end: those that frames show
+    Vec2 way = Vec2::Zero();  ///< least and largest x of the structure in the frames, of a field without end, m
 
-    Channel channel() const { return make_channel(scenario, floes); }
+    /// Of a field without end what stands beside the ice that frames show: its sides are too long for any picture.
+    Channel channel() const;
+    /// How far ahead of the structure's axis, and behind it, a field without end is to be seen, m.
+    double seen_ahead() const;
+    double seen_behind() const;
 };
 
 /// What is known only at the end of a run.
@@ -54,6 +60,8 @@ class RecordingWriter {
 
     void add(const Frame& frame);
     void finish(const RecordingOutcome& outcome);
+    /// Of a field without end, whose frames and breaks are in the numbers of `roll`.
+    void finish(const RecordingOutcome& outcome, const FloeRoll& roll);
 
   private:
     class File;

@@ -5,6 +5,6 @@
 
 namespace floes {
 
-inline constexpr hdf5::FileKind recording_kind{"floes replay", {1, 3}, 1, "recording of floes replay"};
+inline constexpr hdf5::FileKind recording_kind{"floes replay", {1, 4}, 1, "recording of floes replay"};
 
 }  // namespace floes

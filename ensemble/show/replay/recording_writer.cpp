@@ -15,6 +15,7 @@
 #include "replay/frame_series.hpp"
 #include "replay/recording.hpp"
 #include "replay/recording_kind.hpp"
+#include "replay/written_ice.hpp"
 
 namespace floes {
 namespace {
@@ -39,41 +40,6 @@ void write_root(hid_t file, const RecordingSubject& subject) {
     write_number("member", subject.member);
     write_number("arrangement", subject.arrangement);
     hdf5::write_attribute(file, "time_step", subject.scenario.general.time_step);
-}
-
-/// Corners of elements that are polygons, NaN where an element has fewer.
-void write_corners(hid_t group, const IceLayout& layout, const Scale& element) {
-    std::size_t most = 0;
-    for (const IceLayout::LaidElement& one : layout.elements) most = std::max(most, one.corners.size());
-    if (most == 0) return;
-    std::vector<double> x(most * layout.elements.size(), std::numeric_limits<double>::quiet_NaN());
-    std::vector<double> z = x;
-    for (std::size_t i = 0; i < layout.elements.size(); ++i) {
-        const Outline& corners = layout.elements[i].corners;
-        for (std::size_t k = 0; k < corners.size(); ++k) {
-            x[most * i + k] = corners[k].x;
-            z[most * i + k] = corners[k].z;
-        }
-    }
-    const Scale corner = hdf5::write_index_scale(group, "corner", "corner of an element, in order", most);
-    hdf5::write_values(group, {"corner_x", "m", "of an element's corners, in its own axes"}, {element, corner}, x);
-    hdf5::write_values(group, {"corner_z", "m", "of an element's corners, in its own axes"}, {element, corner}, z);
-}
-
-void write_ice(hid_t file, const RecordingSubject& subject, const IceLayout& layout, const RecordScales& scales) {
-    std::vector<std::int32_t> floe;
-    std::vector<double> sides;
-    for (const IceLayout::LaidElement& one : layout.elements) {
-        floe.push_back(one.floe);
-        for (const double half : one.half_extents) sides.push_back(2 * half);
-    }
-    const Handle group = hdf5::create_group(file, "ice");
-    hdf5::write_attribute(group.id(), "element_side", subject.scenario.floe.element);
-    hdf5::write_attribute(group.id(), "thickness", subject.scenario.floe.thickness);
-    hdf5::write_values(group.id(), {"floe", "1", "floe of each element"}, {scales.element}, floe);
-    hdf5::write_values(group.id(), {"sides", "m", "length of an element's sides along its own axes"},
-                       {scales.element, scales.coordinate}, sides);
-    write_corners(group.id(), layout, scales.element);
 }
 
 void write_structure(hid_t file, const Shape& shape) {
@@ -105,30 +71,6 @@ void write_sheets(hid_t file, const std::vector<IceSheet>& all, const Scale& coo
     hdf5::write_values(group.id(), {"sides", "m", "length of its sides"}, {sheet, coordinate}, sides);
 }
 
-void write_joints(hid_t file, const IceLayout& layout, const std::vector<BreakEvent>& breaks) {
-    const std::vector<IceLayout::LaidJoint>& joints = layout.joints;
-    std::vector<std::int32_t> a;
-    std::vector<std::int32_t> b;
-    for (const IceLayout::LaidJoint& joint : joints) {
-        a.push_back(joint.a);
-        b.push_back(joint.b);
-    }
-    std::vector<double> time(joints.size(), std::numeric_limits<double>::quiet_NaN());
-    std::vector<std::int8_t> mode(joints.size(), -1);
-    for (const BreakEvent& event : breaks) {
-        const std::size_t joint = layout.joint(event.floe, event.joint);
-        time[joint] = event.time;
-        mode[joint] = static_cast<std::int8_t>(event.mode);
-    }
-    const Handle group = hdf5::create_group(file, "joints");
-    const Scale joint = hdf5::write_index_scale(file, "joint", "joint, floe by floe", joints.size());
-    hdf5::write_values(group.id(), {"a", "1", "element that the joint connects with b"}, {joint}, a);
-    hdf5::write_values(group.id(), {"b", "1", "element that the joint connects with a"}, {joint}, b);
-    hdf5::write_values(group.id(), {"failure_time", "s", "when it failed; NaN: it did not"}, {joint}, time);
-    hdf5::write_values(group.id(), {"failure_mode", "1", "how it failed"}, {joint}, mode,
-                       hdf5::flags_of(failure_mode_names, std::int8_t{-1}));
-}
-
 void write_history(hid_t file, const LoadHistory& history, double time_step) {
     std::vector<double> end;
     for (std::size_t k = 0; k < history.surge.size(); ++k) end.push_back(static_cast<double>(k + 1) * time_step);
@@ -137,6 +79,12 @@ void write_history(hid_t file, const LoadHistory& history, double time_step) {
     hdf5::write_values(group.id(), {"surge_load", "N", "positive against the tow"}, {step}, history.surge);
     hdf5::write_values(group.id(), {"sway_load", "N", "positive towards +z"}, {step}, history.sway);
     hdf5::write_values(group.id(), {"heave_load", "N", "positive up"}, {step}, history.heave);
+}
+
+/// None of a field without end, whose elements are known at the end.
+std::optional<Scale> elements_known(hid_t file, const RecordingSubject& subject) {
+    if (subject.scenario.field.endless()) return {};
+    return element_scale(file, IceLayout(subject.floes));
 }
 
 std::optional<Scale> line_scale(hid_t file, const Scenario& scenario) {
@@ -150,9 +98,9 @@ std::optional<Scale> line_scale(hid_t file, const Scenario& scenario) {
 class RecordingWriter::File {
   public:
     File(std::filesystem::path path, const RecordingSubject& subject)
-        : path_(std::move(path)), aside_(path_.string() + ".tmp"), subject_(subject), layout_(subject.floes) {
+        : path_(std::move(path)), aside_(path_.string() + ".tmp"), subject_(subject) {
         file_.emplace(hdf5::create_file(aside_));
-        open_.emplace(file_->id(), subject_, layout_);
+        open_.emplace(file_->id(), subject_);
     }
     File(const File&) = delete;
     File& operator=(const File&) = delete;
@@ -160,10 +108,24 @@ class RecordingWriter::File {
         if (file_) drop();
     }
 
-    void add(const Frame& frame) { open_->series.add(frame); }
+    void add(const Frame& frame) {
+        const double x = frame.structure.x;
+        subject_.way = any_ ? Vec2(std::min(subject_.way.x(), x), std::max(subject_.way.y(), x)) : Vec2(x, x);
+        any_ = true;
+        open_->series.add(frame);
+    }
 
-    void finish(const RecordingOutcome& outcome) {
-        write_joints(file_->id(), layout_, outcome.breaks);
+    void finish(const RecordingOutcome& outcome, const FloeRoll& roll) {
+        if (subject_.scenario.field.endless()) {
+            subject_.floes = roll.floes();
+            write_floes(file_->id(), subject_.floes, roll.numbers());
+        }
+        const IceLayout layout(subject_.floes);
+        RecordScales& scales = open_->scales;
+        if (!scales.element) scales.element.emplace(element_scale(file_->id(), layout));
+        write_ice(file_->id(), subject_.scenario.floe, layout, scales);
+        write_sheets(file_->id(), subject_.channel().sheets, scales.coordinate);
+        write_joints(file_->id(), layout, outcome.breaks);
         write_history(file_->id(), outcome.history, subject_.scenario.general.time_step);
         open_->series.finish();
         hdf5::write_contents_digests(file_->id());
@@ -177,18 +139,15 @@ class RecordingWriter::File {
 
   private:
     struct Open {
-        Open(hid_t file, const RecordingSubject& subject, const IceLayout& layout)
+        Open(hid_t file, const RecordingSubject& subject)
             : scales{words_scale(file, "coordinate", "axis of a vector", {"x", "y", "z"}),
                      words_scale(file, "quaternion", "part of a quaternion", {"w", "x", "y", "z"}),
-                     hdf5::write_index_scale(file, "element", "element, floe by floe", layout.elements.size()),
-                     line_scale(file, subject.scenario)},
+                     elements_known(file, subject), line_scale(file, subject.scenario)},
               series(file, scales) {
             write_root(file, subject);
             hdf5::write_text(file, {"configuration", "1", "the member's case as a campaign, TOML"},
                              subject.configuration);
-            write_ice(file, subject, layout, scales);
             write_structure(file, subject.scenario.structure.shape);
-            write_sheets(file, subject.channel().sheets, scales.coordinate);
         }
         RecordScales scales;
         FrameSeries series;
@@ -204,7 +163,7 @@ class RecordingWriter::File {
     std::filesystem::path path_;
     std::filesystem::path aside_;
     RecordingSubject subject_;
-    IceLayout layout_;
+    bool any_ = false;
     hdf5::QuietErrors quiet_;
     std::optional<Handle> file_;
     std::optional<Open> open_;
@@ -219,7 +178,11 @@ void RecordingWriter::add(const Frame& frame) {
 }
 
 void RecordingWriter::finish(const RecordingOutcome& outcome) {
-    file_->finish(outcome);
+    file_->finish(outcome, {});
+}
+
+void RecordingWriter::finish(const RecordingOutcome& outcome, const FloeRoll& roll) {
+    file_->finish(outcome, roll);
 }
 
 }  // namespace floes

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -99,12 +100,6 @@ ReplaySubject replay_subject(const CampaignFile& file, const CampaignTable& tabl
                                      static_cast<int>(table.members.size()) - 1));
     const MemberKey key = member_key(campaign, member);
     const auto row = static_cast<std::size_t>(key.case_index);
-    if (campaign.cases[row].scenario.field.endless())
-        throw InputError(
-            fmt::format("case {} has field.far_end = \"never\", and a recording holds the floes of a field with an "
-                        "end; replay a case "
-                        "with another far end, or look at the loads with floes report",
-                        campaign.cases[row].name));
     ReplaySubject subject;
     subject.file = file.path();
     subject.stored = table.members[static_cast<std::size_t>(member)];
@@ -154,11 +149,14 @@ MemberResult replay(const ReplaySubject& subject, const FrameSteps& steps, const
                     const std::stop_token& stop, const ReplayProgress& progress) {
     const RecordingSubject& about = subject.about;
     RecordingWriter recording(path, about);
+    const bool endless = about.scenario.field.endless();
+    FloeRoll roll;
     Frame frame;
     LoadHistory history;
     const Watcher watch = [&](const Simulation& run) {
         if (steps.has(run.steps())) {
             run.read_frame(frame);
+            if (endless) roll.enter(run, frame);
             recording.add(frame);
         }
         if (run.steps() > 0) add_last(run.loads(), history);
@@ -166,29 +164,44 @@ MemberResult replay(const ReplaySubject& subject, const FrameSteps& steps, const
     };
     MemberResult result =
         run_member(about.scenario, subject.seed, static_cast<std::uint32_t>(about.arrangement), stop, watch);
-    recording.finish({std::move(history), result.breaks});
+    recording.finish({std::move(history), endless ? roll.breaks(result.breaks) : result.breaks}, roll);
     return result;
 }
 
 KeyFrames key_frames(const ReplaySubject& subject, const std::stop_token& stop) {
     const Scenario& scenario = subject.about.scenario;
+    const bool endless = scenario.field.endless();
     KeyFrames kept;
+    FloeRoll begun;  // of the start alone: what a load shows that another exceeds is not kept
+    FloeRoll roll;
+    const auto read = [&](const Simulation& run, Frame& frame) {
+        run.read_frame(frame);
+        if (endless) roll.enter(run, frame);
+    };
     double largest = -std::numeric_limits<double>::infinity();
     const Watcher watch = [&](const Simulation& run) {
         if (run.steps() == 0) {
-            run.read_frame(kept.start);
+            read(run, kept.start);
+            begun = roll;
             return;
         }
         add_last(run.loads(), kept.history);
         const double load = run.loads().surge.back();
         if (run.steps() > scenario.first_window_step() && load > largest) {
             largest = load;
-            run.read_frame(kept.worst);
+            roll = begun;
+            read(run, kept.worst);
         }
-        if (run.steps() == scenario.step_count()) run.read_frame(kept.end);
+        if (run.steps() == scenario.step_count()) read(run, kept.end);
     };
     kept.result =
         run_member(scenario, subject.seed, static_cast<std::uint32_t>(subject.about.arrangement), stop, watch);
+    kept.about = subject.about;
+    kept.breaks = endless ? roll.breaks(kept.result.breaks) : kept.result.breaks;
+    if (!endless) return kept;
+    kept.about.floes = roll.floes();
+    const std::array way{kept.start.structure.x, kept.worst.structure.x, kept.end.structure.x};
+    kept.about.way = {std::ranges::min(way), std::ranges::max(way)};
     return kept;
 }
 

@@ -73,6 +73,8 @@ struct KeyFrames {
     Frame end;
     LoadHistory history;  ///< of every step
     MemberResult result;
+    RecordingSubject about;          ///< the member's, with the floes that these frames show
+    std::vector<BreakEvent> breaks;  ///< of these floes
 };
 
 /// Computes the member and keeps these frames; may run in many threads at once. Throws Interrupted on a stop.

@@ -17,6 +17,12 @@ Camera looking(const Vec3& target, const Vec3& from, const Vec3& up, double heig
 
 }  // namespace
 
+Vec2 plan_of(const RecordingSubject& subject, double structure) {
+    if (subject.scenario.field.endless()) return {structure - subject.seen_behind(), structure + subject.seen_ahead()};
+    const Channel channel = subject.channel();
+    return {channel.begin, channel.end};
+}
+
 Camera camera(View view, const RecordingSubject& subject, double structure, double across) {
     // So much ice round the structure that floes are seen to come, to turn and to leave.
     const double seen = 2 * subject.scenario.structure.shape.largest_radius() + 3 * largest_side(subject.floes);
@@ -32,9 +38,9 @@ Camera camera(View view, const RecordingSubject& subject, double structure, doub
             return looking({structure, 0.5 * subject.scenario.structure.shape.bottom(), across}, {1.0, -0.55, 1.1},
                            Vec3::UnitY(), 0.9 * seen);
         case View::plan: {
-            const Channel channel = subject.channel();
-            const Vec3 middle(0.5 * (channel.begin + channel.end), 0, 0);
-            const double height = 2 * channel.outer_edge;
+            const Vec2 x = plan_of(subject, structure);
+            const Vec3 middle(x.mean(), 0, 0);
+            const double height = 2 * subject.channel().outer_edge;
             return {middle + Vec3(0, height, 0), middle, -Vec3::UnitZ(), 0, height};
         }
         case View::perspective:

@@ -27,8 +27,12 @@ struct Camera {
     double height = 0;           ///< m that the picture is high at the target
 };
 
+/// From which x to which the view `plan` sees, m: the whole channel or, of a field without end, the ice round a
+/// structure whose axis is at x = `structure` m.
+Vec2 plan_of(const RecordingSubject& subject, double structure);
+
 /// How a view sees a run while the structure's axis is at x = `structure` m and z = `across` m. All views but `plan`
-/// follow it.
+/// follow it, and in a field without end that too.
 Camera camera(View view, const RecordingSubject& subject, double structure, double across = 0);
 
 }  // namespace floes

@@ -56,19 +56,21 @@ VtkMesh ice_part(const Frame& frame, const IceLayout& layout, std::span<const st
     std::vector<std::int32_t> floe(elements);
     std::vector<std::uint8_t> is_broken(elements);
     for (std::size_t i = 0; i < elements; ++i) {
-        if (layout.elements[i].corners.empty()) {
-            append_box(mesh, frame.elements[i].position, frame.elements[i].rotation, layout.elements[i].half_extents);
+        const IceLayout::LaidElement& one = layout.elements[frame.id(i)];
+        if (one.corners.empty()) {
+            append_box(mesh, frame.elements[i].position, frame.elements[i].rotation, one.half_extents);
         } else {
             mesh.kind = VtkCells::solids;
-            append_prism(mesh, frame.elements[i], layout.elements[i]);
+            append_prism(mesh, frame.elements[i], one);
         }
-        floe[i] = layout.elements[i].floe;
+        floe[i] = one.floe;
         is_broken[i] = broken[static_cast<std::size_t>(floe[i])];
     }
     mesh.cell_data = {
         vtk_array("floe", floe), vtk_array("piece", frame.pieces), vtk_array("broken", is_broken),
         vtk_array("utilisation", std::vector<float>(frame.utilisation.begin(), frame.utilisation.end())),
         vtk_array("velocity", vectors(frame.elements, [](const BodyState& one) { return one.velocity; }), 3)};
+    if (!frame.ids.empty()) mesh.cell_data.push_back(vtk_array("element", frame.ids));
     return mesh;
 }
 

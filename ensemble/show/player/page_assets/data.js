@@ -167,6 +167,12 @@ class Replay {
     return count;
   }
 
+  // Whether an element is in the field; in one without end they come and go.
+  isThere(frame, element) {
+    const first = 4 * (frame * this.elements + element);
+    return [0, 1, 2, 3].some(k => this.turns[first + k] !== 0);
+  }
+
   // m/s, from places at least 0.15 s apart: between near frames a quantum would count too much.
   speedsAt(frame, into) {
     let from = frame;
@@ -180,7 +186,7 @@ class Replay {
     const a = 3 * from * this.elements;
     const b = 3 * to * this.elements;
     for (let i = 0; i < 3 * this.elements; i += 3)
-      into[i / 3] = scale * Math.hypot(this.places[b + i] - this.places[a + i],
+      into[i / 3] = !this.isThere(from, i / 3) || !this.isThere(to, i / 3) ? 0 : scale * Math.hypot(this.places[b + i] - this.places[a + i],
         this.places[b + i + 1] - this.places[a + i + 1], this.places[b + i + 2] - this.places[a + i + 2]);
     return into;
   }

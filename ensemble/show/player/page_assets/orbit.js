@@ -23,15 +23,15 @@ class Orbit {
     on('contextmenu', event => event.preventDefault());
   }
 
-  // A view of the header, in a picture of this aspect. `length` m of a view that stays where it is must fit its width.
-  look(view, aspect, length) {
+  // A view of the header, in a picture of this aspect. A view of a length must have it in its width.
+  look(view, aspect) {
     const eye = new THREE.Vector3(...view.eye);
     this.target.set(...view.target);
     const matrix = new THREE.Matrix4().lookAt(eye, this.target, new THREE.Vector3(...view.up));
     this.turn.setFromRotationMatrix(matrix);
     this.angle = view.angle;
     this.cut = view.cut;
-    this.height = view.follows ? view.height / Math.min(1, 1.1 * aspect) : Math.max(view.height, length / aspect);
+    this.height = view.length ? Math.max(view.height, view.length / aspect) : view.height / Math.min(1, 1.1 * aspect);
     this.moved = false;
   }
 

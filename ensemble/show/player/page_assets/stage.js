@@ -43,10 +43,10 @@ class Stage {
   }
 
   look(name) {
-    const {views, channel} = this.replay.header;
+    const {views} = this.replay.header;
     const view = views.find(one => one.name === name);
     if (!view) return false;
-    this.orbit.look(view, this.aspect, channel.end - channel.begin);
+    this.orbit.look(view, this.aspect);
     this.orbit.follows = view.follows;
     return true;
   }
