@@ -22,7 +22,7 @@ void IceField::add_polygon(World& world, const Scenario& scenario, const SingleF
     const double per_area = material.ice.density * shape.thickness * (1 + water.isotropic_mass());
     const int place = places();
     const int first = static_cast<int>(elements_.size());
-    Sheet& sheet = floes_.emplace_back(Sheet{first, {}, {}, {}, 0.0, 0.0, joint_ids_.size(), entered_++});
+    Sheet& sheet = floes_.emplace_back(Sheet{first, {}, {}, joint_ids_.size(), entered_++});
     sheet.cut = cut;
     const Turn half = turn_of(0.5 * floe.pose.yaw);
     const Quat yaw(half.cos, 0, half.sin, 0);
@@ -37,10 +37,14 @@ void IceField::add_polygon(World& world, const Scenario& scenario, const SingleF
                                              .crushing_pressure = pressure});
         const unsigned every = (1U << static_cast<unsigned>(one.corners.size())) - 1;
         append({body, place, static_cast<int>(elements_.size()) - first, first, on_all ? every : one.rim}, body);
+        if (by_stress_)
+            stress_.add_prism(body, one.axis,
+                              {from_axes(one.corners, {}, one.axis), shape.thickness, material.ice.poisson_ratio,
+                               pressure > 0 ? pressure : material.ice.compressive_strength});
     }
     for (std::size_t k = 0; k < cut->joints.size(); ++k) {
         const CutJoint& joint = cut->joints[k];
-        sheet.of_joints.push_back(make_thresholds(joint.length, joint.span, shape.thickness, material));
+        sheet.of_joints.push_back(joint_strength(shape, material, joint.length, joint.span));
         const JointId id = world.add_joint({.a = elements_[static_cast<std::size_t>(first + joint.a)].body,
                                             .b = elements_[static_cast<std::size_t>(first + joint.b)].body,
                                             .pivot = middle + yaw * flat(joint.pivot),
@@ -50,7 +54,21 @@ void IceField::add_polygon(World& world, const Scenario& scenario, const SingleF
                                             .spring = polygon_joint(joint, shape, material)});
         joints_.push_back({id, place, static_cast<int>(k), {joint.a, joint.b, JointAxis::x}, joint_ids_.size()});
         joint_ids_.push_back(id);
+        if (!by_stress_) continue;
+        const auto of = [&](int element, double way, unsigned edge) {
+            const Corner& centre = cut->elements[static_cast<std::size_t>(element)].centre;
+            return PrismJoint{way * joint.normal, joint.pivot - centre, joint.length, joint.span, edge};
+        };
+        stress_.add_prism_joint(id, static_cast<std::size_t>(first + joint.a), of(joint.a, 1, joint.edge_a),
+                                static_cast<std::size_t>(first + joint.b), of(joint.b, -1, joint.edge_b));
     }
+}
+
+Mat3 IceField::floe_axes(const Joint& joint, int element, const BodyState& state) const {
+    const CutFloe* cut = floe_of(joint).cut.get();
+    if (cut == nullptr) return state.rotation;
+    return state.rotation *
+           turned_to(cut->elements[static_cast<std::size_t>(element)].axis).toRotationMatrix().transpose();
 }
 
 IceField::JointPlace IceField::joint_place(const Joint& joint, const BodyState& a) const {
@@ -61,8 +79,7 @@ IceField::JointPlace IceField::joint_place(const Joint& joint, const BodyState& 
     }
     const CutJoint& cut = sheet.cut->joints[static_cast<std::size_t>(joint.number)];
     const CutElement& element = sheet.cut->elements[static_cast<std::size_t>(cut.a)];
-    const Mat3 to_floe = turned_to(element.axis).toRotationMatrix();  // element -> floe
-    const Mat3 floe = a.rotation * to_floe.transpose();               // floe -> world, at this element
+    const Mat3 floe = floe_axes(joint, cut.a, a);
     return {floe * turned_to(cut.normal).toRotationMatrix(),
             a.position + floe * (flat(cut.pivot) - flat(element.centre))};
 }
