@@ -91,6 +91,49 @@ TEST_P(Strips, HaveTheStressOfABeamAtAnyAngleToTheirGrid) {
 
 INSTANTIATE_TEST_SUITE_P(Ice, Strips, testing::Values(0.0, 20.0, 30.0, 45.0));
 
+/// Largest utilisation of a strip at an angle to its grid, that is lifted at its ends and held down by a knife as broad
+/// as it is: its points press at the rims.
+double used_below_a_knife(double degrees) {
+    Scenario scenario;
+    scenario.general.gravity = 0;
+    scenario.joint.damping_ratio = 1;
+    scenario.ice.bending_strength = scenario.ice.tensile_strength = 1e6;
+    const Corner along = direction(degrees);
+    const Outline outline{{-0.6, -0.15}, {0.6, -0.15}, {0.6, 0.15}, {-0.6, 0.15}};
+    World world = scenario_world(scenario);
+    IceField ice(world, scenario, alone(scenario, from_axes(outline, {}, along), 0.1));
+    const double top = world.state(ice.elements()[0].body).position.y() + scenario.floe.thickness / 2;
+    const Quat turn(Eigen::AngleAxisd(std::atan2(-along.z, along.x), Vec3::UnitY()));
+    world.add_fixed_box({.half_extents = {0.01, 0.01, 0.14},
+                         .pose = {{0, top + 0.01 * std::numbers::sqrt2, 0},
+                                  turn * Quat(Eigen::AngleAxisd(std::numbers::pi / 4, Vec3::UnitZ()))}});
+    const CutFloe& cut = *ice.cut(0);
+    double area = 0;
+    for (const CutElement& one : cut.elements) area += std::abs(dot(one.centre, along)) > 0.4 ? one.area : 0;
+    for (int step = 0; step < 300; ++step) {
+        for (const IceElement& one : ice.elements()) {
+            const CutElement& element = cut.elements[static_cast<std::size_t>(one.index)];
+            const double lift = std::abs(dot(element.centre, along)) > 0.4 ? 5 * element.area / area : 0;
+            const double held = 500 * element.area * world.state(one.body).velocity.y();
+            world.apply(one.body, {Vec3(0, std::min(1.0, step / 100.0) * lift - held, 0), Vec3::Zero()});
+        }
+        world.step();
+        EXPECT_EQ(ice.break_joints(world, 0.02 * step), 0);
+    }
+    std::vector<double> all;
+    ice.read_utilisation(world, all);
+    return std::ranges::max(all);
+}
+
+/// What is along x in the one is along z in the other. The solver shares the load of the two points out to within 1 %.
+TEST(Strips, HaveTheSameStressBelowContactsWhenTheyAreTurnedByAQuarter) {
+    for (const double degrees : {20.0, 35.0, 50.0}) {
+        const double used = used_below_a_knife(degrees);
+        EXPECT_GT(used, 0.01);
+        EXPECT_NEAR(used_below_a_knife(degrees + 90) / used, 1, 0.01) << degrees;
+    }
+}
+
 /// Two elements with a joint between them.
 struct Pair {
     Outline outline;
