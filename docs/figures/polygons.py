@@ -1,8 +1,11 @@
 #!/usr/bin/python3
-"""Draws docs/sea_ice/polygons.png and prints the table of docs/sea_ice.md, of squares and polygons in one channel.
+"""Draws docs/sea_ice/polygons.png and prints the tables of docs/sea_ice.md, of squares and polygons in one channel.
 
     floes run configs/validation/polygons.toml -o polygons.h5
     docs/figures/polygons.py FLOES polygons.h5 [--table]
+
+    floes run configs/validation/polygons_stress.toml -o polygons_stress.h5
+    docs/figures/polygons.py FLOES polygons_stress.h5 --table
 
 FLOES: the program. The pictures are its own, of arrangement 1 of each case at the end of the run, from above. --table
 only prints, from `floes summarize --format csv` and the processor times in the file.
@@ -47,7 +50,7 @@ def table(program, campaign):
     rows = rows_of(program, campaign)
     print("| case | " + " | ".join(title for title, _, _ in COLUMNS) + " | a step, ms |")
     print("|---" * (len(COLUMNS) + 2) + "|")
-    for case in CASES:
+    for case in rows:
         cells = []
         for _, key, scale in COLUMNS:
             value, low, high = (scale * float(rows[case][key + end]) for end in ("", "_low", "_high"))

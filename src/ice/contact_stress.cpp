@@ -5,20 +5,12 @@
 #include <limits>
 #include <numbers>
 
+#include "ice/felt_patch.hpp"
 #include "ice/floe_grid.hpp"
 #include "theory/westergaard.hpp"
 
 namespace floes {
 namespace {
-
-/// b_L over the element's side for a contact level with its middle, and the decades by which it shrinks for each side
-/// that the contact is nearer to the joint.
-struct FeltPatch {
-    double share, decades;
-    double radius(double side, double towards) const { return share * side * std::pow(10, -decades * towards / side); }
-};
-constexpr FeltPatch at_edge{0.6, 0.66};
-constexpr FeltPatch inside{1.0, 0.92};
 
 /// The faces of an element across one of its axes.
 struct Faces {
@@ -32,10 +24,6 @@ double to_free_face(const PressedElement& element, const Faces& faces, double at
     const double plus = (element.joined & faces.plus) != 0 ? none : element.side / 2 - at;
     const double minus = (element.joined & faces.minus) != 0 ? none : element.side / 2 + at;
     return std::max(0.0, std::min(plus, minus));
-}
-
-double decades(double from, double to) {
-    return to > from ? std::log10(to / from) : 0.0;
 }
 
 }  // namespace
@@ -56,10 +44,9 @@ std::array<SideStress, 2> contact_stress(const PressedElement& element, const Pr
         const double towards = face == faces.plus ? at[axis] : -at[axis];
         const double beside = to_free_face(element, faces_along[1 - axis], at[1 - axis]);  // an edge along the axis
         const double ahead = to_free_face(element, faces, at[axis]);
-        const double felt_inside = std::min({inside.radius(element.side, towards), beside, ahead});
-        const double felt_at_edge = std::min(at_edge.radius(element.side, towards), ahead);
-        found[axis] = {
-            interior * decades(contact, felt_inside) + edge * decades(std::max(contact, beside), felt_at_edge), face};
+        const double inside = std::min({felt_inside.radius(element.side, towards, element.side), beside, ahead});
+        const double at_edge = std::min(felt_at_edge.radius(element.side, towards, element.side), ahead);
+        found[axis] = {interior * decades(contact, inside) + edge * decades(std::max(contact, beside), at_edge), face};
     }
     return found;
 }
@@ -67,7 +54,7 @@ std::array<SideStress, 2> contact_stress(const PressedElement& element, const Pr
 double most_contact_stress(const PressedElement& element) {
     const double per_decade = std::max(edge_stress_per_decade(1, element.thickness, element.poisson_ratio),
                                        interior_stress_per_decade(1, element.thickness, element.poisson_ratio));
-    return per_decade * decades(felt_radius(0, element.thickness), inside.share * element.side);
+    return per_decade * decades(felt_radius(0, element.thickness), felt_inside.share * element.side);
 }
 
 }  // namespace floes

@@ -29,8 +29,9 @@ double CohesiveLaw::mean_moment(double from, double to) const {
     return to > from ? (work(to) - work(from)) / (to - from) : moment(from);
 }
 
-double cracking(double strength, double smooth, double stiffness, double rotation, double energy) {
-    constexpr double given_over_own = 3;
+double cracking(double strength, double smooth, double stiffness, double rotation, double energy,
+                double length_over_span) {
+    const double given_over_own = 1 + 2 * length_over_span;
     const double released = 0.5 * given_over_own * stiffness * rotation * rotation;
     const double enough = energy > 0 ? std::sqrt(released / energy) : std::numeric_limits<double>::infinity();
     return std::min(strength, std::max(smooth, enough));

@@ -33,9 +33,10 @@ struct CohesiveLaw {
 /// the stress with what contacts add, over the strength; `smooth`: without that. The peak below a contact begins a
 /// crack only if the ice gives the energy that an element's length of it takes (coupled criterion, Leguillon 2002):
 /// three times the joint's own, ½ K θ², at the rim of a floe, where it turns three times as far when the joint is gone
-/// (docs/figures/fracture.py; 1.7 times inside a sheet). A smooth stress needs no such proof: the hinge that opens has
-/// it.
-double cracking(double strength, double smooth, double stiffness, double rotation, double energy);
+/// (docs/figures/fracture.py; 1.7 times inside a sheet). A joint that is longer than its span holds less of what its
+/// crack sets free: 1 + 2 length/span times its own. A smooth stress needs no such proof: the hinge that opens has it.
+double cracking(double strength, double smooth, double stiffness, double rotation, double energy,
+                double length_over_span = 1);
 
 /// The law of a joint of stiffness K, N m, that reaches its strength at the rotation θ₀, for a crack that takes
 /// `energy`, N m. Without rotation it never opens.

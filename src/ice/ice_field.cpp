@@ -68,14 +68,8 @@ void IceField::add_floe(World& world, const Scenario& scenario, const SingleFloe
     const auto first = again ? static_cast<std::size_t>(floes_[place].first) : elements_.size();
     const std::size_t first_joint = again ? floes_[place].first_joint : joint_ids_.size();
     if (!again) floes_.emplace_back();
-    floes_[place] = {static_cast<int>(first),
-                     grid,
-                     make_thresholds(shape, material),
-                     ice_section(shape, material),
-                     spring ? spring->moment[2] : 0.0,
-                     material.ice.fracture_energy * shape.element * shape.thickness,
-                     first_joint,
-                     entered_++};
+    floes_[place] = {static_cast<int>(first), grid, joint_strength(shape, material, shape.element, shape.element),
+                     first_joint, entered_++};
     const Turn half = turn_of(0.5 * floe.pose.yaw);
     const Quat yaw(half.cos, 0, half.sin, 0);
     const Vec3 middle(floe.pose.x, shape.floating_height(material.ice, water.density), floe.pose.z);

@@ -119,23 +119,20 @@ class IceField {
     struct Sheet {
         int first;  // of its elements
         FloeGrid grid;
-        Thresholds thresholds;
-        IceSection section;
-        double stiffness;         // K of a joint against bending, N m
-        double crack_energy;      // of a joint, N m
+        JointStrength joint;      // of each
         std::size_t first_joint;  // of those ever made; the others follow
         int number;               // in the order of entry
         bool cracked = false;
         bool broken = false;
         bool there = true;
         bool rests = false;
-        std::shared_ptr<const CutFloe> cut{};  // of a polygon
-        std::vector<Thresholds> of_joints{};   // likewise, by number
-        std::vector<std::size_t> joints{};     // likewise, which of those ever made
+        std::shared_ptr<const CutFloe> cut{};    // of a polygon
+        std::vector<JointStrength> of_joints{};  // likewise, by number
+        std::vector<std::size_t> joints{};       // likewise, which of those ever made
 
         int elements() const { return cut ? static_cast<int>(cut->elements.size()) : grid.elements(); }
-        const Thresholds& of(const Joint& joint) const {
-            return cut ? of_joints[static_cast<std::size_t>(joint.number)] : thresholds;
+        const JointStrength& of(const Joint& made) const {
+            return cut ? of_joints[static_cast<std::size_t>(made.number)] : joint;
         }
     };
 
@@ -175,7 +172,10 @@ class IceField {
         Vec3 pivot;  ///< m
     };
     JointPlace joint_place(const Joint& joint, const BodyState& a) const;
+    /// The axes of the joint's floe as an element of it has them; floe -> world.
+    Mat3 floe_axes(const Joint& joint, int element, const BodyState& state) const;
     const Sheet& floe_of(const Joint& joint) const { return floes_[static_cast<std::size_t>(joint.floe)]; }
+    const JointStrength& strength_of(const Joint& joint) const { return floe_of(joint).of(joint); }
     void fail(World& world, const Joint& joint, const BreakEvent& event);
     void split_broken(World& world, std::size_t first_break);
     void expose_edges(const Joint& joint);

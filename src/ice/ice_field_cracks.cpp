@@ -18,35 +18,37 @@ IceField::Turned IceField::turned(const World& world, const Joint& joint) const 
     const auto first = static_cast<std::size_t>(floe_of(joint).first);
     const BodyState a = world.state(elements_[first + static_cast<std::size_t>(joint.grid.a)].body);
     const BodyState b = world.state(elements_[first + static_cast<std::size_t>(joint.grid.b)].body);
-    const Mat3 between = a.rotation.transpose() * b.rotation;
+    const Mat3 axes = floe_axes(joint, joint.grid.a, a);
+    const Mat3 between = axes.transpose() * floe_axes(joint, joint.grid.b, b);
     const Vec2 angles(0.5 * (between(2, 1) - between(1, 2)), 0.5 * (between(1, 0) - between(0, 1)));
     const double angle = angles.norm();
     if (!(angle > 0)) return {};
-    return {angle, angles.dot(horizontal(a.rotation.transpose() * (b.angular_velocity - a.angular_velocity))) / angle};
+    return {angle, angles.dot(horizontal(axes.transpose() * (b.angular_velocity - a.angular_velocity))) / angle};
 }
 
 std::optional<FailureMode> IceField::failing(World& world, Joint& joint) {
-    const Sheet& sheet = floe_of(joint);
+    const JointStrength& strength = strength_of(joint);
     if (!by_stress_) {
         const JointReaction reaction = world.reaction(joint.id);
         peaks_ = raised(peaks_, reaction);
-        return failure(reaction, sheet.of(joint));
+        return failure(reaction, strength.thresholds);
     }
     peaks_ = raised(peaks_, stress_.reaction(joint.place));
     if (joint.crack) return crack_on(world, joint);
     if (!may_fail(stress_.reaction(joint.place), stress_.across(joint.place), stress_.most_by_contacts(joint.place),
-                  sheet.section, sheet.thresholds))
+                  strength.section, strength.thresholds))
         return std::nullopt;
     const JointLoad load = stress_.load(world, joint.place);
-    const Utilisation used = utilisation(load, sheet.section, sheet.thresholds);
+    const Utilisation used = utilisation(load, strength.section, strength.thresholds);
     if (!(used.share > 1)) return std::nullopt;
     if (used.mode != FailureMode::bending) return used.mode;
     const Turned now = turned(world, joint);
-    const double smooth = fibre_stress(smoothed(load), sheet.section) / sheet.section.flexural_strength;
-    const double over = cracking(used.share, smooth, sheet.stiffness, now.angle, sheet.crack_energy);
+    const double smooth = fibre_stress(smoothed(load), strength.section) / strength.section.flexural_strength;
+    const double over =
+        cracking(used.share, smooth, strength.stiffness, now.angle, strength.crack_energy, strength.length_over_span);
     if (!(over > 1)) return std::nullopt;
     floes_[static_cast<std::size_t>(joint.floe)].cracked = true;
-    joint.crack.emplace(cohesive_law(sheet.stiffness, now.angle / over, sheet.crack_energy));
+    joint.crack.emplace(cohesive_law(strength.stiffness, now.angle / over, strength.crack_energy));
     return crack_on(world, joint);
 }
 
@@ -60,7 +62,7 @@ std::optional<FailureMode> IceField::crack_on(World& world, Joint& joint) {
     if (crack.is_open()) return FailureMode::bending;
     if (crack.sound() < sound) world.soften_joint(joint.id, crack.sound());
     // Cracked ice still shears off, and a thrust still crushes it.
-    return failure(without_bending(stress_.reaction(joint.place)), floe_of(joint).thresholds);
+    return failure(without_bending(stress_.reaction(joint.place)), strength_of(joint).thresholds);
 }
 
 void IceField::read_utilisation(const World& world, std::vector<double>& worst) const {
@@ -69,11 +71,12 @@ void IceField::read_utilisation(const World& world, std::vector<double>& worst) 
         const Sheet& sheet = floe_of(joint);
         double used = 0;
         if (!by_stress_)
-            used = utilisation(world.reaction(joint.id), sheet.of(joint));
+            used = utilisation(world.reaction(joint.id), sheet.of(joint).thresholds);
         else if (joint.crack)
             used = 2 - joint.crack->sound();
         else
-            used = utilisation(stress_.load(world, joint.place), sheet.section, sheet.thresholds).share;
+            used = utilisation(stress_.load(world, joint.place), sheet.of(joint).section, sheet.of(joint).thresholds)
+                       .share;
         const auto first = static_cast<std::size_t>(sheet.first);
         for (const int index : {joint.grid.a, joint.grid.b}) {
             double& element = worst[first + static_cast<std::size_t>(index)];

@@ -56,7 +56,7 @@ void IceField::add_polygon(World& world, const Scenario& scenario, const SingleF
     const int place = static_cast<int>(free);
     const int first = again ? floes_[free].first : static_cast<int>(elements_.size());
     if (!again) floes_.emplace_back();
-    Sheet& sheet = floes_[free] = {first, {}, {}, {}, 0.0, 0.0, joint_ids_.size(), entered_++};
+    Sheet& sheet = floes_[free] = {first, {}, {}, joint_ids_.size(), entered_++};
     sheet.cut = cut;
     const Turn half = turn_of(0.5 * floe.pose.yaw);
     const Quat yaw(half.cos, 0, half.sin, 0);
@@ -73,10 +73,15 @@ void IceField::add_polygon(World& world, const Scenario& scenario, const SingleF
                      .pose = {middle + yaw * flat(one.centre), yaw * turned_to(one.axis)},
                      .piece = first,
                      .crushing_pressure = pressure});
+        if (by_stress_)
+            stress_.put_prism(static_cast<std::size_t>(first + index),
+                              elements_[static_cast<std::size_t>(first + index)].body, one.axis,
+                              {from_axes(one.corners, {}, one.axis), shape.thickness, material.ice.poisson_ratio,
+                               pressure > 0 ? pressure : material.ice.compressive_strength});
     }
     for (std::size_t k = 0; k < cut->joints.size(); ++k) {
         const CutJoint& joint = cut->joints[k];
-        sheet.of_joints.push_back(make_thresholds(joint.length, joint.span, shape.thickness, material));
+        sheet.of_joints.push_back(joint_strength(shape, material, joint.length, joint.span));
         const std::size_t at = put_joint(world, {.a = elements_[static_cast<std::size_t>(first + joint.a)].body,
                                                  .b = elements_[static_cast<std::size_t>(first + joint.b)].body,
                                                  .pivot = middle + yaw * flat(joint.pivot),
@@ -86,7 +91,22 @@ void IceField::add_polygon(World& world, const Scenario& scenario, const SingleF
                                                  .spring = polygon_joint(joint, shape, material)});
         joints_.push_back({joint_ids_[at], place, static_cast<int>(k), {joint.a, joint.b, JointAxis::x}, at});
         sheet.joints.push_back(at);
+        if (!by_stress_) continue;
+        const auto of = [&](int element, double way, unsigned edge) {
+            const Corner& centre = cut->elements[static_cast<std::size_t>(element)].centre;
+            return PrismJoint{way * joint.normal, joint.pivot - centre, joint.length, joint.span, edge};
+        };
+        stress_.put_prism_joint(at, joint_ids_[at], static_cast<std::size_t>(first + joint.a),
+                                of(joint.a, 1, joint.edge_a), static_cast<std::size_t>(first + joint.b),
+                                of(joint.b, -1, joint.edge_b));
     }
+}
+
+Mat3 IceField::floe_axes(const Joint& joint, int element, const BodyState& state) const {
+    const CutFloe* cut = floe_of(joint).cut.get();
+    if (cut == nullptr) return state.rotation;
+    return state.rotation *
+           turned_to(cut->elements[static_cast<std::size_t>(element)].axis).toRotationMatrix().transpose();
 }
 
 IceField::JointPlace IceField::joint_place(const Joint& joint, const BodyState& a) const {
@@ -97,8 +117,7 @@ IceField::JointPlace IceField::joint_place(const Joint& joint, const BodyState& 
     }
     const CutJoint& cut = sheet.cut->joints[static_cast<std::size_t>(joint.number)];
     const CutElement& element = sheet.cut->elements[static_cast<std::size_t>(cut.a)];
-    const Mat3 to_floe = turned_to(element.axis).toRotationMatrix();  // element -> floe
-    const Mat3 floe = a.rotation * to_floe.transpose();               // floe -> world, at this element
+    const Mat3 floe = floe_axes(joint, cut.a, a);
     return {floe * turned_to(cut.normal).toRotationMatrix(),
             a.position + floe * (flat(cut.pivot) - flat(element.centre))};
 }

@@ -5,10 +5,15 @@
 
 namespace floes {
 
-IceSection ice_section(const FloeShape& shape, const Material& material) {
+JointStrength joint_strength(const FloeShape& shape, const Material& material, double length, double span) {
     const Ice& ice = material.ice;
-    return {shape.element, shape.thickness, ice.poisson_ratio, ice.bending_strength,
-            ice.tensile_strength > 0 ? ice.tensile_strength : ice.bending_strength};
+    const bool beam = material.joint.model == JointModel::beam;
+    return {.thresholds = make_thresholds(length, span, shape.thickness, material),
+            .section = {length, shape.thickness, ice.poisson_ratio, ice.bending_strength,
+                        ice.tensile_strength > 0 ? ice.tensile_strength : ice.bending_strength},
+            .stiffness = beam ? beam_joint(elastic_ice(shape, material), length, span).moment[2] : 0.0,
+            .crack_energy = ice.fracture_energy * length * shape.thickness,
+            .length_over_span = length / span};
 }
 
 double fibre_stress(const JointLoad& load, const IceSection& section) {
@@ -21,7 +26,11 @@ double fibre_stress(const JointLoad& load, const IceSection& section) {
     const auto in_fibre = [&](double sign, const LocalStress& local) {  // +1 the lower one
         const double n = axial + sign * (normal + local.along);
         const double t = sign * (across + local.across);
-        return n < t ? n : 0.5 * (n + t) + std::sqrt(0.25 * (n - t) * (n - t) + twist * twist);
+        const double sheared = twist - local.shear;  // a torsion about x turns the lower fibre towards -z
+        // The tension along an oblique edge pulls at the joints of both axes, so neither leaves it to the other: with
+        // the grid's own twist, which is about as large as what the contact adds. Never more than the principal one.
+        if (n < t) return n + std::min(std::abs(sheared), 2 * std::abs(local.shear));
+        return 0.5 * (n + t) + std::sqrt(0.25 * (n - t) * (n - t) + sheared * sheared);
     };
     return std::max(in_fibre(1, load.sagging), in_fibre(-1, load.hogging));
 }

@@ -15,26 +15,38 @@
 //
 // Compression and shear are Eqs. (1) and (2) of the paper, as in ice/failure.hpp.
 
+#include "ice/beam_joint.hpp"
 #include "ice/failure.hpp"
 #include "world/state.hpp"
 
 namespace floes {
 
-/// The ice of a floe as its stress needs it. SI.
+/// The ice at a joint as its stress needs it. SI.
 struct IceSection {
-    double side = 0;       ///< L, of an element
+    double side = 0;       ///< L, of an element; of polygons the length of the common edge
     double thickness = 0;  ///< T
     double poisson_ratio = 0;
     double flexural_strength = 0;  ///< Pa
     double tensile_strength = 0;   ///< Pa
 };
 
-IceSection ice_section(const FloeShape& shape, const Material& material);
+/// What a joint bears, and what it gives when it cracks.
+struct JointStrength {
+    Thresholds thresholds{};
+    IceSection section{};
+    double stiffness = 0;         ///< K against bending, N m; 0 where the joints follow Σ and Γ
+    double crack_energy = 0;      ///< G_f L T, N m
+    double length_over_span = 1;  ///< of the joint, cracking()
+};
+
+/// Of joints of this length across and this span between centres, m: of squares both are the element's side.
+JointStrength joint_strength(const FloeShape& shape, const Material& material, double length, double span);
 
 /// Stress that a contact adds, Pa, tension in the lower fibre positive.
 struct LocalStress {
     double along = 0;   ///< along the joint's normal
     double across = 0;  ///< and across it
+    double shear = 0;   ///< of both, by the joint's x and z; 0 in elements that are squares
 };
 
 /// What acts at a joint.

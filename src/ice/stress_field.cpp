@@ -19,6 +19,10 @@ int face_of_a(JointAxis axis) {
 /// Contacts of a step beyond which the memory grows, for each element.
 constexpr std::size_t usual_contacts = 4;
 
+Corner in_floe_axes(const Corner& own_x, const Vec3& at) {
+    return at.x() * own_x + at.z() * Corner{-own_x.z, own_x.x};
+}
+
 }  // namespace
 
 void StressField::reserve(std::size_t elements) {
@@ -28,7 +32,10 @@ void StressField::reserve(std::size_t elements) {
 }
 
 StressField::Element StressField::made_of(BodyId body, const PressedElement& element) {
-    return {element, body, most_contact_stress(element), {none, none, none, none}};
+    return {.ice = element,
+            .body = body,
+            .most_stress = most_contact_stress(element),
+            .joint_of = {none, none, none, none}};
 }
 
 void StressField::add_element(BodyId body, const PressedElement& element) {
@@ -65,13 +72,14 @@ void StressField::put_in_joint(std::size_t number) {
 
 void StressField::remove_joint(std::size_t joint) {
     const Joint& gone = joints_[joint];
+    live_[joint] = false;
+    reactions_[joint] = {};
+    if (is_prism(gone.a)) return leave_prisms(gone);
     const int face = face_of_a(gone.axis);
     elements_[gone.a].joint_of[static_cast<std::size_t>(face)] = none;
     elements_[gone.b].joint_of[static_cast<std::size_t>(face + 1)] = none;
     elements_[gone.a].ice.joined &= static_cast<std::uint8_t>(~bit_of(face));
     elements_[gone.b].ice.joined &= static_cast<std::uint8_t>(~bit_of(face + 1));
-    live_[joint] = false;
-    reactions_[joint] = {};
 }
 
 void StressField::read(const World& world) {
@@ -93,7 +101,7 @@ void StressField::read(const World& world) {
 void StressField::touch(BodyId body, std::size_t contact, bool on_a) {
     if (body.index() >= element_of_body_.size()) return;
     const std::size_t number = element_of_body_[body.index()];
-    if (number == none || elements_[number].ice.joined == 0) return;
+    if (number == none || !elements_[number].is_joined(prisms_)) return;
     Element& element = elements_[number];
     const auto place = static_cast<std::uint32_t>(touches_.size());
     touches_.push_back({contact, on_a});
@@ -114,8 +122,13 @@ Press StressField::press(const World& world, const Element& element, const Touch
     const Vec3 force = touch.on_a ? on_a : -on_a;
     const BodyState state = world.state(element.body);
     const Vec3 at = state.rotation.transpose() * (contact.point - state.position);
+    const double down = -state.rotation.col(1).dot(force);
+    if (element.prism != none) {
+        const Corner there = in_floe_axes(prisms_[element.prism].axis, at);
+        return {there.x, there.z, down};
+    }
     const double half = element.ice.side / 2;
-    return {std::clamp(at.x(), -half, half), std::clamp(at.z(), -half, half), -state.rotation.col(1).dot(force)};
+    return {std::clamp(at.x(), -half, half), std::clamp(at.z(), -half, half), down};
 }
 
 double StressField::bending(const Element& element, int face) const {
@@ -125,6 +138,7 @@ double StressField::bending(const Element& element, int face) const {
 
 double StressField::across(std::size_t joint) const {
     const Joint& one = joints_[joint];
+    if (is_prism(one.a)) return across_in_prism(one, false) + across_in_prism(one, true);
     const int beside = face_of_a(one.axis == JointAxis::x ? JointAxis::z : JointAxis::x);
     double sum = 0;
     for (const std::size_t i : {one.a, one.b})
@@ -138,19 +152,25 @@ double StressField::most_by_contacts(std::size_t joint) const {
     return std::max(a.most_stress * a.largest_force, b.most_stress * b.largest_force);
 }
 
+std::optional<LocalStress> StressField::added(const Joint& joint, bool at_b, const Press& press) const {
+    const Element& element = elements_[at_b ? joint.b : joint.a];
+    if (element.prism != none) return added_in_prism(joint, at_b, press);
+    const std::array<SideStress, 2> found = contact_stress(element.ice, press);
+    const auto axis = static_cast<std::size_t>(joint.axis == JointAxis::x ? 0 : 1);
+    if (found[axis].face != bit_of(face_of_a(joint.axis) + (at_b ? 1 : 0))) return std::nullopt;
+    return LocalStress{found[axis].stress, found[1 - axis].stress};
+}
+
 JointLoad StressField::load(const World& world, std::size_t joint) const {
     const Joint& one = joints_[joint];
     JointLoad load{.reaction = reactions_[joint], .across = across(joint)};
-    const int face = face_of_a(one.axis);
-    const auto axis = static_cast<std::size_t>(one.axis == JointAxis::x ? 0 : 1);
-    for (const auto& [number, side] : {std::pair(one.a, face), std::pair(one.b, face + 1)}) {
-        const Element& element = elements_[number];
+    for (const bool at_b : {false, true}) {
+        const Element& element = elements_[at_b ? one.b : one.a];
         for (std::uint32_t i = element.first; i != no_touch; i = touches_[i].next) {
-            const std::array<SideStress, 2> found = contact_stress(element.ice, press(world, element, touches_[i]));
-            if (found[axis].face != bit_of(side)) continue;
-            const LocalStress local{found[axis].stress, found[1 - axis].stress};
-            if (local.along > load.sagging.along) load.sagging = local;
-            if (local.along < load.hogging.along) load.hogging = local;
+            const std::optional<LocalStress> local = added(one, at_b, press(world, element, touches_[i]));
+            if (!local) continue;
+            if (local->along > load.sagging.along) load.sagging = *local;
+            if (local->along < load.hogging.along) load.hogging = *local;
         }
     }
     return load;

@@ -22,9 +22,6 @@ void check_shapes(const Scenario& scenario, Contradictions& found) {
     const bool voronoi = scenario.shapes.kind == ShapeKind::voronoi;
     if (scenario.joint.model != JointModel::beam)
         refuse("joint.model", "Σ and Γ are fitted to square elements", "joint.model = \"beam\"");
-    else if (scenario.joint.fails_by_stress())
-        refuse("joint.failure", "the stress below a contact is known for square elements only",
-               "joint.failure = \"moment\"");
     const ArrangementMethod method = scenario.arrangement.method;
     if (method == ArrangementMethod::lattice || method == ArrangementMethod::file)
         refuse("arrangement.method",

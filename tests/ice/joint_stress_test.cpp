@@ -80,6 +80,8 @@ JointLoad any_load(std::mt19937_64& random, double by_contacts) {
     load.across = one(random) * bending_strength;
     load.sagging = {by_contacts * std::abs(one(random)) / 1.2, by_contacts * one(random) / 1.2};
     load.hogging = {-by_contacts * std::abs(one(random)) / 1.2, by_contacts * one(random) / 1.2};
+    for (LocalStress* local : {&load.sagging, &load.hogging})  // an oblique rim's
+        local->shear = (by_contacts - std::abs(local->along)) * one(random) / 1.2;
     return load;
 }
 

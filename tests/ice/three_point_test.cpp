@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+#include <optional>
 #include <vector>
 
 #include "ice_scene.hpp"
@@ -17,8 +20,9 @@ constexpr double stamp = 0.05;
 /// Where the strip rests and where it is pressed: m from its middle.
 struct Set {
     int elements;
-    double support;              ///< on either side
-    std::vector<double> stamps;  ///< they share the load
+    double support;                                ///< on either side
+    std::vector<double> stamps;                    ///< they share the load
+    std::optional<double> oblique = std::nullopt;  ///< of a polygon: by how much one side is shorter at each end, m
 };
 
 Scenario strip(const Set& set) {
@@ -29,12 +33,25 @@ Scenario strip(const Set& set) {
     return scenario;
 }
 
+/// Where the set has it, as a rectangle or as a trapezoid.
+FloeSet floe_of(const Scenario& scenario, const Set& set) {
+    FloeSet floes = floes_at(scenario, std::vector<PlanarPose>{{0, 0, 0}});
+    if (!set.oblique) return floes;
+    const double half = set.elements * side / 2;
+    const double shorter = half - *set.oblique;
+    const Outline outline{{-half, -side / 2}, {half, -side / 2}, {shorter, side / 2}, {-shorter, side / 2}};
+    const Corner centroid = measures_of(outline).centroid;
+    floes.shapes.front().outline = in_axes(outline, centroid, {1, 0});
+    floes.floes.front().pose.z = centroid.z;
+    return floes;
+}
+
 /// N of all stamps at which the strip cracks, pressed in small steps.
 double cracking_load(const Scenario& scenario, const Set& set) {
     WorldDefinition definition{.iterations = 50, .gravity = 0, .solver = SolverKind::direct};
     definition.contact = scenario.contact_law();
     World world(definition);
-    IceField ice(world, scenario, floes_at(scenario, std::vector<PlanarPose>{{0, 0, 0}}));
+    IceField ice(world, scenario, floe_of(scenario, set));
     const double middle = world.state(ice.elements()[0].body).position.y();
     for (const double x : {-set.support, set.support}) {
         world.add_fixed_box(
@@ -94,6 +111,63 @@ TEST(ThreePoints, CrackWhereMomentAndContactsReachTheStrength) {
 TEST(FourPoints, CrackBelowAStampThoughTheMomentIsTheSameBetweenThem) {
     // From the supports' inner edges to the stamps; between the stamps the moment is constant.
     expect_cracks({.elements = 7, .support = 3 * side, .stamps = {-2 * side, 2 * side}}, (side - stamp / 2) / 2);
+}
+
+/// N at which the strip cracks across a knife above its middle, as its ends are lifted with half of it each: the knife
+/// presses at two points, with half of it each.
+double cracking_over_a_knife(const Scenario& scenario, const Set& set) {
+    WorldDefinition definition{.iterations = 50, .gravity = 0, .solver = SolverKind::direct};
+    definition.contact = scenario.contact_law();
+    World world(definition);
+    IceField ice(world, scenario, floe_of(scenario, set));
+    const double top = world.state(ice.elements()[0].body).position.y() + thick / 2;
+    const double half = 0.01;
+    world.add_fixed_box({.half_extents = {half, half, stamp / 2},
+                         .pose = {{0, top + half * std::numbers::sqrt2, 0},
+                                  Quat(std::cos(std::numbers::pi / 8), 0, 0, std::sin(std::numbers::pi / 8))}});
+    const double per_step = 0.01;
+    for (int step = 1; step < 5000; ++step) {
+        for (const IceElement* end : {&ice.elements().front(), &ice.elements().back()}) {
+            const BodyState state = world.state(end->body);
+            const double force = per_step * step / 2 - 20 * state.velocity.y();  // or it would tip over
+            world.apply(end->body, {Vec3(0, force, 0), Vec3(state.position.z() * force, 0, 0)});  // on the middle line
+        }
+        world.step();
+        if (ice.break_joints(world, 0.02 * step) > 0) return per_step * step;
+    }
+    return 0;
+}
+
+class Knife : public testing::TestWithParam<std::optional<double>> {};
+
+/// The moment of half the load on its lever, from the centroid of an end to the joint halfway to the middle, and what
+/// the knife's points add.
+/// A strip given as an outline cracks at the load, and so at the time, of squares.
+TEST_P(Knife, CracksAStripAsABeam) {
+    Set set{.elements = 3, .support = 0, .stamps = {}, .oblique = GetParam()};
+    const Scenario scenario = strip(set);
+    const double shorter = side - set.oblique.value_or(0);  // the other side of an end, a trapezoid
+    const double centroid = (side * side + side * shorter + shorter * shorter) / (3 * (side + shorter));
+    const double lever = (side / 2 + centroid) / 2;
+    const PressedElement element{side, thick, 0.3, scenario.contact_law().crushing_pressure,
+                                 edge_plus_x | edge_minus_x};
+    double expected = 20;
+    for (int i = 0; i < 30; ++i) {
+        const double local = contact_stress(element, {0, stamp / 2, expected / 2})[0].stress / expected;
+        expected = scenario.ice.bending_strength / (lever / 2 * 6 / (side * thick * thick) + local);
+    }
+    const double found = cracking_over_a_knife(scenario, set);
+    EXPECT_NEAR(found, expected, 0.02 * expected);
+    if (!set.oblique || *set.oblique > 0) return;
+    set.oblique = std::nullopt;
+    EXPECT_NEAR(found, cracking_over_a_knife(scenario, set), 0.011) << "a step of the load";
+}
+
+INSTANTIATE_TEST_SUITE_P(Ice, Knife, testing::Values(std::nullopt, 0.0, 0.05, 0.1));
+
+/// Its ends are cut obliquely beyond the supports, so its moments are those of before.
+TEST(ThreePoints, CrackAStripWithObliqueEndsAsABeam) {
+    expect_cracks({.elements = 3, .support = side, .stamps = {0}, .oblique = 0.1}, (side / 2 - stamp / 2) / 2);
 }
 
 }  // namespace

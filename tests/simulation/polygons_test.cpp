@@ -39,6 +39,30 @@ TEST(PolygonTow, SquaresAsPolygonsBearTheLoadOfSquares) {
     EXPECT_LT(difference, 0.01 * load);
 }
 
+/// The first joint that cracks is the same one, at the same time.
+TEST(PolygonTow, SquaresAsPolygonsCrackWhereSquaresDo) {
+    Scenario scenario = channel();
+    scenario.joint.failure = JointFailure::stress;
+    const Arrangement squares = make_arrangement(scenario, 1, 0);
+    FloeSet polygons = squares;
+    polygons.shapes.front().outline = {{-0.3, -0.3}, {0.3, -0.3}, {0.3, 0.3}, {-0.3, 0.3}};
+    Simulation one(scenario, squares);
+    Simulation other(scenario, polygons);
+    for (Simulation* tow : {&one, &other})
+        while (tow->ice().breaks().empty() && tow->time() < 8) tow->step();
+    ASSERT_FALSE(one.ice().breaks().empty());
+    ASSERT_FALSE(other.ice().breaks().empty());
+    const BreakEvent& of_square = one.ice().breaks().front();
+    const BreakEvent& of_polygon = other.ice().breaks().front();
+    EXPECT_NEAR(of_square.time, of_polygon.time, 1.5 * scenario.general.time_step);
+    ASSERT_EQ(of_square.floe, of_polygon.floe);
+    EXPECT_EQ(of_square.mode, of_polygon.mode);
+    const GridJoint grid = joint_order(one.ice().grid(of_square.floe))[static_cast<std::size_t>(of_square.joint)];
+    const CutJoint& cut = other.ice().cut(of_polygon.floe)->joints[static_cast<std::size_t>(of_polygon.joint)];
+    EXPECT_EQ(grid.a, cut.a);
+    EXPECT_EQ(grid.b, cut.b);
+}
+
 TEST(PolygonTow, VoronoiCellsRestUntilTheyAreMet) {
     Scenario scenario = channel();
     scenario.shapes.kind = ShapeKind::voronoi;

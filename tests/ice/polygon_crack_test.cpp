@@ -1,0 +1,226 @@
+// Polygons that crack by stress: a strip at any angle to the grid, and two elements that a crack parts.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "ice/polygon_floe.hpp"
+#include "ice/scenario_world.hpp"
+#include "ice_scene.hpp"
+
+namespace floes::test {
+namespace {
+
+FloeSet alone(const Scenario& scenario, const Outline& outline, double element) {
+    FloeShape shape = scenario.floe;
+    shape.element = element;
+    shape.outline = in_axes(outline, measures_of(outline).centroid, {1, 0});
+    shape.length = size_of(shape.outline).x;
+    shape.breadth = size_of(shape.outline).z;
+    return {{shape}, {scenario.material()}, {{}}};
+}
+
+Corner direction(double degrees) {
+    const double angle = degrees * std::numbers::pi / 180;
+    return {std::cos(angle), std::sin(angle)};
+}
+
+/// A strip under couples at its ends, at an angle to its grid. SI.
+struct Strip {
+    double degrees;
+    double half = 1.4;
+    double width = 0.5;
+    double moment = 0.4;
+
+    Corner along() const { return direction(degrees); }
+    double place(const CutElement& one) const { return dot(one.centre, along()); }
+};
+
+/// Bends it until it is at rest, and returns the largest utilisation of each element in its middle.
+std::vector<double> utilisation_of(const Strip& strip) {
+    Scenario scenario;
+    scenario.general.gravity = 0;
+    scenario.joint.damping_ratio = 1;
+    scenario.ice.bending_strength = scenario.ice.tensile_strength = 1e6;
+    const double half = strip.half;
+    const double broad = strip.width / 2;
+    const Outline outline{{-half, -broad}, {half - 0.2, -broad}, {half, broad}, {-half + 0.2, broad}};
+    World world = scenario_world(scenario);
+    const FloeSet floes = alone(scenario, from_axes(outline, {}, strip.along()), 0.1);
+    IceField ice(world, scenario, floes);
+    const CutFloe& cut = *ice.cut(0);
+    double area = 0;
+    for (const CutElement& one : cut.elements) area += strip.place(one) > half - 0.4 ? one.area : 0;
+    const Vec3 about = Vec3(-strip.along().z, 0, strip.along().x);
+    for (int step = 0; step < 400; ++step) {
+        for (const IceElement& one : ice.elements()) {
+            const CutElement& element = cut.elements[static_cast<std::size_t>(one.index)];
+            const double at = strip.place(element);
+            if (std::abs(at) > half - 0.4)
+                world.apply(one.body,
+                            {Vec3::Zero(), (at > 0 ? 1.0 : -1.0) * strip.moment * element.area / area * about});
+        }
+        world.step();
+        EXPECT_EQ(ice.break_joints(world, 0.02 * step), 0);
+    }
+    std::vector<double> all;
+    ice.read_utilisation(world, all);
+    std::vector<double> middle;
+    for (const IceElement& one : ice.elements())
+        if (std::abs(strip.place(cut.elements[static_cast<std::size_t>(one.index)])) < 0.5)
+            middle.push_back(all[static_cast<std::size_t>(one.index)]);
+    return middle;
+}
+
+class Strips : public testing::TestWithParam<double> {};
+
+/// 6 M/(b T²) whatever the angle: the principal stress, of bending and twist along the grid.
+TEST_P(Strips, HaveTheStressOfABeamAtAnyAngleToTheirGrid) {
+    const Strip strip{.degrees = GetParam()};
+    const std::vector<double> used = utilisation_of(strip);
+    ASSERT_GT(used.size(), 30U);
+    const double expected = 6 * strip.moment / (strip.width * 0.033 * 0.033) / 1e6;
+    double sum = 0;
+    for (const double one : used) sum += one / expected / static_cast<double>(used.size());
+    EXPECT_NEAR(sum, 1, 0.06);
+    EXPECT_LT(std::ranges::max(used) / expected, 1.4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ice, Strips, testing::Values(0.0, 20.0, 30.0, 45.0));
+
+/// Largest utilisation of a strip at an angle to its grid, that is lifted at its ends and held down by a knife as broad
+/// as it is: its points press at the rims.
+double used_below_a_knife(double degrees) {
+    Scenario scenario;
+    scenario.general.gravity = 0;
+    scenario.joint.damping_ratio = 1;
+    scenario.ice.bending_strength = scenario.ice.tensile_strength = 1e6;
+    const Corner along = direction(degrees);
+    const Outline outline{{-0.6, -0.15}, {0.6, -0.15}, {0.6, 0.15}, {-0.6, 0.15}};
+    World world = scenario_world(scenario);
+    IceField ice(world, scenario, alone(scenario, from_axes(outline, {}, along), 0.1));
+    const double top = world.state(ice.elements()[0].body).position.y() + scenario.floe.thickness / 2;
+    const Quat turn(Eigen::AngleAxisd(std::atan2(-along.z, along.x), Vec3::UnitY()));
+    world.add_fixed_box({.half_extents = {0.01, 0.01, 0.14},
+                         .pose = {{0, top + 0.01 * std::numbers::sqrt2, 0},
+                                  turn * Quat(Eigen::AngleAxisd(std::numbers::pi / 4, Vec3::UnitZ()))}});
+    const CutFloe& cut = *ice.cut(0);
+    double area = 0;
+    for (const CutElement& one : cut.elements) area += std::abs(dot(one.centre, along)) > 0.4 ? one.area : 0;
+    for (int step = 0; step < 300; ++step) {
+        for (const IceElement& one : ice.elements()) {
+            const CutElement& element = cut.elements[static_cast<std::size_t>(one.index)];
+            const double lift = std::abs(dot(element.centre, along)) > 0.4 ? 5 * element.area / area : 0;
+            const double held = 500 * element.area * world.state(one.body).velocity.y();
+            world.apply(one.body, {Vec3(0, std::min(1.0, step / 100.0) * lift - held, 0), Vec3::Zero()});
+        }
+        world.step();
+        EXPECT_EQ(ice.break_joints(world, 0.02 * step), 0);
+    }
+    std::vector<double> all;
+    ice.read_utilisation(world, all);
+    return std::ranges::max(all);
+}
+
+/// What is along x in the one is along z in the other. The solver shares the load of the two points out to within 1 %.
+TEST(Strips, HaveTheSameStressBelowContactsWhenTheyAreTurnedByAQuarter) {
+    for (const double degrees : {20.0, 35.0, 50.0}) {
+        const double used = used_below_a_knife(degrees);
+        EXPECT_GT(used, 0.01);
+        EXPECT_NEAR(used_below_a_knife(degrees + 90) / used, 1, 0.01) << degrees;
+    }
+}
+
+/// Two elements with a joint between them.
+struct Pair {
+    Outline outline;
+    double length;  ///< of their joint, m
+    double span;
+};
+
+class PolygonsThatPart : public testing::TestWithParam<Pair> {};
+
+/// They turn against each other; what they lose until they are free is G_f times length times thickness.
+TEST_P(PolygonsThatPart, LoseTheEnergyOfTheCrack) {
+    const auto& [outline, length, span] = GetParam();
+    Scenario scenario;
+    scenario.general.time_step = 0.01;
+    scenario.water.added_mass_from = WaterFrom::share;
+    scenario.ice.fracture_energy = 1.5;
+    scenario.joint.damping_ratio = 0;
+    const double thick = scenario.floe.thickness;
+    const double crack = 1.5 * length * thick;
+    const double rate = 0.01;  // rad/s of each
+    FloeSet floes = alone(scenario, outline, 0.2);
+    const CutFloe cut = cut_into_elements(floes.shapes.front().outline, 0.2);
+    ASSERT_EQ(cut.elements.size(), 2U);
+    ASSERT_EQ(cut.joints.size(), 1U);
+    EXPECT_NEAR(cut.joints[0].length, length, 1e-9);
+    EXPECT_NEAR(cut.joints[0].span, span, 1e-9);
+    const auto kinetic_of = [&](const CutElement& one, double density, const BodyState& state) {
+        const double sheet = density * thick;
+        const Vec3 turning = state.rotation.transpose() * state.angular_velocity;
+        const double flat = one.area * thick * thick / 12;
+        return 0.5 * sheet *
+               ((one.zz + flat) * turning.x() * turning.x() + (one.xx + flat) * turning.z() * turning.z() +
+                one.area * state.velocity.squaredNorm());
+    };
+    double density = 1;
+    const auto started = [&](int index) {
+        const CutElement& one = cut.elements[static_cast<std::size_t>(index)];
+        const double way = one.centre.x < cut.joints[0].pivot.x ? -1 : 1;
+        BodyState state;
+        state.rotation = turned_to(one.axis).toRotationMatrix();
+        state.angular_velocity = Vec3(0, 0, way * rate);
+        state.velocity = Vec3(0, rate * std::abs(one.centre.x - cut.joints[0].pivot.x), 0);  // the pivot stays
+        return state;
+    };
+    double before = 0;
+    for (const int i : {0, 1}) before += kinetic_of(cut.elements[static_cast<std::size_t>(i)], density, started(i));
+    density = 6 * crack / before;
+    scenario.ice.density = density;
+    floes.materials.front() = scenario.material();
+    WorldDefinition definition{.time_step = 0.01, .gravity = 0, .solver = SolverKind::direct};
+    definition.contact = scenario.contact_law();
+    World world(definition);
+    IceField ice(world, scenario, floes);
+    for (const IceElement& one : ice.elements()) {
+        BodyState state = world.state(one.body);
+        const BodyState start = started(one.index);
+        ASSERT_LT((state.rotation - start.rotation).norm(), 1e-9);
+        state.angular_velocity = start.angular_velocity;
+        state.velocity = start.velocity;
+        world.place(one.body, state);
+    }
+    int steps = 0;
+    while (ice.live_joints() > 0 && ++steps < 10000) {
+        world.step();
+        ice.break_joints(world, steps * 0.01);
+    }
+    ASSERT_EQ(ice.broken_floes(), 1);
+    double after = 0;
+    for (const IceElement& one : ice.elements())
+        after += kinetic_of(cut.elements[static_cast<std::size_t>(one.index)], density, world.state(one.body));
+    EXPECT_NEAR((6 * crack - after) / crack, 1, 0.05);
+    EXPECT_NEAR(ice.fracture_work() / crack, 1, 0.05);
+    EXPECT_EQ(ice.breaks().front().mode, FailureMode::bending);
+    EXPECT_EQ(ice.cracked_floes(), 1);
+    const std::vector<PieceArea> pieces = ice.piece_areas();
+    ASSERT_EQ(pieces.size(), 2U);
+    EXPECT_NEAR(pieces[0].area + pieces[1].area, area_of(outline), 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ice, PolygonsThatPart,
+                         testing::Values(Pair{{{-0.2, -0.1}, {0.2, -0.1}, {0.2, 0.1}, {-0.2, 0.1}}, 0.2, 0.2},
+                                         Pair{{{-0.2, -0.05}, {0.2, -0.05}, {0.2, 0.05}, {-0.2, 0.05}}, 0.1, 0.2},
+                                         Pair{{{-0.2, -0.14}, {0.2, -0.14}, {0.2, 0.14}, {-0.2, 0.14}}, 0.28, 0.2},
+                                         // Each half a trapezoid with its centroid at 2/3 (a² + ab + b²)/(a + b) / 2.
+                                         Pair{{{-0.2, -0.1}, {0.2, -0.1}, {0.1, 0.1}, {-0.1, 0.1}},
+                                              0.2,
+                                              2 * (0.04 + 0.02 + 0.01) / (3 * 0.3)}));
+
+}  // namespace
+}  // namespace floes::test
