@@ -97,8 +97,13 @@ int answer(SummarizeOptions options, const std::string& program) {
     if (options.long_lines) options.parts = {"long"};
     const std::optional<Oscillator> hull = options.mooring.hull();
     if (hull && options.parts.empty()) options.parts = {"moored"};
+    if (options.scale != 1 && !hull && std::ranges::find(options.parts, "hull") == options.parts.end())
+        throw InputError(
+            "--scale is for pressures on parts (--parts hull) and for a moored hull (--mooring-kN-m); other findings "
+            "are at the scale of the campaign.");
     expect_campaign_file(options.file);
     Evidence evidence = read_evidence(CampaignFile(options.file), options.window == "auto", options.reference);
+    evidence.scale = options.scale;
     if (hull) evidence.moored = MooredRequest{*hull, options.scale};
     evidence.resolve = options.resolve_percent * unit::percent;
     write(options, evidence, program);
@@ -142,12 +147,12 @@ void add_summarize(CommandLine& line) {
                 "first case")
         .positive()
         .shows_default();
-    Option mooring = add_mooring(verb, options->mooring);
+    add_mooring(verb, options->mooring);
     verb.option("--scale", options->scale,
-                "Of the moored hull: length at full scale over length in the campaign (Froude)")
+                "Of the moored hull and of pressures on parts: length at full scale over length in the campaign "
+                "(Froude)")
         .within(1.0, 1000.0)
-        .shows_default()
-        .needs(mooring);
+        .shows_default();
     add_window(verb, options->window);
     verb.runs([options, &line] { return answer(*options, line.program_name()); });
 }

@@ -115,6 +115,13 @@ inline constexpr std::array array_outputs{
                 .axes = {&part_axis, &averaging_axis},
                 .access = at_rows<&MemberOutputs::parts, &PartLoad::mean_maximum>(),
                 .in_table = true},
+    ArrayOutput{.path = "parts/normal_maximum",
+                .unit = "N",
+                .long_name = "mean of the segment maxima of the sum of the normal forces on the part, of its running "
+                             "means",
+                .axes = {&part_axis, &averaging_axis},
+                .access = at_rows<&MemberOutputs::parts, &PartLoad::normal_maximum>(),
+                .in_table = true},
     ArrayOutput{.path = "arrangements/pose",
                 .unit = "m, m, rad",
                 .long_name = "pose of each floe at the start: x, z, yaw",

@@ -11,26 +11,27 @@ HullLoads::HullLoads(const Shape& shape, std::vector<ConvexSolid> solids, std::s
     if (const std::size_t parts = shape.parts().size(); parts > 1) parts_.resize(parts);
     if (!parts_.empty()) pieces_ = shape.solids();
     if (pieces_ == solids_) pieces_.clear();
-    for (History& part : parts_)
-        for (std::vector<double>* one : {&part.surge, &part.sway, &part.heave}) one->reserve(steps);
+    for (PartHistory& part : parts_)
+        for (std::vector<double>* one : part.all()) one->reserve(steps);
     for (std::vector<double>* one : {&yaw_, &roll_, &pitch_}) one->reserve(steps);
 }
 
 void HullLoads::add(std::span<const ContactForce> contacts, BodyId structure, const StructureMotion& motion) {
     const Vec3 axis(motion.after().x, 0, motion.after().z);
     Vec3 moment = Vec3::Zero();
-    for (History& part : parts_)
-        for (std::vector<double>* one : {&part.surge, &part.sway, &part.heave}) one->push_back(0);
+    for (PartHistory& part : parts_)
+        for (std::vector<double>* one : part.all()) one->push_back(0);
     for (const ContactForce& one : contacts) {
         const Vec3 force = motion.in_own_axes((one.a == structure ? 1.0 : -1.0) * (one.normal + one.friction));
         const Vec3 arm = motion.in_own_axes(one.point - axis);
         moment += arm.cross(force);
         if (parts_.empty() || one.solid < 0) continue;
         const ConvexSolid& touched = solids_[static_cast<std::size_t>(one.solid)];
-        History& part = parts_[static_cast<std::size_t>(part_at(touched, pieces_, arm))];
+        PartHistory& part = parts_[static_cast<std::size_t>(part_at(touched, pieces_, arm))];
         part.surge.back() -= force.x();
         part.sway.back() += force.z();
         part.heave.back() += force.y();
+        part.normal.back() += one.normal.norm();
     }
     roll_.push_back(moment.x());
     yaw_.push_back(moment.y());
@@ -39,7 +40,7 @@ void HullLoads::add(std::span<const ContactForce> contacts, BodyId structure, co
 
 std::vector<PartLoad> HullLoads::parts(const Averaging& how) const {
     std::vector<PartLoad> loads;
-    for (const History& part : parts_) loads.push_back(part_load(part.surge, part.sway, part.heave, how));
+    for (const PartHistory& part : parts_) loads.push_back(part_load(part, how));
     return loads;
 }
 

@@ -32,13 +32,9 @@ class HullLoads {
     Swing pitch() const { return swing_of(pitch_); }
 
   private:
-    struct History {
-        std::vector<double> surge, sway, heave;
-    };
-
     std::vector<ConvexSolid> solids_;
     std::vector<ConvexSolid> pieces_;  ///< of which the solids are made, if they are others; of several parts only
-    std::vector<History> parts_;
+    std::vector<PartHistory> parts_;
     std::vector<double> yaw_, roll_, pitch_;
 };
 

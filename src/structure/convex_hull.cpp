@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <set>
 #include <utility>
 
 #include "core/error.hpp"
@@ -17,6 +15,7 @@ namespace {
 constexpr double flatness = 2e-7;  // of the size of the body
 
 using Edge = std::pair<int, int>;
+using Owners = std::vector<std::pair<Edge, std::size_t>>;  ///< the triangle of each edge, in order
 
 struct Triangle {
     std::array<int, 3> corners{};
@@ -28,6 +27,15 @@ struct Triangle {
         return {Edge{corners[0], corners[1]}, {corners[1], corners[2]}, {corners[2], corners[0]}};
     }
 };
+
+/// Those of triangles' edges that none of them has the other way round, in order.
+std::vector<Edge> rim_of(std::vector<Edge> edges) {
+    std::ranges::sort(edges);
+    std::vector<Edge> rim;
+    for (const auto& [a, b] : edges)
+        if (!std::ranges::binary_search(edges, Edge{b, a})) rim.emplace_back(a, b);
+    return rim;
+}
 
 class Growth {
   public:
@@ -108,27 +116,27 @@ class Growth {
         const Triangle& face = triangles_[below];
         const int point =
             *std::ranges::max_element(face.outside, {}, [&](int one) { return face.plane.height(at(one)); });
-        std::set<Edge> seen;
+        std::vector<Edge> seen;
         std::vector<int> orphans;
         for (Triangle& one : triangles_) {
             if (!one.alive || one.plane.height(at(point)) <= rounding_) continue;
             one.alive = false;
-            for (const Edge& edge : one.edges()) seen.insert(edge);
+            for (const Edge& edge : one.edges()) seen.push_back(edge);
             orphans.insert(orphans.end(), one.outside.begin(), one.outside.end());
             one.outside.clear();
         }
         const std::size_t first_new = triangles_.size();
-        for (const auto& [a, b] : seen)
-            if (!seen.contains({b, a})) add({a, b, point});
+        for (const auto& [a, b] : rim_of(std::move(seen))) add({a, b, point});
         std::ranges::sort(orphans);
         share_out(orphans, first_new);
     }
 
     /// Triangles of one plane become one face; corners inside a face or an edge go.
     Polyhedron with_whole_faces() const {
-        std::map<Edge, std::size_t> owner;
+        Owners owner;
         for (std::size_t k = 0; k < triangles_.size(); ++k)
-            for (const Edge& edge : triangles_[k].edges()) owner[edge] = k;
+            for (const Edge& edge : triangles_[k].edges()) owner.emplace_back(edge, k);
+        std::ranges::sort(owner);
         std::vector<std::vector<int>> loops;
         std::vector<Plane> planes;
         std::vector<bool> done(triangles_.size(), false);
@@ -137,33 +145,32 @@ class Growth {
             loops.push_back(rim(face_round(seed, owner, done)));
             planes.push_back(triangles_[seed].plane);
         }
-        std::map<int, int> uses;
+        std::vector<int> uses(points_.size(), 0);
         for (const std::vector<int>& loop : loops)
-            for (const int corner : loop) ++uses[corner];
+            for (const int corner : loop) ++uses[static_cast<std::size_t>(corner)];
         Polyhedron body{.corners = {}, .faces = {}, .planes = std::move(planes)};
-        std::map<int, int> number;
-        for (const auto& [corner, faces] : uses) {
-            if (faces < 3) continue;
+        std::vector<int> number(points_.size(), -1);
+        for (std::size_t corner = 0; corner < points_.size(); ++corner) {
+            if (uses[corner] < 3) continue;
             number[corner] = static_cast<int>(body.corners.size());
-            body.corners.push_back(at(corner));
+            body.corners.push_back(points_[corner]);
         }
         for (const std::vector<int>& loop : loops) {
             std::vector<int>& face = body.faces.emplace_back();
             for (const int corner : loop)
-                if (const auto found = number.find(corner); found != number.end()) face.push_back(found->second);
+                if (const int found = number[static_cast<std::size_t>(corner)]; found >= 0) face.push_back(found);
         }
         return body;
     }
 
-    std::vector<std::size_t> face_round(std::size_t seed, const std::map<Edge, std::size_t>& owner,
-                                        std::vector<bool>& done) const {
+    std::vector<std::size_t> face_round(std::size_t seed, const Owners& owner, std::vector<bool>& done) const {
         const Plane& plane = triangles_[seed].plane;
         std::vector<std::size_t> face{seed};
         done[seed] = true;
         for (std::size_t k = 0; k < face.size(); ++k) {
             for (const auto& [a, b] : triangles_[face[k]].edges()) {
-                const auto next = owner.find({b, a});
-                if (next == owner.end() || done[next->second]) continue;
+                const auto next = std::ranges::lower_bound(owner, Edge{b, a}, {}, &Owners::value_type::first);
+                if (next == owner.end() || next->first != Edge{b, a} || done[next->second]) continue;
                 const Triangle& beside = triangles_[next->second];
                 const bool flat =
                     beside.plane.normal.dot(plane.normal) > 0.9 && std::ranges::all_of(beside.corners, [&](int corner) {
@@ -178,17 +185,16 @@ class Growth {
     }
 
     std::vector<int> rim(const std::vector<std::size_t>& face) const {
-        std::set<Edge> edges;
+        std::vector<Edge> edges;
         for (const std::size_t k : face)
-            for (const Edge& edge : triangles_[k].edges()) edges.insert(edge);
-        std::map<int, int> after;
-        for (const auto& [a, b] : edges)
-            if (!edges.contains({b, a})) after[a] = b;
+            for (const Edge& edge : triangles_[k].edges()) edges.push_back(edge);
+        const std::vector<Edge> rim = rim_of(std::move(edges));
         std::vector<int> loop;
-        if (after.empty()) return loop;
-        for (int corner = after.begin()->first; loop.size() < after.size(); corner = after.at(corner)) {
-            loop.push_back(corner);
-            if (!after.contains(after.at(corner))) break;
+        for (auto at = rim.begin(); at != rim.end() && loop.size() < rim.size();) {
+            loop.push_back(at->first);
+            const int next = at->second;
+            at = std::ranges::lower_bound(rim, next, {}, &Edge::first);
+            if (at != rim.end() && at->first != next) break;
         }
         return loop;
     }

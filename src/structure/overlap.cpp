@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "structure/planes.hpp"
 
 namespace floes {
 namespace {
 
-constexpr double flat = 1e-6;         // of the body's size: nearer than this is in a plane
 constexpr double same_volume = 1e-5;  // of a piece's volume: STL's single precision on a thin piece
 constexpr double least_gain = 1e-4;   // likewise: with less a piece is not continued
 constexpr double kept_inside = 0.25;  // of a continuation's length, of which only the far end is taken off
@@ -27,23 +27,9 @@ double height_over(const Polyhedron& body, const Vec3& point) {
     return most;
 }
 
-bool same_plane(const Plane& a, const Plane& b, double slack) {
-    return a.normal.dot(b.normal) > 1 - flat && std::abs(a.offset - b.offset) <= slack;
-}
-
 class Pieces {
   public:
-    explicit Pieces(const std::vector<ConvexSolid>& pieces) : pieces_(pieces) {
-        Vec3 low = body_of(pieces.front()).corners.front();
-        Vec3 high = low;
-        for (const ConvexSolid& piece : pieces) {
-            for (const Vec3& corner : body_of(piece).corners) {
-                low = low.cwiseMin(corner);
-                high = high.cwiseMax(corner);
-            }
-        }
-        slack_ = flat * (high - low).norm();
-    }
+    explicit Pieces(const std::vector<ConvexSolid>& pieces) : pieces_(pieces), slack_(flat * size_of(pieces)) {}
 
     bool holds(const Polyhedron& body, const Polyhedron& other) const {
         return std::ranges::all_of(other.corners,
@@ -139,10 +125,21 @@ class Pieces {
         bool behind;
     };
 
+    /// Whether a piece has nothing beyond a face of `body` and within the others, as far as a single plane tells.
+    bool lies_beside(const Polyhedron& piece, const Polyhedron& body, std::size_t face) const {
+        for (std::size_t k = 0; k < body.planes.size(); ++k) {
+            const double side = k == face ? -1 : 1;
+            const auto out = [&](const Vec3& one) { return side * body.planes[k].height(one) >= -slack_; };
+            if (std::ranges::all_of(piece.corners, out)) return true;
+        }
+        return false;
+    }
+
     /// What of a piece lies beyond a face of `body` and within its other faces. `whole` becomes false where those cut
     /// it.
     Polyhedron beyond(const Polyhedron& piece, const Polyhedron& body, std::size_t face, bool& whole) const {
         const Plane& through = body.planes[face];
+        if (lies_beside(piece, body, face)) return {};
         Polyhedron part = piece.cut({-through.normal, -through.offset}, slack_);
         const double before = part.volume();
         for (std::size_t k = 0; k < body.planes.size() && !part.empty(); ++k)
@@ -196,7 +193,7 @@ class Pieces {
     }
 
     const std::vector<ConvexSolid>& pieces_;
-    double slack_ = 0;
+    double slack_;
 };
 
 }  // namespace

@@ -230,7 +230,7 @@ class Readers(unittest.TestCase):
                 self.assertIn(f"`{name}`", text, "an attribute is not described")
             version = ".".join(str(part) for part in file.attrs["version"])
         of_several_parts = {name for name in described_on(text) if name == "/part" or name.startswith("/parts/")}
-        self.assertEqual(len(of_several_parts), 7)  # a structure of one part has none of these
+        self.assertEqual(len(of_several_parts), 8)  # a structure of one part has none of these
         self.assertEqual({name: what for name, what in described_on(text).items() if name not in of_several_parts}, stored)
         self.assertIn(f"layout version {version}", text)
 

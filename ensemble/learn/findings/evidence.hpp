@@ -38,6 +38,7 @@ struct Evidence {
     std::optional<std::vector<PieceRow>> pieces = {};
     Reference reference;                       ///< case that the others are compared with
     double resolve = 0.1;                      ///< difference that pairs are to resolve, of the first case's mean
+    double scale = 1;                          ///< length at full scale / length in the campaign
     std::optional<MooredRequest> moored = {};  ///< hull that the loads move; none: nobody asks
     std::vector<CurvePoint> plate_tests = {};  ///< of the first case's ice; empty: not made
     bool pictured = false;                     ///< the page has pictures of the member with the largest load

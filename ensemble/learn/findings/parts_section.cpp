@@ -8,6 +8,7 @@
 #include <functional>
 #include <utility>
 
+#include "findings/pressure_area.hpp"
 #include "tables/number_text.hpp"
 
 namespace floes {
@@ -163,6 +164,7 @@ std::vector<Section> parts_sections(Evidence& evidence) {
     std::vector<Section> sections;
     if (const std::vector<PartRow> rows = find_parts(evidence.campaign, evidence.table); !rows.empty())
         sections.push_back(section_of_parts(evidence, rows));
+    sections.push_back(pressure_section(evidence));
     sections.push_back(section_of_moments(evidence));
     return sections;
 }

@@ -20,7 +20,7 @@ struct PartRow {
 /// By case, part and statistic; cases of a structure that is one part have none.
 std::vector<PartRow> find_parts(const Campaign& campaign, const CampaignTable& table);
 
-/// Parts, then moments.
+/// Parts, pressures on them, then moments.
 std::vector<Section> parts_sections(Evidence& evidence);
 
 }  // namespace floes

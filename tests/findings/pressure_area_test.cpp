@@ -1,0 +1,121 @@
+// Pressure over the area of the parts of a hull.
+
+#include "findings/pressure_area.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "campaign/read.hpp"
+#include "findings/example.hpp"
+#include "theory/pressure_area.hpp"
+
+namespace floes {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr std::string_view barge =
+    "[campaign]\narrangements = 4\n"
+    "[ice]\nthickness_m = 1.0\ndensity_kg_m3 = 900.0\n[water]\ndensity_kg_m3 = 1000.0\n"
+    "[floe]\nlength_m = 20.0\nbreadth_m = 20.0\nelement_m = 5.0\n"
+    "[field]\nfloes = 96\nbegin_m = 160.0\nhalf_width_m = 70.0\n[structure]\nstart_m = 110.0\nspeed_m_s = 0.5\n"
+    "[hull]\nshape = \"barge\"\nlength_m = 60.0\nbeam_m = 20.0\ndraught_m = 4.0\nfreeboard_m = 3.0\nstem_deg = 45.0\n"
+    "[analysis]\naveraging_s = [1.0, 5.0]\n";
+
+/// Four members, whose bow feels 28, 29, 31 and 32 kN over 1 s, half of that over 5 s, and whose other parts feel a
+/// tenth of it.
+Evidence evidence(double length_scale = 1) {
+    Campaign campaign = read_campaign({std::string(barge), "a.toml", {}}, nullptr);
+    Scenario& scenario = campaign.cases.front().scenario;
+    scenario.floe.thickness *= length_scale;
+    HullSizes sizes = scenario.structure.shape.sizes();
+    for (double HullSizes::*size : {&HullSizes::length, &HullSizes::beam, &HullSizes::draught, &HullSizes::freeboard})
+        scenario.structure.shape.set_size(size, length_scale * sizes.*size);
+    CampaignTable table;
+    CaseRow row;
+    row.name = campaign.cases.front().name;
+    row.shape = scenario.structure.shape;
+    table.cases.push_back(row);
+    int number = 0;
+    for (const double force : {28e3, 29e3, 31e3, 32e3}) {
+        MemberRow member = example::done(0, number++, 20, 0.1, 1);
+        member.parts.resize(5);
+        for (PartLoad& part : member.parts) part.normal_maximum = {0.1 * force, 0.05 * force};
+        member.parts.front().normal_maximum = {force, 0.5 * force};
+        table.members.push_back(member);
+    }
+    return evidence_of(std::move(campaign), std::move(table));
+}
+
+// Ice of 1 m lies against 20 m of a bow at 45°: 20 √2 m²; sides are longer below the water than above by 2 y.
+TEST(PressureArea, IsTheNormalForceOverWhatTheIceLiesAgainst) {
+    const Evidence made = evidence();
+    const std::vector<PressureRow> rows = find_pressures(made.campaign, made.table, 1);
+    ASSERT_EQ(rows.size(), 10u);
+    const double bow = 20 * std::sqrt(2.0);
+    EXPECT_EQ(rows[0].part, "bow");
+    EXPECT_NEAR(rows[0].reached, bow, 1e-6);
+    EXPECT_NEAR(rows[0].surface, 7 * bow, 1e-6);
+    EXPECT_EQ(rows[0].averaging, 1);
+    EXPECT_EQ(rows[1].averaging, 5);
+    EXPECT_NEAR(rows[0].pressure->estimate, 30e3 / bow, 1e-3);
+    EXPECT_NEAR(rows[1].pressure->estimate, 15e3 / bow, 1e-3);
+    EXPECT_NEAR(rows[4].reached, 60 - 0.9 * 0.9 + 0.1 * 0.1, 1e-6);
+    // t(0.975, 3) = 3.182 times SD / √4 of 28, 29, 31 and 32 kN
+    EXPECT_NEAR(rows[0].pressure->high - rows[0].pressure->estimate, 3.18245 * std::sqrt(10e6 / 3) / 2 / bow, 0.1);
+    EXPECT_EQ(rows[0].line, 1.48e6);  // Pa, above 10 m²
+    EXPECT_EQ(rows[8].part, "bottom and deck");
+    EXPECT_FALSE(rows[8].pressure) << "no ice that floats lies against it";
+    EXPECT_FALSE(rows[8].line);
+}
+
+// By Froude: the same barge and ice at 1 : 20 with 1/20³ of the forces has 1/20 of the pressures, and no line.
+TEST(PressureArea, OfATankIsComparedAtFullScaleOnly) {
+    Evidence made = evidence(1 / 20.0);
+    for (MemberRow& member : made.table.members)
+        for (PartLoad& part : member.parts)
+            for (double& force : part.normal_maximum) force /= 8000;
+    const std::vector<PressureRow> tank = find_pressures(made.campaign, made.table, 1);
+    EXPECT_FALSE(tank[0].line);
+    EXPECT_NEAR(tank[0].pressure->estimate, 30e3 / (20 * std::sqrt(2.0)) / 20, 1e-3);
+    EXPECT_THAT(text(std::vector{pressure_section(made)}, 100), HasSubstr("--scale L"));
+    EXPECT_EQ(pressure_section(made).table.front().size(), 5u);
+    made.scale = 20;
+    const std::vector<PressureRow> full = find_pressures(made.campaign, made.table, 20);
+    const std::vector<PressureRow> direct = find_pressures(evidence().campaign, evidence().table, 1);
+    EXPECT_EQ(full[0].line, 1.48e6);
+    EXPECT_NEAR(full[0].reached, direct[0].reached, 1e-5);
+    EXPECT_NEAR(full[0].pressure->estimate, direct[0].pressure->estimate, 1e-3);
+    EXPECT_NEAR(full[1].averaging, std::sqrt(20.0) * 5, 1e-12);
+    EXPECT_EQ(pressure_section(made).table.front().size(), 6u);
+}
+
+TEST(PressureArea, IsATableRecordsAndAFigure) {
+    const Section section = pressure_section(evidence());
+    EXPECT_EQ(section.table.size(), 6u);  // a heading and five parts
+    const std::string shown = text(std::vector{section}, 160);
+    EXPECT_THAT(shown, testing::ContainsRegex("bow +198 +28.3 +1.06 ± 0.10 +0.53 ± 0.05 +1480"));
+    EXPECT_THAT(shown, testing::ContainsRegex("bottom and deck +2.36e\\+03 +– +– +– +–"));
+    EXPECT_THAT(csv(std::vector{section}), HasSubstr("bottom and deck,2360,0,1,,,,,4"));
+    ASSERT_EQ(section.figures.size(), 1u);
+    const Figure& figure = section.figures.front();
+    EXPECT_TRUE(figure.x.logarithmic && figure.y.logarithmic);
+    const auto dots = std::ranges::count_if(
+        figure.marks, [](const Figure::Mark& mark) { return std::holds_alternative<Figure::Dot>(mark); });
+    EXPECT_EQ(dots, 8);  // four parts, two times
+    EXPECT_LE(figure.y.low * 1e6, 1.4e3 / std::sqrt(2.0) / 20);
+    EXPECT_GE(figure.y.high * 1e6, 1.48e6);
+}
+
+TEST(PressureArea, OfMembersWithoutNormalForcesIsMissing) {
+    Evidence made = evidence();
+    for (MemberRow& member : made.table.members)
+        for (PartLoad& part : member.parts) part.normal_maximum.clear();
+    EXPECT_TRUE(find_pressures(made.campaign, made.table, 1).empty());
+    EXPECT_THAT(pressure_section(made).missing, HasSubstr("without normal forces"));
+}
+
+}  // namespace
+}  // namespace floes
