@@ -28,7 +28,8 @@ void check_shapes(const Scenario& scenario, Contradictions& found) {
     else if (scenario.joint.fails_by_stress())
         refuse("joint.failure", "the stress below a contact is known for square elements only",
                "joint.failure = \"moment\"");
-    if (scenario.arrangement.method != ArrangementMethod::scattered)
+    const ArrangementMethod method = scenario.arrangement.method;  // check_traced() has looked at traced
+    if (method != ArrangementMethod::scattered && method != ArrangementMethod::traced)
         refuse("arrangement.method",
                voronoi ? "cells of a Voronoi diagram lie where they grew" : "polygons fit on no lattice of rectangles",
                "arrangement.method = \"scattered\"");

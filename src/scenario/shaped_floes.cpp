@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <numeric>
+#include <sstream>
 
 #include "core/error.hpp"
 #include "core/random.hpp"
@@ -30,10 +31,20 @@ double yaw_of(const Corner& axis) {
     return static_cast<float>(std::atan2(-axis.z, axis.x));
 }
 
+/// Of an outline as it lies: the floe, and where it is.
+void take(SingleFloe& floe, Corners outline) {
+    const Measures measures = measures_of(outline);
+    PlanarPose& pose = floe.pose;
+    pose = {measures.centroid.x, measures.centroid.z, yaw_of(long_axis(measures))};
+    const Turn turn = turn_of(pose.yaw);
+    give(floe.shape, tidied(outline, shortest_edge * std::sqrt(measures.area)), measures.centroid,
+         {turn.cos, -turn.sin});
+}
+
 /// Whether each floe is a sheet that can be cut into elements.
 bool are_floes(const std::vector<Outline>& outlines, double thickness) {
     return std::ranges::all_of(outlines, [&](const Outline& one) {
-        return one.size() >= 3 && one.size() + 8 <= most_corners && inner_radius(one) > thickness / 2;
+        return one.size() >= 3 && one.size() <= most_outline_corners && inner_radius(one) > thickness / 2;
     });
 }
 
@@ -62,18 +73,50 @@ void grow_cells(const Scenario& scenario, const Draw& draw, std::vector<SingleFl
             "Voronoi cells at field.concentration_percent = {:g} are {:.4g} m apart and {:.4g} m from the walls, less "
             "than arrangement.clearance_m = {:g}; lower one of the two",
             100 * field.concentration, 2 * cells.offset, cells.offset, scenario.arrangement.clearance));
-    for (std::size_t i = 0; i < floes.size(); ++i) {
-        const Outline& cell = cells.outlines[i];
-        const Measures measures = measures_of(cell);
-        PlanarPose& pose = floes[i].pose;
-        pose = {measures.centroid.x, measures.centroid.z, yaw_of(long_axis(measures))};
-        const Turn turn = turn_of(pose.yaw);
-        give(floes[i].shape, tidied(cell, shortest_edge * std::sqrt(measures.area)), measures.centroid,
-             {turn.cos, -turn.sin});
-    }
+    for (std::size_t i = 0; i < floes.size(); ++i) take(floes[i], cells.outlines[i]);
 }
 
 }  // namespace
+
+std::vector<SingleFloe> floes_as_traced(const Scenario& scenario) {
+    const TracedOutlines& traced = scenario.shapes.traced;
+    const Corner origin{scenario.field.begin + scenario.arrangement.clearance, 0};
+    std::vector<SingleFloe> floes;
+    for (const Outline& one : traced.outlines) {
+        Outline placed;
+        for (const Corner& corner : one) placed.push_back(origin + traced.scale * corner);
+        if (area_of(placed) < 0) std::ranges::reverse(placed);
+        take(floes.emplace_back(SingleFloe{{}, scenario.floe, scenario.material()}), placed);
+    }
+    return floes;
+}
+
+std::vector<FloeShape> traced_shapes(const Scenario& scenario) {
+    const std::vector<SingleFloe> stock = floes_as_traced(scenario);
+    std::vector<std::size_t> by_area(stock.size());
+    std::iota(by_area.begin(), by_area.end(), std::size_t{0});
+    std::ranges::stable_sort(by_area, {}, [&](std::size_t i) { return stock[i].shape.area(); });
+    const auto floes = static_cast<std::size_t>(scenario.field.floes);
+    std::vector<FloeShape> shapes;
+    for (std::size_t i = 0; i < floes && !stock.empty(); ++i)
+        shapes.push_back(stock[by_area[(2 * i + 1) * stock.size() / (2 * floes)]].shape);
+    return shapes;
+}
+
+std::vector<double> traced_added(const TracedOutlines& traced) {
+    std::vector<double> added;
+    for (std::size_t i = 0; i < traced.areas.size(); ++i)
+        added.push_back(std::abs(area_of(traced.outlines[i])) / traced.areas[i] - 1);
+    return added;
+}
+
+std::string outline_name(const TracedOutlines& traced, std::size_t number) {
+    std::istringstream names(traced.names);
+    std::string name;
+    for (std::size_t k = 0; k <= number; ++k)
+        if (!std::getline(names >> std::ws, name, ',')) return fmt::format("outline {}", number + 1);
+    return fmt::format("outline {} \"{}\"", number + 1, name);
+}
 
 void shape_floes(const Scenario& scenario, const Draw& draw, std::vector<SingleFloe>& floes) {
     const Shapes& shapes = scenario.shapes;

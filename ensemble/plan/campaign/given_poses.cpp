@@ -40,11 +40,12 @@ std::optional<PoseFile> GivenPoses::resolve(Scenario& scenario, const Origins& o
 
 void GivenPoses::refuse_faults(const Scenario& scenario, const std::optional<PoseFile>& file, const Origins& origins,
                                const std::string& label) {
-    if (scenario.arrangement.method != ArrangementMethod::file) return;
+    if (!scenario.arrangement.given()) return;
     if (!looked_at_.insert(geometry_key(scenario)).second) return;  // of an earlier case
     const std::optional<Fault> fault = find_fault(scenario, floes_of(scenario));
     if (!fault) return;
-    std::string where = file ? file->path : origins.at("arrangement.poses");
+    const bool traced = scenario.arrangement.method == ArrangementMethod::traced;
+    std::string where = file ? file->path : origins.at(traced ? "arrangement.method" : "arrangement.poses");
     if (file && !fault->floes.empty()) {
         std::vector<int> lines;
         for (const std::size_t floe : fault->floes) lines.push_back(file->lines[floe]);
