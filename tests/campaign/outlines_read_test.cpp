@@ -105,6 +105,10 @@ TEST(ReadOutlines, LieAsTracedOrAreRefusedWithTheFloes) {
     const Campaign campaign = read(of_file, as_traced);
     EXPECT_EQ(places(campaign, 0), places(campaign, 9));
     EXPECT_THAT(floe_words(campaign).at(0), HasSubstr("every arrangement is the same"));
+    const std::string dense = "field.floes = 2\narrangement.method = \"traced\"\nfield.concentration_percent = 30\n";
+    EXPECT_THAT(message(of_file, dense), HasSubstr("the outlines reach over 3 m x 1 m, for which "
+                                                   "field.concentration_percent is at most 18.2 and field.half_width_m "
+                                                   "at least 0.502"));  // 1.75 m² in 3.004 m x 3.2 m
     EXPECT_THAT(message("kind = \"file\"\nfile = \"overlapping.csv\"\n", as_traced),
                 HasSubstr("configs/a.toml:3: floes 0 and 1 are "));
 }

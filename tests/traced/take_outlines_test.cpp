@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -104,6 +105,8 @@ TEST(TakeOutlines, ManyCornersBecomeSixteenOfTheSameArea) {
         csv += fmt::format("A,{},{}\n", 30 * std::cos(pi * k / 200), 20 * std::sin(pi * k / 200));
     const TracedOutlines traced = taken(csv, "a.csv");
     EXPECT_EQ(traced.outlines[0].size(), most_outline_corners);
+    EXPECT_EQ(std::ranges::min(traced.outlines[0], {}, &Corner::x).x, 0);  // though the corners moved outwards
+    EXPECT_GT(size_of(traced.outlines[0]).x, 60.1);
     EXPECT_NEAR(area_of(traced.outlines[0]), 600 * 200 * std::sin(pi / 200), 1e-6);
 }
 

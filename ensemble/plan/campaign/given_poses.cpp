@@ -12,6 +12,23 @@
 #include "scenario/keys.hpp"
 
 namespace floes {
+namespace {
+
+/// What a field has to be for outlines that lie as they were traced.
+std::string room_for_traced(const Scenario& scenario) {
+    const TracedOutlines& traced = scenario.shapes.traced;
+    Outline corners;
+    for (const Outline& one : traced.outlines) corners.insert(corners.end(), one.begin(), one.end());
+    const Corner size = traced.scale * size_of(corners);
+    const double clearance = scenario.arrangement.clearance;
+    const double covered = scenario.field.concentration * scenario.field_length();  // per width of the field
+    return fmt::format(
+        "; the outlines reach over {:.4g} m x {:.4g} m, for which field.concentration_percent is at most {:.3g} and "
+        "field.half_width_m at least {:.4g}",
+        size.x, size.z, 100 * covered / (size.x + 2 * clearance), size.z / 2 + clearance);
+}
+
+}  // namespace
 
 std::optional<PoseFile> GivenPoses::resolve(Scenario& scenario, const Origins& origins,
                                             const std::string& label) const {
@@ -51,7 +68,8 @@ void GivenPoses::refuse_faults(const Scenario& scenario, const std::optional<Pos
         for (const std::size_t floe : fault->floes) lines.push_back(file->lines[floe]);
         where += fmt::format(", line{} {}", lines.size() == 1 ? "" : "s", fmt::join(lines, " and "));
     }
-    throw InputError(fmt::format("{}: {}{}", where, label, fault->sentence));
+    const std::string instead = traced && fault->floes.size() == 1 ? room_for_traced(scenario) : "";
+    throw InputError(fmt::format("{}: {}{}{}", where, label, fault->sentence, instead));
 }
 
 }  // namespace floes

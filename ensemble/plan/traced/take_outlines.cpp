@@ -132,15 +132,19 @@ void take_outlines(TracedOutlines& traced, const std::string& text, const std::s
             fmt::format("{}: the outlines reach over {:.4g} m, which is no field of ice; is shapes.unit "
                         "right?",
                         file, size));
-    const Corner origin{bounds.low.x, 0.5 * (bounds.low.z + bounds.high.z)};
+    Bounds of_floes;  // which reach a little farther where they have fewer corners
     std::vector<Outline> outlines;
     std::vector<double> areas;
     for (const TracedFloe& one : floes) {
         areas.push_back(unit * unit * area_of(one));
         Outline placed;
-        for (const Corner& corner : one.ring) placed.push_back(unit * (corner - origin));
+        for (const Corner& corner : one.ring) placed.push_back(unit * (corner - bounds.low));
         outlines.push_back(with_fewer_corners(convex_hull(std::move(placed)), most_outline_corners));
+        of_floes.hold(outlines.back());
     }
+    const Corner origin{of_floes.low.x, 0.5 * (of_floes.low.z + of_floes.high.z)};
+    for (Outline& one : outlines)
+        for (Corner& corner : one) corner = corner - origin;
     traced.outlines = std::move(outlines);
     traced.areas = std::move(areas);
     traced.names = names_of(floes);
