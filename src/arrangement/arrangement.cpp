@@ -94,6 +94,7 @@ std::vector<PlanarPose> find_poses(const Scenario& scenario, Rectangles shapes, 
     const std::uint64_t geometry = geometry_key(scenario);
     switch (scenario.arrangement.method) {
         case ArrangementMethod::file:
+        case ArrangementMethod::traced:
             return scenario.arrangement.poses;
         case ArrangementMethod::lattice:
             return lattice(scenario, shapes, RandomStream(seed, number, StreamId::lattice_jitter, geometry));
@@ -115,10 +116,12 @@ std::vector<PlanarPose> moved_on(const Scenario& scenario, std::span<const Outli
     return floes.poses();
 }
 
-/// Cells of a Voronoi diagram have their places already, other polygons are scattered; Monte Carlo goes on from there.
+/// Cells of a Voronoi diagram and floes that lie as traced have their places already, other polygons are scattered;
+/// Monte Carlo goes on from there.
 std::vector<PlanarPose> poses_of_polygons(const Scenario& scenario, const FloeSet& floes, std::uint64_t seed,
                                           std::uint32_t number) {
     const ArrangementRule& rule = scenario.arrangement;
+    if (rule.given()) return floes.poses();
     std::vector<Outline> outlines;
     for (std::size_t i = 0; i < floes.size(); ++i) outlines.push_back(floes.shape(i).outline);
     const auto laid = [&](RandomStream& random) {
@@ -146,6 +149,16 @@ std::string sizes_text(const Scenario& scenario) {
     std::string text;
     for (const FloeShape& shape : floe_sizes(scenario))
         text += fmt::format("size {} {}\n", shape.length, shape.breadth);
+    return text;
+}
+
+std::string outlines_text(const TracedOutlines& traced) {
+    std::string text = fmt::format("scale {}\n", traced.scale);
+    for (const Outline& one : traced.outlines) {
+        text += "outline";
+        for (const Corner& corner : one) text += fmt::format(" {} {}", corner.x, corner.z);
+        text += '\n';
+    }
     return text;
 }
 
@@ -181,6 +194,7 @@ std::uint64_t geometry_key(const Scenario& scenario) {
     for (const std::vector<double>& values : rule.values)
         if (!values.empty()) text += fmt::format("values {}\n", fmt::join(values, " "));
     if (scenario.sizes.law != SizeLaw::one) text += sizes_text(scenario);
+    if (scenario.shapes.from_file()) text += outlines_text(scenario.shapes.traced);
     const auto& shapes = scenario.shapes;
     if (shapes.any())
         text += fmt::format("shapes {} {} {} {}\n", static_cast<int>(shapes.kind), shapes.corners, shapes.irregularity,
@@ -205,8 +219,8 @@ Arrangement make_arrangement(const Scenario& scenario, std::uint64_t seed, std::
                                                                 : find_poses(scenario, rectangles(made), seed, number);
     for (std::size_t i = 0; i < poses.size(); ++i) made.floes[i].pose = poses[i];
     if (const std::optional<Fault> fault = find_fault(scenario, made)) {
-        if (scenario.arrangement.method == ArrangementMethod::file) {
-            throw InputError(fmt::format("the given poses are no arrangement of this field: {}", fault->sentence));
+        if (scenario.arrangement.given()) {
+            throw InputError(fmt::format("the given places are no arrangement of this field: {}", fault->sentence));
         }
         throw RunError(fmt::format("arrangement {} came out wrong, which is an error of the program: {}", number,
                                    fault->sentence));

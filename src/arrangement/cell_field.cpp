@@ -69,7 +69,7 @@ FieldPart CellField::next() {
     FieldPart part;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         SingleFloe& floe = part.floes.emplace_back(SingleFloe{{}, drawn.shape(i), drawn.material(i)});
-        lay_cell(floe, outlines[i]);
+        lie_as(floe, outlines[i]);
     }
     part.end = 0.5 * (diagram_.middle_x(taken - 1) + diagram_.middle_x(taken));
     diagram_.take(taken);

@@ -104,8 +104,11 @@ std::optional<Fault> fault_of_polygons(const Walls& walls, const std::vector<Out
             if (!(corner.x >= walls.low_x && corner.x <= walls.low_x + walls.length && corner.z >= walls.low_z &&
                   corner.z <= walls.low_z + walls.breadth))
                 return Fault{
-                    fmt::format("floe {} is not inside the field: it has a corner at x = {:.4f} m, z = {:.4f} m", i,
-                                corner.x, corner.z),
+                    fmt::format(
+                        "floe {} is not inside the field: it has a corner at x = {:.4f} m, z = {:.4f} m, beyond x "
+                        "= {:.4f} to {:.4f} m and z = {:.4f} to {:.4f} m, the field less the clearance",
+                        i, corner.x, corner.z, walls.low_x, walls.low_x + walls.length, walls.low_z,
+                        walls.low_z + walls.breadth),
                     {i}};
         for (std::size_t k = 0; k < i; ++k) {
             if (are_far_apart(outlines[k], outlines[i], gap)) continue;

@@ -36,8 +36,11 @@ struct CutFloe {
     std::vector<CutJoint> joints;
 };
 
-/// More corners than this no element may have; an outline has at most eight fewer.
+/// More corners than this no element may have.
 inline constexpr std::size_t most_corners = 24;
+
+/// More corners than this no outline may have: cells that clip it, and join, add up to eight.
+inline constexpr std::size_t most_outline_corners = most_corners - 8;
 
 /// Cells keep at least this share of their area, or are merged.
 inline constexpr double least_element_share = 0.3;

@@ -53,7 +53,7 @@ void check_sides(const Scenario& scenario, Contradictions& found) {
 }
 
 void check_elements(const Scenario& scenario, Contradictions& found) {
-    if (scenario.sizes.law != SizeLaw::one) return;  // check_sizes() has looked at those
+    if (scenario.sizes.law != SizeLaw::one || scenario.shapes.from_file()) return;  // others have looked at those
     if (!scenario.shapes.any()) check_sides(scenario, found);
     if (!scenario.arrangement.columns.empty()) return;  // check_given_floes() counts those
     check_element_count(scenario, scenario.floe.elements() * scenario.field.floes, found);
@@ -94,7 +94,7 @@ void check_proportions(const Scenario& scenario, Contradictions& found) {
     constexpr double largest_strain = 0.1;        // at failure; ice breaks at some 1e-4, model ice at some 1e-3
     constexpr double least_concentration = 0.01;  // less is a fraction that was meant as a percentage
     double side = std::min(scenario.floe.length, scenario.floe.breadth);
-    if (scenario.sizes.law != SizeLaw::one) {
+    if (scenario.sizes.law != SizeLaw::one || scenario.shapes.from_file()) {
         side = std::numeric_limits<double>::infinity();
         for (const FloeShape& shape : floe_sizes(scenario)) side = std::min({side, shape.length, shape.breadth});
     }
@@ -112,7 +112,7 @@ void check_proportions(const Scenario& scenario, Contradictions& found) {
                          "40 kPa and 60 MPa; mind that one is in kPa and the other in MPa",
                          given(scenario, "ice.bending_strength_kPa"), given(scenario, "ice.elastic_modulus_MPa"))});
     }
-    if (scenario.field.concentration < least_concentration && scenario.arrangement.method != ArrangementMethod::file) {
+    if (scenario.field.concentration < least_concentration && !scenario.arrangement.given()) {
         found.push_back(
             {{"field.concentration_percent"},
              fmt::format("{} is less than 1 percent, a field of {:.4g} m almost without ice; write 75 for three "

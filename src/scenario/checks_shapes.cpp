@@ -22,7 +22,7 @@ void check_shapes(const Scenario& scenario, Contradictions& found) {
     const bool voronoi = scenario.shapes.kind == ShapeKind::voronoi;
     if (scenario.joint.model != JointModel::beam)
         refuse("joint.model", "Σ and Γ are fitted to square elements", "joint.model = \"beam\"");
-    const ArrangementMethod method = scenario.arrangement.method;
+    const ArrangementMethod method = scenario.arrangement.method;  // check_traced() has looked at traced
     if (method == ArrangementMethod::lattice || method == ArrangementMethod::file)
         refuse("arrangement.method",
                voronoi ? "cells of a Voronoi diagram lie where they grew" : "polygons fit on no lattice of rectangles",

@@ -139,13 +139,13 @@ void check_wake(const Scenario& scenario, Contradictions& found) {
 }
 
 void check_lattice(const Scenario& scenario, Contradictions& found) {
-    if (scenario.arrangement.method == ArrangementMethod::file) return;
+    if (scenario.arrangement.given()) return;
     const double clearance = scenario.arrangement.clearance;
     const auto fitting = [&](double room, double side) {
         return std::max(0.0, std::floor((room - clearance) / (side + clearance) + rounding));
     };
     FloeShape cell = scenario.floe;
-    if (scenario.sizes.law != SizeLaw::one) {
+    if (sizes_may_differ(scenario)) {
         if (scenario.arrangement.method != ArrangementMethod::lattice) return;  // such floes need no lattice
         cell.length = cell.breadth = 0;
         for (const FloeShape& shape : floe_sizes(scenario)) {

@@ -70,11 +70,12 @@ std::vector<SingleFloe> given_floes(const Scenario& scenario) {
     return given;
 }
 
-/// Floes that have no places yet, of the sizes of the scenario in an order of this arrangement's own.
+/// Floes of the sizes of the scenario in an order of this arrangement's own, without places unless they were traced.
 std::vector<SingleFloe> sized_floes(const Scenario& scenario, const Draw& draw) {
+    if (scenario.arrangement.method == ArrangementMethod::traced) return floes_as_traced(scenario);
     std::vector<SingleFloe> sized;
     for (const FloeShape& shape : floe_sizes(scenario)) sized.push_back({{}, shape, scenario.material()});
-    if (scenario.sizes.law == SizeLaw::one) return sized;
+    if (!sizes_may_differ(scenario)) return sized;
     RandomStream random(draw.seed, draw.number, StreamId::floe_sizes, draw.part);
     for (std::size_t left = sized.size(); left > 1; --left)
         std::swap(sized[left - 1].shape, sized[random.below(static_cast<std::uint32_t>(left))].shape);

@@ -12,7 +12,7 @@ double area_of_floes(const Scenario& scenario) {
     if (!scenario.arrangement.columns.empty()) return covered_area(floes_of(scenario));
     if (!sizes_may_differ(scenario)) return scenario.field.floes * scenario.floe.length * scenario.floe.breadth;
     double covered = 0;
-    for (const FloeShape& shape : floe_sizes(scenario)) covered += shape.length * shape.breadth;
+    for (const FloeShape& shape : floe_sizes(scenario)) covered += shape.area();
     return covered;
 }
 

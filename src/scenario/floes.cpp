@@ -48,7 +48,7 @@ bool floes_may_differ(const Scenario& scenario) {
 }
 
 bool sizes_may_differ(const Scenario& scenario) {
-    return !scenario.arrangement.columns.empty() || scenario.sizes.law != SizeLaw::one;
+    return !scenario.arrangement.columns.empty() || scenario.sizes.law != SizeLaw::one || scenario.shapes.from_file();
 }
 
 double computed_floes(const Scenario& scenario) {

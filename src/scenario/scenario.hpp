@@ -9,6 +9,7 @@
 #include "core/vector.hpp"
 #include "outline/polygon.hpp"
 #include "scenario/contact_preset.hpp"
+#include "scenario/length_unit.hpp"
 #include "scenario/variety.hpp"
 #include "solver/solver_kind.hpp"
 #include "structure/moorings.hpp"
@@ -24,7 +25,8 @@ enum class JointFailure { moment, stress };
 /// element, about which Bullet reports a joint's torque.
 enum class MomentAbout { pivot, element_centre };
 enum class ThresholdForm { force, as_printed };  ///< of Eqs. (1)-(2): L_e T_e σ, or L_e T_e² σ as the paper prints them
-enum class ArrangementMethod { monte_carlo, lattice, file, scattered };
+/// How floes get their places; traced: those that they have in shapes.file.
+enum class ArrangementMethod { monte_carlo, lattice, file, scattered, traced };
 enum class ArrangementStart { lattice, stripes };  ///< of the Monte Carlo chain; the result forgets it
 /// What stands behind the ice field; never: ice comes from ahead as long as the run lasts.
 enum class FarEnd { ice_sheet, open, never };
@@ -140,9 +142,11 @@ struct ArrangementRule {
     /// arrangement.file: "ice.thickness_m,floe.length_m". Empty: all floes are as these tables say.
     std::string columns;
     std::vector<std::vector<double>> values;  ///< of each floe, in the order of `columns` and in the units of the keys
+
+    /// Every arrangement is the same, and the places of its floes are input.
+    bool given() const { return method == ArrangementMethod::file || method == ArrangementMethod::traced; }
 };
 
-enum class LengthUnit { m, mm, cm, inch, foot };                            ///< of a file
 enum class HullAxis { plus_x, minus_x, plus_y, minus_y, plus_z, minus_z };  ///< of a file
 
 /// How a CAD file becomes a hull. It is read once; the shape's pieces are the truth from then on.

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <numeric>
+#include <sstream>
 
 #include "core/error.hpp"
 #include "core/random.hpp"
@@ -52,20 +53,21 @@ void grow_cells(const Scenario& scenario, const Draw& draw, std::vector<SingleFl
             "floes",
             scenario.shapes.relaxations, cells.offset, attempts));
     check_gap(scenario, cells.offset);
-    for (std::size_t i = 0; i < floes.size(); ++i) lay_cell(floes[i], cells.outlines[i]);
+    for (std::size_t i = 0; i < floes.size(); ++i) lie_as(floes[i], cells.outlines[i]);
 }
 
 }  // namespace
 
 bool is_floe(Corners outline, double thickness) {
-    return outline.size() >= 3 && outline.size() + 8 <= most_corners && inner_radius(outline) > thickness / 2;
+    return outline.size() >= 3 && outline.size() <= most_outline_corners && inner_radius(outline) > thickness / 2;
 }
 
-void lay_cell(SingleFloe& floe, const Outline& cell) {
-    const Measures measures = measures_of(cell);
+void lie_as(SingleFloe& floe, Corners outline) {
+    const Measures measures = measures_of(outline);
     floe.pose = {measures.centroid.x, measures.centroid.z, yaw_of(long_axis(measures))};
     const Turn turn = turn_of(floe.pose.yaw);
-    give(floe.shape, tidied(cell, shortest_edge * std::sqrt(measures.area)), measures.centroid, {turn.cos, -turn.sin});
+    give(floe.shape, tidied(outline, shortest_edge * std::sqrt(measures.area)), measures.centroid,
+         {turn.cos, -turn.sin});
 }
 
 void check_gap(const Scenario& scenario, double offset) {
@@ -75,6 +77,46 @@ void check_gap(const Scenario& scenario, double offset) {
         "Voronoi cells at field.concentration_percent = {:g} are {:.4g} m apart and {:.4g} m from the walls, less "
         "than arrangement.clearance_m = {:g}; lower one of the two",
         100 * scenario.field.concentration, 2 * offset, offset, clearance));
+}
+
+std::vector<SingleFloe> floes_as_traced(const Scenario& scenario) {
+    const TracedOutlines& traced = scenario.shapes.traced;
+    const Corner origin{scenario.field.begin + scenario.arrangement.clearance, 0};
+    std::vector<SingleFloe> floes;
+    for (const Outline& one : traced.outlines) {
+        Outline placed;
+        for (const Corner& corner : one) placed.push_back(origin + traced.scale * corner);
+        if (area_of(placed) < 0) std::ranges::reverse(placed);
+        lie_as(floes.emplace_back(SingleFloe{{}, scenario.floe, scenario.material()}), placed);
+    }
+    return floes;
+}
+
+std::vector<FloeShape> traced_shapes(const Scenario& scenario) {
+    const std::vector<SingleFloe> stock = floes_as_traced(scenario);
+    std::vector<std::size_t> by_area(stock.size());
+    std::iota(by_area.begin(), by_area.end(), std::size_t{0});
+    std::ranges::stable_sort(by_area, {}, [&](std::size_t i) { return stock[i].shape.area(); });
+    const auto floes = static_cast<std::size_t>(scenario.field.floes);
+    std::vector<FloeShape> shapes;
+    for (std::size_t i = 0; i < floes && !stock.empty(); ++i)
+        shapes.push_back(stock[by_area[(2 * i + 1) * stock.size() / (2 * floes)]].shape);
+    return shapes;
+}
+
+std::vector<double> traced_added(const TracedOutlines& traced) {
+    std::vector<double> added;
+    for (std::size_t i = 0; i < traced.areas.size(); ++i)
+        added.push_back(std::abs(area_of(traced.outlines[i])) / traced.areas[i] - 1);
+    return added;
+}
+
+std::string outline_name(const TracedOutlines& traced, std::size_t number) {
+    std::istringstream names(traced.names);
+    std::string name;
+    for (std::size_t k = 0; k <= number; ++k)
+        if (!std::getline(names >> std::ws, name, ',')) return fmt::format("outline {}", number + 1);
+    return fmt::format("outline {} \"{}\"", number + 1, name);
 }
 
 void shape_floes(const Scenario& scenario, const Draw& draw, std::vector<SingleFloe>& floes) {

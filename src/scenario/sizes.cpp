@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "laws/size_law.hpp"
+#include "scenario/shaped_floes.hpp"
 
 namespace floes {
 namespace {
@@ -88,6 +89,7 @@ std::vector<int> listed_counts(const Scenario& scenario) {
 std::vector<FloeShape> floe_sizes(const Scenario& scenario) {
     const Sizes& sizes = scenario.sizes;
     const auto floes = static_cast<std::size_t>(scenario.field.floes);
+    if (scenario.shapes.from_file()) return traced_shapes(scenario);
     if (sizes.law == SizeLaw::one) return std::vector<FloeShape>(floes, scenario.floe);
     std::vector<FloeShape> shapes;
     if (sizes.law == SizeLaw::list) {

@@ -8,7 +8,8 @@
 namespace floes {
 
 /// The shapes of all floes, rounded to whole elements, of the scenario's thickness: `floe` for each unless sizes
-/// differ. Floe i of n has the size that a share (i + ½)/n of the law is below, or the list's shares in whole floes.
+/// differ. Floe i of n has the size that a share (i + ½)/n of the law is below, or the list's shares in whole floes,
+/// or an outline of shapes.file (traced_shapes()).
 std::vector<FloeShape> floe_sizes(const Scenario& scenario);
 
 /// Side of the elements, m, of a floe whose shorter side is `breadth` before it is rounded.

@@ -75,8 +75,8 @@ void add_file(Keys& keys, Structure& structure) {
         return late_key(only_with(
             "hull.file", [&file] { return !file.path.empty(); }, std::move(key)));
     };
-    keys.push_back(of_file(word_key("hull.unit", file.unit, {"m", "mm", "cm", "in", "ft"}, "SI, as all keys",
-                                    "Unit of lengths in hull.file; neither STL nor OBJ says it.")));
+    keys.push_back(of_file(word_key("hull.unit", file.unit, {length_unit_words.begin(), length_unit_words.end()},
+                                    "SI, as all keys", "Unit of lengths in hull.file; neither STL nor OBJ says it.")));
     const std::vector<std::string_view> axes{"+x", "-x", "+y", "-y", "+z", "-z"};
     keys.push_back(
         of_file(word_key("hull.up", file.up, axes, "usual in naval CAD", "Axis of hull.file that points up.")));

@@ -156,11 +156,12 @@ void add_field(Keys& keys, Field& field) {
 
 void add_arrangement(Keys& keys, ArrangementRule& arrangement) {
     const Key method =
-        word_key("arrangement.method", arrangement.method, {"monte_carlo", "lattice", "file", "scattered"},
+        word_key("arrangement.method", arrangement.method, {"monte_carlo", "lattice", "file", "scattered", "traced"},
                  "floes in a tank are laid at random; docs/order.md",
                  "scattered: a disordered field, floes thrown at random and pushed apart until none overlap; "
                  "monte_carlo: equilibrium of hard squares, rows and columns where they are dense, independent of the "
-                 "start; lattice: rows, with jitter; file: given poses, the same for each arrangement.");
+                 "start; lattice: rows, with jitter; file: given poses, the same for each arrangement; traced: where "
+                 "shapes.file has them, likewise.");
     keys.push_back(
         instead_of({method, word_key("arrangement.start", arrangement.start, {"lattice", "stripes"}, "", "")}, method));
     keys.push_back(number_key("arrangement.clearance_m", arrangement.clearance, unit::one, at_least(0).at_most(10),

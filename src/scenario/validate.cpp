@@ -6,6 +6,8 @@ namespace floes {
 
 std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
     Contradictions found;
+    check_traced(scenario, found);
+    if (!found.empty()) return found;  // all below take floes from these outlines
     check_sizes(scenario, found);
     check_spread(scenario, found);
     if (!found.empty()) return found;  // the checks below take floes from these laws

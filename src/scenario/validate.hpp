@@ -26,6 +26,7 @@ double structure_over_floe(const Scenario& scenario);
 
 /// The checks behind find_contradictions(), in checks_ice.cpp and checks_tank.cpp. Each adds what it finds.
 void check_sizes(const Scenario& scenario, Contradictions& found);   ///< laws of sizes have floes of whole elements
+void check_traced(const Scenario& scenario, Contradictions& found);  ///< outlines of a file are floes
 void check_shapes(const Scenario& scenario, Contradictions& found);  ///< nothing that polygons cannot do yet
 void check_spread(const Scenario& scenario, Contradictions& found);  ///< laws of the ice give ice that can be computed
 void check_elements(const Scenario& scenario, Contradictions& found);  ///< floes are whole elements, not too many

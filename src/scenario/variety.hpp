@@ -1,9 +1,12 @@
 #pragma once
 // What single floes may differ in: their sizes, and their ice.
 
+#include <string>
 #include <vector>
 
 #include "laws/factor_law.hpp"
+#include "outline/polygon.hpp"
+#include "scenario/length_unit.hpp"
 
 namespace floes {
 
@@ -34,7 +37,19 @@ struct Sizes {
     double element_share = 0.25;  ///< of_ice: of the characteristic length of [ice]
 };
 
-enum class ShapeKind { rectangle, polygon, voronoi };  ///< of floes seen from above
+enum class ShapeKind { rectangle, polygon, voronoi, file };  ///< of floes seen from above
+
+/// Outlines that came from a file, which was read once.
+struct TracedOutlines {
+    std::string path;  ///< empty once its outlines are here
+    LengthUnit unit = LengthUnit::m;
+    /// Convex, as they lie, m: from x = 0 on and about z = 0, not yet scaled.
+    std::vector<Outline> outlines;
+    std::vector<double> areas;  ///< of each in the file, m²; empty: they came from none
+    std::string names;          ///< of each, divided by commas; empty: the file has none
+    double most_added = 0.1;    ///< area that hulls and filled holes may add to a floe, over its own
+    double scale = 1;           ///< lengths of floes over those in the file
+};
 
 /// Outlines of the floes.
 struct Shapes {
@@ -42,7 +57,9 @@ struct Shapes {
     int corners = 6;            ///< of polygon
     double irregularity = 0.5;  ///< of polygon: 0 evenly spread corners
     int relaxations = 2;        ///< of voronoi: steps of Lloyd's
+    TracedOutlines traced;      ///< of file
 
+    bool from_file() const { return kind == ShapeKind::file; }
     bool any() const { return kind != ShapeKind::rectangle; }
 };
 

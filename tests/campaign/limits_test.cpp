@@ -78,7 +78,8 @@ TEST(CampaignLimits, ListsOfAllCasesAreCounted) {
     held.add(scenario);
     held.add(scenario);
     EXPECT_EQ(refusal([&] { held.add(scenario); }),
-              "a.toml: poses, profiles, levels and times of all cases are more than 30000000 numbers, which cannot be "
+              "a.toml: poses, outlines, profiles, levels and times of all cases are more than 30000000 numbers, which "
+              "cannot be "
               "held; take fewer cases or shorter lists");
 }
 

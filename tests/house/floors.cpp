@@ -37,6 +37,7 @@ const std::vector<Room>& rooms() {
         {5, "laboratory", "", "src"},
         {6, "member", "POSIX", "src"},
         {6, "cad", "assimp", "plan"},
+        {6, "traced", "nlohmann json", "plan"},
         {7, "campaign", "Boost", "plan"},
         {7, "schedule", "", "plan"},
         {8, "records", "POSIX, zlib", "store"},

@@ -24,6 +24,8 @@ const char* placing_words(ArrangementMethod method) {
             return "on a jittered lattice";
         case ArrangementMethod::file:
             return "as given in a file";
+        case ArrangementMethod::traced:
+            return "as traced";
         case ArrangementMethod::scattered:
             break;
     }

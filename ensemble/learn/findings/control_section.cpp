@@ -43,7 +43,7 @@ std::vector<ControlRow> find_control(const Campaign& campaign, const CampaignTab
     std::vector<ControlRow> rows;
     for (std::size_t k = 0; k < table.cases.size(); ++k) {
         const Scenario& scenario = campaign.cases.at(k).scenario;
-        if (scenario.arrangement.method == ArrangementMethod::file) continue;
+        if (scenario.arrangement.given()) continue;
         const auto [place, added] = populations.try_emplace(geometry_key(scenario));
         if (added) place->second = drawn(scenario, campaign.seed, campaign.arrangements);
         for (const Quantity& one : shown_in(quantities, Shown::in_headlines)) {

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <vector>
 
@@ -18,11 +17,6 @@ namespace {
 constexpr std::size_t most_pieces = 64;  // of all bodies together
 constexpr double smallest = 0.01;        // m
 constexpr double largest = 5e3;
-
-double metres(LengthUnit unit) {
-    constexpr std::array lengths{1.0, 1e-3, 1e-2, 0.0254, 0.3048};
-    return lengths.at(static_cast<std::size_t>(unit));
-}
 
 Vec3 direction(HullAxis axis) {
     const int number = static_cast<int>(axis);

@@ -58,7 +58,7 @@ std::string thick_elements(const Case& one) {
 std::string little_ice(const Case& one) {
     constexpr double little = 0.05;
     const Scenario& scenario = one.scenario;
-    if (scenario.field.concentration >= little || scenario.arrangement.method == ArrangementMethod::file) return {};
+    if (scenario.field.concentration >= little || scenario.arrangement.given()) return {};
     return fmt::format("{} leaves the field of {:.4g} m almost without ice; 75 is three quarters",
                        given(scenario, "field.concentration_percent"), scenario.field_length());
 }

@@ -59,7 +59,8 @@ double expected_cost(const Campaign& campaign, int number) {
     const MemberKey key = member_key(campaign, number);
     const Scenario& scenario = campaign.cases[static_cast<std::size_t>(key.case_index)].scenario;
     const double floes = computed_floes(scenario);
-    if (scenario.sizes.law == SizeLaw::one) return scenario.floe.elements() * floes * scenario.step_count();
+    if (scenario.sizes.law == SizeLaw::one && !scenario.shapes.from_file())
+        return scenario.floe.elements() * floes * scenario.step_count();
     // A few floes tell what their law makes of all: this is asked for every member.
     constexpr int few = 16;
     Scenario sample = scenario;

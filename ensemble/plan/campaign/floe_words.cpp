@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
+#include <string_view>
 
 #include "core/units.hpp"
 #include "core/wording.hpp"
 #include "scenario/floes.hpp"
+#include "scenario/shaped_floes.hpp"
 #include "scenario/sizes.hpp"
 
 namespace floes {
@@ -66,6 +69,36 @@ std::string size_words(const Scenario& scenario) {
         scenario.field_length());
 }
 
+/// What was traced, what became of it, and how many floes have each outline.
+std::string traced_words(const Scenario& scenario) {
+    const TracedOutlines& traced = scenario.shapes.traced;
+    std::vector<double> areas;
+    double sum = 0;
+    for (const Outline& one : traced.outlines) {
+        areas.push_back(std::pow(traced.scale, 2) * std::abs(floes::area_of(one)));
+        sum += areas.back();
+    }
+    const auto [least, most] = std::ranges::minmax(areas);
+    std::string words = fmt::format("{} of {} m², {:.4g} m² together", counted(std::ssize(areas), "outline"),
+                                    between(least, most), sum);
+    if (!traced.areas.empty()) {
+        const double in_file =
+            std::pow(traced.scale, 2) * std::accumulate(traced.areas.begin(), traced.areas.end(), 0.0);
+        const std::vector<double> added = traced_added(traced);
+        const auto worst = std::ranges::max_element(added);
+        words +=
+            fmt::format("; as convex floes they cover {:.2g} % more than as they were traced, at most {:.2g} % ({})",
+                        100 * std::max(0.0, sum / in_file - 1), 100 * std::max(0.0, *worst),
+                        outline_name(traced, static_cast<std::size_t>(worst - added.begin())));
+    }
+    if (scenario.arrangement.given()) return words + "; they lie as they were traced, so every arrangement is the same";
+    const std::size_t floes = static_cast<std::size_t>(scenario.field.floes);
+    const std::size_t fewest = floes / areas.size();
+    if (fewest == 0) return words + fmt::format("; {} of them are taken, spread over their areas", floes);
+    return words + fmt::format("; each is that of {}{}", floes % areas.size() == 0 ? "" : fmt::format("{} or ", fewest),
+                               counted(static_cast<std::ptrdiff_t>((floes + areas.size() - 1) / areas.size()), "floe"));
+}
+
 /// What the polygons of the first arrangement are.
 std::string shape_words(const Scenario& scenario, std::uint64_t seed) {
     const FloeSet floes = floes_of(scenario, {seed, 0});
@@ -76,12 +109,16 @@ std::string shape_words(const Scenario& scenario, std::uint64_t seed) {
         corners += static_cast<double>(floes.shape(i).outline.size()) / static_cast<double>(floes.size());
     }
     const auto [least, most] = std::ranges::minmax(diameters);
+    const std::string_view kind = scenario.shapes.kind == ShapeKind::voronoi ? "Voronoi cell"
+                                  : scenario.shapes.from_file()              ? "traced floe"
+                                                                             : "polygon";
     return fmt::format(
-        "in arrangement 0 {} of {:.3g} corners on average, sides of their squares {} m, {:.0f} elements of about {:g} "
+        "{}in arrangement 0 {} of {:.3g} corners on average, sides of their squares {} m, {:.0f} elements of about "
+        "{:g} "
         "m; "
         "the field is {:.4g} m long",
-        counted(std::ssize(diameters), scenario.shapes.kind == ShapeKind::voronoi ? "Voronoi cell" : "polygon"),
-        corners, between(least, most), element_count(floes), floes.shape(0).element, scenario.field_length());
+        scenario.shapes.from_file() ? traced_words(scenario) + "; " : "", counted(std::ssize(diameters), kind), corners,
+        between(least, most), element_count(floes), floes.shape(0).element, scenario.field_length());
 }
 
 using Of = double (*)(const FloeShape&, const Material&);

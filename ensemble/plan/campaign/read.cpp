@@ -9,6 +9,7 @@
 #include "campaign/campaign_keys.hpp"
 #include "campaign/case_blocks.hpp"
 #include "campaign/given_hull.hpp"
+#include "campaign/given_outlines.hpp"
 #include "campaign/given_poses.hpp"
 #include "campaign/held_numbers.hpp"
 #include "campaign/key_effects.hpp"
@@ -40,7 +41,8 @@ class Reader {
           spelling_(source.from_user ? Spelling::present : Spelling::stored),
           document_(parse_document(source.text, source.file)),
           poses_(source.file, load_file),
-          hull_(source.file, load_file) {
+          hull_(source.file, load_file),
+          outlines_(source.file, load_file) {
         if (!source.from_user) base_ = paper_scenario();  // where it is silent
         for (const std::string& text : source.overrides) overrides_.push_back(parse_override(text, "--set"));
     }
@@ -237,6 +239,7 @@ class Reader {
         const std::string label = one_of_many ? fmt::format("case {}: ", one.name) : "";
         const std::optional<PoseFile> file = poses_.resolve(one.scenario, own, label);
         hull_.resolve(one.scenario, own, label);
+        outlines_.resolve(one.scenario, own, label);
         refuse_contradictions(one.scenario, own, label);
         if (source_.from_user) poses_.refuse_faults(one.scenario, file, own, label);
     }
@@ -282,6 +285,7 @@ class Reader {
     std::vector<std::pair<std::size_t, Entry>> case_overrides_;  ///< for which [[case]], as if it stood there
     GivenPoses poses_;
     GivenHull hull_;
+    GivenOutlines outlines_;
     KeyEffects effects_;
 };
 

@@ -137,7 +137,7 @@ std::vector<Variation> variations_of(const Scenario& scenario) {
     open.at("water.added_mass_in_plane", {0.0, 0.2}, "0.04 of fast and 0.18 of slow motion");
     if (scenario.arrangement.method == ArrangementMethod::scattered && scenario.arrangement.ordering_sweeps == 0)
         open.order(1000, "floes that have drifted lie in some order");
-    if (scenario.arrangement.method != ArrangementMethod::file) open.widths({1.5}, "ice at sea has no walls");
+    if (!scenario.arrangement.given()) open.widths({1.5}, "ice at sea has no walls");
     return std::move(open).found();
 }
 
