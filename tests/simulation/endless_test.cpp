@@ -155,7 +155,7 @@ TEST(EndlessTow, OfAHullBeginsWithTheBitsOfAnyLongerOneAndKeepsThePiecesThatLeft
     EXPECT_EQ(pieces, ice.pieces());
 }
 
-/// Polygons, with three floes that differ in size for each place that can be used again.
+/// Through polygons of different numbers of elements.
 Scenario endless_polygons(double seconds, ShapeKind kind) {
     Scenario scenario = endless(seconds, SolverKind::direct);
     scenario.joint.failure = JointFailure::moment;
