@@ -2,15 +2,17 @@
 """The pictures of docs/hulls.md, docs/hulls/platform.stl, and what the hull's cost is.
 
 Usage: hulls.py FLOES             (some minutes)
-       hulls.py FLOES --cost      (prints the time of a member with a hull of 50 pieces over that with the cone)
+       hulls.py FLOES --cost [N]  (prints the time of members with hulls of 50 pieces over that with the cone, N pairs)
        hulls.py FLOES --pieces    (writes configs/validation/hull_pieces.toml)
 """
 import math
 import pathlib
-import re
+import statistics
 import subprocess
 import sys
 import tempfile
+
+import h5py
 
 FOLDER = pathlib.Path(__file__).resolve().parent.parent / "hulls"
 PIECES = FOLDER.parent.parent / "configs" / "validation" / "hull_pieces.toml"
@@ -94,16 +96,23 @@ def platform():
     (FOLDER / "platform.stl").write_text(text)
 
 
-def sectors(sides):
-    """The default cone as two rings of so many wedges."""
+def sectors(sides, valley=1.0):
+    """The default cone as two rings of so many wedges; `valley`: of a star, the radius between its points over theirs.
+    Wedges become one piece of each ring, kites of a star remain."""
+    def corner(radius, half):
+        angle = math.pi * half / sides
+        radius *= 1.0 if half % 2 else valley
+        return [radius * math.cos(angle), radius * math.sin(angle)]
+
     rows = []
     for layer, (low, high) in enumerate((((-0.443, 0.445), (0.0, 0.614)), ((0.0, 0.614), (0.122, 0.736)))):
         for side in range(sides):
             for height, radius in (low, high):
                 rows.append([layer * sides + side, 0, 0.0, height, 0.0])
-                for end in (side, side + 1):
-                    angle = 2 * math.pi * end / sides
-                    rows.append([layer * sides + side, 0, radius * math.cos(angle), height, radius * math.sin(angle)])
+                for half in range(2 * side, 2 * side + 3):
+                    if valley < 1.0 or half % 2 == 0:
+                        x, z = corner(radius, half)
+                        rows.append([layer * sides + side, 0, x, height, z])
     return f'shape = "file"\nparts = "hull"\npieces = {rows}'
 
 
@@ -172,30 +181,31 @@ def pieces():
 LONG = SCENE.replace("floes = 40", "floes = 80").replace("window_s = 14.0", "window_s = 30.0")
 
 
-def cost(floes, rounds=5):
+def cost(floes, rounds):
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         texts = {"cone": LONG.format(start=1.3, hull='shape = "profile"'),
-                 "pieces": LONG.format(start=1.3, hull=sectors(25))}
+                 "wedges": LONG.format(start=1.3, hull=sectors(25)),
+                 "star": LONG.format(start=1.3, hull=sectors(25, 0.97))}
         times = {name: [] for name in texts}
         for number in range(rounds):
             for name, text in texts.items():
-                output = run(floes, folder, f"{name}{number}", text, "--threads", "1")
-                found = subprocess.run([floes, "summarize", output, "--format", "csv", "--parts", "members"], check=True,
-                                       capture_output=True, text=True).stdout.splitlines()
-                row = dict(zip(found[0].split(","), found[1].split(",")))
-                times[name].append(float(row[next(key for key in row if re.match("cpu_time", key))]))
+                output = run(floes, folder, f"{name}{number}", text, "--threads", "1", "--set",
+                             f"campaign.seed={3 + number}")
+                with h5py.File(output) as file:
+                    times[name].append(float(file["provenance/cpu_time"][0]))
         for name, found in times.items():
             ratios = [a / b for a, b in zip(found, times["cone"])]
             print(name, " ".join(f"{one:.2f}" for one in found), "s, over the cone:",
-                  " ".join(f"{one:.2f}" for one in ratios))
+                  " ".join(f"{one:.2f}" for one in ratios), f"median {statistics.median(ratios):.3f}, sum over sum "
+                  f"{sum(found) / sum(times['cone']):.3f}")
 
 
 if __name__ == "__main__":
-    if len(sys.argv) not in (2, 3):
+    if len(sys.argv) not in (2, 3, 4):
         sys.exit(__doc__)
-    if len(sys.argv) == 3:
-        pieces() if sys.argv[2] == "--pieces" else cost(sys.argv[1])
+    if len(sys.argv) > 2:
+        pieces() if sys.argv[2] == "--pieces" else cost(sys.argv[1], int([*sys.argv, 5][3]))
     else:
         platform()
         pictures(sys.argv[1])

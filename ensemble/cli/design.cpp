@@ -26,13 +26,14 @@ struct DesignOptions {
     DesignLoadRequest request;
     std::string format = "table";
     std::string window = "given";
+    std::string of = "load";
     YearOptions year;
     MooringOptions mooring;
 };
 
 /// Design mooring forces instead of loads, and what they come from.
 std::vector<Section> moored(const Evidence& evidence, DesignLoadRequest request, const Oscillator& hull) {
-    request.mooring_force = true;
+    request.force = DesignLoadRequest::Force::k_x;
     const MooredRequest asked{hull, request.scale, request.averaging};
     const std::vector<MooredCase> found = find_moored(evidence, asked);
     const std::vector<CasePeaks> peaks = moored_peaks(evidence.table, found);
@@ -42,15 +43,30 @@ std::vector<Section> moored(const Evidence& evidence, DesignLoadRequest request,
     return sections;
 }
 
+/// Design mooring forces of structures that gave way in the simulation, and how those moved.
+std::vector<Section> simulated(const Evidence& evidence, DesignLoadRequest request) {
+    request.force = DesignLoadRequest::Force::moorings;
+    const std::vector<CasePeaks> peaks = simulated_mooring_peaks(evidence);
+    std::vector<Section> sections =
+        design_load_sections(evidence.summary, find_design_loads(evidence.table, request, peaks), request);
+    sections.front().before = broken_lines_text(evidence) + sections.front().before;
+    if (std::optional<Section> moved = moored_runs_section(evidence)) sections.push_back(std::move(*moved));
+    return sections;
+}
+
+std::vector<Section> sections_of(const DesignOptions& options, const Evidence& evidence,
+                                 const DesignLoadRequest& request) {
+    if (options.of == "mooring_force") return simulated(evidence, request);
+    if (const std::optional<Oscillator> hull = options.mooring.hull()) return moored(evidence, request, *hull);
+    return design_load_sections(evidence.summary, find_design_loads(evidence.table, request), request);
+}
+
 std::string answer(const DesignOptions& options) {
     DesignLoadRequest request = options.request;
     request.exposure = options.exposure_h * unit::hour;
     expect_campaign_file(options.file);
-    const std::optional<Oscillator> hull = options.mooring.hull();
     const Evidence evidence = read_evidence(CampaignFile(options.file), options.window == "auto");
-    std::vector<Section> sections =
-        hull ? moored(evidence, request, *hull)
-             : design_load_sections(evidence.summary, find_design_loads(evidence.table, request), request);
+    std::vector<Section> sections = sections_of(options, evidence, request);
     sections.front().before = warning_lines(warnings_of(evidence.table, evidence.summary)) + sections.front().before;
     return written(sections, options.format);
 }
@@ -66,12 +82,13 @@ void answer_of_year(const DesignOptions& options, const std::string& program) {
     tell_year(year);
 }
 
-void add_year(Verb& verb, YearOptions& year, const Option& exposure, const Option& quantile, const Option& mooring) {
+void add_year(Verb& verb, YearOptions& year, const Option& exposure, const Option& quantile, const Option& mooring,
+              const Option& of) {
     Option regimes = verb.option(
         "--regimes", year.regimes,
         "The loads of a year instead: TOML file with a [[regime]] for each kind of ice, its hours a year and "
         "its case or place in the design; or a scatter diagram (.csv)");
-    regimes.excludes(exposure).excludes(quantile).excludes(mooring);
+    regimes.excludes(exposure).excludes(quantile).excludes(mooring).excludes(of);
     verb.option("--per-year", year.per_year, "Probabilities of exceedance in a year, comma-separated")
         .comma_separated()
         .within(1e-7, 0.5)
@@ -108,7 +125,12 @@ void add_design(CommandLine& line) {
         .within(0.01, 0.9)
         .shows_default();
     verb.flag("--rising", options->request.rising, "Extrapolate also a load that still rises in the measured window");
-    add_year(verb, options->year, exposure, quantile, add_mooring(verb, options->mooring));
+    Option mooring = add_mooring(verb, options->mooring);
+    Option of = verb.option("--of", options->of,
+                            "load, or mooring_force: what springs and lines bear of the surge load, of structures that "
+                            "give way in the simulation");
+    of.one_of({"load", "mooring_force"}).shows_default().excludes(mooring);
+    add_year(verb, options->year, exposure, quantile, mooring, of);
     add_window(verb, options->window);
     add_format(verb, options->format);
     verb.footer(
@@ -118,6 +140,7 @@ void add_design(CommandLine& line) {
         "  floes design table3_physical.h5 --exposure-h 10 --quantile 0.5,0.9,0.99 --averaging-s 2\n"
         "  floes design table3_physical.h5 --scale 36 --averaging-s 6 --exposure-h 3      loads at full scale\n"
         "  floes design full_scale.h5 --mooring-kN-m 2600 --mass-t 42000 --damping-percent 10    of a moored hull\n"
+        "  floes design moored_free.h5 --scale 57 --of mooring_force                      of one that gives way\n"
         "  floes design table3_physical.h5 --regimes year.toml                            10^-2 and 10^-4 a year");
     verb.runs([options, &line] {
         if (!options->year.regimes.empty()) {

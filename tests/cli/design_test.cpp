@@ -3,11 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "campaign_file/publish.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
+#include "findings/moored_cases.hpp"
+#include "simulation/motion_history.hpp"
 #include "support/refusal.hpp"
 #include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
@@ -93,6 +97,59 @@ TEST_F(Design, RefusesAHullThatItCannotMove) {
 TEST_F(Design, SaysWhichKeyStoresTheHistoriesThatAHullNeeds) {
     publish_long(file_, false);
     EXPECT_THAT(refusal([&] { design(hull); }), HasSubstr("analysis.history_steps"));
+}
+
+/// The first case on springs of a period of 0.5 s, whose members swing by 10, 20, … N about 100 N; with a line that
+/// broke in the first member.
+void publish_moored(const std::filesystem::path& file) {
+    Campaign campaign = synthetic::campaign();
+    campaign.cases.resize(1);
+    Scenario& scenario = campaign.cases.front().scenario;
+    scenario.structure.speed = 1.1;
+    scenario.analysis.window = 3;
+    scenario.analysis.peak_separation = 0.1;
+    const double k = 1e5 * 16 * std::numbers::pi * std::numbers::pi;
+    scenario.moorings = {.mass = 1e5, .gyration = 0.4, .surge = k, .sway = k, .yaw = k};
+    std::vector<MemberRecord> records = synthetic::records(campaign);
+    double swing = 0;
+    for (MemberRecord& record : records) {
+        swing += 10;
+        MotionHistory& motion = record.result.motion;
+        for (int step = 0; step < scenario.step_count(); ++step) {
+            for (const auto one : motion_histories) (motion.*one).push_back(0);
+            const double time = (step + 0.5) * scenario.general.time_step;
+            motion.surge_mooring.back() = 100 + swing * std::sin(4 * std::numbers::pi * time);
+        }
+    }
+    records.front().result.moored.broken_lines = 1;
+    publish(file, campaign, records, std::vector<Session>{synthetic::session()});
+}
+
+// A hull whose swings are a period apart has a peak in each, six in 3 s, the ends apart.
+TEST_F(Design, ExtrapolatesTheMooringForceOfAHullThatGivesWay) {
+    publish_moored(file_);
+    const Evidence evidence = read_evidence(CampaignFile(file_));
+    const std::vector<CasePeaks> peaks = simulated_mooring_peaks(evidence);
+    ASSERT_EQ(peaks.size(), 1u);
+    EXPECT_NEAR(peaks[0].measured.separation, 0.5, 1e-12);
+    EXPECT_NEAR(peaks[0].measured.mean, 100, 0.2);
+    ASSERT_EQ(peaks[0].rows.size(), evidence.table.members.size());
+    for (std::size_t row = 0; row < peaks[0].rows.size(); ++row) {
+        const std::vector<double>& found = peaks[0].rows[row].peaks;
+        EXPECT_GE(found.size(), 5u);
+        EXPECT_LE(found.size(), 6u);
+        EXPECT_NEAR(found.front(), 100 + 10 * static_cast<double>(row + 1), 0.01 * 10 * static_cast<double>(row + 1));
+    }
+    const std::string told = design("--of mooring_force");
+    EXPECT_THAT(told, HasSubstr("Design mooring force: the largest force of springs and lines along the tow in 3 h"));
+    EXPECT_THAT(told, testing::StartsWith("! soft: lines broke in 1 of 4 members"));
+    EXPECT_THAT(told, HasSubstr("Structures that give way in the simulation"));
+}
+
+TEST_F(Design, RefusesTheMooringForceOfAFixedHull) {
+    EXPECT_THAT(refusal([&] { design("--of mooring_force"); }), HasSubstr("moorings.mass_t"));
+    EXPECT_THROW(design(std::string(hull) + "--of mooring_force"), CommandLineEnd);
+    EXPECT_THROW(design("--of mooring_force --regimes year.toml"), CommandLineEnd);
 }
 
 }  // namespace

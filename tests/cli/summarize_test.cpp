@@ -12,6 +12,7 @@
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
 #include "support/file_bytes.hpp"
+#include "support/refusal.hpp"
 #include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -204,7 +205,7 @@ TEST_F(Summarize, MovesAMooredHull) {
     };
     EXPECT_NEAR(force("--mooring-kN-m 16000 --mass-t 405.312 --damping-percent 30 --scale 4").get<double>(),
                 64 * force(hull).get<double>(), 1e-6);
-    EXPECT_THROW(summarize("--scale 4"), CommandLineEnd);
+    EXPECT_THAT(refusal([&] { summarize("--scale 4"); }), HasSubstr("--parts hull"));
     EXPECT_THAT(summarize(hull + " --parts fatigue"), HasSubstr("Cycles and duration of the mooring force k x"));
 }
 

@@ -11,5 +11,10 @@ if(TARGET floes AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   add_test(NAME docs.year_tutorial
            COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/docs/tutorial_test.py $<TARGET_FILE:floes>
                    ${PROJECT_SOURCE_DIR}/docs/year.md)
+  add_test(NAME docs.moored_hull
+           COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/docs/tutorial_test.py $<TARGET_FILE:floes>
+                   ${PROJECT_SOURCE_DIR}/docs/moored_hull.md)
   set_tests_properties(docs.tutorial docs.year_tutorial PROPERTIES LABELS default TIMEOUT 900 PROCESSORS 2)
+  # Some minutes: a campaign at full scale.
+  set_tests_properties(docs.moored_hull PROPERTIES LABELS slow TIMEOUT 1800 PROCESSORS 2)
 endif()

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Runs every command of docs/tutorial.md (or docs/year.md) in order, and compares what it prints with what the page shows.
+"""Runs every command of docs/tutorial.md (or docs/year.md, docs/moored_hull.md) in order, and compares what it prints with what the page shows.
 
 Usage: tutorial_test.py FLOES PAGE.md [--update]
 
@@ -69,6 +69,8 @@ class Session:
     def __init__(self, floes, folder):
         self.folder, self.names, self.said = folder, {}, ""
         pathlib.Path(folder, "floes").symlink_to(floes)
+        for name in ("configs", "docs"):
+            pathlib.Path(folder, name).symlink_to(ROOT / name)
         self.environment = dict(os.environ, COLUMNS="112")
 
     def printed_by(self, command):

@@ -15,13 +15,16 @@ namespace floes {
 /// What is asked for, at full scale. Froude: times and speeds grow with the square root of the scale, forces with its
 /// cube.
 struct DesignLoadRequest {
+    /// Of which the peaks are: the load, the mooring force k x that stored loads make, or that of the simulation.
+    enum class Force { load, k_x, moorings };
+
     double exposure = 3 * unit::hour;    ///< s
     std::vector<double> quantiles{0.9};  ///< probabilities of not being exceeded, each in (0, 1)
     double averaging = 1;                ///< s, that the load is averaged over
     double scale = 1;                    ///< length at full scale / length in the campaign
     bool rising = false;                 ///< extrapolate a load that still rises in the measured window
     double share = 0.25;                 ///< of the peaks, the highest, that the tails are fitted to
-    bool mooring_force = false;          ///< the peaks are those of a mooring force k x, not of the load
+    Force force = Force::load;
 
     double model_exposure() const;   ///< s
     double model_averaging() const;  ///< s

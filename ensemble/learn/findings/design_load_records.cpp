@@ -26,7 +26,10 @@ DataRows load_records(const Summary& summary, const std::vector<CaseDesignLoad>&
         "design/loads", lines,
         {{"case", [&](const Line& line) { return summary.name_of(line.of->case_index); }},
          {"method", [](const Line& line) { return name_of(line.made->method); }},
-         {"averaging_s", [&](const Line&) { return request.mooring_force ? Undefined{} : Datum(request.averaging); }},
+         {"averaging_s",
+          [&](const Line&) {
+              return request.force == DesignLoadRequest::Force::load ? Datum(request.averaging) : Undefined{};
+          }},
          {"exposure_h", [&](const Line&) { return request.exposure / unit::hour; }},
          {"scale", [&](const Line&) { return request.scale; }},
          {"figure", [](const Line& line) { return std::isnan(line.probability) ? "expected" : "quantile"; }},

@@ -104,8 +104,11 @@ std::string scale_words(const DesignLoadRequest& request) {
 }
 
 std::string design_title(const DesignLoadRequest& request) {
-    if (request.mooring_force)
+    if (request.force == DesignLoadRequest::Force::k_x)
         return fmt::format("Design mooring force: the largest k x in {:g} h", request.exposure / unit::hour);
+    if (request.force == DesignLoadRequest::Force::moorings)
+        return fmt::format("Design mooring force: the largest force of springs and lines along the tow in {:g} h",
+                           request.exposure / unit::hour);
     return fmt::format("Design load: the largest load averaged over {:g} s in {:g} h", request.averaging,
                        request.exposure / unit::hour);
 }

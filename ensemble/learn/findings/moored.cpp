@@ -99,10 +99,7 @@ MooredRun moored_run(std::span<const double> surge, double step, const Analysis&
     return run;
 }
 
-std::string moored_refusal(const Analysis& analysis, double step, double first_load, const MooredRequest& request) {
-    const Oscillator hull = request.model();
-    const double to_full = request.time_factor();
-    const double period = hull.period();
+std::string period_refusal(const Analysis& analysis, double step, double period, double to_full) {
     if (period < fewest_values * step)
         return fmt::format(
             "the natural period of {:.3g} s has fewer than {:g} values of the load history, which are {:.3g} s apart: "
@@ -114,6 +111,13 @@ std::string moored_refusal(const Analysis& analysis, double step, double first_l
             "the natural period of {:.3g} s is longer than a third of the window of {:.4g} s: run with a "
             "longer analysis.window_s",
             to_full * period, to_full * analysis.window);
+    return "";
+}
+
+std::string moored_refusal(const Analysis& analysis, double step, double first_load, const MooredRequest& request) {
+    const Oscillator hull = request.model();
+    const double to_full = request.time_factor();
+    if (std::string words = period_refusal(analysis, step, hull.period(), to_full); !words.empty()) return words;
     const double run_up = analysis.steady_start - first_load;
     const double left = std::exp(-hull.decay_rate() * std::max(run_up, 0.0));
     if (left > most_left)

@@ -69,6 +69,10 @@ std::vector<double> mooring_force(std::span<const double> surge, double step, co
 /// natural period, and the time 1/(ζω) in which free motion falls to 1/e, since the swings of one event are one.
 double moored_separation(const Analysis& analysis, const Oscillator& model);
 
+/// One sentence, or nothing: why a natural period, s, is too short for histories of such steps, or too long for the
+/// window; `to_full`: times at full scale over those of the campaign.
+std::string period_refusal(const Analysis& analysis, double step, double period, double to_full);
+
 /// One sentence, or nothing: why the window of such histories says nothing of this hull. `step`: of the history, s;
 /// `first_load`: s after the start; all at the scale of the campaign, the sentence at full scale.
 std::string moored_refusal(const Analysis& analysis, double step, double first_load, const MooredRequest& request);

@@ -3,6 +3,7 @@
 // loads.
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "findings/case_peaks.hpp"
@@ -31,6 +32,14 @@ std::vector<MooredCase> find_moored(const Evidence& evidence, const MooredReques
 
 /// The peaks of k x as tails are fitted to them, one for each case of the table, at the scale of the campaign.
 std::vector<CasePeaks> moored_peaks(const CampaignTable& table, const std::vector<MooredCase>& found);
+
+/// The same of the force of springs and lines against the surge load, in cases whose structure gave way in the
+/// simulation. Reads the file. Throws InputError where there are none, and for histories or windows too coarse or too
+/// short for the natural period in surge.
+std::vector<CasePeaks> simulated_mooring_peaks(const Evidence& evidence);
+
+/// Sentences on members in which lines broke: their force is that of what was left; empty if none did.
+std::string broken_lines_text(const Evidence& evidence);
 
 /// The line of each case.
 Section moored_section(const Summary& summary, const std::vector<MooredCase>& found, const MooredRequest& request);

@@ -8,13 +8,13 @@ namespace floes {
 namespace {
 
 /// Of the members that `wanted` takes.
-void for_histories(const CampaignFile& file, const std::function<bool(int member)>& wanted,
+void for_histories(const CampaignFile& file, const ArrayOutput& array, const std::function<bool(int member)>& wanted,
                    const std::function<void(const SurgeHistory&)>& use) {
     const hdf5::QuietErrors quiet;
     const Campaign& campaign = file.campaign();
     const ArrayPlaces places(campaign);
     const std::vector<RowStatus> states = read_states(file);
-    ArrayReader reader(file, array_output("history/surge_load"), places);
+    ArrayReader reader(file, array, places);
     for (int member = 0; member < static_cast<int>(states.size()); ++member) {
         if (states[static_cast<std::size_t>(member)] != RowStatus::done || !wanted(member)) continue;
         const int of_case = member_key(campaign, member).case_index;
@@ -29,12 +29,17 @@ void for_histories(const CampaignFile& file, const std::function<bool(int member
 
 void for_each_history(const CampaignFile& file, const std::function<void(const SurgeHistory&)>& use) {
     for_histories(
-        file, [](int) { return true; }, use);
+        file, array_output("history/surge_load"), [](int) { return true; }, use);
+}
+
+void for_each_mooring_history(const CampaignFile& file, const std::function<void(const SurgeHistory&)>& use) {
+    for_histories(
+        file, array_output("history/surge_mooring"), [](int) { return true; }, use);
 }
 
 void with_history(const CampaignFile& file, int member, const std::function<void(const SurgeHistory&)>& use) {
     for_histories(
-        file, [member](int one) { return one == member; }, use);
+        file, array_output("history/surge_load"), [member](int one) { return one == member; }, use);
 }
 
 }  // namespace floes

@@ -18,7 +18,10 @@ struct SurgeHistory {
 /// /history/surge_load, so that who reads must say when there was none. Throws as read_campaign_file() does.
 void for_each_history(const CampaignFile& file, const std::function<void(const SurgeHistory&)>& use);
 
-/// The same for one member.
+/// The same of the force of springs and lines against the surge load, of members whose structure gave way.
+void for_each_mooring_history(const CampaignFile& file, const std::function<void(const SurgeHistory&)>& use);
+
+/// The loads of one member.
 void with_history(const CampaignFile& file, int member, const std::function<void(const SurgeHistory&)>& use);
 
 }  // namespace floes
