@@ -142,7 +142,7 @@ TEST_F(Design, ExtrapolatesTheMooringForceOfAHullThatGivesWay) {
     }
     const std::string told = design("--of mooring_force");
     EXPECT_THAT(told, HasSubstr("Design mooring force: the largest force of springs and lines along the tow in 3 h"));
-    EXPECT_THAT(told, testing::StartsWith("! soft: lines broke in 1 of 4 members"));
+    EXPECT_THAT(told, HasSubstr("! soft: lines broke in 1 of 4 members"));
     EXPECT_THAT(told, HasSubstr("Structures that give way in the simulation"));
 }
 

@@ -157,17 +157,19 @@ TEST(EndlessTow, OfAHullBeginsWithTheBitsOfAnyLongerOneAndKeepsThePiecesThatLeft
 
 /// Through polygons of different numbers of elements.
 Scenario endless_polygons(double seconds, ShapeKind kind) {
-    Scenario scenario = endless(seconds, SolverKind::direct);
-    scenario.joint.failure = JointFailure::moment;
+    Scenario scenario = endless_scenario(seconds, SolverKind::direct);
+    // One of each criterion: stress below contacts has to follow the element that is in a place.
+    scenario.joint.failure = kind == ShapeKind::voronoi ? JointFailure::stress : JointFailure::moment;
     scenario.shapes.kind = kind;
+    scenario.field.floes = 12;  // of a part, so that three come and go
     return scenario;
 }
 
 TEST(EndlessTow, ThroughPolygonsBeginsWithTheBitsOfAnyLongerOne) {
     for (const ShapeKind kind : {ShapeKind::polygon, ShapeKind::voronoi}) {
-        ASSERT_EQ(find_contradictions(endless_polygons(12, kind)).size(), 0u);
+        ASSERT_EQ(find_contradictions(endless_polygons(18, kind)).size(), 0u);
         Simulation shorter = tow(endless_polygons(5, kind));
-        Simulation longer = tow(endless_polygons(12, kind));
+        Simulation longer = tow(endless_polygons(18, kind));
         ASSERT_TRUE(shorter.run({}));
         ASSERT_TRUE(longer.run({}));
         std::vector<double> begin = longer.loads().surge;
@@ -175,7 +177,7 @@ TEST(EndlessTow, ThroughPolygonsBeginsWithTheBitsOfAnyLongerOne) {
         EXPECT_EQ(begin, shorter.loads().surge);
         EXPECT_GT(*std::ranges::max_element(begin), 1);
         const IceField& ice = longer.ice();
-        EXPECT_GT(ice.floes(), ice.places()) << "floes are to have come in places of others";
+        EXPECT_GT(ice.floes(), ice.places()) << (kind == ShapeKind::voronoi) << ": floes are to have come in places of others";
         EXPECT_GT(longer.floes_met(), 4);
         EXPECT_GT(ice.broken_floes(), 0);
         std::map<int, double> floes;  // in pieces, and the area of these
