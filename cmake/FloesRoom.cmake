@@ -53,10 +53,11 @@ function(floes_lane_kernels path)
   endforeach()
 endfunction()
 
-# floes_tests(NAME ROOMS rooms… [LIBRARIES libs…] [LABELS labels…] [SOURCES files…])
-#   One GoogleTest program test_NAME of tests/NAME/*.cpp, every TEST a CTest test.
+# floes_tests(NAME ROOMS rooms… [LIBRARIES libs…] [LABELS labels…] [SOURCES files…] [LONG filter])
+#   One GoogleTest program test_NAME of tests/NAME/*.cpp, every TEST a CTest test. LONG: those of them that average for
+#   ten seconds and more, which are slow.
 function(floes_tests name)
-  cmake_parse_arguments(TEST "" "TIMEOUT" "ROOMS;LIBRARIES;LABELS;SOURCES" ${ARGN})
+  cmake_parse_arguments(TEST "" "TIMEOUT;LONG" "ROOMS;LIBRARIES;LABELS;SOURCES" ${ARGN})
   if(NOT TEST_SOURCES)
     file(GLOB TEST_SOURCES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/*.cpp)
   endif()
@@ -73,7 +74,13 @@ function(floes_tests name)
   floes_test_program(test_${name} SOURCES ${TEST_SOURCES}
                      LIBRARIES ${TEST_ROOMS} ${TEST_LIBRARIES} GTest::gtest GTest::gmock GTest::gtest_main)
   target_precompile_headers(test_${name} REUSE_FROM floes_tests_precompiled)
-  gtest_discover_tests(test_${name} TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60
+  set(usual "*")
+  if(TEST_LONG)
+    set(usual "-${TEST_LONG}")
+    gtest_discover_tests(test_${name} TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60 TEST_FILTER "${TEST_LONG}"
+                         TEST_LIST test_${name}_LONG PROPERTIES LABELS slow TIMEOUT ${TEST_TIMEOUT})
+  endif()
+  gtest_discover_tests(test_${name} TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60 TEST_FILTER "${usual}"
                        PROPERTIES LABELS "${TEST_LABELS}" TIMEOUT ${TEST_TIMEOUT})
 endfunction()
 
