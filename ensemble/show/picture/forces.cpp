@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "picture/canvas.hpp"
+#include "tables/number_text.hpp"
 
 namespace floes {
 namespace {
@@ -115,8 +116,11 @@ void draw_scales(Canvas& canvas, const Stage& stage, const Projection& projectio
         return;
     }
     const double force = round_number(60 * unit / newton);
+    const LoadUnit newtons = load_unit(force);
     draw_bar(canvas, {left + 190 * unit, corner.y() + 18 * unit}, force * newton,
-             fmt::format("{:g} N; on floes {:g} N", force, force / contact_stretch), unit);
+             fmt::format("{:g} {unit}; on floes {:g} {unit}", force * newtons.factor,
+                         force * newtons.factor / contact_stretch, fmt::arg("unit", newtons.name)),
+             unit);
     double x = draw_sample(canvas, {left, second}, tow_orange, fmt::format("tow, {:g} m/s", speed), unit);
     x = draw_sample(canvas, {x, second}, normal_magenta, "normal", unit);
     draw_sample(canvas, {x, second}, friction_teal, "friction on floes", unit);

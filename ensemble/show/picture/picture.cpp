@@ -8,6 +8,7 @@
 
 #include "picture/depth_buffer.hpp"
 #include "picture/forces.hpp"
+#include "tables/number_text.hpp"
 
 namespace floes {
 namespace {
@@ -54,9 +55,11 @@ void draw_words(Canvas& canvas, const Stage& stage, const Frame& frame, const Pi
     const double right = style.width - 16 * unit;
     draw_ground(canvas, {style.width - 290 * unit, 0}, {style.width, 100 * unit});
     double y = 28 * unit;
+    const LoadUnit newtons = load_unit(frame.load.norm());
     const auto load = [&](const char* name, double value, const Colour& colour) {
         canvas.text({right - 84 * unit, y}, name, colour, 16 * unit, Align::right, true);
-        canvas.text({right, y}, fmt::format("{:.1f} N", value), bright, 16 * unit, Align::right);
+        canvas.text({right, y}, fmt::format("{:.1f} {}", value * newtons.factor, newtons.name), bright, 16 * unit,
+                    Align::right);
         y += 21 * unit;
     };
     load("surge", -frame.load.x(), between(surge_red, bright, 0.35));
@@ -139,7 +142,9 @@ void draw_history(Canvas& canvas, const Stage& stage, const Frame& frame, const 
     canvas.path(line, {0.10, 0.35, 0.62}, 1.3 * unit);
     canvas.line(at(frame.time, low), at(frame.time, up), ink, 2 * unit);
     const double size = 13 * unit;
-    canvas.text({left - 8 * unit, ceiling + size / 2}, fmt::format("{:.0f} N", up), ink, size, Align::right);
+    const LoadUnit newtons = load_unit(up);
+    canvas.text({left - 8 * unit, ceiling + size / 2}, fmt::format("{:.0f} {}", up * newtons.factor, newtons.name), ink,
+                size, Align::right);
     canvas.text({left - 8 * unit, at(from, 0).y() + size / 3}, "0", ink, size, Align::right);
     canvas.text({left, bottom + 18 * unit}, fmt::format("{:g} s", std::round(from)), ink, size);
     canvas.text({right, bottom + 18 * unit}, fmt::format("{:g} s", std::round(to)), ink, size, Align::right);
