@@ -116,8 +116,8 @@ void draw_scales(Canvas& canvas, const Stage& stage, const Projection& projectio
         return;
     }
     const double force = round_number(60 * unit / newton);
-    const LoadUnit newtons = load_unit(force);
-    draw_bar(canvas, {left + 190 * unit, corner.y() + 18 * unit}, force * newton,
+    const LoadUnit newtons = load_unit(10 * force);  // the shorter number
+    draw_bar(canvas, {left + 150 * unit, corner.y() + 18 * unit}, force * newton,
              fmt::format("{:g} {unit}; on floes {:g} {unit}", force * newtons.factor,
                          force * newtons.factor / contact_stretch, fmt::arg("unit", newtons.name)),
              unit);

@@ -1,0 +1,77 @@
+#!/usr/bin/python3
+"""The figures of docs/kulluk.md: loads and mooring forces over the thickness of the ice. Writes docs/kulluk/load.svg and
+fills the page's table.
+
+    floes run configs/kulluk.toml -o kulluk.h5
+    docs/figures/kulluk.py kulluk.h5
+"""
+import math
+import pathlib
+import sys
+
+import h5py
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from page_blocks import fill_or_check
+from scipy import stats
+
+DOCS = pathlib.Path(__file__).resolve().parent.parent
+MN = 1e6
+
+
+def interval(values):
+    """Mean of the members with its 95 % interval by Student's t."""
+    mean, half = values.mean(), stats.t.ppf(0.975, len(values) - 1) * values.std(ddof=1) / math.sqrt(len(values))
+    return mean, mean - half, mean + half
+
+
+def text(values, digits):
+    mean, low, high = interval(values)
+    return f"{mean:.{digits}f} [{low:.{digits}f}, {high:.{digits}f}]"
+
+
+def read(path):
+    """thickness, m -> quantity -> its values over the members that are done."""
+    found = {}
+    with h5py.File(path) as file:
+        case, done = file["members/case"][()], file["members/status"][()] == 0
+        one_second = int(np.flatnonzero(np.isclose(file["averaging_time"][()], 1))[0])
+        for number, name in enumerate(file["cases/name"].asstr()[()]):
+            rows = done & (case == number)
+            member = lambda key: file["members/" + key][()][rows]
+            found[float(name.removesuffix("_m"))] = {
+                "mean": member("mean_load") / MN, "peak": file["averaged/mean_maximum"][()][rows, one_second] / MN,
+                "force": member("mean_maximum_surge_mooring") / MN, "offset": member("mean_surge_offset"),
+                "broken": 100 * member("met_failure_ratio")}
+    return found
+
+
+def table(found):
+    lines = ["| thickness, m | mean load, MN | mean maximum over 1 s, MN | mean maximum of the mooring force, MN | mean offset, m | "
+             "broken of the floes met, % |", "|---|---|---|---|---|---|"]
+    for thickness, of in found.items():
+        lines.append(f"| {thickness:g} | {text(of['mean'], 2)} | {text(of['peak'], 2)} | {text(of['force'], 2)} | "
+                     f"{text(of['offset'], 2)} | {text(of['broken'], 0)} |")
+    return "\n".join(lines)
+
+
+def draw(found):
+    figure, axes = plt.subplots(figsize=(6.5, 3.6), layout="constrained")
+    for key, label, colour in (("mean", "mean load", "tab:blue"), ("peak", "mean maximum over 1 s", "tab:orange"),
+                               ("force", "mean maximum of the mooring force", "tab:green")):
+        values = np.array([interval(of[key]) for of in found.values()])
+        axes.errorbar(list(found), values[:, 0], (values[:, 0] - values[:, 1], values[:, 2] - values[:, 0]), label=label,
+                      color=colour, marker="o", capsize=3)
+    axes.set(xlabel="thickness of the ice, m", ylabel="MN", xlim=(0, None), ylim=(0, None))
+    axes.legend(frameon=False)
+    (DOCS / "kulluk").mkdir(exist_ok=True)
+    figure.savefig(DOCS / "kulluk" / "load.svg", metadata={"Date": None})
+
+
+if __name__ == "__main__":
+    campaign = read(sys.argv[1])
+    draw(campaign)
+    fill_or_check({DOCS / "kulluk.md": {"loads": lambda: table(campaign)}}, False, "kulluk.py")
