@@ -66,14 +66,18 @@ std::vector<PlanarPose> lattice(const Scenario& scenario, Rectangles shapes, Ran
     return jittered_lattice(field_walls(scenario), shapes, rule.clearance, {rule.jitter, rule.jitter_angle}, random);
 }
 
+/// Of random streams that do not depend on ordering_sweeps: more sweeps continue the same chain.
+std::uint64_t unordered_key(const Scenario& scenario) {
+    Scenario unordered = scenario;
+    unordered.arrangement.ordering_sweeps = 0;
+    return geometry_key(unordered);
+}
+
 std::vector<PlanarPose> scattered_and_ordered(const Scenario& scenario, Rectangles shapes, std::uint64_t seed,
                                               std::uint32_t number) {
     const ArrangementRule& rule = scenario.arrangement;
     const Walls walls = field_walls(scenario);
-    // Random streams do not depend on ordering_sweeps: more sweeps continue the same chain.
-    Scenario unordered = scenario;
-    unordered.arrangement.ordering_sweeps = 0;
-    const std::uint64_t geometry = geometry_key(unordered);
+    const std::uint64_t geometry = unordered_key(scenario);
     RandomStream scattering(seed, number, StreamId::scattering, geometry);
     std::vector<PlanarPose> poses = scattered(walls, shapes, rule.clearance, scattering);
     if (rule.ordering_sweeps == 0) return poses;
@@ -133,10 +137,7 @@ std::vector<PlanarPose> poses_of_polygons(const Scenario& scenario, const FloeSe
         const std::vector<PlanarPose> start = laid(random);
         return moved_on(scenario, outlines, start, rule.sweeps, random);
     }
-    // As of rectangles, more sweeps continue the same chain.
-    Scenario unordered = scenario;
-    unordered.arrangement.ordering_sweeps = 0;
-    const std::uint64_t geometry = geometry_key(unordered);
+    const std::uint64_t geometry = unordered_key(scenario);
     RandomStream scattering(seed, number, StreamId::scattering, geometry);
     const std::vector<PlanarPose> poses = laid(scattering);
     if (rule.ordering_sweeps == 0) return poses;

@@ -10,13 +10,11 @@
 #include <string>
 #include <utility>
 
-#include "arrangement/arrangement.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "endless_tow.hpp"
 #include "scenario/sizes.hpp"
-#include "scenario/validate.hpp"
 #include "simulation/moving_window.hpp"
-#include "simulation/simulation.hpp"
 #include "statistics/means.hpp"
 #include "support/endless_scenario.hpp"
 
@@ -25,11 +23,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double mass = 500;  // kg
-
-Simulation tow(const Scenario& scenario, std::uint32_t number = 0) {
-    LaidField laid = lay_field(scenario, 1, number);
-    return {scenario, laid.floes, std::move(laid.ahead)};
-}
 
 /// On springs of this period, s, alike in surge, sway and yaw.
 Scenario moored(double seconds, double period, SolverKind solver = SolverKind::lanes) {
@@ -193,13 +186,7 @@ TEST(EndlessPath, BeginsWithTheBitsOfAnyLongerOne) {
     ASSERT_EQ(find_contradictions(on_a_path(16)).size(), 0u);
     Simulation shorter = tow(on_a_path(12));
     Simulation longer = tow(on_a_path(16));
-    ASSERT_TRUE(shorter.run({}));
-    ASSERT_TRUE(longer.run({}));
-    std::vector<double> begin = longer.loads().surge;
-    begin.resize(shorter.loads().surge.size());
-    EXPECT_EQ(begin, shorter.loads().surge);
-    EXPECT_GT(*std::ranges::max_element(begin), 1);
-    EXPECT_GT(longer.ice().floes(), longer.ice().places()) << "floes are to have left";
+    ASSERT_NO_FATAL_FAILURE(expect_same_beginning(shorter, longer));
     EXPECT_GT(std::abs(longer.structure().after().z), 0.3);
 }
 
