@@ -2,7 +2,7 @@
 """The pictures of docs/hulls.md, docs/hulls/platform.stl, and what the hull's cost is.
 
 Usage: hulls.py FLOES             (some minutes)
-       hulls.py FLOES --cost [N]  (prints the time of members with hulls of 50 pieces over that with the cone, N pairs)
+       hulls.py FLOES --cost [N]  (prints the time of steps with hulls of 50 pieces over that with the cone, N pairs)
        hulls.py FLOES --pieces    (writes configs/validation/hull_pieces.toml)
 """
 import math
@@ -179,26 +179,32 @@ def pieces():
 
 
 LONG = SCENE.replace("floes = 40", "floes = 80").replace("window_s = 14.0", "window_s = 30.0")
+SHORT = LONG.replace("steady_start_s = 8.0", "steady_start_s = 1.0").replace("window_s = 30.0", "window_s = 2.0")
 
 
 def cost(floes, rounds):
+    hulls = {"cone": 'shape = "profile"', "wedges": sectors(25), "star": sectors(25, 0.97)}
+    steps = {name: [] for name in hulls}
+    starts = {name: [] for name in hulls}
+
+    def processor_time(folder, name, scene, number):
+        output = run(floes, folder, f"{name}{number}", scene.format(start=1.3, hull=hulls[name]), "--threads", "1",
+                     "--set", f"campaign.seed={3 + number}", "--overwrite")
+        with h5py.File(output) as file:
+            return float(file["provenance/cpu_time"][0])
+
     with tempfile.TemporaryDirectory() as folder:
-        folder = pathlib.Path(folder)
-        texts = {"cone": LONG.format(start=1.3, hull='shape = "profile"'),
-                 "wedges": LONG.format(start=1.3, hull=sectors(25)),
-                 "star": LONG.format(start=1.3, hull=sectors(25, 0.97))}
-        times = {name: [] for name in texts}
         for number in range(rounds):
-            for name, text in texts.items():
-                output = run(floes, folder, f"{name}{number}", text, "--threads", "1", "--set",
-                             f"campaign.seed={3 + number}")
-                with h5py.File(output) as file:
-                    times[name].append(float(file["provenance/cpu_time"][0]))
-        for name, found in times.items():
-            ratios = [a / b for a, b in zip(found, times["cone"])]
-            print(name, " ".join(f"{one:.2f}" for one in found), "s, over the cone:",
-                  " ".join(f"{one:.2f}" for one in ratios), f"median {statistics.median(ratios):.3f}, sum over sum "
-                  f"{sum(found) / sum(times['cone']):.3f}")
+            for name in hulls:
+                first = processor_time(pathlib.Path(folder), name, SHORT, number)
+                steps[name].append(processor_time(pathlib.Path(folder), name, LONG, number) - first)
+                starts[name].append(first)
+    for name, found in steps.items():
+        ratios = [a / b for a, b in zip(found, steps["cone"])]
+        print(name, " ".join(f"{one:.2f}" for one in found), "s, over the cone:",
+              " ".join(f"{one:.2f}" for one in ratios), f"median {statistics.median(ratios):.3f}, sum over sum "
+              f"{sum(found) / sum(steps['cone']):.3f}; the first 3 s with all that goes before: "
+              f"{statistics.median(starts[name]):.2f} s")
 
 
 if __name__ == "__main__":

@@ -63,9 +63,26 @@ class Pieces {
                                         : piece.face_parts[static_cast<std::size_t>(same - planes.begin())];
     }
 
-    /// Whether the section of a piece in the plane of a face of `body` may share more with that face than an edge.
-    bool meets_face(const Polyhedron& piece, const Polyhedron& body, std::size_t face) const {
-        const Plane& plane = body.planes[face];
+    /// Planes through the edges of a face, at right angles to it; the face is inside them.
+    static std::vector<Plane> rim_of_face(const Polyhedron& body, std::size_t face) {
+        const std::vector<int>& corners = body.faces[face];
+        std::vector<Plane> rim;
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            const Vec3& a = body.corners[static_cast<std::size_t>(corners[k])];
+            const Vec3& b = body.corners[static_cast<std::size_t>(corners[(k + 1) % corners.size()])];
+            const Vec3 outwards = (b - a).cross(body.planes[face].normal).normalized();
+            rim.push_back({outwards, outwards.dot(a)});
+        }
+        return rim;
+    }
+
+    /// Whether the section of a piece in the plane of a face may share more with that face than an edge.
+    bool meets_face(const Polyhedron& piece, const Plane& plane, std::span<const Plane> rim) const {
+        const auto on_side = [&](double side) {
+            return std::ranges::all_of(piece.corners,
+                                       [&](const Vec3& one) { return side * plane.height(one) > slack_; });
+        };
+        if (on_side(1) || on_side(-1)) return false;
         std::vector<Vec3> section;
         for (const std::vector<int>& one : piece.faces) {
             for (std::size_t k = 0; k < one.size(); ++k) {
@@ -77,15 +94,9 @@ class Pieces {
                 if (low < -slack_ && high > slack_) section.emplace_back(a + (b - a) * (low / (low - high)));
             }
         }
-        const std::vector<int>& rim = body.faces[face];
-        for (std::size_t k = 0; k < rim.size(); ++k) {
-            const Vec3& a = body.corners[static_cast<std::size_t>(rim[k])];
-            const Vec3& b = body.corners[static_cast<std::size_t>(rim[(k + 1) % rim.size()])];
-            const Vec3 outwards = (b - a).cross(plane.normal).normalized();
-            if (std::ranges::all_of(section, [&](const Vec3& one) { return outwards.dot(one - a) >= -slack_; }))
-                return false;
-        }
-        return true;
+        return std::ranges::none_of(rim, [&](const Plane& edge) {
+            return std::ranges::all_of(section, [&](const Vec3& one) { return edge.height(one) >= -slack_; });
+        });
     }
 
     /// Where neighbours alone do not fit, those behind them may: three quarters of a ring are not convex, the whole is.
@@ -150,9 +161,10 @@ class Pieces {
 
     /// `body` continued through a face, if others go on there over the whole of it. Not where rounding leaves no body.
     std::optional<Polyhedron> through(const Polyhedron& body, std::size_t face, const Reach& reach) const try {
+        const std::vector<Plane> rim = rim_of_face(body, face);
         std::vector<std::size_t> beside;
         for (std::size_t k = 0; k < pieces_.size(); ++k)
-            if (meets_face(body_of(pieces_[k]), body, face)) beside.push_back(k);
+            if (meets_face(body_of(pieces_[k]), body.planes[face], rim)) beside.push_back(k);
         if (beside.empty()) return std::nullopt;
         const double before = body.volume();
         double gain = 0;
@@ -162,10 +174,11 @@ class Pieces {
             if (!reach.behind && !std::ranges::binary_search(beside, k)) continue;
             const Polyhedron part = beyond(body_of(pieces_[k]), body, face, whole);
             if (part.empty()) continue;
+            if (reach.whole && !whole) return std::nullopt;
             gain += part.volume();
             corners.insert(corners.end(), part.corners.begin(), part.corners.end());
         }
-        if (gain < least_gain * before || (reach.whole && !whole)) return std::nullopt;
+        if (gain < least_gain * before) return std::nullopt;
         Polyhedron larger = convex_hull(corners);
         const double after = larger.volume();
         if (std::abs(after - before - gain) > same_volume * after) return std::nullopt;

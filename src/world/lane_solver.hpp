@@ -32,7 +32,10 @@ class LaneSolver {
     void add_body(const btRigidBody& body, int piece, double crushing_pressure, std::optional<int> rail);
 
     /// The body that is moved from outside, by number.
-    void set_structure(std::size_t body) { structure_ = body; }
+    void set_structure(std::size_t body, const btCompoundShape& solids) {
+        structure_ = body;
+        structure_contacts_.set_solids(solids);
+    }
 
     /// Water that the body carries from the next step on; with the direct solver only.
     void set_water(std::size_t body, const CarriedWater& water);

@@ -13,6 +13,13 @@
 
 namespace floes {
 
+/// A box that may touch a solid, in the solid's axes. Lengths in m.
+struct BoxBeside {
+    Vec3 centre;
+    Mat3 axes;  ///< of the box, as columns
+    Vec3 half_extent;
+};
+
 ATTRIBUTE_ALIGNED16(class) SolidShape final : public btConvexInternalShape {
   public:
     BT_DECLARE_ALIGNED_ALLOCATOR();
@@ -26,6 +33,18 @@ ATTRIBUTE_ALIGNED16(class) SolidShape final : public btConvexInternalShape {
     /// In the structure.
     btTransform place() const;
 
+    /// No point of the box is nearer, m; 0 or less where it may touch. The width of the gap across one plane: a face of
+    /// a polyhedron, the wall of a round solid where it faces the box, or the bounds of either.
+    double gap_to(const BoxBeside& box) const;
+
+    /// As btConvexInternalShape's along the solid's own axes, found once.
+    const Vec3& low() const {
+        return low_;
+    }
+    const Vec3& high() const {
+        return high_;
+    }
+
     btVector3 localGetSupportingVertexWithoutMargin(const btVector3& direction) const override;
     void batchedUnitVectorGetSupportingVertexWithoutMargin(const btVector3* directions, btVector3* vertices, int count)
         const override;
@@ -37,6 +56,8 @@ ATTRIBUTE_ALIGNED16(class) SolidShape final : public btConvexInternalShape {
 
   private:
     ConvexSolid core_;
+    Vec3 low_;
+    Vec3 high_;
 };
 
 }  // namespace floes

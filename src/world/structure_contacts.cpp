@@ -1,9 +1,6 @@
 #include "world/structure_contacts.hpp"
 
-#include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
-#include <BulletCollision/CollisionDispatch/btManifoldResult.h>
-#include <BulletCollision/CollisionShapes/btCompoundShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 
 #include <algorithm>
@@ -11,22 +8,10 @@
 #include <limits>
 #include <tuple>
 
+#include "world/conversion.hpp"
+
 namespace floes {
 namespace {
-
-/// Of bounds along the axis along which they are farthest apart.
-double gap_between(const Bounds& a, const Bounds& b) {
-    double gap = -1;
-    for (std::size_t i = 0; i < 3; ++i) gap = std::max({gap, a.low[i] - b.high[i], b.low[i] - a.high[i]});
-    return gap;
-}
-
-Bounds bounds_of(const btRigidBody& body) {
-    btVector3 low;
-    btVector3 high;
-    body.getCollisionShape()->getAabb(body.getWorldTransform(), low, high);
-    return {{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}};
-}
 
 /// The farthest that turning from one rotation to the other moves a point of the body, m.
 double way_of_turn(const btRigidBody& body, const btMatrix3x3& before, const btMatrix3x3& after) {
@@ -39,30 +24,43 @@ double way_of_turn(const btRigidBody& body, const btMatrix3x3& before, const btM
     return std::sqrt(squares) * (centre.length() + radius);
 }
 
-/// Of each of its solids.
-void read_solid_bounds(const btRigidBody& structure, std::vector<Bounds>& solids) {
-    solids.clear();
-    const auto* shape = static_cast<const btCompoundShape*>(structure.getCollisionShape());
-    for (int i = 0; i < shape->getNumChildShapes(); ++i) {
-        btVector3 low;
-        btVector3 high;
-        shape->getChildShape(i)->getAabb(structure.getWorldTransform() * shape->getChildTransform(i), low, high);
-        solids.push_back({{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}});
-    }
+/// As Bullet asks before it looks for points, but along the structure's axes.
+bool bounds_meet(const SolidShape& solid, const btRigidBody& box, const btTransform& beside) {
+    btVector3 low;
+    btVector3 high;
+    box.getCollisionShape()->getAabb(beside, low, high);
+    return (from_bullet(low).array() <= solid.high().array()).all() &&
+           (from_bullet(high).array() >= solid.low().array()).all();
+}
+
+BoxBeside box_beside(const btTransform& place, const Triple& half_extent) {
+    return {from_bullet(place.getOrigin()), from_bullet(place.getBasis()),
+            {half_extent[0], half_extent[1], half_extent[2]}};
+}
+
+btTransform shifted(const btTransform& place, const btVector3& by) {
+    return btTransform(place.getBasis(), place.getOrigin() + by);
 }
 
 }  // namespace
 
 StructureContacts::~StructureContacts() {
-    for (btCollisionAlgorithm*& algorithm : algorithms_) leave(algorithm);
+    for (Pair& pair : pairs_) leave(pair);
+}
+
+void StructureContacts::set_solids(const btCompoundShape& structure) {
+    for (int i = 0; i < structure.getNumChildShapes(); ++i)
+        solids_.push_back(static_cast<const SolidShape*>(structure.getChildShape(i)));
+    pairs_.assign(half_extent_.size() * solids_.size(), {});
 }
 
 void StructureContacts::add(const Triple& half_extent) {
     half_extent_.push_back(half_extent);
     radius_.push_back(std::sqrt(dot(half_extent, half_extent)));
-    clearance_.push_back(0);
-    algorithms_.push_back(nullptr);
-    touching_.reserve(2 * algorithms_.size());
+    way_.push_back(0);
+    due_.push_back(0);
+    pairs_.resize(half_extent_.size() * solids_.size());
+    touching_.reserve(2 * half_extent_.size());
 }
 
 void StructureContacts::put_in(std::size_t box, const Triple& half_extent) {
@@ -72,65 +70,93 @@ void StructureContacts::put_in(std::size_t box, const Triple& half_extent) {
 }
 
 void StructureContacts::move(std::size_t box) {
-    clearance_[box] = 0;
-    leave(algorithms_[box]);
+    distrust(box);
+    for (Pair& pair : pairs_of(box)) leave(pair);
     collect();
 }
 
-void StructureContacts::leave(btCollisionAlgorithm*& algorithm) {
-    if (algorithm == nullptr) return;
-    algorithm->~btCollisionAlgorithm();
-    dispatcher_->freeCollisionAlgorithm(algorithm);
-    algorithm = nullptr;
+void StructureContacts::distrust(std::size_t box) {
+    way_[box] = due_[box] = 0;
+    for (Pair& pair : pairs_of(box)) pair.due = 0;
+}
+
+void StructureContacts::leave(Pair& pair) {
+    if (pair.algorithm == nullptr) return;
+    pair.algorithm->~btCollisionAlgorithm();
+    dispatcher_->freeCollisionAlgorithm(pair.algorithm);
+    pair.algorithm = nullptr;
+}
+
+/// How far a point of it can have gone since the last find(), m.
+double StructureContacts::way_of(const btRigidBody& structure) {
+    const btVector3 position = structure.getWorldTransform().getOrigin();
+    const btMatrix3x3& rotation = structure.getWorldTransform().getBasis();
+    const double way = (position - position_).length() + way_of_turn(structure, rotation_, rotation);
+    position_ = position;
+    rotation_ = rotation;
+    return way;
 }
 
 void StructureContacts::find(std::deque<btRigidBody>& bodies, const BodyMotion* motions, std::size_t structure) {
-    btRigidBody& body = bodies[structure];
-    const Bounds bounds = bounds_of(body);
-    read_solid_bounds(body, solids_);
-    const btVector3 position = body.getWorldTransform().getOrigin();
-    const btMatrix3x3& rotation = body.getWorldTransform().getBasis();
-    const double way = (position - position_).length() + way_of_turn(body, rotation_, rotation);
-    position_ = position;
-    rotation_ = rotation;
+    const double way = way_of(bodies[structure]);
     for (std::size_t i = 0; i < half_extent_.size(); ++i) {
         if (radius_[i] == 0) continue;
-        const BodyMotion& motion = motions[i];
-        clearance_[i] -= way + motion.way + radius_[i] * motion.turn;
-        if (clearance_[i] > 0) continue;
-        const double reach = 2 * bodies[i].getCollisionShape()->getContactBreakingThreshold(gContactBreakingThreshold);
-        const Bounds box = bounds_of({half_extent_[i].data(), motion.position, motion.rotation});
-        clearance_[i] = gap_between(box, bounds) - reach;
-        if (clearance_[i] <= 0 && solids_.size() > 1) clearance_[i] = gap_to_solids(box) - reach;
-        if (clearance_[i] > 0)
-            leave(algorithms_[i]);
-        else
-            look(bodies[i], motion, body, algorithms_[i]);
+        way_[i] += way + motions[i].way + radius_[i] * motions[i].turn;
+        if (way_[i] >= due_[i]) look_round(i, bodies[i], motions[i], bodies[structure]);
     }
     collect();
 }
 
-double StructureContacts::gap_to_solids(const Bounds& box) const {
-    double gap = std::numeric_limits<double>::infinity();
-    for (const Bounds& solid : solids_) gap = std::min(gap, gap_between(box, solid));
-    return gap;
+void StructureContacts::look_round(std::size_t box, btRigidBody& body, const BodyMotion& motion,
+                                   const btRigidBody& structure) {
+    const double* r = motion.rotation;
+    body.setWorldTransform(btTransform(btMatrix3x3(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]),
+                                       {motion.position[0], motion.position[1], motion.position[2]}));
+    const double reach = 2 * body.getCollisionShape()->getContactBreakingThreshold(gContactBreakingThreshold);
+    const btTransform beside = structure.getWorldTransform().inverseTimes(body.getWorldTransform());
+    due_[box] = std::numeric_limits<double>::infinity();
+    const std::span<Pair> pairs = pairs_of(box);
+    for (std::size_t i = 0; i < solids_.size(); ++i) {
+        if (way_[box] >= pairs[i].due) {
+            const btTransform place = shifted(beside, -solids_[i]->place().getOrigin());
+            const double gap = solids_[i]->gap_to(box_beside(place, half_extent_[box])) - reach;
+            pairs[i].due = way_[box] + gap;
+            if (gap <= 0 && bounds_meet(*solids_[i], body, place))
+                touch(pairs[i], i, body, structure);
+            else
+                leave(pairs[i]);
+        }
+        due_[box] = std::min(due_[box], pairs[i].due);
+    }
 }
 
-/// As btCollisionDispatcher::defaultNearCallback does.
-void StructureContacts::look(btRigidBody& box, const BodyMotion& motion, btRigidBody& structure,
-                             btCollisionAlgorithm*& algorithm) {
-    const double* r = motion.rotation;
-    box.setWorldTransform(btTransform(btMatrix3x3(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]),
-                                      {motion.position[0], motion.position[1], motion.position[2]}));
-    btRigidBody& first = box.getUserIndex() < structure.getUserIndex() ? box : structure;
-    btRigidBody& second = &first == &box ? structure : box;
-    const btCollisionObjectWrapper one(nullptr, first.getCollisionShape(), &first, first.getWorldTransform(), -1, -1);
-    const btCollisionObjectWrapper other(nullptr, second.getCollisionShape(), &second, second.getWorldTransform(), -1,
-                                         -1);
-    if (algorithm == nullptr)
-        algorithm = dispatcher_->findAlgorithm(&one, &other, nullptr, BT_CONTACT_POINT_ALGORITHMS);
+/// Moves the points that there are with the bodies, and drops those that came apart.
+void StructureContacts::refresh(const Pair& pair, btManifoldResult& result) {
+    manifolds_.resize(0);
+    pair.algorithm->getAllContactManifolds(manifolds_);
+    for (int i = 0; i < manifolds_.size(); ++i) {
+        if (manifolds_[i]->getNumContacts() == 0) continue;
+        result.setPersistentManifold(manifolds_[i]);
+        result.refreshContactPoints();
+    }
+    result.setPersistentManifold(nullptr);
+}
+
+/// As btCompoundCollisionAlgorithm does with each of its children.
+void StructureContacts::touch(Pair& pair, std::size_t solid, const btRigidBody& box, const btRigidBody& structure) {
+    const btCollisionObjectWrapper whole(nullptr, structure.getCollisionShape(), &structure,
+                                         structure.getWorldTransform(), -1, -1);
+    const btTransform own = solids_[solid]->place();
+    const btTransform place = structure.getWorldTransform() * own;
+    const btCollisionObjectWrapper one(&whole, solids_[solid], &structure, place, own, -1, static_cast<int>(solid));
+    const btCollisionObjectWrapper other(nullptr, box.getCollisionShape(), &box, box.getWorldTransform(), -1, -1);
     btManifoldResult result(&one, &other);
-    algorithm->processCollision(&one, &other, *info_, &result);
+    result.setShapeIdentifiersA(-1, static_cast<int>(solid));
+    if (pair.algorithm == nullptr)
+        pair.algorithm = dispatcher_->findAlgorithm(&one, &other, nullptr, BT_CONTACT_POINT_ALGORITHMS);
+    else
+        refresh(pair, result);
+    pair.algorithm->processCollision(&one, &other, *info_, &result);
 }
 
 void StructureContacts::collect() {

@@ -60,7 +60,7 @@ BodyId World::add_structure(std::span<const ConvexSolid> solids, const Vec3& pos
     bullet_->structure = bullet_->add_body(&*bullet_->structure_shape, 0, pose, bullet_->friction.structure,
                                            sheet_piece, btCollisionObject::CF_KINEMATIC_OBJECT,
                                            std::numeric_limits<double>::infinity());  // it does not crush
-    if (bullet_->lanes) bullet_->lanes->set_structure(bullet_->structure->index());
+    if (bullet_->lanes) bullet_->lanes->set_structure(bullet_->structure->index(), *bullet_->structure_shape);
     return *bullet_->structure;
 }
 
