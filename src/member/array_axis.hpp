@@ -33,8 +33,8 @@ struct ArrayAxis {
 };
 
 extern const ArrayAxis segment_axis, level_axis, averaging_axis, peak_axis, floe_axis, coordinate_axis, property_axis,
-    part_axis, time_axis, motion_axis, mooring_axis, line_axis, height_axis, angle_axis, tow_axis, break_axis,
-    piece_axis;
+    part_axis, time_axis, motion_axis, mooring_axis, thrust_axis, line_axis, height_axis, angle_axis, tow_axis,
+    break_axis, piece_axis;
 
 /// Those of which a member alone knows how far they go.
 inline constexpr std::array<const ArrayAxis*, 3> found_axes{&peak_axis, &break_axis, &piece_axis};

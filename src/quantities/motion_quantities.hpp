@@ -13,6 +13,13 @@ constexpr Quantity motion_quantity(const char* key, std::string_view unit, std::
     return {.key = key, .unit = unit, .long_name = long_name, .place = place, .least = no_least, .since = 13};
 }
 
+/// Of thrusters; NaN in other members.
+constexpr Quantity thrust_quantity(const char* key, std::string_view unit, std::string_view long_name, Place place) {
+    Quantity quantity = motion_quantity(key, unit, long_name, place);
+    quantity.since = 14;
+    return quantity;
+}
+
 inline constexpr std::array motion_quantities{
     motion_quantity("mean_surge_offset", "m", "mean offset of the moored structure along the surge load",
                     at<&MemberOutputs::moored, &MooredResponse::surge_offset, &Swing::mean>()),
@@ -66,6 +73,29 @@ inline constexpr std::array motion_quantities{
              .long_name = "mooring lines that broke",
              .place = at<&MemberOutputs::moored, &MooredResponse::broken_lines>(),
              .count = true,
-             .since = 13}};
+             .since = 13},
+    thrust_quantity("mean_surge_thrust", "N", "mean force of thrusters against the surge load",
+                    at<&MemberOutputs::moored, &MooredResponse::surge_thrust, &Swing::mean>()),
+    thrust_quantity("sd_surge_thrust", "N",
+                    "population standard deviation of the force of thrusters against the surge load",
+                    at<&MemberOutputs::moored, &MooredResponse::surge_thrust, &Swing::sd>()),
+    thrust_quantity("largest_surge_thrust", "N", "largest amount of the force of thrusters against the surge load",
+                    at<&MemberOutputs::moored, &MooredResponse::surge_thrust, &Swing::largest>()),
+    thrust_quantity("mean_sway_thrust", "N", "mean force of thrusters against the sway load",
+                    at<&MemberOutputs::moored, &MooredResponse::sway_thrust, &Swing::mean>()),
+    thrust_quantity("sd_sway_thrust", "N",
+                    "population standard deviation of the force of thrusters against the sway load",
+                    at<&MemberOutputs::moored, &MooredResponse::sway_thrust, &Swing::sd>()),
+    thrust_quantity("largest_sway_thrust", "N", "largest amount of the force of thrusters against the sway load",
+                    at<&MemberOutputs::moored, &MooredResponse::sway_thrust, &Swing::largest>()),
+    thrust_quantity("mean_yaw_thrust", "N m", "mean moment of thrusters against the yaw load",
+                    at<&MemberOutputs::moored, &MooredResponse::yaw_thrust, &Swing::mean>()),
+    thrust_quantity("sd_yaw_thrust", "N m",
+                    "population standard deviation of the moment of thrusters against the yaw load",
+                    at<&MemberOutputs::moored, &MooredResponse::yaw_thrust, &Swing::sd>()),
+    thrust_quantity("largest_yaw_thrust", "N m", "largest amount of the moment of thrusters against the yaw load",
+                    at<&MemberOutputs::moored, &MooredResponse::yaw_thrust, &Swing::largest>()),
+    thrust_quantity("thrust_at_limit", "1", "share of the window in which thrusters are at their limit",
+                    at<&MemberOutputs::moored, &MooredResponse::thrust_at_limit>())};
 
 }  // namespace floes

@@ -140,6 +140,38 @@ void check_lines(const Scenario& scenario, Contradictions& found) {
     }
 }
 
+void check_turret(const Moorings& moorings, Contradictions& found) {
+    const std::vector<TensionPoint>& curve = moorings.turret_curve;
+    if (curve.empty()) return;
+    const auto wrong = [&](std::size_t row, const char* what) {
+        refuse(found, {"moorings.turret_curve"}, fmt::format("moorings.turret_curve[{}] {}", row, what));
+    };
+    if (curve.size() < 2) return wrong(0, "is the only row; two or more are a curve");
+    if (curve.front() != TensionPoint{})
+        return wrong(0, "is not [0, 0], where the mooring is at rest; begin with that");
+    for (std::size_t row = 1; row < curve.size(); ++row) {
+        if (curve[row].extension > curve[row - 1].extension && curve[row].tension > curve[row - 1].tension) continue;
+        return wrong(row, "does not have more offset and more force than the row before; both have to rise");
+    }
+}
+
+void check_thrusters(const Scenario& scenario, Contradictions& found) {
+    struct Direction {
+        const char *gain, *limit;
+    };
+    constexpr std::array<Direction, 3> directions{{{"moorings.dp_surge_kN_m", "moorings.dp_surge_limit_kN"},
+                                                   {"moorings.dp_sway_kN_m", "moorings.dp_sway_limit_kN"},
+                                                   {"moorings.dp_yaw_kN_m_rad", "moorings.dp_yaw_limit_kN_m"}}};
+    const Thrusters& thrusters = scenario.moorings.thrusters;
+    for (int k = 0; k < 3; ++k) {
+        if (thrusters.limit[k] == 0 || thrusters.gain[k] > 0) continue;
+        const auto [gain, limit] = directions.at(static_cast<std::size_t>(k));
+        refuse(found, {limit, gain},
+               fmt::format("{} limits thrusters that {} = 0 leaves out; give both or neither", given(scenario, limit),
+                           gain));
+    }
+}
+
 /// The load of a step moves the structure in the next: right while the ice that it strikes is light beside it.
 void check_mass(const Scenario& scenario, Contradictions& found) {
     constexpr double least = 10;
@@ -160,10 +192,11 @@ void check_periods(const Scenario& scenario, Contradictions& found) {
     for (int k = 0; k < moorings.directions(); ++k) {
         const char* const word = words.at(static_cast<std::size_t>(k));
         if (!std::isfinite(periods[k])) {
-            refuse(found, {"moorings.free", "moorings.lines"},
-                   fmt::format("nothing holds the structure in {}; give a stiffness or lines that hold it, or "
-                               "take a moorings.free without {}",
-                               word, word));
+            refuse(
+                found, {"moorings.free", "moorings.lines"},
+                fmt::format("nothing holds the structure in {}; give a stiffness, lines or thrusters that hold it, or "
+                            "take a moorings.free without {}",
+                            word, word));
         } else if (periods[k] < fewest_steps * scenario.general.time_step) {
             refuse(found, {"moorings.mass_t", "general.time_step_s"},
                    fmt::format("the moored structure's natural period in {} is {:.4g} s, fewer than {:g} steps "
@@ -198,6 +231,8 @@ void check_moorings(const Scenario& scenario, Contradictions& found) {
     if (!moorings.give_way()) return;
     const std::size_t before = found.size();
     check_lines(scenario, found);
+    check_turret(moorings, found);
+    check_thrusters(scenario, found);
     if (moorings.free == FreeMotion::all && moorings.inertia()[2] == 0) {
         refuse(found, {"moorings.gyration_m", "moorings.free"},
                fmt::format("moorings.gyration_m = 0 leaves nothing to turn; give the radius of gyration, or take "

@@ -64,9 +64,9 @@ RowsField line_rows(std::vector<MooringLine>& lines) {
             }};
 }
 
-RowsField curve_rows(std::vector<TensionPoint>& curve) {
-    return {{{"extension_m", unit::one, at_least(-farthest).at_most(farthest)},
-             {"tension_kN", unit::kilonewton, at_least(0).at_most(1e6)}},
+RowsField curve_rows(std::vector<TensionPoint>& curve, const std::string& extension, const std::string& tension) {
+    return {{{extension, unit::one, at_least(-farthest).at_most(farthest)},
+             {tension, unit::kilonewton, at_least(0).at_most(1e6)}},
             [&curve] {
                 std::vector<std::vector<double>> rows;
                 for (const TensionPoint& at : curve) rows.push_back({at.extension, at.tension});
@@ -76,6 +76,40 @@ RowsField curve_rows(std::vector<TensionPoint>& curve) {
                 curve.clear();
                 for (const std::vector<double>& row : rows) curve.push_back({row[0], row[1]});
             }};
+}
+
+/// All lines of a mooring together, as its designers give them.
+void add_turret(Keys& keys, Moorings& moorings, const auto& held) {
+    keys.push_back(held(
+        {"moorings.turret_curve", curve_rows(moorings.turret_curve, "offset_m", "force_kN"), "none",
+         "Force of a whole mooring over the horizontal offset from its place, from 0, 0, both rising: it pulls the "
+         "turret back towards there, the same from all sides. In addition to springs and lines."}));
+    keys.push_back(held(only_with(
+        "moorings.turret_curve", [&moorings] { return !moorings.turret_curve.empty(); },
+        number_key("moorings.turret_m", moorings.turret, unit::one, at_least(-1000).at_most(1000), "none: on the axis",
+                   "Axis of the turret from the structure's, ahead: what is moored there may turn about it."))));
+}
+
+/// Dynamic positioning.
+void add_thrusters(Keys& keys, Thrusters& thrusters, const auto& held) {
+    const auto number = [&](std::string_view path, double& field, std::string_view default_words,
+                            std::string_view doc) {
+        keys.push_back(held(number_key(path, field, unit::kilonewton, at_least(0).at_most(1e9), default_words, doc)));
+    };
+    number("moorings.dp_surge_kN_m", thrusters.gain[0], "none: no thrusters",
+           "Dynamic positioning: thrust of the structure's own along its bow for each metre of offset.");
+    number("moorings.dp_sway_kN_m", thrusters.gain[1], "none", "The same across.");
+    number("moorings.dp_yaw_kN_m_rad", thrusters.gain[2], "none", "The same in yaw, kN m/rad.");
+    number("moorings.dp_surge_limit_kN", thrusters.limit[0], "none: it has no end",
+           "The most that thrusters give along the bow, ahead and astern.");
+    number("moorings.dp_sway_limit_kN", thrusters.limit[1], "none", "The same across.");
+    number("moorings.dp_yaw_limit_kN_m", thrusters.limit[2], "none", "The same in yaw, kN m.");
+    keys.push_back(held(only_with(
+        "moorings.dp_surge_kN_m, dp_sway_kN_m or dp_yaw_kN_m_rad", [&thrusters] { return thrusters.any(); },
+        number_key("moorings.dp_damping_percent", thrusters.damping, unit::percent, at_least(0).at_most(1000),
+                   "1/√2: the least at which no frequency of the load is amplified",
+                   "Thrust against the velocity, of the critical damping by the thrust for each metre and the inertia "
+                   "with the water's."))));
 }
 
 }  // namespace
@@ -153,9 +187,11 @@ void add_moorings(Keys& keys, Moorings& moorings) {
               "along +x, 90 towards +z), horizontal distance from fairlead to anchor, and horizontally pretension, "
               "stiffness and break load (0: none). A line above its break load is gone from then on."}));
     keys.push_back(
-        held({"moorings.line_curve", curve_rows(moorings.curve), "none: lines are linear",
+        held({"moorings.line_curve", curve_rows(moorings.curve, "extension_m", "tension_kN"), "none: lines are linear",
               "Tension of each line over its horizontal distance, both rising: a catenary, for example. The pretension "
               "says where on it a line begins; stiffness in moorings.lines has to be 0 then."}));
+    add_turret(keys, moorings, held);
+    add_thrusters(keys, moorings.thrusters, held);
 }
 
 }  // namespace floes

@@ -11,8 +11,10 @@ MooredMotion::MooredMotion(const Moorings& moorings, double step)
       inertia_(moorings.inertia()),
       springs_(moorings.surge, moorings.sway, moorings.yaw),
       stiffness_(moorings.stiffness()) {
-    for (int k = 0; k < moorings.directions(); ++k)
+    for (int k = 0; k < moorings.directions(); ++k) {
         linear_.emplace_back(Oscillator{stiffness_[k], inertia_[k], moorings.damping}, step);
+        thrusters_.push_back(thrust_law(moorings.thrusters, k, inertia_[k]));
+    }
     state_.broken_at.assign(moorings.lines.size(), std::numeric_limits<double>::quiet_NaN());
     for (const MooringLine& line : moorings.lines) largest_.push_back(line.pretension);
 }
@@ -24,7 +26,7 @@ void MooredMotion::place(const MooredState& state) {
 }
 
 Vec3 MooredMotion::pull_of_lines(const Vec3& offset) const {
-    Vec3 sum = Vec3::Zero();
+    Vec3 sum = turret_pull(moorings_, offset);
     for (std::size_t i = 0; i < moorings_.lines.size(); ++i)
         if (std::isnan(state_.broken_at[i])) sum += pull(moorings_, moorings_.lines[i], offset).force;
     return sum;
@@ -37,15 +39,45 @@ void MooredMotion::slow_down(double time) {
         state_.velocity[k] /= 1 + quadratic[k] * std::abs(state_.velocity[k]) * time / inertia_[k];
 }
 
-/// What lines pull more than the stiffness without an offset says.
+/// Between the moorings' axes and the structure's, which has turned: sense -1 into its own, 1 out of them.
+Vec3 MooredMotion::in_own_axes(const Vec3& plane, double sense) const {
+    const Vec2 along = turned({plane[0], plane[1]}, sense * state_.offset[2]);
+    return {along.x(), along.y(), plane[2]};
+}
+
+/// By the thrusters alone.
+void MooredMotion::push_back(double time) {
+    if (!has_thrusters()) return;
+    const Vec3 offset = in_own_axes(state_.offset, -1);
+    Vec3 velocity = in_own_axes(state_.velocity, -1);
+    for (std::size_t k = 0; k < thrusters_.size(); ++k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        velocity[i] = velocity_under_thrust(thrusters_[k], offset[i], velocity[i], inertia_[i], time);
+    }
+    state_.velocity = in_own_axes(velocity, 1);
+}
+
+Vec3 MooredMotion::thrust() const {
+    const Vec3 offset = in_own_axes(state_.offset, -1);
+    const Vec3 velocity = in_own_axes(state_.velocity, -1);
+    Vec3 found = Vec3::Zero();
+    for (std::size_t k = 0; k < thrusters_.size(); ++k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        found[i] = floes::thrust(thrusters_[k], offset[i], velocity[i]);
+    }
+    return found;
+}
+
+/// What lines and turret pull more than the stiffness without an offset says.
 void MooredMotion::pull_beyond_linear(double time) {
-    if (moorings_.lines.empty()) return;
+    if (moorings_.lines.empty() && moorings_.turret_curve.empty()) return;
     const Vec3 force = pull_of_lines(state_.offset) + (stiffness_ - springs_).cwiseProduct(state_.offset);
     for (int k = 0; k < moorings_.directions(); ++k) state_.velocity[k] += time * force[k] / inertia_[k];
 }
 
 void MooredMotion::advance(const Vec3& load, double time) {
     slow_down(0.5 * step_);
+    push_back(0.5 * step_);
     pull_beyond_linear(0.5 * step_);
     for (std::size_t k = 0; k < linear_.size(); ++k) {
         const auto i = static_cast<Eigen::Index>(k);
@@ -54,6 +86,7 @@ void MooredMotion::advance(const Vec3& load, double time) {
         state_.velocity[i] = after.velocity;
     }
     pull_beyond_linear(0.5 * step_);
+    push_back(0.5 * step_);
     slow_down(0.5 * step_);
     break_lines(time);
 }

@@ -2,11 +2,11 @@
 // A structure on its moorings from step to step: M q̈ + C q̇ + K q = F + N(q, q̇), q its offset (structure/moorings.hpp).
 //
 // K is the stiffness without an offset, C the linear damping, both each direction by itself; N is all else: what lines
-// do beyond K, and the water's quadratic damping. The ice load F of a step is known after it and moves the structure in
-// the next one, where it is constant. K, C and F are solved without error (statistics/oscillator.hpp); quadratic
-// damping, also without error, and lines act for half the step before and after that (Strang's splitting, second
-// order). So springs have no numerical damping and
-// no limit of stability; lines have that of the leapfrog, period > π Δt, and checks ask for fifty steps.
+// do beyond K, thrusters, and the water's quadratic damping. The ice load F of a step is known after it and moves the
+// structure in the next one, where it is constant. K, C and F are solved without error (statistics/oscillator.hpp);
+// quadratic damping and thrusters, also without error, and lines act for half the step before and after that (Strang's
+// splitting, second order). So springs have no numerical damping and no limit of stability; lines and thrusters have
+// that of the leapfrog, period > π Δt, and checks ask for fifty steps.
 //
 // What the splitting from the ice costs: a floe of mass m that strikes the structure, mass M, is stopped as by one that
 // does not give way, so the impulse is 1 + m/M times too large (checks ask for M >= 10 m of the heaviest floe). A floe
@@ -41,8 +41,12 @@ class MooredMotion {
     /// A step that ends at `time` s, under a load that is constant in it: N, N, N m.
     void advance(const Vec3& load, double time);
 
-    /// Of springs and lines at the offset, on the structure: N, N, N m.
+    /// Of springs, lines and turret at the offset, on the structure: N, N, N m.
     Vec3 restoring() const;
+
+    /// Of thrusters, on the structure and in its own axes, ahead and towards +z without yaw: N, N, N m.
+    Vec3 thrust() const;
+    bool has_thrusters() const { return moorings_.thrusters.any(); }
 
     /// What a line pulls with; nothing where it has broken.
     std::optional<LinePull> line(std::size_t number) const;
@@ -53,6 +57,8 @@ class MooredMotion {
 
   private:
     void slow_down(double time);
+    void push_back(double time);
+    Vec3 in_own_axes(const Vec3& plane, double sense) const;
     void pull_beyond_linear(double time);
     Vec3 pull_of_lines(const Vec3& offset) const;
     void break_lines(double time);
@@ -61,6 +67,7 @@ class MooredMotion {
     double step_;
     Vec3 inertia_, springs_, stiffness_;
     std::vector<OscillatorStep> linear_;  ///< of each direction in which it gives way
+    std::vector<ThrustLaw> thrusters_;    ///< likewise
     MooredState state_;
     std::vector<double> largest_;
 };

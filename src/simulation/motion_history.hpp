@@ -7,7 +7,7 @@
 namespace floes {
 
 /// A value for each step, like those of LoadHistory; at the end of the step. Empty for the straight tow; without
-/// moorings those of offsets and mooring forces are empty.
+/// moorings those of offsets and mooring forces are empty, without thrusters those of thrust.
 struct MotionHistory {
     std::vector<double> x;         ///< of the structure's axis, m
     std::vector<double> z;         ///< likewise
@@ -19,6 +19,10 @@ struct MotionHistory {
     std::vector<double> surge_mooring;  ///< what springs and lines bear of the surge load, N
     std::vector<double> sway_mooring;   ///< likewise of the sway load, N
     std::vector<double> yaw_mooring;    ///< likewise of the yaw load, N m
+
+    std::vector<double> surge_thrust;  ///< of thrusters against the surge load, in the structure's axes: ahead, N
+    std::vector<double> sway_thrust;   ///< likewise against the sway load, N
+    std::vector<double> yaw_thrust;    ///< likewise against the yaw load, N m
 };
 
 inline constexpr std::array motion_histories{&MotionHistory::x,
@@ -29,6 +33,9 @@ inline constexpr std::array motion_histories{&MotionHistory::x,
                                              &MotionHistory::sway_offset,
                                              &MotionHistory::surge_mooring,
                                              &MotionHistory::sway_mooring,
-                                             &MotionHistory::yaw_mooring};
+                                             &MotionHistory::yaw_mooring,
+                                             &MotionHistory::surge_thrust,
+                                             &MotionHistory::sway_thrust,
+                                             &MotionHistory::yaw_thrust};
 
 }  // namespace floes

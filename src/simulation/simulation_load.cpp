@@ -59,6 +59,11 @@ void Simulation::record_motion() {
     motions_.surge_mooring.push_back(restoring[0]);
     motions_.sway_mooring.push_back(-restoring[1]);
     motions_.yaw_mooring.push_back(-restoring[2]);
+    if (!motion_.moored()->has_thrusters()) return;
+    const Vec3 thrust = motion_.moored()->thrust();
+    motions_.surge_thrust.push_back(thrust[0]);
+    motions_.sway_thrust.push_back(-thrust[1]);
+    motions_.yaw_thrust.push_back(-thrust[2]);
 }
 
 }  // namespace floes

@@ -23,10 +23,15 @@ double Oscillator::decay_rate() const {
 }
 
 OscillatorStep::OscillatorStep(const Oscillator& oscillator, double step) : stiffness_(oscillator.stiffness) {
-    const bool real = oscillator.stiffness > 0 && oscillator.mass > 0 && oscillator.damping_ratio >= 0 &&
+    const bool real = oscillator.stiffness >= 0 && oscillator.mass > 0 && oscillator.damping_ratio >= 0 &&
                       oscillator.damping_ratio < 1 && step > 0;
     if (!real)
         throw std::invalid_argument("An oscillator has stiffness and mass, damping below the critical, and a step.");
+    if (stiffness_ == 0) {
+        offset_of_velocity_ = step;
+        velocity_of_load_ = step / oscillator.mass;
+        return;
+    }
     const double omega = oscillator.angular_frequency();
     const double decay = oscillator.decay_rate();
     const double omega_damped = omega * std::sqrt(1 - oscillator.damping_ratio * oscillator.damping_ratio);

@@ -18,12 +18,12 @@
 namespace floes {
 
 struct Oscillator {
-    double stiffness = 0;      ///< k, N/m, > 0
+    double stiffness = 0;      ///< k, N/m, >= 0; 0: a free mass, of which no damping is the critical one: it has none
     double mass = 0;           ///< m, kg, > 0; of a floating hull with its added mass
     double damping_ratio = 0;  ///< ζ, c over the critical one, in [0, 1)
 
     double angular_frequency() const;  ///< ω, rad/s
-    double period() const;             ///< 2π/ω, s: the natural period without damping
+    double period() const;             ///< 2π/ω, s: the natural period without damping; infinite of a free mass
     double damping() const;            ///< c, N s/m
     double decay_rate() const;         ///< ζω, 1/s: free motion falls as e^(-ζωt)
 };
@@ -40,6 +40,10 @@ class OscillatorStep {
 
     /// The state at the end of the interval; load: N.
     OscillatorState after(const OscillatorState& before, double load) const {
+        if (stiffness_ == 0) {
+            const double faster = load * velocity_of_load_;
+            return {before.offset + offset_of_velocity_ * (before.velocity + 0.5 * faster), before.velocity + faster};
+        }
         const double rest = load / stiffness_;
         const double aside = before.offset - rest;
         return {rest + offset_of_offset_ * aside + offset_of_velocity_ * before.velocity,
@@ -48,7 +52,8 @@ class OscillatorStep {
 
   private:
     double stiffness_;
-    double offset_of_offset_, offset_of_velocity_, velocity_of_offset_, velocity_of_velocity_;
+    double offset_of_offset_ = 1, offset_of_velocity_ = 0, velocity_of_offset_ = 0, velocity_of_velocity_ = 1;
+    double velocity_of_load_ = 0;  ///< of a free mass
 };
 
 /// The states at the ends of the intervals, in their order: between two ends, the offset may be larger by at most

@@ -49,11 +49,16 @@ Vec3 Moorings::stiffness() const {
             found[k] -= (pull(*this, line, aside).force[k] - pull(*this, line, -aside).force[k]) / (2 * aside[k]);
         }
     }
+    if (!turret_curve.empty()) {
+        const TensionPoint& first = turret_curve.at(1);
+        const double slope = first.tension / first.extension;
+        found += Vec3(slope, slope, slope * turret * turret);
+    }
     return found;
 }
 
 Vec3 Moorings::periods() const {
-    const Vec3 held = stiffness();
+    const Vec3 held = stiffness() + thrusters.gain;
     const Vec3 moved = inertia();
     Vec3 found;
     for (int k = 0; k < 3; ++k)
@@ -70,6 +75,16 @@ Vec2 turned(const Vec2& point, double yaw) {
     const double c = std::cos(yaw);
     const double s = std::sin(yaw);
     return {c * point.x() + s * point.y(), c * point.y() - s * point.x()};
+}
+
+Vec3 turret_pull(const Moorings& moorings, const Vec3& offset) {
+    if (moorings.turret_curve.empty()) return Vec3::Zero();
+    const Vec2 arm = turned({moorings.turret, 0}, offset[2]);
+    const Vec2 aside = Vec2(offset[0] - moorings.turret, offset[1]) + arm;
+    const double distance = aside.norm();
+    if (distance == 0) return Vec3::Zero();
+    const Vec2 force = -on_curve(moorings.turret_curve, distance) / distance * aside;
+    return {force.x(), force.y(), arm.y() * force.x() - arm.x() * force.y()};
 }
 
 LinePull pull(const Moorings& moorings, const MooringLine& line, const Vec3& offset) {

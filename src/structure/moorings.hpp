@@ -1,5 +1,5 @@
 #pragma once
-// What holds a structure that gives way: springs and lines in the plane of the water, and what they hold.
+// What holds a structure that gives way: springs, lines and thrusters in the plane of the water, and what they hold.
 //
 // The offset of the structure from where its moorings would have it is (x, z, yaw): m along the world's x and z, and
 // rad about +y (+z turns to +x). Forces on it are (F_x, F_z, M_y): N, N and N m about its axis. Springs pull back with
@@ -8,12 +8,15 @@
 //
 //   T(s) = max(0, T_0 + k (s - s_0)),   or by a curve, on which T_0 says where the line begins
 //
-// so that lines also resist sway and yaw by turning (T/s abeam), as they do. A line above its break load is gone.
+// so that lines also resist sway and yaw by turning (T/s abeam), as they do. A line above its break load is gone. A
+// turret's curve is of all lines together: towards where the turret would be, by the distance from there. Thrusters:
+// structure/thrusters.hpp.
 
 #include <compare>
 #include <vector>
 
 #include "core/vector.hpp"
+#include "structure/thrusters.hpp"
 
 namespace floes {
 
@@ -32,9 +35,9 @@ struct MooringLine {
     friend auto operator<=>(const MooringLine&, const MooringLine&) = default;
 };
 
-/// A point of the tension of a line over its horizontal distance.
+/// A point of the tension of a line over its horizontal distance, or of a turret's force over its offset.
 struct TensionPoint {
-    double extension = 0;  ///< m, from anywhere
+    double extension = 0;  ///< m, of a line from anywhere
     double tension = 0;    ///< N
 
     friend auto operator<=>(const TensionPoint&, const TensionPoint&) = default;
@@ -54,17 +57,20 @@ struct Moorings {
     double quadratic_surge = 0;  ///< N s²/m²
     double quadratic_sway = 0;   ///< N s²/m²
     double quadratic_yaw = 0;    ///< N m s²
-    std::vector<MooringLine> lines{};   ///< in addition to the springs
-    std::vector<TensionPoint> curve{};  ///< of each line, both rising; empty: by its stiffness
+    std::vector<MooringLine> lines{};          ///< in addition to the springs
+    std::vector<TensionPoint> curve{};         ///< of each line, both rising; empty: by its stiffness
+    std::vector<TensionPoint> turret_curve{};  ///< from 0, 0, both rising; empty: there is none
+    double turret = 0;                         ///< of the turret's axis from the structure's, ahead, m
+    Thrusters thrusters{};
 
     bool give_way() const { return mass > 0; }
     /// Number of directions in which it gives way: the first ones of surge, sway and yaw.
     int directions() const { return 1 + static_cast<int>(free); }
     Vec3 inertia() const;    ///< with the water: kg, kg, kg m²
     Vec3 quadratic() const;  ///< N s²/m², N s²/m², N m s²
-    /// Of the springs and all lines without an offset, each direction by itself: N/m, N/m, N m/rad.
+    /// Of springs, lines and turret without an offset, each direction by itself: N/m, N/m, N m/rad.
     Vec3 stiffness() const;
-    /// 2π √(m/k) of each direction, s: without damping; infinite where nothing holds it.
+    /// 2π √(m/k) of each direction, s, with the thrusters' gain in k: without damping; infinite where nothing holds it.
     Vec3 periods() const;
 
     friend bool operator==(const Moorings&, const Moorings&) = default;
@@ -82,6 +88,9 @@ struct LinePull {
 
 /// Of a line at an offset of the structure.
 LinePull pull(const Moorings& moorings, const MooringLine& line, const Vec3& offset);
+
+/// On the structure by the turret's curve at an offset of the structure: N, N, N m.
+Vec3 turret_pull(const Moorings& moorings, const Vec3& offset);
 
 /// A point (x, z) of the structure's own axes in those of the world, turned by `yaw`.
 Vec2 turned(const Vec2& point, double yaw);

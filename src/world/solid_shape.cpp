@@ -28,8 +28,8 @@ SolidShape::SolidShape(const ConvexSolid& solid) : core_(solid.inside(margin)) {
     m_shapeType = CUSTOM_CONVEX_SHAPE_TYPE;
     setMargin(margin);
     for (int i = 0; i < 3; ++i) {
-        low_[i] = core_.farthest(-Vec3::Unit(i))[i] - margin;
-        high_[i] = core_.farthest(Vec3::Unit(i))[i] + margin;
+        low_[i] = core_.farthest(-Vec3::Unit(i))[i] - margin - margin;
+        high_[i] = core_.farthest(Vec3::Unit(i))[i] + margin + margin;
     }
 }
 

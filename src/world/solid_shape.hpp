@@ -37,7 +37,7 @@ ATTRIBUTE_ALIGNED16(class) SolidShape final : public btConvexInternalShape {
     /// a polyhedron, the wall of a round solid where it faces the box, or the bounds of either.
     double gap_to(const BoxBeside& box) const;
 
-    /// As btConvexInternalShape's along the solid's own axes, found once.
+    /// As btConvexInternalShape finds them along the solid's own axes, with the margin twice.
     const Vec3& low() const {
         return low_;
     }

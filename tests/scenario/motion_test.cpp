@@ -73,7 +73,7 @@ TEST(Motion, WaysThroughAFieldWithoutEndComeBackByNoMoreThanWhatIsStillThere) {
 
 TEST(Motion, MooringsThatDoNotHoldAreRefused) {
     EXPECT_THAT(sentence([](Scenario& s) { s.moorings.sway = 0; }),
-                HasSubstr("nothing holds the structure in sway; give a stiffness or lines"));
+                HasSubstr("nothing holds the structure in sway; give a stiffness, lines or thrusters"));
     EXPECT_THAT(sentence([](Scenario& s) { s.moorings.surge = 1e6; }),
                 HasSubstr("natural period in surge is 0.1405 s, fewer than 50 steps of general.time_step_s = 0.02"));
     EXPECT_THAT(sentence([](Scenario& s) { s.moorings.gyration = 0; }), HasSubstr("leaves nothing to turn"));
@@ -96,6 +96,27 @@ TEST(Motion, MooringsThatDoNotHoldAreRefused) {
                     s.moorings.curve = {{0, 0}, {1, 500}, {2, 400}};
                 }),
                 HasSubstr("moorings.line_curve[2] does not have more extension and more tension"));
+}
+
+TEST(Motion, ThrustersAndTurretsThatCannotBeAreRefused) {
+    EXPECT_EQ(sentence([](Scenario& s) {
+                  s.moorings.surge = s.moorings.sway = s.moorings.yaw = 0;
+                  s.moorings.thrusters = {.gain = {600, 600, 60}, .limit = {50, 50, 0}};
+              }),
+              "consistent")
+        << "thrusters alone hold it";
+    EXPECT_EQ(sentence([](Scenario& s) { s.moorings.turret_curve = {{0, 0}, {0.1, 50}}; }), "consistent");
+    EXPECT_THAT(sentence([](Scenario& s) { s.moorings.thrusters.limit[1] = 50; }),
+                HasSubstr("moorings.dp_sway_limit_kN = 0.05 limits thrusters that moorings.dp_sway_kN_m = 0 leaves "
+                          "out; give both or neither"));
+    EXPECT_THAT(sentence([](Scenario& s) { s.moorings.thrusters.gain[0] = 1e9; }),
+                HasSubstr("natural period in surge"));
+    EXPECT_THAT(sentence([](Scenario& s) { s.moorings.turret_curve = {{0, 0}}; }), HasSubstr("is the only row"));
+    EXPECT_THAT(sentence([](Scenario& s) { s.moorings.turret_curve = {{0, 5}, {1, 50}}; }), HasSubstr("is not [0, 0]"));
+    EXPECT_THAT(sentence([](Scenario& s) {
+                    s.moorings.turret_curve = {{0, 0}, {1, 50}, {2, 50}};
+                }),
+                HasSubstr("moorings.turret_curve[2] does not have more offset and more force"));
 }
 
 std::string path_sentence(

@@ -126,6 +126,95 @@ TEST(MooredMotion, QuadraticDampingSlowsIt) {
     EXPECT_NEAR(motion.state().velocity[0], 2 / (1 + 400 * 2.0 * 2 / 1000), 1e-6);
 }
 
+/// As springs(), but held by thrusters.
+Moorings thrusters(double limit) {
+    Moorings moorings{.mass = 1000, .gyration = 2};
+    moorings.thrusters = {.gain = springs().stiffness(), .limit = {limit, 0, 0}};
+    return moorings;
+}
+
+// Within their limit they are a spring and a damper: 1 + e^(-πζ/√(1-ζ²)), to (ωΔt)².
+TEST(MooredMotion, ThrustersHoldAsSpringsAndDampers) {
+    for (const double zeta : {0.0, 0.3, 0.7071}) {
+        Moorings moorings = thrusters(0);
+        moorings.thrusters.damping = zeta;
+        for (int i = 0; i < 3; ++i) {  // one by one: with yaw, surge and sway change places
+            MooredMotion motion(moorings, step);
+            const Vec3 load = 1000 * Vec3::Unit(i);
+            double most = 0;
+            for (int k = 0; k < 400; ++k) {
+                motion.advance(load, step * (k + 1));
+                most = std::max(most, motion.state().offset[i] * moorings.thrusters.gain[i] / 1000);
+            }
+            EXPECT_NEAR(most, 1 + std::exp(-pi * zeta / std::sqrt(1 - zeta * zeta)), 5e-3) << zeta << " " << i;
+            EXPECT_EQ(motion.restoring(), Vec3::Zero()) << "springs and lines";
+            if (zeta > 0.5) {
+                EXPECT_NEAR((motion.thrust() + load).norm() / load.norm(), 0, 0.02);
+            }
+        }
+    }
+}
+
+// Under a load beyond their limit the structure is driven off with (F - L)/m: x = (F - L) t² / 2 m, once they are at
+// it, whatever they did before.
+TEST(MooredMotion, ThrustersGiveWayBeyondTheirLimit) {
+    MooredMotion motion(thrusters(600), step);
+    int k = 0;
+    while (motion.thrust()[0] > -600 && k < 1000) motion.advance({1000, 0, 0}, step * ++k);
+    const MooredState from = motion.state();
+    ASSERT_LT(k, 1000);
+    for (int more = 0; more < 500; ++more) motion.advance({1000, 0, 0}, step * ++k);
+    const double time = 500 * step;
+    EXPECT_NEAR(motion.state().velocity[0], from.velocity[0] + 0.4 * time, 1e-9);
+    EXPECT_NEAR(motion.state().offset[0], from.offset[0] + from.velocity[0] * time + 0.2 * time * time, 1e-9);
+    EXPECT_EQ(motion.thrust()[0], -600);
+}
+
+// A quarter turn to +x: what was +z is now ahead of the bow, where alone there is a limit.
+TEST(MooredMotion, ThrustersTurnWithTheStructure) {
+    MooredMotion motion(thrusters(600), step);
+    motion.place({.offset = {0.1, 3, -pi / 2}});
+    const Vec3 thrust = motion.thrust();
+    EXPECT_EQ(thrust[0], -600);
+    EXPECT_NEAR(thrust[1], 0.1 * thrusters(0).thrusters.gain[1], 1e-9);
+    motion.advance(Vec3::Zero(), step);
+    EXPECT_NEAR(motion.state().velocity[1], -0.6 * step, 1e-3 * step);
+    EXPECT_LT(motion.state().velocity[0], 0);
+}
+
+/// Energy of a turret's curve with two slopes, J.
+double turret_energy(double offset) {
+    const double beyond = std::max(0.0, offset - 0.5);
+    const double within = std::min(offset, 0.5);
+    return 500 * within * within + 500 * beyond + 2000 * beyond * beyond;
+}
+
+// The work of the load is the energy of motion and the mooring, to (ωΔt)², with sway and yaw by the turret's arm.
+TEST(MooredMotion, TurretKeepsEnergy) {
+    Moorings moorings{.mass = 1000, .gyration = 2};
+    moorings.turret_curve = {{0, 0}, {0.5, 500}, {1, 2500}};
+    moorings.turret = 1.5;
+    MooredMotion motion(moorings, step);
+    const auto energy_now = [&] {
+        const MooredState& now = motion.state();
+        const Vec2 turret = turned({1.5, 0}, now.offset[2]) - Vec2(1.5, 0) + Vec2(now.offset[0], now.offset[1]);
+        return 0.5 * now.velocity.dot(moorings.inertia().cwiseProduct(now.velocity)) + turret_energy(turret.norm());
+    };
+    double work = 0;
+    double most = 0;
+    double worst = 0;
+    for (int k = 0; k < 5000; ++k) {
+        const Vec3 load(250 * std::sin(0.7 * step * k), 200 * std::cos(0.4 * step * k), 0);
+        const Vec3 before = motion.state().offset;
+        motion.advance(load, step * (k + 1));
+        work += load.dot(motion.state().offset - before);
+        most = std::max(most, energy_now());
+        worst = std::max(worst, std::abs(energy_now() - work));
+    }
+    EXPECT_LT(worst, 1e-3 * most);
+    EXPECT_GT(most, turret_energy(0.6)) << "on both slopes";
+}
+
 TEST(MooredMotion, LineBreaksOnceAndForAll) {
     MooredMotion motion(two_lines(7000), step);
     const auto state = [&]() -> const MooredState& { return motion.state(); };

@@ -172,10 +172,18 @@ TEST(Oscillator, ScalesByFroude) {
     }
 }
 
+// v = F t / m, x = F t² / 2 m.
+TEST(Oscillator, WithoutASpringIsAFreeMass) {
+    const std::vector<OscillatorState> states =
+        motion_under({.mass = 4, .damping_ratio = 0.5}, std::vector{3.0, 3.0}, 2);
+    EXPECT_DOUBLE_EQ(states[1].velocity, 3.0);
+    EXPECT_DOUBLE_EQ(states[1].offset, 6.0);
+}
+
 TEST(Oscillator, RefusesWhatIsNone) {
     const std::vector<double> load{1, 2};
     for (const Oscillator& none :
-         {Oscillator{0, 1, 0.1}, Oscillator{1, 0, 0.1}, Oscillator{1, 1, 1}, Oscillator{1, 1, -0.1}})
+         {Oscillator{-1, 1, 0.1}, Oscillator{1, 0, 0.1}, Oscillator{1, 1, 1}, Oscillator{1, 1, -0.1}})
         EXPECT_THROW(motion_under(none, load, 0.1), std::invalid_argument);
     EXPECT_THROW(motion_under(of_a_second(0.1), load, 0), std::invalid_argument);
     EXPECT_TRUE(motion_under(of_a_second(0.1), {}, 0.1).empty());

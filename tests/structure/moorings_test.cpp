@@ -72,12 +72,31 @@ TEST(Moorings, CurveBeginsAtThePretension) {
     EXPECT_EQ(tension(moorings, line, -6), 0);
 }
 
+// Towards where the turret would be by the distance from there, whatever the structure's heading; and about the axis
+// by the turret's arm.
+TEST(Moorings, TurretPullsByItsCurve) {
+    Moorings moorings{.mass = 1e7, .gyration = 20};
+    moorings.turret_curve = {{0, 0}, {10, 1e6}, {12, 3e6}};
+    moorings.turret = 40;
+    EXPECT_EQ(turret_pull(moorings, Vec3::Zero()), Vec3::Zero());
+    const Vec3 aside = turret_pull(moorings, {-3, 4, 0});
+    EXPECT_NEAR((aside - Vec3(3e5, -4e5, 40 * 4e5)).norm(), 0, 1e-6);
+    EXPECT_NEAR(turret_pull(moorings, {0, 11, 0})[1], -2e6, 1e-6);
+    EXPECT_NEAR(turret_pull(moorings, {0, 13, 0})[1], -4e6, 1e-6) << "straight on beyond its end";
+    const Vec3 round = turret_pull(moorings, {40, 40, pi / 2});
+    EXPECT_NEAR(round.norm(), 0, 1e-6) << "the bow along -z, the turret in its place";
+    const Vec3 stiffness = moorings.stiffness();
+    EXPECT_NEAR((stiffness - Vec3(1e5, 1e5, 1600e5)).norm(), 0, 1e-6);
+}
+
 TEST(Moorings, PeriodsAreThoseOfMassAndStiffness) {
     Moorings moorings{.mass = 28e6, .gyration = 25, .added_surge = 14e6, .surge = 2.6e6, .yaw = 1e9};
     const Vec3 periods = moorings.periods();
     EXPECT_NEAR(periods[0], 2 * pi * std::sqrt(42e6 / 2.6e6), 1e-9);
     EXPECT_TRUE(std::isinf(periods[1]));
     EXPECT_NEAR(periods[2], 2 * pi * std::sqrt(28e6 * 625 / 1e9), 1e-9);
+    moorings.thrusters.gain[1] = 1e6;
+    EXPECT_NEAR(moorings.periods()[1], 2 * pi * std::sqrt(28e6 / 1e6), 1e-9);
 }
 
 }  // namespace

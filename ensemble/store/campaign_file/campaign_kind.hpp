@@ -5,6 +5,6 @@
 
 namespace floes {
 
-inline constexpr hdf5::FileKind campaign_kind{"floes campaign", {1, 13}, 8, "campaign of floes"};
+inline constexpr hdf5::FileKind campaign_kind{"floes campaign", {1, 14}, 8, "campaign of floes"};
 
 }  // namespace floes
