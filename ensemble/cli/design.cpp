@@ -49,7 +49,7 @@ std::vector<Section> simulated(const Evidence& evidence, DesignLoadRequest reque
     const std::vector<CasePeaks> peaks = simulated_mooring_peaks(evidence);
     std::vector<Section> sections =
         design_load_sections(evidence.summary, find_design_loads(evidence.table, request, peaks), request);
-    sections.front().before = broken_lines_text(evidence) + sections.front().before;
+    sections.front().before = mooring_notes(evidence) + sections.front().before;
     if (std::optional<Section> moved = moored_runs_section(evidence)) sections.push_back(std::move(*moved));
     return sections;
 }

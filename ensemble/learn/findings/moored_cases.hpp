@@ -39,7 +39,7 @@ std::vector<CasePeaks> moored_peaks(const CampaignTable& table, const std::vecto
 std::vector<CasePeaks> simulated_mooring_peaks(const Evidence& evidence);
 
 /// Sentences on members in which lines broke: their force is that of what was left; empty if none did.
-std::string broken_lines_text(const Evidence& evidence);
+std::string mooring_notes(const Evidence& evidence);
 
 /// The line of each case.
 Section moored_section(const Summary& summary, const std::vector<MooredCase>& found, const MooredRequest& request);

@@ -19,7 +19,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 struct MooredRow {
     std::size_t case_index = 0;
     std::size_t runs = 0;
-    Interval load, offset, sd_offset, force, largest_force, tension;
+    Interval load, offset, sd_offset, force, largest_force, tension, thrust, at_limit;
     double yaw = 0;     ///< largest of all runs, rad
     double broken = 0;  ///< lines that broke, of all runs
     double velocity_ratio = 0;
@@ -47,7 +47,8 @@ std::vector<MooredRow> find_rows(const Evidence& evidence) {
         const auto interval = [&](std::string_view key) {
             const std::vector<double> values = values_of(evidence, index, key);
             const bool known = std::ranges::none_of(values, [](double value) { return std::isnan(value); });
-            return known ? mean_interval(values) : Interval{nan, nan, nan, nan, nan};  // without lines there is no tension
+            return known ? mean_interval(values)
+                         : Interval{nan, nan, nan, nan, nan};  // no lines, no tension; no thrusters, no thrust
         };
         const std::vector<double> yaw = values_of(evidence, index, "largest_yaw");
         double squares = 0;
@@ -62,6 +63,8 @@ std::vector<MooredRow> find_rows(const Evidence& evidence) {
              .force = interval("mean_surge_mooring"),
              .largest_force = interval("mean_maximum_surge_mooring"),
              .tension = interval("largest_line_tension"),
+             .thrust = interval("largest_surge_thrust"),
+             .at_limit = interval("thrust_at_limit"),
              .yaw = std::ranges::max(yaw),
              .broken = sum_of(values_of(evidence, index, "broken_lines")),
              .velocity_ratio = std::sqrt(squares / static_cast<double>(speeds.size())) / scenario.structure.speed});
@@ -72,21 +75,26 @@ std::vector<MooredRow> find_rows(const Evidence& evidence) {
 Table table_of(const Evidence& evidence, const std::vector<MooredRow>& rows) {
     double largest = 0;
     bool lines = false;
+    bool thrusters = false;
     for (const MooredRow& row : rows) {
         largest = std::max({largest, row.load.estimate, row.largest_force.estimate});
         lines = lines || std::isfinite(row.tension.estimate);
+        thrusters = thrusters || std::isfinite(row.thrust.estimate);
     }
     const LoadUnit unit = load_unit(largest);
     const int decimals = decimals_for(unit.factor * largest);
     Table table{{"gives way", "runs"}};
-    for (const std::string& words :
-         {fmt::format("mean load, {}", unit.name), std::string("mean offset, m"), std::string("SD of offset, m"),
-          fmt::format("largest mooring force of a segment, {}", unit.name)})
-        table.front().emplace_back(words, "95 %");
+    const auto head = [&](const std::string& words) { table.front().emplace_back(words, "95 %"); };
+    head(fmt::format("mean load, {}", unit.name));
+    head("mean offset, m");
+    head("SD of offset, m");
+    head(fmt::format("largest mooring force of a segment, {}", unit.name));
     table.front().emplace_back("largest yaw, °");
     table.front().emplace_back("rms velocity / drift");
-    if (lines) table.front().emplace_back(fmt::format("largest tension of a line, {}", unit.name), "95 %");
+    if (lines) head(fmt::format("largest tension of a line, {}", unit.name));
     if (lines) table.front().emplace_back("lines broken");
+    if (thrusters) head(fmt::format("largest thrust in surge, {}", unit.name));
+    if (thrusters) head("time at the limit of thrust, %");
     for (const MooredRow& row : rows) {
         std::vector<Cell>& line = table.emplace_back();
         const auto add = [&](const Interval& value, double factor, int digits) {
@@ -104,6 +112,9 @@ Table table_of(const Evidence& evidence, const std::vector<MooredRow>& rows) {
         line.emplace_back(fixed(row.velocity_ratio, 3));
         if (lines) add(row.tension, unit.factor, decimals);
         if (lines) line.emplace_back(fmt::format("{:g}", row.broken));
+        if (!thrusters) continue;
+        add(row.thrust, unit.factor, decimals);
+        add(row.at_limit, 100, 1);
     }
     return table;
 }
@@ -127,6 +138,8 @@ std::optional<Section> moored_runs_section(const Evidence& evidence) {
     add("mean_force", "_N", &MooredRow::force);
     add("largest_force", "_N", &MooredRow::largest_force);
     add("largest_tension", "_N", &MooredRow::tension);
+    add("largest_thrust", "_N", &MooredRow::thrust);
+    add("thrust_at_limit", "_share", &MooredRow::at_limit);
     columns.push_back({"largest_yaw_rad", [](const MooredRow& row) { return Datum(row.yaw); }});
     columns.push_back({"broken_lines", [](const MooredRow& row) { return Datum(row.broken); }});
     columns.push_back({"velocity_ratio", [](const MooredRow& row) { return Datum(row.velocity_ratio); }});
@@ -136,7 +149,8 @@ std::optional<Section> moored_runs_section(const Evidence& evidence) {
         .after =
             "\nOffset along the surge load from where the moorings would have the structure, and what springs and "
             "lines bear of that load. Largest of a segment: mean over segments and arrangements; tension: mean "
-            "over arrangements of the largest of any line; brackets: 95 % (t). docs/moored.md\n",
+            "over arrangements of the largest of any line; thrust likewise, and the share of the window in which "
+            "thrusters are at a limit in any direction; brackets: 95 % (t). docs/moored.md\n",
         .records = {make_rows<MooredRow>("moored/simulated", rows, columns)}};
 }
 

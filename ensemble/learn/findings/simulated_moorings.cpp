@@ -22,6 +22,10 @@ double separation_of(const Analysis& analysis, const Moorings& moorings) {
     return std::max({analysis.peak_separation, period, fade});
 }
 
+bool by_thrusters_alone(const Case& one) {
+    return one.scenario.moorings.give_way() && one.scenario.moorings.stiffness()[0] == 0;
+}
+
 }  // namespace
 
 std::vector<CasePeaks> simulated_mooring_peaks(const Evidence& evidence) {
@@ -62,10 +66,17 @@ std::vector<CasePeaks> simulated_mooring_peaks(const Evidence& evidence) {
     return all;
 }
 
-std::string broken_lines_text(const Evidence& evidence) {
+std::string mooring_notes(const Evidence& evidence) {
     const Quantity& broken = *find_quantity("broken_lines");
     std::string text;
     for (std::size_t index = 0; index < evidence.table.cases.size(); ++index) {
+        const std::string label = evidence.summary.label_of(index);
+        if (by_thrusters_alone(evidence.campaign.cases[index]))
+            text += fmt::format(
+                "! {}: held by thrusters alone, so there is no mooring force; summarize --parts moored has their "
+                "thrust "
+                "and the time at its limit.\n",
+                label);
         const auto members = done_members(evidence.table, index);
         const auto count =
             std::ranges::count_if(members, [&](const MemberRow* member) { return member->value(broken) > 0; });
@@ -73,7 +84,7 @@ std::string broken_lines_text(const Evidence& evidence) {
             text += fmt::format(
                 "! {}: lines broke in {} of {} members: their force is limited by that of what was left, and no design "
                 "force of lines that hold.\n",
-                evidence.summary.label_of(index), count, members.size());
+                label, count, members.size());
     }
     return text;
 }
