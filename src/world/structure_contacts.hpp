@@ -1,6 +1,6 @@
 #pragma once
-// Contacts of boxes with the structure, from step to step: Bullet's GJK, for each of its solids and the boxes near that.
-// Only for files inside this room.
+// Contacts of boxes with the structure, from step to step: Bullet's GJK, for each of its solids and the boxes near
+// that. Only for files inside this room.
 
 #include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
@@ -22,7 +22,9 @@ namespace floes {
 class StructureContacts {
   public:
     StructureContacts(btCollisionDispatcher& dispatcher, const btDispatcherInfo& info)
-        : dispatcher_(&dispatcher), info_(&info) {}
+        : dispatcher_(&dispatcher), info_(&info) {
+        manifolds_.reserve(1);
+    }
     ~StructureContacts();
     StructureContacts(const StructureContacts&) = delete;
     StructureContacts& operator=(const StructureContacts&) = delete;
@@ -68,11 +70,11 @@ class StructureContacts {
     const btDispatcherInfo* info_;
     std::vector<Triple> half_extent_;
     std::vector<double> radius_;
-    std::vector<double> way_;           ///< of boxes relative to the structure, turning included, at most, m
-    std::vector<double> due_;           ///< the least of a box's pairs
-    std::vector<const SolidShape*> solids_;   ///< of the structure
-    std::vector<Pair> pairs_;           ///< by box, then solid
-    btVector3 position_{0, 0, 0};       ///< of the structure in the last find()
+    std::vector<double> way_;                ///< of boxes relative to the structure, turning included, at most, m
+    std::vector<double> due_;                ///< the least of a box's pairs
+    std::vector<const SolidShape*> solids_;  ///< of the structure
+    std::vector<Pair> pairs_;                ///< by box, then solid
+    btVector3 position_{0, 0, 0};            ///< of the structure in the last find()
     btMatrix3x3 rotation_ = btMatrix3x3::getIdentity();
     btManifoldArray manifolds_;  ///< of one pair
     std::vector<btPersistentManifold*> touching_;
