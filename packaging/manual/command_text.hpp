@@ -1,9 +1,12 @@
 #pragma once
 // The command line as data, read from CLI11's app: what --help says, for manual pages and completions.
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace floes::manual {
 

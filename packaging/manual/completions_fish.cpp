@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <sstream>
+
 #include "completion_source.hpp"
 
 namespace floes::manual {
@@ -52,8 +54,8 @@ std::string fish_option(const OptionText& option) {
 /// The condition that the words of a verb stand in the command line.
 std::string fish_seen(const std::string& verb) {
     std::vector<std::string> seen;
-    for (const std::string& word : CLI::detail::split(verb, ' '))
-        seen.push_back(fmt::format("__fish_seen_subcommand_from {}", word));
+    std::istringstream words(verb);
+    for (std::string word; words >> word;) seen.push_back(fmt::format("__fish_seen_subcommand_from {}", word));
     return fmt::format("{}", fmt::join(seen, "; and "));
 }
 

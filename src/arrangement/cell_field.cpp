@@ -87,9 +87,7 @@ void CellField::check_beside_last(const std::vector<SingleFloe>& floes) const {
             poses.push_back(floe.pose);
         }
     const Walls walls{strip_.low_x, strip_.low_z, strip_.length, strip_.breadth};
-    if (const auto fault = nearness_fault(walls, outlines, poses, scenario_.arrangement.clearance))
-        throw RunError(fmt::format("part {} of arrangement {} came out wrong, which is an error of the program: {}",
-                                   parts_, number_, *fault));
+    expect_none(nearness_fault(walls, outlines, poses, scenario_.arrangement.clearance), parts_, number_);
 }
 
 }  // namespace floes

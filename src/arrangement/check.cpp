@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "arrangement/cells.hpp"
+#include "core/error.hpp"
 #include "outline/distance.hpp"
 
 namespace floes {
@@ -214,6 +215,12 @@ std::optional<std::string> nearness_fault(const Walls& walls, std::span<const Ou
     for (std::size_t i = 0; i < poses.size(); ++i) laid.push_back(on_water(outlines[i], poses[i]));
     if (const auto fault = fault_of_polygons(sides, laid, clearance - rounding)) return fault->sentence;
     return std::nullopt;
+}
+
+void expect_none(const std::optional<std::string>& fault, std::uint64_t part, std::uint32_t arrangement) {
+    if (fault)
+        throw RunError(fmt::format("part {} of arrangement {} came out wrong, which is an error of the program: {}",
+                                   part, arrangement, *fault));
 }
 
 }  // namespace floes

@@ -1,6 +1,7 @@
 #pragma once
 // The final check of an arrangement: every pair of floes, every wall, the concentration.
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -44,5 +45,8 @@ std::optional<std::string> nearness_fault(const Walls& walls, std::span<const Re
 /// The same of outlines about their centroids.
 std::optional<std::string> nearness_fault(const Walls& walls, std::span<const Outline> outlines,
                                           std::span<const PlanarPose> poses, double clearance);
+
+/// Throws RunError if a part of a field without end that was laid has a fault, which is an error of the program.
+void expect_none(const std::optional<std::string>& fault, std::uint64_t part, std::uint32_t arrangement);
 
 }  // namespace floes

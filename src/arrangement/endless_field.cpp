@@ -10,7 +10,6 @@
 
 #include "arrangement/check.hpp"
 #include "arrangement/scattered.hpp"
-#include "core/error.hpp"
 #include "core/hash.hpp"
 #include "core/random.hpp"
 
@@ -158,11 +157,9 @@ FieldPart EndlessField::next() {
     floes.resize(static_cast<std::size_t>(stay));
     laid_.insert(laid_.end(), floes.begin(), floes.end());
     const std::vector<PlanarPose> all = poses_of(laid_);
-    if (const auto fault = polygons ? nearness_fault(walls, outlines<Outline>(laid_), all, clearance)
-                                    : nearness_fault(walls, outlines<Rectangle>(laid_), all, clearance)) {
-        throw RunError(fmt::format("part {} of arrangement {} came out wrong, which is an error of the program: {}",
-                                   part, number_, *fault));
-    }
+    expect_none(polygons ? nearness_fault(walls, outlines<Outline>(laid_), all, clearance)
+                         : nearness_fault(walls, outlines<Rectangle>(laid_), all, clearance),
+                part, number_);
     return {std::move(floes), end_};
 }
 

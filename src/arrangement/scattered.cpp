@@ -150,16 +150,17 @@ Outline enlarged(const Outline& shape, double clearance, double margin) {
     return grown(shape, 0.5 * clearance + margin);
 }
 
-std::string refusal(const Walls& walls, std::span<const Rectangle> shapes, double clearance) {
+/// a_part: of a field without end, which takes no other method.
+std::string refusal(const Walls& walls, std::span<const Rectangle> shapes, double clearance, bool a_part) {
     const Rectangle largest = covering(shapes);
     return fmt::format(
         "{} floes of {} m x {} m, scattered in a field of {:.3f} m x {:.3f} m, still overlap after {} attempts at "
-        "pushing them apart to a clearance of {} m; lower field.concentration_percent or the clearance, or use "
-        "arrangement.method = \"monte_carlo\", whose floes lie in rows where they are dense",
+        "pushing them apart to a clearance of {} m; lower field.concentration_percent or the clearance{}",
         shapes.size(), 2 * largest.half_length, 2 * largest.half_breadth, walls.length, walls.breadth, attempts,
-        clearance);
+        clearance,
+        a_part ? "" : ", or use arrangement.method = \"monte_carlo\", whose floes lie in rows where they are dense");
 }
-std::string refusal(const Walls& walls, std::span<const Outline> outlines, double clearance) {
+std::string refusal(const Walls& walls, std::span<const Outline> outlines, double clearance, bool) {
     double area = 0;
     for (const Outline& one : outlines) area += area_of(one);
     return fmt::format(
@@ -194,7 +195,7 @@ std::vector<PlanarPose> pushed_apart(const Walls& walls, std::span<const Shape> 
     }
     for (int i = 0; i < attempts; ++i)
         if (const auto poses = attempt(room, std::span<const Shape>(larger), margin, random)) return *poses;
-    throw InputError(refusal(walls, shapes, clearance));
+    throw InputError(refusal(walls, shapes, clearance, beside.has_value()));
 }
 
 }  // namespace

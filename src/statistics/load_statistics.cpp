@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <boost/math/statistics/univariate_statistics.hpp>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
+#include "statistics/distributions.hpp"
 #include "statistics/means.hpp"
 
 namespace floes {
@@ -61,8 +61,7 @@ double slope_p_value(std::span<const double> window) {
     const double error = std::sqrt(line.residual_squares / freedom / line.slope_squares);
     if (line.slope == 0) return 1;
     if (error == 0) return 0;
-    const boost::math::students_t distribution(freedom);
-    return 2 * boost::math::cdf(boost::math::complement(distribution, std::abs(line.slope) / error));
+    return 2 * student_above(std::abs(line.slope) / error, freedom);
 }
 
 }  // namespace

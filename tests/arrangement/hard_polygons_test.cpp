@@ -124,17 +124,9 @@ TEST(HardPolygons, TwoInABoxLieAsPlacesDrawnAtRandomThatDoNotOverlap) {
     }
 }
 
-Scenario stirred(ShapeKind kind, double concentration) {
-    Scenario scenario = scattered_scenario(concentration);
-    scenario.field.floes = 40;
-    scenario.shapes.kind = kind;
-    scenario.joint.failure = JointFailure::moment;
-    return scenario;
-}
-
 TEST(HardPolygons, OfAnArrangementLieApart) {
     for (const auto& [kind, concentration] : {std::pair(ShapeKind::polygon, 0.7), {ShapeKind::voronoi, 0.85}}) {
-        Scenario scenario = stirred(kind, concentration);
+        Scenario scenario = polygon_scenario(kind, concentration, 40);
         const Arrangement before = make_arrangement(scenario, 1, 0);
         scenario.arrangement.ordering_sweeps = 100;
         const Arrangement ordered = make_arrangement(scenario, 1, 0);

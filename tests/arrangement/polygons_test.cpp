@@ -14,20 +14,12 @@
 namespace floes {
 namespace {
 
-Scenario polygon_scenario(ShapeKind kind, double concentration) {
-    Scenario scenario = scattered_scenario(concentration);
-    scenario.field.floes = 60;
-    scenario.shapes.kind = kind;
-    scenario.joint.failure = JointFailure::moment;
-    return scenario;
-}
-
 TEST(Polygons, LieUpToTheConcentrationThatIsAsked) {
     for (const auto& [kind, concentration] : {std::pair(ShapeKind::voronoi, 0.5),
                                               {ShapeKind::voronoi, 0.9},
                                               {ShapeKind::polygon, 0.6},
                                               {ShapeKind::polygon, 0.75}}) {
-        const Scenario scenario = polygon_scenario(kind, concentration);
+        const Scenario scenario = polygon_scenario(kind, concentration, 60);
         for (std::uint32_t number = 0; number < 3; ++number) {
             const Arrangement made = make_arrangement(scenario, 1, number);
             EXPECT_EQ(find_fault(scenario, made), std::nullopt);
@@ -40,7 +32,7 @@ TEST(Polygons, LieUpToTheConcentrationThatIsAsked) {
 
 TEST(Polygons, ArePureFunctionsOfTheirNumber) {
     for (const ShapeKind kind : {ShapeKind::voronoi, ShapeKind::polygon}) {
-        const Scenario scenario = polygon_scenario(kind, 0.6);
+        const Scenario scenario = polygon_scenario(kind, 0.6, 60);
         const Arrangement one = make_arrangement(scenario, 1, 2);
         const Arrangement again = make_arrangement(scenario, 1, 2);
         EXPECT_EQ(one.shapes, again.shapes);
@@ -51,7 +43,7 @@ TEST(Polygons, ArePureFunctionsOfTheirNumber) {
 }
 
 TEST(Polygons, FaultsAreFound) {
-    const Scenario scenario = polygon_scenario(ShapeKind::voronoi, 0.7);
+    const Scenario scenario = polygon_scenario(ShapeKind::voronoi, 0.7, 60);
     Arrangement made = make_arrangement(scenario, 1, 0);
     Arrangement moved = made;
     moved.floes[5].pose.x = moved.floes[9].pose.x;
@@ -65,7 +57,7 @@ TEST(Polygons, FaultsAreFound) {
 
 TEST(Polygons, TooDenseIsASentence) {
     try {
-        static_cast<void>(make_arrangement(polygon_scenario(ShapeKind::voronoi, 0.999), 1, 0));
+        static_cast<void>(make_arrangement(polygon_scenario(ShapeKind::voronoi, 0.999, 60), 1, 0));
         FAIL();
     } catch (const InputError& error) {
         EXPECT_THAT(error.what(), testing::HasSubstr("arrangement.clearance_m"));

@@ -17,6 +17,15 @@ inline Scenario scattered_scenario(double concentration = 0.75) {
     return scenario;
 }
 
+/// Of polygons, which break by their joints' moments.
+inline Scenario polygon_scenario(ShapeKind kind, double concentration, int floes) {
+    Scenario scenario = scattered_scenario(concentration);
+    scenario.field.floes = floes;
+    scenario.shapes.kind = kind;
+    scenario.joint.failure = JointFailure::moment;
+    return scenario;
+}
+
 inline double mean(const std::vector<double>& values) {
     double sum = 0;
     for (const double value : values) sum += value;

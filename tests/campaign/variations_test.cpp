@@ -68,6 +68,25 @@ TEST(Variations, LeaveOutWhatHasNoEffect) {
     for (const Variation& one : variations_of(still)) EXPECT_THAT(one.name, testing::Not(HasSubstr("flow")));
 }
 
+// Whatever is varied, what comes out can be run.
+TEST(Variations, AreConsistentInFieldsWithoutEndAndOfPolygons) {
+    Scenario endless = mine();
+    endless.field.far_end = FarEnd::never;
+    endless.arrangement.method = ArrangementMethod::scattered;
+    Scenario polygons = endless;
+    polygons.shapes.kind = ShapeKind::polygon;
+    Scenario stirred = polygons;
+    stirred.field.far_end = FarEnd::ice_sheet;
+    for (const Scenario& scenario : {endless, polygons, stirred}) {
+        const Campaign campaign = of(scenario);
+        const Campaign read =
+            read_campaign({variations_text(campaign, campaign.cases[0]), "varied.toml", {}, true}, nullptr);
+        EXPECT_GE(read.cases.size(), 12U);
+        const bool ordered = std::ranges::find(read.cases, "ordering_sweeps_1000", &Case::name) != read.cases.end();
+        EXPECT_EQ(ordered, !scenario.field.endless());
+    }
+}
+
 TEST(Variations, ABaseCaseThatIsNoneIsRefused) {
     try {
         read_campaign(

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "beam_sheet.hpp"
 #include "ice/beam_joint.hpp"
 #include "ice/joint_stress.hpp"
 #include "ice/prism_stress.hpp"
@@ -36,9 +37,9 @@ class CutLattice {
             const Corner from_b = joint.pivot - centre(joint.b);
             const int a = 3 * joint.a;
             const int b = 3 * joint.b;
-            add(entries, spring.force[1],
-                {{b, 1}, {b + 1, from_b.x}, {b + 2, from_b.z}, {a, -1}, {a + 1, -from_a.x}, {a + 2, -from_a.z}});
-            for (const int turn : {1, 2}) add(entries, spring.moment[2], {{b + turn, 1}, {a + turn, -1}});
+            add_spring(entries, spring.force[1],
+                       {{b, 1}, {b + 1, from_b.x}, {b + 2, from_b.z}, {a, -1}, {a + 1, -from_a.x}, {a + 2, -from_a.z}});
+            for (const int turn : {1, 2}) add_spring(entries, spring.moment[2], {{b + turn, 1}, {a + turn, -1}});
         }
         const auto size = static_cast<Eigen::Index>(3 * cut_.elements.size());
         Eigen::SparseMatrix<double> matrix(size, size);
@@ -97,8 +98,8 @@ class CutLattice {
     }
 
     /// The prism of an element with its joints, and their numbers.
-    PressedPrism prism(int element, double crushing, std::vector<std::size_t>& numbers) const {
-        PressedPrism made{in_floe(static_cast<std::size_t>(element)), ice_.thickness, ice_.poisson_ratio, crushing};
+    PressedPrism prism(int element, double crushing_pressure, std::vector<std::size_t>& numbers) const {
+        PressedPrism made{in_floe(static_cast<std::size_t>(element)), ice_.thickness, ice_.poisson_ratio, crushing_pressure};
         for (std::size_t k = 0; k < cut_.joints.size(); ++k) {
             const CutJoint& joint = cut_.joints[k];
             if (joint.a != element && joint.b != element) continue;
@@ -111,15 +112,6 @@ class CutLattice {
     }
 
   private:
-    struct Part {
-        int motion;
-        double share;
-    };
-    static void add(std::vector<Eigen::Triplet<double>>& entries, double stiffness, const std::vector<Part>& parts) {
-        for (const Part& one : parts)
-            for (const Part& other : parts)
-                entries.emplace_back(one.motion, other.motion, stiffness * one.share * other.share);
-    }
     const Corner& centre(int element) const { return cut_.elements[static_cast<std::size_t>(element)].centre; }
     Outline in_floe(std::size_t element) const {
         return from_axes(cut_.elements[element].corners, {}, cut_.elements[element].axis);

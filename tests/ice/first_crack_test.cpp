@@ -14,13 +14,6 @@
 namespace floes::test {
 namespace {
 
-constexpr double modulus = 60e6;
-constexpr double thickness = 0.033;
-constexpr double poisson = 0.3;
-constexpr double strength = 36.4e3;
-constexpr double crushing = 145.6e3;
-const FloatingPlate plate{.thickness = thickness};
-
 /// Stress by 1 N at (x, z) on an element in the middle of the rim of a half plate, or of a wide sheet, at the joint on
 /// its +x face. `load`: N, decides the size of the contact.
 class Sheet {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "beam_sheet.hpp"
 #include "core/vector.hpp"
 #include "ice/beam_joint.hpp"
 #include "ice/floe_grid.hpp"
@@ -29,9 +30,11 @@ class Lattice {
         for (const GridJoint& joint : joints_) {
             const int along = joint.axis == JointAxis::x ? 1 : 2;
             const double half = element / 2;
-            add(entries, spring.force[1],
+            add_spring(
+                entries, spring.force[1],
                 {{3 * joint.b, 1}, {3 * joint.b + along, -half}, {3 * joint.a, -1}, {3 * joint.a + along, -half}});
-            for (const int turn : {1, 2}) add(entries, bending_, {{3 * joint.b + turn, 1}, {3 * joint.a + turn, -1}});
+            for (const int turn : {1, 2})
+                add_spring(entries, bending_, {{3 * joint.b + turn, 1}, {3 * joint.a + turn, -1}});
         }
         Eigen::SparseMatrix<double> matrix(3 * grid_.elements(), 3 * grid_.elements());
         matrix.setFromTriplets(entries.begin(), entries.end());
@@ -88,16 +91,6 @@ class Lattice {
     double joint_stiffness() const { return bending_; }
 
   private:
-    struct Part {
-        int motion;
-        double share;
-    };
-    static void add(std::vector<Eigen::Triplet<double>>& entries, double stiffness, const std::vector<Part>& parts) {
-        for (const Part& one : parts)
-            for (const Part& other : parts)
-                entries.emplace_back(one.motion, other.motion, stiffness * one.share * other.share);
-    }
-
     FloeGrid grid_;
     std::vector<GridJoint> joints_;
     double bending_ = 0;

@@ -8,19 +8,12 @@
 #include <vector>
 
 #include "cut_lattice.hpp"
-#include "theory/plate.hpp"
 #include "theory/westergaard.hpp"
 
 namespace floes::test {
 namespace {
 
-constexpr double modulus = 60e6;
-constexpr double thickness = 0.033;
-constexpr double poisson = 0.3;
-constexpr double strength = 36.4e3;
-constexpr double crushing = 145.6e3;
 constexpr double load = 10;
-const FloatingPlate plate{.thickness = thickness};
 const double contact = felt_radius(std::sqrt(load / (std::numbers::pi * crushing)), thickness);
 
 Corner direction(double degrees) {

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <random>
 
+#include "beam_sheet.hpp"
 #include "ice/felt_patch.hpp"
 #include "ice/floe_grid.hpp"
 #include "ice/joint_stress.hpp"
@@ -18,10 +19,6 @@
 namespace floes::test {
 namespace {
 
-constexpr double thickness = 0.033;
-constexpr double poisson = 0.3;
-constexpr double strength = 36.4e3;
-constexpr double crushing = 145.6e3;
 constexpr double side = 0.2;
 constexpr double load = 10;
 const double contact = felt_radius(std::sqrt(load / (std::numbers::pi * crushing)), thickness);

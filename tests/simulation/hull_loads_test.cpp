@@ -5,24 +5,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <vector>
+
+#include "support/barge.hpp"
 
 namespace floes {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
-
 Scenario with_barge() {
-    HullSizes sizes;
-    sizes.length = 60;
-    sizes.beam = 20;
-    sizes.draught = 4;
-    sizes.freeboard = 3;
-    sizes.stem = 45 * degree;
-    sizes.flare = 90 * degree;
     Scenario scenario;
-    scenario.structure.shape = Shape(HullKind::barge, sizes);
+    scenario.structure.shape = test::barge();
     scenario.structure.start = 0;
     return scenario;
 }

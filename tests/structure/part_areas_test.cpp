@@ -8,11 +8,12 @@
 #include <limits>
 #include <numbers>
 
+#include "support/barge.hpp"
+
 namespace floes {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double degree = std::numbers::pi / 180;
 
 void add_box(std::vector<std::vector<double>>& rows, int piece, int part, const Vec3& low, const Vec3& high) {
     for (const double x : {low.x(), high.x()})
@@ -36,14 +37,7 @@ Shape boxes(const std::vector<std::pair<Vec3, Vec3>>& corners) {
 
 // A side of 2 m by 1.5 m, a wall at 45° that is longer by √2, and no bottom within the heights.
 TEST(PartAreas, OfABargeAreItsFaces) {
-    HullSizes sizes;
-    sizes.length = 60;
-    sizes.beam = 20;
-    sizes.draught = 4;
-    sizes.freeboard = 3;
-    sizes.stem = 45 * degree;
-    sizes.flare = 90 * degree;
-    const Shape barge(HullKind::barge, sizes);
+    const Shape barge = test::barge();
     const std::vector<double> strip = part_areas(barge, -0.9, 0.1);
     ASSERT_EQ(strip.size(), 5U);  // bow, stern, port, starboard, bottom and deck
     EXPECT_NEAR(strip[0], 20 * std::sqrt(2.0), 1e-6);

@@ -7,6 +7,7 @@
 
 #include "core/units.hpp"
 #include "findings/printable.hpp"
+#include "statistics/distributions.hpp"
 
 namespace floes {
 namespace {

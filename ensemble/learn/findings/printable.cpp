@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "statistics/distributions.hpp"
 #include "tables/number_text.hpp"
 
 namespace floes {

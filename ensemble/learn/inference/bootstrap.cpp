@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -11,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/random.hpp"
+#include "statistics/distributions.hpp"
 #include "statistics/means.hpp"
 
 namespace floes {
@@ -20,14 +20,6 @@ namespace {
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr Limits no_limits{undefined, undefined};
 constexpr std::size_t most_draws = 20'000'000;
-
-double normal_cdf(double z) {
-    return boost::math::cdf(boost::math::normal{}, z);
-}
-
-double normal_quantile(double p) {
-    return boost::math::quantile(boost::math::normal{}, p);
-}
 
 /// Σ U³ / (6 (Σ U²)^(3/2)), where `influence` gives the U of each value.
 template <class Influence>
@@ -71,7 +63,7 @@ class Correction {
 
     double level(double p) const {
         const double shifted = bias_ + normal_quantile(p);
-        return normal_cdf(bias_ + shifted / (1 - acceleration_ * shifted));
+        return normal_below(bias_ + shifted / (1 - acceleration_ * shifted));
     }
 
   private:

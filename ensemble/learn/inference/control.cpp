@@ -3,6 +3,8 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "statistics/distributions.hpp"
+
 namespace floes {
 namespace {
 

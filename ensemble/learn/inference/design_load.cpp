@@ -1,10 +1,10 @@
 #include "inference/design_load.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 
 #include "inference/hidden_peaks.hpp"
 #include "inference/posterior_load.hpp"
@@ -33,8 +33,7 @@ Figures figures_of(const Tail& tail, const Exposure& exposure) {
 
 /// The mean of the largest of `count` maxima: Gumbel's moves by scale log count, GEV's by the power of count.
 double expected_of_maxima(const ExtremeFit& fit, double count) {
-    if (std::abs(fit.shape) < 1e-9)
-        return fit.location + fit.scale * (std::log(count) + boost::math::constants::euler<double>());
+    if (std::abs(fit.shape) < 1e-9) return fit.location + fit.scale * (std::log(count) + std::numbers::egamma);
     if (fit.shape >= no_expected_from) return undefined;
     return fit.location + fit.scale / fit.shape * (std::pow(count, fit.shape) * std::tgamma(1 - fit.shape) - 1);
 }

@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 
 #include "inference/emulator_forms.hpp"
+#include "statistics/distributions.hpp"
 
 namespace floes {
 
@@ -24,7 +23,7 @@ constexpr double large_by_chance = 0.02;
 int most_far(Eigen::Index points) {
     using boost::math::cdf;
     using boost::math::complement;
-    const double share = 2 * cdf(complement(boost::math::normal(), far));
+    const double share = 2 * normal_above(far);
     const boost::math::binomial number(static_cast<double>(points), share);
     int most = 0;
     while (cdf(complement(number, most)) > many_far_by_chance) ++most;
@@ -37,7 +36,7 @@ double largest_mean_square(const Eigen::MatrixXd& projection) {
     const Eigen::ArrayXd scale = projection.diagonal().array().rsqrt();
     const Eigen::MatrixXd correlation = scale.matrix().asDiagonal() * projection * scale.matrix().asDiagonal();
     const double freedom = static_cast<double>(scale.size() * scale.size()) / correlation.squaredNorm();
-    return quantile(complement(boost::math::chi_squared(freedom), large_by_chance)) / freedom;
+    return chi_squared_quantile_above(large_by_chance, freedom) / freedom;
 }
 
 }  // namespace

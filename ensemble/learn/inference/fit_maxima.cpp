@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 #include "core/random.hpp"
@@ -95,14 +95,13 @@ ExtremeFit gev_start(std::span<const double> maxima) {
 }  // namespace
 
 ExtremeFit fit_by_l_moments(std::span<const double> maxima, ExtremeKind kind) {
-    using boost::math::constants::euler;
     if (maxima.size() < 3) return no_fit;
     const auto [mean, spread, third] = l_moments(maxima);
     if (!(spread > 0)) return no_fit;
     ExtremeFit fit;
     if (kind == ExtremeKind::gumbel) {
         fit.scale = spread / std::log(2.0);
-        fit.location = mean - euler<double>() * fit.scale;
+        fit.location = mean - std::numbers::egamma * fit.scale;
     } else {
         const double c = 2 / (3 + third / spread) - std::log(2.0) / std::log(3.0);
         const double k = 7.8590 * c + 2.9554 * c * c;  // = -ξ

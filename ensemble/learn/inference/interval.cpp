@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <vector>
 
 #include "core/error.hpp"
+#include "statistics/distributions.hpp"
 
 namespace floes {
 
@@ -17,10 +17,6 @@ namespace {
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
-
-double student_t(double freedom, double tail) {
-    return boost::math::quantile(boost::math::complement(boost::math::students_t{freedom}, tail));
-}
 
 Interval mean_interval(std::span<const double> values, double confidence) {
     if (!(confidence > 0 && confidence < 1)) {

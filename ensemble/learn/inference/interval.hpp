@@ -15,9 +15,6 @@ struct Interval {
     friend bool operator==(const Interval&, const Interval&) = default;
 };
 
-/// Student's t that is exceeded with probability `tail`, with `freedom` > 0 degrees of freedom.
-double student_t(double freedom, double tail);
-
 /// Mean of `values`, one value an arrangement, with Student's t: mean ± t s / √n for the mean and mean ± t s √(1 + 1/n)
 /// for one further run, where s is the sample SD (n - 1). Both treat the values as independent and nearly normal; with
 /// large n the first tolerates a skewed distribution, the second does not. A single value gives only an estimate; no

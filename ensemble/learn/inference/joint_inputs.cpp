@@ -1,9 +1,10 @@
 #include "inference/joint_inputs.hpp"
 
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "statistics/distributions.hpp"
 
 namespace floes {
 namespace {
@@ -19,7 +20,7 @@ double above(double u) {
 double score_exceeded(double probability) {
     if (probability <= 0) return infinite;
     if (probability >= 1) return -infinite;
-    return quantile(complement(boost::math::normal(), probability));
+    return normal_quantile_above(probability);
 }
 
 /// -log of the probability above u, exact also where that is nearly 1.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/error.hpp"
+#include "statistics/distributions.hpp"
 
 namespace floes {
 

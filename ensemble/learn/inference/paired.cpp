@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <boost/math/distributions/non_central_t.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
 #include "core/error.hpp"
 #include "inference/interval.hpp"
+#include "statistics/distributions.hpp"
 
 namespace floes {
 
@@ -49,8 +49,7 @@ PairedComparison compare_paired(std::span<const double> first, std::span<const d
     found.sd = std::sqrt(variance);
     found.t = found.difference / (found.sd / std::sqrt(static_cast<double>(differences.size())));
     if (std::isfinite(found.t)) {
-        const boost::math::students_t distribution(static_cast<double>(differences.size() - 1));
-        found.t_p = 2 * boost::math::cdf(boost::math::complement(distribution, std::abs(found.t)));
+        found.t_p = 2 * student_above(std::abs(found.t), static_cast<double>(differences.size() - 1));
     } else {
         found.t = found.t_p = undefined;
     }
@@ -98,8 +97,7 @@ std::vector<double> holm(std::span<const double> p) {
 double power_of_paired_test(int pairs, double difference, double sd, double confidence) {
     const double freedom = pairs - 1;
     const double noncentrality = std::abs(difference) / sd * std::sqrt(static_cast<double>(pairs));
-    const boost::math::students_t central(freedom);
-    const double limit = boost::math::quantile(boost::math::complement(central, (1 - confidence) / 2));
+    const double limit = student_t(freedom, (1 - confidence) / 2);
     if (noncentrality > std::max(30.0, 10 * limit)) return 1;  // to double precision; the series below would be slow
     const boost::math::non_central_t shifted(freedom, noncentrality);
     return boost::math::cdf(boost::math::complement(shifted, limit)) + boost::math::cdf(shifted, -limit);

@@ -7,6 +7,7 @@
 #include "inference/mixed_mean.hpp"
 #include "inference/unlike_members.hpp"
 #include "quantities/quantity.hpp"
+#include "statistics/distributions.hpp"
 
 namespace floes {
 

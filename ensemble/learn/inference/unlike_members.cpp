@@ -1,12 +1,12 @@
 #include "inference/unlike_members.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <numeric>
 
 #include "inference/bootstrap.hpp"
 #include "inference/interval.hpp"
+#include "statistics/distributions.hpp"
 
 namespace floes {
 namespace {
@@ -118,8 +118,7 @@ UnlikeMembers unlike_members(MemberPeakSpans peaks, double share) {
     if (sum == 0) return found;
     const double mean = sum / members;
     found.dispersion = (squares / members - mean * mean) * members / (members - 1) / mean;
-    found.dispersion_p = boost::math::cdf(boost::math::complement(boost::math::chi_squared{members - 1},
-                                                                  std::max(0.0, (members - 1) * found.dispersion)));
+    found.dispersion_p = chi_squared_above(std::max(0.0, (members - 1) * found.dispersion), members - 1);
     return found;
 }
 

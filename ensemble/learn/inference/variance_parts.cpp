@@ -1,10 +1,10 @@
 #include "inference/variance_parts.hpp"
 
-#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <limits>
 
 #include "core/error.hpp"
+#include "statistics/distributions.hpp"
 #include "statistics/means.hpp"
 
 namespace floes {
@@ -15,7 +15,7 @@ constexpr double rounding = 1e-24;  // of the sum of squares, which equal values
 
 /// What F exceeds with 2.5 %.
 double high_f(double above, double below) {
-    return boost::math::quantile(boost::math::complement(boost::math::fisher_f{above, below}, tail));
+    return fisher_quantile_above(tail, above, below);
 }
 
 }  // namespace

@@ -1,13 +1,13 @@
 // Wilcoxon's signed-rank test: exact by counting all signs for few differences, otherwise by the normal distribution.
 
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <numeric>
 
 #include "inference/paired.hpp"
+#include "statistics/distributions.hpp"
 
 namespace floes {
 
@@ -69,7 +69,7 @@ SignedRank wilcoxon_signed_rank(std::span<const double> differences) {
     }
     const double z =
         (rank_sum - 0.25 * static_cast<double>(all)) / std::sqrt(0.25 * squares);  // mean and variance given the ranks
-    return {rank_sum, 2 * boost::math::cdf(boost::math::normal{}, -std::abs(z)), false};
+    return {rank_sum, 2 * normal_below(-std::abs(z)), false};
 }
 
 }  // namespace floes

@@ -1,13 +1,13 @@
 #include "inference/year_load.hpp"
 
 #include <algorithm>
-#include <boost/math/special_functions/erf.hpp>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
 #include "core/random.hpp"
 #include "inference/sobol_indices.hpp"
+#include "statistics/distributions.hpp"
 
 namespace floes {
 namespace {
@@ -16,10 +16,6 @@ constexpr std::size_t drawn = 800;
 constexpr std::size_t drawn_for_indices = 256;
 constexpr double least_factor = 0.05;  // a load is above 0, however uncertain its emulator
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
-
-double normal_quantile(double p) {
-    return -std::sqrt(2) * boost::math::erfc_inv(2 * p);
-}
 
 /// One number in each of `count` equal parts of (0, 1), in random order.
 std::vector<double> latin(std::size_t count, RandomStream& random) {

@@ -1,7 +1,6 @@
 #include "match/matching.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <boost/math/special_functions/digamma.hpp>
 #include <boost/math/special_functions/polygamma.hpp>
 #include <boost/math/special_functions/trigamma.hpp>
@@ -9,6 +8,7 @@
 #include <limits>
 
 #include "campaign/design.hpp"
+#include "statistics/distributions.hpp"
 
 namespace floes {
 namespace {
@@ -81,8 +81,7 @@ double freedom_of(double variance_of_log) {
 /// By how much Student's quantile that 1 % exceed lies beyond three standard deviations; 1 where it does not.
 double student_factor(double freedom) {
     constexpr double tail = 0.005;
-    const boost::math::students_t student(std::max(1.0, freedom));
-    return std::max(1.0, boost::math::quantile(boost::math::complement(student, tail)) / ruled_out_above);
+    return std::max(1.0, student_t(std::max(1.0, freedom), tail) / ruled_out_above);
 }
 
 double quantile(std::vector<double> values, double share) {

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 
 #include "core/error.hpp"
+#include "statistics/distributions.hpp"
 
 namespace floes {
 namespace {
@@ -29,11 +29,9 @@ std::vector<double> log_likelihoods(const Eigen::MatrixXd& points, const std::ve
 PredictedRange range_of(const AtPoints& at, const std::vector<double>& weights, double least, double most) {
     std::vector<double> sd;
     for (const double variance : at.variance) sd.push_back(std::sqrt(std::max(variance, 1e-300)));
-    const boost::math::normal standard;
     const auto below = [&](double x) {
         double share = 0;
-        for (std::size_t k = 0; k < sd.size(); ++k)
-            share += weights[k] * boost::math::cdf(standard, (x - at.mean[k]) / sd[k]);
+        for (std::size_t k = 0; k < sd.size(); ++k) share += weights[k] * normal_below((x - at.mean[k]) / sd[k]);
         return share;
     };
     // By halving: the distribution is continuous and rises.

@@ -29,6 +29,12 @@ std::string between(double low, double high) {
     return high - low < 1e-9 * high ? fmt::format("{:.4g}", low) : fmt::format("{:.4g} to {:.4g}", low, high);
 }
 
+/// "the field is 5.76 m long", or of one without end each part.
+std::string field_words(const Scenario& scenario) {
+    return fmt::format("{} {:.4g} m long", scenario.field.endless() ? "each part is" : "the field is",
+                       scenario.field_length());
+}
+
 /// "0.6 m x 0.6 m: 40 % of the floes, 31 % of the area" for each entry of a list.
 std::string list_words(const Scenario& scenario, const std::vector<FloeShape>& shapes, double area) {
     std::string words;
@@ -62,11 +68,10 @@ std::string size_words(const Scenario& scenario) {
     const auto [least, most] = std::ranges::minmax(shapes, {}, &FloeShape::element);
     return fmt::format(
         "{}, sides of their squares {} m, mean {:.4g} m, half of the area in floes of {:.4g} m and more{}; {:.0f} "
-        "elements of {} m; {} {:.4g} m long",
+        "elements of {} m; {}",
         counted(std::ssize(shapes), "floe"), between(diameter_of(shapes.front()), diameter_of(shapes.back())),
         diameters / static_cast<double>(shapes.size()), diameter_of(*half), list, elements,
-        between(least.element, most.element), scenario.field.endless() ? "each part is" : "the field is",
-        scenario.field_length());
+        between(least.element, most.element), field_words(scenario));
 }
 
 /// What was traced, what became of it, and how many floes have each outline.
@@ -114,11 +119,9 @@ std::string shape_words(const Scenario& scenario, std::uint64_t seed) {
                                                                              : "polygon";
     return fmt::format(
         "{}in arrangement 0 {} of {:.3g} corners on average, sides of their squares {} m, {:.0f} elements of about "
-        "{:g} "
-        "m; "
-        "the field is {:.4g} m long",
+        "{:g} m; {}",
         scenario.shapes.from_file() ? traced_words(scenario) + "; " : "", counted(std::ssize(diameters), kind), corners,
-        between(least, most), element_count(floes), floes.shape(0).element, scenario.field_length());
+        between(least, most), element_count(floes), floes.shape(0).element, field_words(scenario));
 }
 
 using Of = double (*)(const FloeShape&, const Material&);

@@ -135,7 +135,8 @@ std::vector<Variation> variations_of(const Scenario& scenario) {
     open.at("water.form_drag", {0.5, 1.5}, "0.5 to 1.5 in the sources of docs/configuration.md");
     open.at("water.heave_drag", {1.2}, "1.0 to 1.2 of plates and discs");
     open.at("water.added_mass_in_plane", {0.0, 0.2}, "0.04 of fast and 0.18 of slow motion");
-    if (scenario.arrangement.method == ArrangementMethod::scattered && scenario.arrangement.ordering_sweeps == 0)
+    const ArrangementRule& rule = scenario.arrangement;
+    if (rule.method == ArrangementMethod::scattered && rule.ordering_sweeps == 0 && !scenario.field.endless())
         open.order(1000, "floes that have drifted lie in some order");
     if (!scenario.arrangement.given()) open.widths({1.5}, "ice at sea has no walls");
     return std::move(open).found();
