@@ -38,7 +38,8 @@ std::vector<CasePeaks> moored_peaks(const CampaignTable& table, const std::vecto
 /// short for the natural period in surge.
 std::vector<CasePeaks> simulated_mooring_peaks(const Evidence& evidence);
 
-/// Sentences on members in which lines broke: their force is that of what was left; empty if none did.
+/// Sentences on cases in which lines broke, whose force is that of what was left, or which thrusters alone hold, so
+/// that there is none; empty without such cases.
 std::string mooring_notes(const Evidence& evidence);
 
 /// The line of each case.
