@@ -17,10 +17,10 @@
 #include <thread>
 
 #include "campaign_file/publish.hpp"
-#include "driver/run_campaign.hpp"
-#include "driver/worker.hpp"
-#include "forecast/plan.hpp"
-#include "wire/open_link.hpp"
+#include "run/link.hpp"
+#include "run/plan.hpp"
+#include "run/run_campaign.hpp"
+#include "run/worker.hpp"
 
 namespace {
 

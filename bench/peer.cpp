@@ -3,8 +3,8 @@
 #include <set>
 
 #include "ice/floe_grid.hpp"
+#include "shapes/path.hpp"
 #include "simulation/simulation.hpp"
-#include "structure/tow.hpp"
 
 namespace floes::bench {
 

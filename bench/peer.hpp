@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "scene.hpp"
-#include "simulation/channel.hpp"
-#include "structure/convex_solid.hpp"
+#include "shapes/convex_solid.hpp"
+#include "simulation/sheets.hpp"
 #include "water/water_model.hpp"
 #include "world/material_friction.hpp"
 #include "world/state.hpp"

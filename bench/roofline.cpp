@@ -12,7 +12,7 @@
 #include <ctime>
 #include <vector>
 
-#include "scenario/contact_preset.hpp"
+#include "scenario/scenario.hpp"
 #include "scene.hpp"
 #include "simulation/simulation.hpp"
 #include "solver/lane_layout.hpp"

@@ -1,6 +1,6 @@
-# floes_assets(TARGET files…): puts files into a room, which reads them by name (player/assets.hpp). A change of a file
-# builds its object again.
-function(floes_assets target)
+# floes_assets(TARGET FUNCTION files…): puts files into a module, which reads them by name:
+# std::optional<std::string_view> FUNCTION(std::string_view name). A change of a file builds its object again.
+function(floes_assets target function)
   if(NOT TARGET ${target})
     return()
   endif()
@@ -10,12 +10,13 @@ function(floes_assets target)
     get_filename_component(name ${file} NAME)
     list(APPEND paths ${path})
     string(APPEND FLOES_ASSET_TEXTS
-      "asm(\".section .rodata\\n.balign 16\\nfloes_asset_${number}:\\n.incbin \\\"${path}\\\"\\nfloes_asset_${number}_end:\\n.previous\");\n")
-    string(APPEND FLOES_ASSET_SYMBOLS "extern const char floes_asset_${number}[], floes_asset_${number}_end[];\n")
+      "asm(\".section .rodata\\n.balign 16\\nfloes_${function}_${number}:\\n.incbin \\\"${path}\\\"\\nfloes_${function}_${number}_end:\\n.previous\");\n")
+    string(APPEND FLOES_ASSET_SYMBOLS "extern const char floes_${function}_${number}[], floes_${function}_${number}_end[];\n")
     string(APPEND FLOES_ASSET_LINES
-      "    if (name == \"${name}\") return text(floes_asset_${number}, floes_asset_${number}_end);\n")
+      "    if (name == \"${name}\") return text(floes_${function}_${number}, floes_${function}_${number}_end);\n")
     math(EXPR number "${number} + 1")
   endforeach()
+  set(FLOES_ASSET_FUNCTION ${function})
   set(source ${PROJECT_BINARY_DIR}/generated/${target}_assets.cpp)
   configure_file(${PROJECT_SOURCE_DIR}/cmake/assets.cpp.in ${source} @ONLY)
   # -fno-lto: link-time optimisation does not see the symbols of assembler.

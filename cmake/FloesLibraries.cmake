@@ -10,7 +10,7 @@ find_package(TBB REQUIRED)
 find_package(MPI REQUIRED COMPONENTS CXX)
 find_package(ZLIB REQUIRED)
 
-# Only its headers (src/keys/toml.hpp).
+# Only its headers (src/keys/document.hpp).
 find_path(FLOES_TOMLPLUSPLUS toml++/toml.h REQUIRED)
 add_library(tomlplusplus INTERFACE)
 target_include_directories(tomlplusplus SYSTEM INTERFACE ${FLOES_TOMLPLUSPLUS})

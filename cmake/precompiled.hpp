@@ -1,4 +1,4 @@
-// What most files of floes include from the standard library, fmt and Eigen, read once for all rooms: parsing them
+// What most files of floes include from the standard library, fmt and Eigen, read once for all modules: parsing them
 // again in every file was half of the build. Files name their own includes all the same (the preset `cluster` is built
 // without this), and nothing of floes belongs here, or a change of it would build everything anew.
 #include <algorithm>

@@ -23,8 +23,8 @@ function(floes_mpi_test name)
   endforeach()
 endfunction()
 
-floes_test_program(test_wire_mpi SOURCES wire/mpi/mpi_link_test.cpp LIBRARIES floes_wire GTest::gtest)
-floes_mpi_test(wire.mpi RANKS 1 2 3 COMMAND test_wire_mpi)
+floes_test_program(test_mpi_link SOURCES run/mpi/mpi_link_test.cpp LIBRARIES floes_run GTest::gtest)
+floes_mpi_test(run.mpi_link RANKS 1 2 3 COMMAND test_mpi_link)
 
 # Whole campaigns by the program itself: tests/campaign_run/NAME.sh.
 if(TARGET floes)

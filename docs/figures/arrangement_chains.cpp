@@ -18,8 +18,7 @@
 #include "arrangement/check.hpp"
 #include "arrangement/order.hpp"
 #include "arrangement/sampler.hpp"
-#include "arrangement/starts.hpp"
-#include "core/hash.hpp"
+#include "core/digest.hpp"
 
 namespace {
 

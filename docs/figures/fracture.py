@@ -27,9 +27,9 @@ E, NU, T, K, STRENGTH, CRUSHING = 60e6, 0.3, 0.033, 9810.0, 36.4e3, 145.6e3  # t
 D = E * T**3 / 12 / (1 - NU**2)
 LENGTH = (D / K) ** 0.25
 ELEMENTS = [0.3, 0.2, 0.15, 0.1, 0.05]
-PATCH = {"edge": (0.6, 0.66), "interior": (1.0, 0.92)}  # as src/ice/contact_stress.cpp has it
+PATCH = {"edge": (0.6, 0.66), "interior": (1.0, 0.92)}  # as src/ice/stress_field.cpp has it
 PER_DECADE = {"edge": 4 * 0.529 * (1 + 0.54 * NU), "interior": 4 * 0.275 * (1 + NU)}
-GIVEN_OVER_OWN = 3  # as src/ice/crack.cpp has it
+GIVEN_OVER_OWN = 3  # as src/ice/failure.cpp has it
 
 
 def felt(load):

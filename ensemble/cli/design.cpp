@@ -1,23 +1,257 @@
-// floes design: the largest load in an exposure, or the loads of a year, with their uncertainty.
+// floes design --regimes: the loads of a year.
 
+#include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "campaign/read.hpp"
+#include "campaign/variations.hpp"
 #include "cli/commands.hpp"
-#include "cli/design_year.hpp"
-#include "cli/given_file.hpp"
+#include "cli/config.hpp"
+#include "cli/files.hpp"
 #include "cli/mooring_options.hpp"
 #include "cli/terminal.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
 #include "core/units.hpp"
-#include "findings/design_load_section.hpp"
+#include "findings/design_load.hpp"
 #include "findings/evidence.hpp"
 #include "findings/moored_cases.hpp"
 #include "findings/warnings.hpp"
+#include "keys/key.hpp"
+#include "match/contour_section.hpp"
+#include "match/year_section.hpp"
+#include "page/section_html.hpp"
+#include "store/file_calls.hpp"
+#include "tables/workbook.hpp"
 
 namespace floes {
+
+struct YearOptions {
+    std::string file;     ///< the campaign file
+    std::string regimes;  ///< TOML, or CSV by its name
+    DesignLoadRequest load;
+    std::vector<double> per_year{1e-2, 1e-4};
+    std::string format = "table";
+    std::string output;  ///< .html, .svg or .xlsx by its name; empty: none
+    bool automatic_window = false;
+    bool next = false;
+    std::string program;
+};
+
+/// Prints the answer and writes the output. Throws InputError as find_year() and read_regimes() do.
+void tell_year(const YearOptions& options);
+
+namespace {
+
+std::string command_of(const YearOptions& options) {
+    std::string command = fmt::format("{} design {} --regimes {} --averaging-s {:g} --scale {:g} --peaks {:g}",
+                                      typed_program(options.program), options.file, options.regimes,
+                                      options.load.averaging, options.load.scale, options.load.share);
+    if (options.load.rising) command += " --rising";
+    if (options.automatic_window) command += " --window auto";
+    return command + " -o " + options.output;
+}
+
+void write_sheets(const std::string& output, const std::vector<Section>& sections) {
+    std::vector<Sheet> sheets;
+    for (const Section& section : sections)
+        for (const DataRows& records : records_of(section))
+            sheets.push_back({records.place.substr(records.place.find('/') + 1), records});
+    const std::string aside = output + ".tmp";
+    write_workbook(aside, sheets);
+    rename_into_place(aside, output);
+}
+
+void write_output(const YearOptions& options, const std::vector<Section>& sections, const Year& year,
+                  const YearRequest& request) {
+    if (options.output.ends_with(".xlsx"))
+        write_sheets(options.output, sections);
+    else if (options.output.ends_with(".svg"))
+        write_page(options.output, figure_file(year_figure(year, request), year_units(year, request)));
+    else
+        write_page(options.output,
+                   sections_page("Loads of a year", sections, command_of(options), year_units(year, request)));
+    std::fprintf(stderr, "floes: %s is written\n", options.output.c_str());
+}
+
+}  // namespace
+
+void tell_year(const YearOptions& options) {
+    const bool known = options.output.empty() || options.output.ends_with(".html") ||
+                       options.output.ends_with(".svg") || options.output.ends_with(".xlsx");
+    if (!known)
+        throw InputError(
+            fmt::format("{} would be a page, a picture or a workbook: give a name that ends with .html, .svg "
+                        "or .xlsx.",
+                        options.output));
+    const bool table = options.regimes.ends_with(".csv");
+    const std::string text = read_text(options.regimes);
+    const std::vector<Regime> regimes =
+        table ? read_regime_table(text, options.regimes) : read_regimes(text, options.regimes);
+    YearRequest request{options.load, options.per_year};
+    std::ranges::sort(request.per_year, std::ranges::greater{});
+    Evidence evidence = read_evidence(CampaignFile(options.file), options.automatic_window);
+    const Year year = find_year({options.file, evidence.campaign, evidence.table}, regimes, request);
+    std::vector<Section> sections = year_sections(evidence, year, request);
+    sections.front().before = warning_lines(warnings_of(evidence.table, evidence.summary)) + sections.front().before;
+    if (options.next) sections.push_back(year_next(evidence, year, typed_program(options.program)));
+    std::fputs(written(sections, options.format, year_units(year, request)).c_str(), stdout);
+    if (options.next && options.format != "table") std::fputs(sections.back().before.c_str(), stderr);
+    if (!options.output.empty()) write_output(options, sections, year, request);
+}
+
+// floes contour: environmental contours of two inputs, as a table, a picture, or cases to run.
+
+namespace {
+
+struct ContourOptions {
+    std::string ice;
+    double exposure_h = 3;
+    ContourRequest request;
+    std::string config;
+    std::string case_name;
+    std::vector<std::string> overrides;
+    std::string output;
+    std::string format = "table";
+};
+
+/// "0.01_deg045".
+std::string case_name(const ContourOf& of, const ContourPoint& point) {
+    return fmt::format("{:g}_deg{:03.0f}", of.per_year, point.degrees);
+}
+
+/// To four digits: fitted inputs are not known better.
+std::string value_text(double value) {
+    return number_literal(std::stod(fmt::format("{:.4g}", value)));
+}
+
+/// What the point's values are refused for, as a case of its own; empty if they can be run.
+std::string fault_of(const Campaign& campaign, const Case& of, const Variation& one) {
+    try {
+        read_campaign({study_text(campaign, of, {one}), one.name, {}}, read_text);
+        return "";
+    } catch (const InputError& error) {
+        return error.what();
+    }
+}
+
+std::vector<Variation> cases_at(const ContourInputs& inputs, const std::vector<ContourOf>& contours) {
+    std::vector<Variation> cases;
+    for (const ContourOf& of : contours)
+        for (const ContourPoint& point : of.points)
+            cases.push_back(
+                {case_name(of, point),
+                 fmt::format("{:g} a year, at {:.0f} degrees", of.per_year, point.degrees),
+                 {{inputs.keys[0], value_text(point.value[0])}, {inputs.keys[1], value_text(point.value[1])}}});
+    return cases;
+}
+
+std::string study_of(const ContourOptions& options, const ContourInputs& inputs,
+                     const std::vector<ContourOf>& contours) {
+    const Campaign campaign = load_campaign(options.config, options.overrides);
+    const Case& of = chosen_case(campaign, options.case_name);
+    std::vector<Variation> cases;
+    std::vector<std::string> left_out;
+    std::string first_fault;
+    for (Variation& one : cases_at(inputs, contours)) {
+        const std::string fault = fault_of(campaign, of, one);
+        if (fault.empty()) {
+            cases.push_back(std::move(one));
+            continue;
+        }
+        if (left_out.empty()) first_fault = fault;
+        left_out.push_back(one.name);
+    }
+    if (cases.empty())
+        throw InputError(fmt::format("no point of the contour can be run with {}. {}", options.config, first_fault));
+    if (!left_out.empty())
+        std::fprintf(stderr, "floes: %s cannot be run and %s left out: %s. The first: %s\n",
+                     counted(static_cast<int>(left_out.size()), "point").c_str(), left_out.size() == 1 ? "is" : "are",
+                     name_list(left_out).c_str(), first_fault.c_str());
+    return fmt::format(
+               "# Short-term cases on the environmental contours of {}. Run it, then floes design "
+               "--exposure-h {:g}:\n# the largest of a contour's cases is its load (docs/year.md).\n"
+               "# Keys that are not here have their defaults.\n\n",
+               options.ice, options.exposure_h) +
+           study_text(campaign, of, cases);
+}
+
+void write_output(const ContourOptions& options, const ContourInputs& inputs, const std::vector<ContourOf>& contours,
+                  const std::vector<Section>& sections, const std::string& command) {
+    if (options.output.ends_with(".toml"))
+        write_page(options.output, study_of(options, inputs, contours));
+    else if (options.output.ends_with(".svg"))
+        write_page(options.output, figure_file(contour_figure(inputs, contours)));
+    else
+        write_page(options.output, sections_page("Environmental contours", sections, command));
+    std::fprintf(stderr, "floes: %s is written\n", options.output.c_str());
+}
+
+void refuse_output(const ContourOptions& options) {
+    const std::string& output = options.output;
+    if (output.empty()) return;
+    if (!output.ends_with(".toml") && !output.ends_with(".svg") && !output.ends_with(".html"))
+        throw InputError(fmt::format(
+            "{} would be cases, a picture or a page: give a name that ends with .toml, .svg or .html.", output));
+    if (output.ends_with(".toml") && options.config.empty())
+        throw InputError(fmt::format("{} would have cases of a configuration; say which with --config", output));
+}
+
+int tell(const ContourOptions& options, const std::string& program) {
+    refuse_output(options);
+    ContourRequest request = options.request;
+    request.state = options.exposure_h * unit::hour;
+    std::ranges::sort(request.per_year, std::ranges::greater{});
+    const ContourInputs inputs = read_contour_inputs(read_text(options.ice), options.ice);
+    const std::vector<ContourOf> contours = find_contours(inputs, request);
+    const std::vector<Section> sections = contour_sections(inputs, request, contours);
+    std::fputs(written(sections, options.format).c_str(), stdout);
+    if (!options.output.empty())
+        write_output(options, inputs, contours, sections,
+                     fmt::format("{} contour {} -o {}", program, options.ice, options.output));
+    return 0;
+}
+
+}  // namespace
+
+void add_contour(CommandLine& line) {
+    auto options = std::make_shared<ContourOptions>();
+    Verb verb = line.verb("contour", "Environmental contours of two inputs (IFORM), and cases on them to run");
+    verb.option("ice", options->ice,
+                "A scatter diagram as for design --regimes (.csv, .toml), or TOML with two [[input]] distributions")
+        .required();
+    verb.option("--per-year", options->request.per_year, "Probabilities of exceedance in a year, comma-separated")
+        .comma_separated()
+        .within(1e-7, 0.5)
+        .shows_default();
+    verb.option("--exposure-h", options->exposure_h, "Length of a state, h: as the exposure of floes design")
+        .within(1e-3, 1e4)
+        .shows_default();
+    verb.option("--points", options->request.points, "Points on each contour").within(3, 360).shows_default();
+    Option config = verb.option("--config", options->config, "The configuration whose case takes the points' values");
+    verb.option("--case", options->case_name, "The case of it, if there are several").needs(config);
+    add_overrides(verb, options->overrides).needs(config);
+    verb.option("-o,--output", options->output,
+                "Write cases to run (.toml, with --config), the picture (.svg) or a page (.html)");
+    add_format(verb, options->format);
+    verb.footer(
+        "The first input has a distribution, the second one that depends on it; a scatter diagram has them fitted.\n"
+        "docs/year.md says how, and what a contour leaves open.\n\n"
+        "  floes contour scatter.csv\n"
+        "  floes contour ice.toml --per-year 0.01 -o contour.svg\n"
+        "  floes contour scatter.csv --points 8 --config my.toml -o contour.toml && floes run contour.toml");
+    verb.runs([options, &line] { return tell(*options, line.program_name()); });
+}
+
+// floes design: the largest load in an exposure, or the loads of a year, with their uncertainty.
+
 namespace {
 
 struct DesignOptions {
@@ -31,34 +265,39 @@ struct DesignOptions {
     MooringOptions mooring;
 };
 
+struct Answer {
+    std::vector<Section> sections;
+    Units units;
+};
+
 /// Design mooring forces instead of loads, and what they come from.
-std::vector<Section> moored(const Evidence& evidence, DesignLoadRequest request, const Oscillator& hull) {
+Answer moored(const Evidence& evidence, DesignLoadRequest request, const Oscillator& hull) {
     request.force = DesignLoadRequest::Force::k_x;
     const MooredRequest asked{hull, request.scale, request.averaging};
     const std::vector<MooredCase> found = find_moored(evidence, asked);
     const std::vector<CasePeaks> peaks = moored_peaks(evidence.table, found);
-    std::vector<Section> sections =
-        design_load_sections(evidence.summary, find_design_loads(evidence.table, request, peaks), request);
+    const std::vector<CaseDesignLoad> designs = find_design_loads(evidence.table, request, peaks);
+    std::vector<Section> sections = design_load_sections(evidence.summary, designs, request);
     sections.push_back(moored_section(evidence.summary, found, asked));
-    return sections;
+    return {std::move(sections), design_units(designs, request)};
 }
 
 /// Design mooring forces of structures that gave way in the simulation, and how those moved.
-std::vector<Section> simulated(const Evidence& evidence, DesignLoadRequest request) {
+Answer simulated(const Evidence& evidence, DesignLoadRequest request) {
     request.force = DesignLoadRequest::Force::moorings;
     const std::vector<CasePeaks> peaks = simulated_mooring_peaks(evidence);
-    std::vector<Section> sections =
-        design_load_sections(evidence.summary, find_design_loads(evidence.table, request, peaks), request);
+    const std::vector<CaseDesignLoad> designs = find_design_loads(evidence.table, request, peaks);
+    std::vector<Section> sections = design_load_sections(evidence.summary, designs, request);
     sections.front().before = mooring_notes(evidence) + sections.front().before;
     if (std::optional<Section> moved = moored_runs_section(evidence)) sections.push_back(std::move(*moved));
-    return sections;
+    return {std::move(sections), design_units(designs, request)};
 }
 
-std::vector<Section> sections_of(const DesignOptions& options, const Evidence& evidence,
-                                 const DesignLoadRequest& request) {
+Answer sections_of(const DesignOptions& options, const Evidence& evidence, const DesignLoadRequest& request) {
     if (options.of == "mooring_force") return simulated(evidence, request);
     if (const std::optional<Oscillator> hull = options.mooring.hull()) return moored(evidence, request, *hull);
-    return design_load_sections(evidence.summary, find_design_loads(evidence.table, request), request);
+    const std::vector<CaseDesignLoad> designs = find_design_loads(evidence.table, request);
+    return {design_load_sections(evidence.summary, designs, request), design_units(designs, request)};
 }
 
 std::string answer(const DesignOptions& options) {
@@ -66,9 +305,9 @@ std::string answer(const DesignOptions& options) {
     request.exposure = options.exposure_h * unit::hour;
     expect_campaign_file(options.file);
     const Evidence evidence = read_evidence(CampaignFile(options.file), options.window == "auto");
-    std::vector<Section> sections = sections_of(options, evidence, request);
+    auto [sections, units] = sections_of(options, evidence, request);
     sections.front().before = warning_lines(warnings_of(evidence.table, evidence.summary)) + sections.front().before;
-    return written(sections, options.format);
+    return written(sections, options.format, units);
 }
 
 void answer_of_year(const DesignOptions& options, const std::string& program) {

@@ -1,6 +1,7 @@
 // floes hybrid: the load by Lindqvist, by KPR and by the hybrid of both over the elastic modulus (Eqs. (6)-(7), Fig.
 // 8), and that of level ice by ISO 19906.
 
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -9,12 +10,11 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "cli/config_file.hpp"
+#include "cli/config.hpp"
 #include "cli/terminal.hpp"
 #include "core/units.hpp"
-#include "driver/plate_moduli.hpp"
-#include "findings/hybrid.hpp"
-#include "findings/sloping.hpp"
+#include "findings/closed_formulas.hpp"
+#include "run/calibrate.hpp"
 
 namespace floes {
 namespace {
@@ -66,8 +66,9 @@ std::string answer(const HybridOptions& options) {
     std::vector<double> moduli;
     for (const double modulus : options.moduli) moduli.push_back(modulus * unit::megapascal);
     const HybridCurve curve = hybrid_curve(scenario, model_of(options, scenario), moduli);
-    return written({hybrid_section(curve), sloping_section(scenario, moduli, sloping_of(options, scenario))},
-                   options.format);
+    const SlopingRequest sloping = sloping_of(options, scenario);
+    const Units units(std::ranges::max(curve.points, {}, &HybridPoint::load).load);
+    return written({hybrid_section(curve), sloping_section(scenario, moduli, sloping, units)}, options.format, units);
 }
 
 /// What ISO's formulas need and a configuration does not have.

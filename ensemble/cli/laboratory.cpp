@@ -1,8 +1,373 @@
-// floes laboratory: the numerical ice tested by itself, without a tow.
+// floes laboratory cantilever: the measured strength of a numerical beam compared with its input strength.
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/config.hpp"
+#include "cli/terminal.hpp"
+#include "core/error.hpp"
+#include "core/units.hpp"
+#include "run/calibrate.hpp"
+#include "scenario/keys.hpp"
+#include "simulation/cantilever.hpp"
+#include "simulation/plate_tests.hpp"
+#include "tables/number_text.hpp"
+#include "theory/plate.hpp"
 
 namespace floes {
+
+namespace {
+
+struct CantileverOptions {
+    std::string config;
+    std::vector<std::string> overrides;
+    std::vector<double> cfm{1e-10, 0.016, 0.03};
+    std::vector<int> elements{1, 2, 3, 4};
+    std::vector<std::string> loads{"bending", "shear", "compression"};
+    std::vector<double> moduli{60};
+    bool floating = false;
+    bool stiffness = false;
+    std::string format = "table";
+};
+
+struct Row {
+    double cfm;
+    BeamStrength shown;
+    double elastic;  ///< expected ratio for an elastic beam of the given modulus; 1 when dry
+};
+
+BeamLoad load_of(const std::string& word) {
+    if (word == "shear") return BeamLoad::shear;
+    return word == "compression" ? BeamLoad::compression : BeamLoad::bending;
+}
+
+Scenario base_scenario(const CantileverOptions& options) {
+    if (options.config.empty()) return paper_scenario();
+    return load_campaign(options.config, options.overrides).cases.front().scenario;
+}
+
+std::vector<Row> measure(const CantileverOptions& options) {
+    Scenario scenario = base_scenario(options);
+    if (options.moduli.size() != 1)
+        throw InputError("The elastic beam for comparison has one modulus; give a single --modulus-MPa.");
+    const double foundation = scenario.water.density * scenario.general.gravity;
+    std::vector<Row> rows;
+    const bool beams = scenario.joint.model == JointModel::beam;  // which have no Σ
+    for (const double cfm : beams ? std::vector<double>{NAN} : options.cfm) {
+        if (!beams) scenario.joint.cfm = cfm;
+        for (const std::string& word : options.loads) {
+            const BeamLoad load = load_of(word);
+            // Shear and compression act on one element; a longer beam would only bend or transmit them.
+            const std::vector<int> lengths = load == BeamLoad::bending ? options.elements : std::vector<int>{1};
+            for (const int elements : lengths) {
+                const BeamTest test{
+                    .load = load, .elements = elements, .floating = options.floating && load == BeamLoad::bending};
+                const double elastic = test.floating
+                                           ? floating_cantilever_factor(options.moduli.front() * unit::megapascal,
+                                                                        elements * scenario.floe.element,
+                                                                        scenario.floe.thickness, foundation)
+                                           : 1.0;
+                rows.push_back({cfm, measure_beam_strength(scenario, test), elastic});
+            }
+        }
+    }
+    return rows;
+}
+
+Section section_of(const std::vector<Row>& rows, bool floating) {
+    const auto mode_of = [](const Row& row) { return failure_mode_names.at(static_cast<std::size_t>(row.shown.mode)); };
+    Table table{{"Σ", "mode", "length, m", "load, N", "strength, kPa", "set, kPa", "shown/set"}};
+    if (floating) table.front().emplace_back("elastic beam");
+    for (const Row& row : rows) {
+        table.push_back({std::isnan(row.cfm) ? "beam" : fmt::format("{:.4g}", row.cfm), mode_of(row),
+                         fmt::format("{:.3g}", row.shown.length), fmt::format("{:.4g}", row.shown.load),
+                         fixed(row.shown.strength / unit::kilopascal, 2), fixed(row.shown.set / unit::kilopascal, 2),
+                         fixed(row.shown.strength / row.shown.set, 3)});
+        if (floating) table.back().emplace_back(fixed(row.elastic, 3));
+    }
+    return {.table = std::move(table),
+            .records = {
+                make_rows<Row>("rows", rows,
+                               {{"mode", mode_of},
+                                {"cfm", &Row::cfm},
+                                {"length_m", [](const Row& row) { return row.shown.length; }},
+                                {"load_N", [](const Row& row) { return row.shown.load; }},
+                                {"strength_kPa", [](const Row& row) { return row.shown.strength / unit::kilopascal; }},
+                                {"set_kPa", [](const Row& row) { return row.shown.set / unit::kilopascal; }},
+                                {"joint", [](const Row& row) { return row.shown.joint; }},
+                                {"elastic_foundation_ratio", &Row::elastic}})}};
+}
+
+struct StiffnessRow {
+    double modulus;  ///< MPa
+    int elements;
+    BeamStiffness shown;
+};
+
+std::vector<StiffnessRow> measure_stiffness(const CantileverOptions& options) {
+    const Scenario scenario = base_scenario(options);
+    std::vector<StiffnessRow> rows;
+    for (const double modulus : options.moduli) {
+        const Scenario beam = with_beam_joints(scenario, modulus * unit::megapascal);
+        for (const int elements : options.elements) {
+            rows.push_back({modulus, elements, measure_beam_stiffness(beam, elements)});
+        }
+    }
+    return rows;
+}
+
+Section stiffness_section(const std::vector<StiffnessRow>& rows) {
+    Table table{{"E, MPa", "elements", "deflection, mm", "elastic, mm", "shown/elastic", "frequency, 1/s",
+                 "elastic, 1/s", "shown/elastic"}};
+    for (const auto& [modulus, elements, shown] : rows) {
+        table.push_back({fmt::format("{:g}", modulus), fmt::format("{}", elements), fixed(1e3 * shown.deflection, 4),
+                         fixed(1e3 * shown.elastic_deflection, 4),
+                         fixed(shown.deflection / shown.elastic_deflection, 4), fixed(shown.frequency, 3),
+                         fixed(shown.elastic_frequency, 3), fixed(shown.frequency / shown.elastic_frequency, 4)});
+    }
+    return {.table = std::move(table),
+            .records = {make_rows<StiffnessRow>(
+                "rows", rows,
+                {{"elastic_modulus_MPa", &StiffnessRow::modulus},
+                 {"elements", &StiffnessRow::elements},
+                 {"deflection_m", [](const StiffnessRow& row) { return row.shown.deflection; }},
+                 {"elastic_deflection_m", [](const StiffnessRow& row) { return row.shown.elastic_deflection; }},
+                 {"frequency_1_per_s", [](const StiffnessRow& row) { return row.shown.frequency; }},
+                 {"elastic_frequency_1_per_s", [](const StiffnessRow& row) { return row.shown.elastic_frequency; }}})}};
+}
+
+}  // namespace
+
+void add_cantilever(Verb& laboratory) {
+    auto options = std::make_shared<CantileverOptions>();
+    Verb verb =
+        laboratory.inner("cantilever", "Measured strength of a numerical beam, compared with its input strength");
+    Option config = verb.option("config", options->config,
+                                "Test the ice of this configuration's first case; default: the paper's ice");
+    add_overrides(verb, options->overrides).needs(config);
+    verb.option("--cfm", options->cfm, "Values of Σ, comma-separated").comma_separated().shows_default();
+    verb.option("--elements", options->elements, "Lengths of the beam in elements, comma-separated")
+        .comma_separated()
+        .within(1, 100)
+        .shows_default();
+    verb.option("--load", options->loads, "bending, shear, compression, comma-separated")
+        .comma_separated()
+        .one_of({"bending", "shear", "compression"});
+    Option floating =
+        verb.flag("--floating", options->floating, "Bend a floating beam (lifted at its tip) instead of a dry one");
+    verb.flag("--stiffness", options->stiffness,
+              "Instead: how far a strip with beam joints bends, and how it swings, beside the closed form")
+        .excludes(floating);
+    verb.option("--modulus-MPa", options->moduli,
+                "Modulus of the elastic beam on a foundation used for comparison; with --stiffness moduli of the "
+                "beam joints, comma-separated")
+        .comma_separated()
+        .shows_default();
+    add_format(verb, options->format);
+    verb.footer(
+        "The beam is one element wide and clamped at one end. Bending: strength = 6 P L/(b h²), L from the load to "
+        "the\n"
+        "failing joint. With --stiffness: dry, the load at the middle of the last element. Shear and compression: P/(b "
+        "h), or P/(b h²) with paper.threshold_form = \"as_printed\".");
+    verb.runs([options] {
+        const Section section = options->stiffness ? stiffness_section(measure_stiffness(*options))
+                                                   : section_of(measure(*options), options->floating);
+        std::fputs(written({section}, options->format).c_str(), stdout);
+        return 0;
+    });
+}
+
+// floes laboratory plate: the plate-deflection test. Σ to E as in Fig. 2, and back.
+
+namespace {
+
+/// An empty list stands for the configuration's value; every combination of given values is measured.
+struct PlateOptions {
+    std::string config;
+    std::vector<std::string> overrides;
+    std::vector<double> sheets{5.4, 2.8, 2.6};
+    std::vector<double> cfm{1e-10, 0.016, 0.03};
+    std::vector<double> moduli{200, 60, 30};
+    std::vector<double> elements;
+    std::vector<double> thicknesses;
+    std::vector<double> time_steps;
+    std::vector<double> erps;
+    std::vector<int> iterations;
+    double load = PlateTest{}.load;
+    double modulus = 0;
+    std::string format = "table";
+};
+
+/// Without a configuration: the paper's ice as a plate of 0.030 m, as tested in its Fig. 2.
+Scenario base_scenario(const PlateOptions& options) {
+    if (!options.config.empty()) return load_campaign(options.config, options.overrides).cases.front().scenario;
+    Scenario scenario = paper_scenario();
+    scenario.floe.thickness = 0.030;
+    return scenario;
+}
+
+/// One plan for each existing plan and each value of the list.
+template <class Value, class Set>
+void vary(std::vector<PointPlan>& plans, const std::vector<Value>& values, Set set) {
+    if (values.empty()) return;
+    std::vector<PointPlan> varied;
+    for (const PointPlan& plan : plans) {
+        for (const Value& value : values) {
+            varied.push_back(plan);
+            set(varied.back(), value);
+        }
+    }
+    plans = std::move(varied);
+}
+
+/// Sheets with both kinds of joints: stiffness by Σ, and beams of a given modulus.
+std::vector<PointPlan> make_plans(const PlateOptions& options) {
+    std::vector<PointPlan> plans{{base_scenario(options), {.load = options.load}}};
+    vary(plans, options.elements, [](PointPlan& plan, double value) { plan.scenario.floe.element = value; });
+    vary(plans, options.thicknesses, [](PointPlan& plan, double value) { plan.scenario.floe.thickness = value; });
+    vary(plans, options.time_steps, [](PointPlan& plan, double value) { plan.scenario.general.time_step = value; });
+    vary(plans, options.erps, [](PointPlan& plan, double value) { plan.scenario.joint.erp = value; });
+    vary(plans, options.iterations, [](PointPlan& plan, int value) { plan.scenario.general.iterations = value; });
+    vary(plans, options.sheets, [](PointPlan& plan, double value) { plan.test.sheet = value; });
+    std::vector<PointPlan> beams = options.moduli.empty() ? std::vector<PointPlan>{} : plans;
+    vary(beams, options.moduli, [](PointPlan& plan, double value) {
+        plan.scenario = with_beam_joints(plan.scenario, value * unit::megapascal);
+    });
+    for (PointPlan& plan : plans) plan.scenario.joint.model = JointModel::cfm;
+    if (options.cfm.empty() && !options.moduli.empty()) plans.clear();
+    vary(plans, options.cfm, [](PointPlan& plan, double value) { plan.scenario.joint.cfm = value; });
+    plans.insert(plans.end(), beams.begin(), beams.end());
+    return plans;
+}
+
+std::string model_word(const CurvePoint& point) {
+    return point.model == JointModel::beam ? "beam" : "cfm";
+}
+
+Section curve_section(const std::vector<CurvePoint>& curve) {
+    Table table{{"joints", "sheet, m", "element, m", "thickness, m", "Δt, s", "Γ", "iterations", "Σ", "E set, MPa",
+                 "dP/dw, N/m", "E (patch), MPa", "E (point), MPa"}};
+    const auto number = [](double value) { return fmt::format("{:.4g}", value); };
+    for (const CurvePoint& p : curve) {
+        const bool beam = p.model == JointModel::beam;
+        table.push_back({model_word(p), number(p.sheet), number(p.element), number(p.thickness), number(p.time_step),
+                         beam ? "" : number(p.erp), beam ? "" : fmt::format("{}", p.iterations),
+                         beam ? "" : number(p.cfm), beam ? number(p.set_modulus / unit::megapascal) : "",
+                         fixed(p.slope, 0), fixed(p.elastic_modulus / unit::megapascal, 1),
+                         fixed(p.elastic_modulus_point / unit::megapascal, 1)});
+    }
+    using Point = const CurvePoint&;
+    return {
+        .table = std::move(table),
+        .records = {make_rows<CurvePoint>(
+            "curve", curve,
+            {{"joint_model", [](Point row) { return model_word(row); }},
+             {"sheet_m", &CurvePoint::sheet},
+             {"element_m", &CurvePoint::element},
+             {"thickness_m", &CurvePoint::thickness},
+             {"time_step_s", &CurvePoint::time_step},
+             {"erp", &CurvePoint::erp},
+             {"iterations", &CurvePoint::iterations},
+             {"cfm", &CurvePoint::cfm},
+             {"set_modulus_MPa",
+              [](Point row) { return row.model == JointModel::beam ? row.set_modulus / unit::megapascal : NAN; }},
+             {"slope_N_per_m", &CurvePoint::slope},
+             {"elastic_modulus_MPa", [](Point row) { return row.elastic_modulus / unit::megapascal; }},
+             {"elastic_modulus_point_MPa", [](Point row) { return row.elastic_modulus_point / unit::megapascal; }}})}};
+}
+
+/// The ice for which Σ is sought. Throws InputError if the lists describe several.
+PointPlan plan_of_inverse(PlateOptions options) {
+    options.sheets.resize(1);
+    options.cfm.clear();
+    options.moduli.clear();
+    const std::vector<PointPlan> plans = make_plans(options);
+    if (plans.size() == 1) return plans.front();
+    throw InputError(
+        fmt::format("--modulus-MPa finds the Σ of one ice, but the given lists make {}; give one element size, "
+                    "thickness, time step, Γ and number of iterations each.",
+                    plans.size()));
+}
+
+std::string inverse_text(const PlateOptions& options) {
+    const PointPlan plan = plan_of_inverse(options);
+    const Calibration found = calibrate_cfm(plan.scenario, plan.test, options.modulus * unit::megapascal);
+    Section section = curve_section(found.curve);
+    section.records.insert(
+        section.records.begin(),
+        make_object<Calibration>(
+            "", found,
+            {{Names{"", "elastic_modulus_MPa"}, [&](const Calibration&) { return options.modulus; }},
+             {Names{"", "cfm"}, &Calibration::cfm},
+             {Names{"", "ceiling_MPa"}, [](const Calibration& one) { return one.ceiling / unit::megapascal; }}}));
+    section.after = fmt::format("\nΣ = {:.4g} shows {:g} MPa (the ceiling of these iterations is {:.4g} MPa)\n",
+                                found.cfm, options.modulus, found.ceiling / unit::megapascal);
+    return written({section}, options.format);
+}
+
+std::string curve_text(const PlateOptions& options) {
+    return written({curve_section(measure_curve(make_plans(options)))}, options.format);
+}
+
+}  // namespace
+
+void add_plate(Verb& laboratory) {
+    auto options = std::make_shared<PlateOptions>();
+    Verb verb = laboratory.inner(
+        "plate",
+        "Elastic modulus of the numerical ice over Σ, Γ, Δt, iterations and element size (plate deflection, Fig. 2), "
+        "and of ice with beam joints");
+    const auto list = [&](const char* name, auto& values, const char* help) {
+        verb.option(name, values, help).comma_separated();
+    };
+    Option config = verb.option("config", options->config,
+                                "Test the ice of this configuration's first case; default: the paper's plate");
+    add_overrides(verb, options->overrides).needs(config);
+    list("--sheet-m", options->sheets, "Sides of the square sheet, m");
+    const Option cfm = verb.option("--cfm", options->cfm, "Values of Σ, joint.model = \"cfm\"").comma_separated();
+    const Option beams =
+        verb.option("--beam-MPa", options->moduli, "Moduli of beam joints, joint.model = \"beam\", solved exactly")
+            .comma_separated();
+    list("--element-m", options->elements, "Element sizes L_e, m");
+    list("--thickness-m", options->thicknesses, "Thicknesses, m");
+    list("--time-step-s", options->time_steps, "Time steps Δt, s");
+    list("--erp", options->erps, "Values of Γ");
+    list("--iterations", options->iterations, "Numbers of Gauss-Seidel sweeps");
+    verb.option("--load-N", options->load, "Largest load on the centre, N").shows_default();
+    const Option modulus = verb.option("--modulus-MPa", options->modulus,
+                                       "Inverse calibration: find the Σ that shows this modulus on the first sheet")
+                               .excludes(cfm)
+                               .excludes(beams);
+    add_format(verb, options->format);
+    verb.footer(
+        "Lists are comma-separated and every combination is measured. Without arguments: the paper's Σ on sheets of\n"
+        "5.4, 2.8 and 2.6 m, and beam joints of 200, 60 and 30 MPa. E (patch) assumes that the load is spread over "
+        "the\n"
+        "loaded elements, which is right for joints that follow Σ; E (point) a point load, which is right for beams "
+        "from\n"
+        "centre to centre (docs/ice.md).\n\n"
+        "  floes laboratory plate --sheet-m 2.6 --cfm 1e-10 --iterations 10,50,100   the ceiling set by the "
+        "iterations\n"
+        "  floes laboratory plate --sheet-m 5.1 --element-m 0.3,0.1 --beam-MPa 60    beam joints, whatever the "
+        "element\n"
+        "  floes laboratory plate table3.toml --modulus-MPa 60                       Σ for an ice of 60 MPa");
+    verb.runs([options, cfm, beams, modulus] {
+        // If only one of the two is given, only sheets with these joints are measured.
+        if (cfm.given() && !beams.given()) options->moduli.clear();
+        if (beams.given() && !cfm.given()) options->cfm.clear();
+        const bool inverse = modulus.given();
+        std::fputs((inverse ? inverse_text(*options) : curve_text(*options)).c_str(), stdout);
+        return 0;
+    });
+}
+
+// floes laboratory: the numerical ice tested by itself, without a tow.
 
 void add_laboratory(CommandLine& line) {
     Verb verb = line.verb("laboratory", "Test the numerical ice by itself: its elastic modulus, its strength");

@@ -8,7 +8,7 @@
 
 #include "cli/commands.hpp"
 #include "core/error.hpp"
-#include "wire/open_link.hpp"
+#include "run/link.hpp"
 
 namespace {
 

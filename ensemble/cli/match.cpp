@@ -16,18 +16,15 @@
 
 #include "campaign/write.hpp"
 #include "cli/commands.hpp"
-#include "cli/config_file.hpp"
-#include "cli/given_file.hpp"
+#include "cli/config.hpp"
+#include "cli/files.hpp"
 #include "cli/terminal.hpp"
-#include "cli/waiting_note.hpp"
-#include "cli/write_page.hpp"
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "core/units.hpp"
-#include "core/wording.hpp"
 #include "match/match_sections.hpp"
-#include "match/next_wave.hpp"
+#include "match/matching.hpp"
 #include "match/predict.hpp"
-#include "match/predict_design_load.hpp"
 #include "page/match_page.hpp"
 
 namespace floes {

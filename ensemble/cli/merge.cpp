@@ -9,13 +9,13 @@
 
 #include <fmt/format.h>
 
-#include "campaign_file/read_campaign_file.hpp"
+#include "campaign_file/read.hpp"
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
-#include "cli/verify_file.hpp"
-#include "core/wording.hpp"
-#include "driver/merge.hpp"
-#include "findings/summary_section.hpp"
+#include "cli/verify.hpp"
+#include "core/text.hpp"
+#include "findings/cases.hpp"
+#include "run/merge.hpp"
 
 namespace floes {
 

@@ -1,23 +1,32 @@
-// floes new: the configuration that a first campaign begins with.
-
 #include <fcntl.h>
-#include <fmt/format.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include <fmt/format.h>
+
+#include "campaign/variations.hpp"
 #include "cli/commands.hpp"
-#include "cli/starter.hpp"
+#include "cli/config.hpp"
 #include "core/descriptor.hpp"
 #include "core/error.hpp"
-#include "records/file_calls.hpp"
+#include "store/file_calls.hpp"
+
+// floes new: the configuration that a first campaign begins with.
 
 namespace floes {
+
+/// A file of ensemble/cli/starters by its name, as it was when the program was built.
+std::optional<std::string_view> starter(std::string_view name);
+
 namespace {
 
 struct NewOptions {
@@ -27,10 +36,15 @@ struct NewOptions {
     bool paper = false;
 };
 
-Starter starter_of(const NewOptions& options) {
-    if (options.full_scale) return Starter::full_scale;
-    if (options.design) return Starter::design;
-    return options.paper ? Starter::paper : Starter::tank;
+/// The text of the configuration `name`, which floes config --check accepts.
+std::string text_of(const NewOptions& options, const std::string& name) {
+    const char* file = options.full_scale ? "full_scale.toml"
+                       : options.design   ? "design.toml"
+                       : options.paper    ? "paper.toml"
+                                          : "tank.toml";
+    std::string text{starter(file).value()};
+    constexpr std::string_view placeholder = "CONFIG.toml";
+    return text.replace(text.find(placeholder), placeholder.size(), name);
 }
 
 /// Makes the file; one that exists is never touched.
@@ -48,7 +62,7 @@ int make(const NewOptions& options) {
     const std::filesystem::path path = options.file;
     if (path.extension() != ".toml")
         throw InputError(fmt::format("{} is to be a configuration, whose name ends with .toml.", options.file));
-    write_new(path, starter_text(starter_of(options), path.filename().string()));
+    write_new(path, text_of(options, path.filename().string()));
     std::printf("%s\n", options.file.c_str());
     const std::string result = std::filesystem::path(path).replace_extension(".h5").filename().string();
     fmt::print(stderr, "floes: edit it, then floes run {0}, and floes summarize {1}\n", options.file, result);
@@ -68,6 +82,40 @@ void add_new(CommandLine& line) {
     design.excludes(full_scale);
     paper.excludes(full_scale).excludes(design);
     verb.runs([options] { return make(*options); });
+}
+
+// floes vary: the configuration of a study that varies what the model leaves open, one input at a time.
+
+namespace {
+
+struct VaryOptions {
+    std::string file;
+    std::string case_name;
+    std::vector<std::string> overrides;
+};
+
+int vary(const VaryOptions& options) {
+    const Campaign campaign = load_campaign(options.file, options.overrides);
+    std::fputs(variations_text(campaign, chosen_case(campaign, options.case_name)).c_str(), stdout);
+    return 0;
+}
+
+}  // namespace
+
+void add_vary(CommandLine& line) {
+    auto options = std::make_shared<VaryOptions>();
+    Verb verb = line.verb("vary", "Write a study of what the model leaves open: friction, strength, water, channel");
+    verb.option("config", options->file, "The configuration (CONFIG.toml)").required();
+    verb.option("--case", options->case_name, "The case to vary, if there are several");
+    verb.option("--set", options->overrides, "key=value: override a key of the file; may be repeated");
+    verb.footer(
+        "The study goes to standard output. It has the case as it is and some fifteen others, each with one input\n"
+        "changed as far as it is usually unknown; edit it as you know better. Eight arrangements and more say "
+        "something.\n\n"
+        "  floes vary my.toml --set campaign.arrangements=12 > varied.toml\n"
+        "  floes run varied.toml\n"
+        "  floes summarize varied.h5 --parts model");
+    verb.runs([options] { return vary(*options); });
 }
 
 }  // namespace floes

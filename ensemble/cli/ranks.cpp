@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "wire/mpi_link.hpp"
+#include "run/link.hpp"
 
 namespace floes {
 

@@ -13,19 +13,18 @@
 
 #include "campaign/advice.hpp"
 #include "cli/commands.hpp"
-#include "cli/config_file.hpp"
+#include "cli/config.hpp"
+#include "cli/files.hpp"
 #include "cli/ranks.hpp"
-#include "cli/shell_words.hpp"
 #include "cli/terminal.hpp"
 #include "core/error.hpp"
-#include "core/wording.hpp"
-#include "driver/calibrate_campaign.hpp"
-#include "driver/plate_moduli.hpp"
-#include "driver/run_campaign.hpp"
-#include "driver/signals.hpp"
-#include "driver/worker.hpp"
-#include "findings/overview_section.hpp"
-#include "wire/open_link.hpp"
+#include "core/text.hpp"
+#include "findings/answer.hpp"
+#include "run/calibrate.hpp"
+#include "run/link.hpp"
+#include "run/run_campaign.hpp"
+#include "run/signals.hpp"
+#include "run/worker.hpp"
 
 namespace floes {
 

@@ -1,18 +1,182 @@
 // floes verify: whether campaign files, records and journals are as they were written.
 
-#include <fmt/format.h>
+#include "cli/verify.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <fstream>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "campaign_file/campaign_file.hpp"
 #include "cli/commands.hpp"
-#include "cli/verify_file.hpp"
+#include "cli/files.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "hdf5/verify.hpp"
+#include "replay/recording.hpp"
+#include "run/link.hpp"
+#include "solver/lane_width.hpp"
+#include "store/journal.hpp"
+#include "store/session.hpp"
 #include "tables/data_rows.hpp"
 
 namespace floes {
+
+namespace {
+
+constexpr std::size_t most_told = 20;  // members in a sentence
+
+/// One without a fault.
+FileVerdict verdict_on(const std::filesystem::path& path, const char* kind) {
+    FileVerdict verdict;
+    verdict.file = path.string();
+    verdict.kind = kind;
+    return verdict;
+}
+
+std::string first_bytes(const std::filesystem::path& path, std::size_t count) {
+    std::ifstream in(path, std::ios::binary);
+    std::string bytes(count, '\0');
+    in.read(bytes.data(), static_cast<std::streamsize>(count));
+    bytes.resize(static_cast<std::size_t>(in.gcount()));
+    return bytes;
+}
+
+std::string members_text(const std::set<std::size_t>& members) {
+    if (members.size() > most_told) return counted(static_cast<std::int64_t>(members.size()), "member");
+    return fmt::format("{} {}", members.size() == 1 ? "member" : "members", fmt::join(members, ", "));
+}
+
+/// Which results of a damaged campaign file are still good.
+std::string whole_members(const hdf5::FileCheck& check) {
+    std::set<std::size_t> lost;
+    bool only_provenance = check.fault.empty();
+    bool only_rows = check.fault.empty();
+    for (const hdf5::DamagedDataset& one : check.damaged) {
+        if (one.path.starts_with("/provenance/")) continue;
+        only_provenance = false;
+        only_rows = only_rows && one.by_rows && !one.rows.empty();
+        lost.insert(one.rows.begin(), one.rows.end());
+    }
+    if (only_provenance) return "The results of all members are whole.";
+    if (only_rows) return fmt::format("What is damaged is of {}; all other members are whole.", members_text(lost));
+    return "It does not show which members are whole, so no number of it should be used.";
+}
+
+/// The bytes behind the last whole record of a journal.
+void judge_tail(const std::filesystem::path& path, const JournalContents& contents, FileVerdict& verdict) {
+    if (contents.torn_bytes == 0) return;
+    if (is_being_written(path)) {
+        verdict.notes.push_back("A run is writing it.");
+        return;
+    }
+    if (journal_format::tail_is_torn(path, contents)) {
+        verdict.notes.push_back(
+            fmt::format("Its last {} bytes are a record that was begun and never finished, as a killed run leaves it; "
+                        "--resume cuts them off.",
+                        contents.torn_bytes));
+        return;
+    }
+    verdict.faults.push_back(fmt::format("Its last {} bytes are damaged.", contents.torn_bytes));
+}
+
+FileVerdict verify_journal(const std::filesystem::path& path) {
+    FileVerdict verdict = verdict_on(path, "journal");
+    try {
+        return judge_journal(path, read_journal(path));
+    } catch (const journal_format::NewerJournal& error) {
+        verdict.faults.push_back(error.what());
+        verdict.state = FileState::newer;
+    } catch (const std::runtime_error& error) {
+        verdict.faults.push_back(error.what());
+        verdict.remedy = "Restore it from a copy.";
+        verdict.state = FileState::damaged;
+    }
+    return verdict;
+}
+
+/// How to make the campaign file anew.
+std::string campaign_remedy(const std::filesystem::path& path) {
+    const std::filesystem::path journal = journal_path(path);
+    const std::string otherwise = "restore it from a copy, or compute it again.";
+    if (!std::filesystem::exists(journal)) return fmt::format("There is no journal beside it: {}", otherwise);
+    const FileVerdict beside = verify_journal(journal);
+    if (beside.counts.empty()) return fmt::format("Its journal is damaged as well: {}", otherwise);
+    return fmt::format(
+        "floes run CONFIG.toml -o {} --resume makes it anew from its journal{}.", path.string(),
+        beside.state == FileState::good ? ", which is whole" : ", and computes again what is damaged there");
+}
+
+void verify_hdf5(const std::filesystem::path& path, FileVerdict& verdict) {
+    constexpr std::array filetypes{campaign_kind.filetype, recording_kind.filetype};
+    const hdf5::FileCheck check = hdf5::check_file(path, filetypes);
+    const bool is_recording = check.filetype == recording_kind.filetype;
+    if (check.filetype == campaign_kind.filetype || is_recording)
+        verdict.kind = is_recording ? "recording" : "campaign file";
+    if (verdict.kind.empty() && check.fault.empty()) {
+        verdict.state = FileState::not_of_floes;
+        verdict.faults.push_back("It is an HDF5 file, but neither a campaign nor a recording of floes.");
+        return;
+    }
+    verdict.counts = counted(static_cast<std::int64_t>(check.datasets), "dataset");
+    verdict.digest = check.contents;
+    if (!check.has_digests && check.fault.empty())
+        verdict.notes.push_back(fmt::format(
+            "Layout {} carries no digests: what HDF5 itself checks is whole, but a changed number would not show.",
+            check.version));
+    if (check.good()) return;
+    verdict.state = FileState::damaged;
+    if (!check.fault.empty()) verdict.faults.push_back(fmt::format("The file: {}.", check.fault));
+    if (!check.between.empty())
+        verdict.faults.push_back(fmt::format("Outside all that is stored in it, {}.", check.between));
+    for (const hdf5::DamagedDataset& one : check.damaged)
+        verdict.faults.push_back(fmt::format(
+            "{}{}.", one.fault, one.rows.empty() ? "" : fmt::format("; rows {}", fmt::join(one.rows, ", "))));
+    if (!is_recording) verdict.whole = whole_members(check);
+    verdict.remedy = is_recording ? "Remove it; floes replay makes it anew." : campaign_remedy(path);
+}
+
+}  // namespace
+
+FileVerdict judge_journal(const std::filesystem::path& path, const JournalContents& contents) {
+    FileVerdict verdict = verdict_on(path, "journal");
+    verdict.counts = fmt::format("{}, {}", counted(static_cast<std::int64_t>(contents.members.size()), "member"),
+                                 counted(std::ssize(contents.sessions), "session"));
+    if (contents.damaged_bytes > 0)
+        verdict.faults.push_back(fmt::format("{} bytes inside it belong to no whole record.", contents.damaged_bytes));
+    judge_tail(path, contents, verdict);
+    if (verdict.faults.empty()) return verdict;
+    verdict.state = FileState::damaged;
+    verdict.whole =
+        fmt::format("{} in it are whole.", counted(static_cast<std::int64_t>(contents.members.size()), "member"));
+    verdict.remedy = "floes run with --resume keeps these, and computes the members in the damaged parts again.";
+    return verdict;
+}
+
+FileVerdict verify_file(const std::filesystem::path& path) {
+    if (first_bytes(path, journal_format::magic.size()) == journal_format::magic) return verify_journal(path);
+    FileVerdict verdict = verdict_on(path, "");
+    if (const GivenFile kind = given_file(path); kind == GivenFile::text || kind == GivenFile::other) {
+        verdict.state = FileState::not_of_floes;
+        verdict.faults.emplace_back("It is neither a campaign file, nor a recording, nor a journal of floes.");
+        return verdict;
+    }
+    try {
+        verify_hdf5(path, verdict);
+    } catch (const InputError& error) {
+        verdict.state = FileState::not_of_floes;
+        verdict.faults.push_back(error.what());
+    }
+    return verdict;
+}
+
 namespace {
 
 constexpr const char* state_words[]{"good", "damaged", "not of floes", "of a newer floes"};
@@ -79,6 +243,18 @@ void add_verify(CommandLine& line) {
         "Exit status: 0 all good, 1 one is damaged, 2 none is damaged but one is no file of floes, or of a\nnewer "
         "one.");
     verb.runs([options] { return verify(options->files, options->format); });
+}
+
+// floes --version: what this program is, and what it was built with.
+
+std::string version_text() {
+    std::string text = fmt::format("floes {}\n", floes_version());
+    std::vector<Software> parts = built_with();
+    parts.push_back({"mpi", library_version()});
+    for (const Software& part : parts) {
+        if (part.name != "floes") text += fmt::format("{}: {}\n", part.name, part.version);
+    }
+    return text + fmt::format("lane_widths: {}", fmt::join(lane_widths(), ", "));  // whoever prints it ends the line
 }
 
 }  // namespace floes

@@ -1,5 +1,5 @@
 """The quantities that summary() shows, with the ranges that their intervals are cut to, as
-src/quantities/quantity.hpp lists them. Their units and long names stand in the file. A test compares the result with
+src/member/quantity.hpp lists them. Their units and long names stand in the file. A test compares the result with
 `floes summarize`."""
 
 from collections.abc import Iterable
@@ -11,8 +11,7 @@ from math import inf
 class Quantity:
     """A single number of a member."""
 
-    key: str  # column of Campaign.members
-    name: str  # in JSON and CSV of `floes summarize`
+    key: str  # column of Campaign.members, and its name in JSON and CSV of `floes summarize`
     least: float = 0
     most: float = inf
     positive: bool = False  # ranges of single runs are taken on a logarithmic scale
@@ -20,23 +19,23 @@ class Quantity:
 
 
 IN_SUMMARY = [
-    Quantity("mean_load", "mean_N", least=-inf),
-    Quantity("sd_load", "sd_N", averaged=True),
-    Quantity("maximum_load", "maximum_N", least=-inf, positive=True),
-    Quantity("mean_maximum", "mean_maximum_N", least=-inf, positive=True, averaged=True),
-    Quantity("sd_maximum", "sd_maximum_N", averaged=True),
-    Quantity("failure_ratio", "failure_ratio", most=1),
-    Quantity("split_ratio", "split_ratio", most=1),
-    Quantity("cracked_ratio", "cracked_ratio", most=1),
-    Quantity("pieces", "pieces_per_run"),
-    Quantity("failures_bending", "failures_bending_per_run"),
-    Quantity("failures_shear", "failures_shear_per_run"),
-    Quantity("failures_compression", "failures_compression_per_run"),
-    Quantity("failures_tension", "failures_tension_per_run"),
-    Quantity("failures_torsion", "failures_torsion_per_run"),
-    Quantity("failures_in_plane_bending", "failures_in_plane_bending_per_run"),
-    Quantity("local_order", "local_order", least=-1, most=1),
-    Quantity("coverage_ahead", "coverage_ahead", most=1),
+    Quantity("mean_load", least=-inf),
+    Quantity("sd_load", averaged=True),
+    Quantity("maximum_load", least=-inf, positive=True),
+    Quantity("mean_maximum", least=-inf, positive=True, averaged=True),
+    Quantity("sd_maximum", averaged=True),
+    Quantity("failure_ratio", most=1),
+    Quantity("split_ratio", most=1),
+    Quantity("cracked_ratio", most=1),
+    Quantity("pieces"),
+    Quantity("failures_bending"),
+    Quantity("failures_shear"),
+    Quantity("failures_compression"),
+    Quantity("failures_tension"),
+    Quantity("failures_torsion"),
+    Quantity("failures_in_plane_bending"),
+    Quantity("local_order", least=-1, most=1),
+    Quantity("coverage_ahead", most=1),
 ]
 
 
@@ -51,5 +50,5 @@ def with_times(averaging_times: Iterable[float]) -> list[Quantity]:
     for one in IN_SUMMARY:
         made.append(one)
         for time in averaging_times if one.averaged else ():
-            made.append(replace(one, key=over(one.key, time), name=over(one.name.removesuffix("_N"), time) + "_N"))
+            made.append(replace(one, key=over(one.key, time)))
     return made

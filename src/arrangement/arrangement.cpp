@@ -9,18 +9,14 @@
 #include <optional>
 #include <span>
 
-#include "arrangement/cell_field.hpp"
 #include "arrangement/check.hpp"
 #include "arrangement/endless_field.hpp"
-#include "arrangement/hard_polygons.hpp"
-#include "arrangement/jittered_lattice.hpp"
 #include "arrangement/order.hpp"
 #include "arrangement/sampler.hpp"
 #include "arrangement/scattered.hpp"
-#include "arrangement/starts.hpp"
+#include "core/digest.hpp"
 #include "core/error.hpp"
-#include "core/hash.hpp"
-#include "scenario/sizes.hpp"
+#include "scenario/floes.hpp"
 
 namespace floes {
 

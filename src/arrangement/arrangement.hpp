@@ -1,5 +1,5 @@
 #pragma once
-// The entry point of the room: the poses of all floes at t = 0.
+// The entry point of the module: the poses of all floes at t = 0.
 //
 //   scenario, campaign seed, arrangement number -> make_arrangement -> poses and their order
 //

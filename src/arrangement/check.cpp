@@ -8,9 +8,9 @@
 #include <limits>
 #include <utility>
 
-#include "arrangement/cells.hpp"
+#include "arrangement/crowd.hpp"
 #include "core/error.hpp"
-#include "outline/distance.hpp"
+#include "shapes/polygon.hpp"
 
 namespace floes {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "arrangement/boundary.hpp"
+#include "arrangement/crowd.hpp"
 #include "scenario/floes.hpp"
 #include "scenario/scenario.hpp"
 

@@ -1,4 +1,246 @@
 #pragma once
+// Rectangles on the water and whether two of them overlap: the separating-axis test. Two convex polygons are disjoint
+// exactly if their projections on the normal of one of their sides are; here there are four directions.
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/turn.hpp"
+#include "core/vector.hpp"
+
+namespace floes {
+
+/// Half the sides of a rectangle, m: length along its own x, breadth along its own z.
+struct Rectangle {
+    double half_length = 0;
+    double half_breadth = 0;
+
+    /// The same with every side moved outward by margin (m).
+    Rectangle grown(double margin) const { return {half_length + margin, half_breadth + margin}; }
+    friend bool operator==(const Rectangle&, const Rectangle&) = default;
+    double half_diagonal() const { return std::sqrt(half_length * half_length + half_breadth * half_breadth); }
+};
+
+/// Half the extent of a turned rectangle along world x and z, m.
+struct Extent {
+    double x = 0;
+    double z = 0;
+};
+
+inline Extent extent(const Rectangle& shape, Turn turn) {
+    const double c = std::abs(turn.cos);
+    const double s = std::abs(turn.sin);
+    return {shape.half_length * c + shape.half_breadth * s, shape.half_length * s + shape.half_breadth * c};
+}
+
+/// The own x and z axes of a turned rectangle in the world's (x, z), of length 1.
+inline Vec2 along(Turn turn) {
+    return {turn.cos, -turn.sin};
+}
+inline Vec2 across(Turn turn) {
+    return {turn.sin, turn.cos};
+}
+
+/// From the middle of a turned rectangle to its corner that lies farthest along direction, m.
+inline Vec2 corner(const Rectangle& shape, Turn turn, const Vec2& direction) {
+    const Vec2 a = along(turn);
+    const Vec2 b = across(turn);
+    return std::copysign(shape.half_length, direction.dot(a)) * a +
+           std::copysign(shape.half_breadth, direction.dot(b)) * b;
+}
+
+/// A rectangle and how it is turned.
+struct TurnedRectangle {
+    Rectangle shape;
+    Turn turn;
+};
+
+/// Half the widths of two rectangles together, along the own x and z of the first: they are apart exactly if their
+/// centres are at least so far apart along one of these directions, or of those of the second.
+inline Extent joint_extent(const TurnedRectangle& first, const TurnedRectangle& second) {
+    const double cos_between = std::abs(first.turn.cos * second.turn.cos + first.turn.sin * second.turn.sin);
+    const double sin_between = std::abs(first.turn.cos * second.turn.sin - first.turn.sin * second.turn.cos);
+    return {
+        first.shape.half_length + second.shape.half_length * cos_between + second.shape.half_breadth * sin_between,
+        first.shape.half_breadth + second.shape.half_length * sin_between + second.shape.half_breadth * cos_between};
+}
+
+/// Whether two rectangles overlap. The second lies at (dx, dz) from the first (m). Touching is not overlap. A
+/// rectangle turned by yaw about +y has its own x axis along (cos yaw, -sin yaw) of the world's (x, z).
+inline bool overlap(const TurnedRectangle& first, const TurnedRectangle& second, double dx, double dz) {
+    const auto apart_along = [&](const TurnedRectangle& own, const TurnedRectangle& other) {
+        const Extent reach = joint_extent(own, other);
+        return std::abs(own.turn.cos * dx - own.turn.sin * dz) >= reach.x ||
+               std::abs(own.turn.sin * dx + own.turn.cos * dz) >= reach.z;
+    };
+    return !apart_along(first, second) && !apart_along(second, first);
+}
+
+/// The smallest rectangle that covers each of the shapes, unturned.
+inline Rectangle covering(std::span<const Rectangle> shapes) {
+    Rectangle all;
+    for (const Rectangle& one : shapes) {
+        all.half_length = std::max(all.half_length, one.half_length);
+        all.half_breadth = std::max(all.half_breadth, one.half_breadth);
+    }
+    return all;
+}
+
+/// The largest half diagonal, m.
+inline double widest_reach(std::span<const Rectangle> shapes) {
+    double reach = 0;
+    for (const Rectangle& one : shapes) reach = std::max(reach, one.half_diagonal());
+    return reach;
+}
+
+/// The smallest half side, m; infinite without shapes.
+inline double least_half_side(std::span<const Rectangle> shapes) {
+    double half = std::numeric_limits<double>::infinity();
+    for (const Rectangle& one : shapes) half = std::min({half, one.half_length, one.half_breadth});
+    return half;
+}
+
+// What lies on the water already while other floes are laid beside it.
+
+/// Rectangles or outlines that stay where they are; a pose of each.
+template <class Shape>
+struct Fixed {
+    std::span<const Shape> shapes;
+    std::span<const PlanarPose> poses;
+};
+
+/// Floes that stay, and others, the first of the shapes, that may be pushed from where they are.
+template <class Shape>
+struct Beside {
+    Fixed<Shape> fixed;
+    std::span<const PlanarPose> loose;
+    double from = 0;   ///< x: the middles of the other floes are thrown anywhere from here to the far wall, m
+    double again = 0;  ///< x: and of any that does not fit from here, m
+};
+
+// The edge of the area that the sampler fills. Another one has the same interface (tests/arrangement/periodic_box.hpp):
+//   low_x, low_z, length, breadth   the area, m
+//   periodic                        do opposite edges meet?
+//   admits(shape, x, z, turn)       may a rectangle lie there, as far as the edge is concerned?
+//   into(x, z)                      brings a point that left by less than one box back in
+//   nearest(dx, dz)                 the shortest difference between two points of the area that this one stands for
+
+/// Four walls that no rectangle may cross.
+struct Walls {
+    double low_x = 0;
+    double low_z = 0;
+    double length = 0;   ///< along x, m
+    double breadth = 0;  ///< along z, m
+    static constexpr bool periodic = false;
+
+    bool admits(const Rectangle& shape, double x, double z, Turn turn) const {
+        const Extent half = extent(shape, turn);
+        return x - half.x >= low_x && x + half.x <= low_x + length && z - half.z >= low_z &&
+               z + half.z <= low_z + breadth;
+    }
+    void into(double&, double&) const {}
+    void nearest(double&, double&) const {}
+
+    /// The walls moved inward by margin (m).
+    Walls shrunk(double margin) const {
+        return {low_x + margin, low_z + margin, length - 2 * margin, breadth - 2 * margin};
+    }
+};
+
+// Cell list, the search for neighbours of this module: cells no smaller than the reach of a rectangle, so that anything
+// within reach has its centre in the same cell or in one of the eight around it. The centres of a cell are contiguous
+// in memory, because the sampler spends its time iterating over them.
+
+/// The area to be divided.
+struct CellArea {
+    double low_x = 0;
+    double low_z = 0;
+    double length = 0;
+    double breadth = 0;
+    bool periodic = false;
+};
+
+/// A rectangle in a cell.
+struct Resident {
+    double x = 0;
+    double z = 0;
+    Turn turn;
+    int floe = 0;
+};
+
+class Cells {
+  public:
+    /// reach: least width of a cell, m; floes: their number. Throws InputError for a periodic area less than three
+    /// cells wide, where a neighbour would be visited twice.
+    Cells(const CellArea& area, double reach, std::size_t floes);
+
+    void insert(const Resident& resident);
+    /// Moves a rectangle that is in the list to its new place.
+    void move(const Resident& resident);
+
+    /// Whether `holds(resident)` for any that may be within reach of a point; in no order, and none after the first.
+    template <class Holds>
+    bool any_near(double x, double z, const Holds& holds) const {
+        for (const int cell : neighbourhood(cell_at(x, z))) {
+            for (const Resident& resident : residents(cell)) {
+                if (holds(resident)) return true;
+            }
+        }
+        return false;
+    }
+
+    /// `see(resident)` for all that may be within reach of a point, in no order.
+    template <class See>
+    void for_each_near(double x, double z, const See& see) const {
+        any_near(x, z, [&](const Resident& resident) {
+            see(resident);
+            return false;
+        });
+    }
+
+  private:
+    struct Slot {
+        int cell = 0;
+        int index = 0;
+    };
+
+    /// Of the cell at a point; a point beyond an edge belongs to the cell at that edge.
+    int cell_at(double x, double z) const;
+
+    /// The cell itself and those around it, the nearest kinds first.
+    std::span<const int> neighbourhood(int cell) const {
+        const auto at = static_cast<std::size_t>(cell);
+        return {neighbours_.data() + neighbours_begin_[at], neighbours_begin_[at + 1] - neighbours_begin_[at]};
+    }
+
+    std::span<const Resident> residents(int cell) const {
+        return {residents_.data() + first(cell), static_cast<std::size_t>(count_[static_cast<std::size_t>(cell)])};
+    }
+
+    std::size_t first(int cell) const { return static_cast<std::size_t>(cell) * static_cast<std::size_t>(capacity_); }
+    void erase(Slot slot);
+    void make_room();
+
+    CellArea area_;
+    int columns_;  // along x
+    int rows_;     // along z
+    double columns_per_metre_;
+    double rows_per_metre_;
+    int capacity_ = 4;                 // places for each cell
+    std::vector<int> count_;           // residents of a cell
+    std::vector<Resident> residents_;  // by cell
+    std::vector<Slot> slot_;           // place of each floe
+    std::vector<int> neighbours_;
+    std::vector<std::size_t> neighbours_begin_;
+};
+
 // Rectangles that overlap and push each other apart: how method scattered makes room for its floes. There is no
 // randomness here.
 //
@@ -6,20 +248,6 @@
 // another (Gauss-Seidel) and removes each overlap by the smallest shift and turn of both that does so, projected as in
 // M. Müller et al., "Position based dynamics", J. Vis. Commun. Image R. 18 (2007), and somewhat more. Where the sides
 // are parallel they press on each other in the middle of what they share, so that nothing rocks.
-
-#include <cstddef>
-#include <optional>
-#include <span>
-#include <utility>
-#include <vector>
-
-#include "arrangement/boundary.hpp"
-#include "arrangement/lying.hpp"
-#include "arrangement/rectangle.hpp"
-#include "core/turn.hpp"
-#include "core/vector.hpp"
-
-namespace floes {
 
 class Crowd {
   public:

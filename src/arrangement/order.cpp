@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "arrangement/cells.hpp"
+#include "arrangement/crowd.hpp"
 #include "core/turn.hpp"
 
 namespace floes {

@@ -3,10 +3,9 @@
 
 #include <span>
 
-#include "arrangement/boundary.hpp"
-#include "arrangement/rectangle.hpp"
+#include "arrangement/crowd.hpp"
 #include "core/vector.hpp"
-#include "outline/polygon.hpp"
+#include "shapes/polygon.hpp"
 
 namespace floes {
 

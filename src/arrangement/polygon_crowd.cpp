@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "arrangement/cells.hpp"
+#include "arrangement/crowd.hpp"
 #include "core/turn.hpp"
 
 namespace floes {

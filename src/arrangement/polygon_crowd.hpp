@@ -7,10 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "arrangement/boundary.hpp"
-#include "arrangement/lying.hpp"
+#include "arrangement/crowd.hpp"
 #include "core/vector.hpp"
-#include "outline/polygon.hpp"
+#include "shapes/polygon.hpp"
 
 namespace floes {
 

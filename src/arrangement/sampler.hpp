@@ -11,10 +11,10 @@
 #include <span>
 #include <vector>
 
-#include "arrangement/boundary.hpp"
-#include "arrangement/cells.hpp"
+#include "arrangement/crowd.hpp"
 #include "core/random.hpp"
 #include "core/vector.hpp"
+#include "shapes/polygon.hpp"
 
 namespace floes {
 
@@ -132,5 +132,76 @@ Step tune(HardFloes& floes, RandomStream& random, const Tuning& tuning = {}) {
     }
     return {scale * half_diagonal, scale};
 }
+
+// Two arrangements to start a Monte Carlo chain from, as different as the channel allows. Neither is random.
+
+/// Rows and columns of a lattice with equal gaps.
+struct LatticeSize {
+    int columns = 0;   ///< along x
+    int rows = 0;      ///< along z
+    double gap_x = 0;  ///< between columns, and to the walls, m
+    double gap_z = 0;  ///< between rows, and to the walls, m
+};
+
+/// The lattice of count rectangles inside the walls with the largest smaller gap. Throws InputError if that gap is
+/// below clearance (m): without a lattice there is no start.
+LatticeSize lattice_size(const Walls& walls, const Rectangle& shape, double clearance, int count);
+
+/// Rows and columns with equal gaps, all yaws 0. psi4 = 1, even density. Sites after `count` stay empty.
+std::vector<PlanarPose> lattice_start(const Walls& walls, const Rectangle& shape, double clearance, int count);
+
+/// The columns of that lattice pushed together to one side and to the near end; those of the near half lean one way,
+/// the others the other way, as far as space allows. psi4 about 0.6 in the paper's channel, uneven density.
+std::vector<PlanarPose> stripes_start(const Walls& walls, const Rectangle& shape, double clearance, int count);
+
+// A lattice whose floes are randomly shifted and turned about their sites: a broken sheet that has not drifted.
+
+/// Largest shift along x and along z (m) and largest turn (rad) of a floe from its site.
+struct Jitter {
+    double shift = 0;
+    double turn = 0;
+};
+
+/// A floe of each shape, at least clearance (m) apart and from the walls, each uniformly distributed over the positions
+/// within its jitter that the others leave free. Throws InputError if floes fit on no lattice, or if a floe finds no
+/// position in 10 000 trials.
+std::vector<PlanarPose> jittered_lattice(const Walls& walls, std::span<const Rectangle> shapes, double clearance,
+                                         const Jitter& jitter, RandomStream& random);
+
+// Monte Carlo of hard convex polygons between walls: sampler.hpp for other shapes than rectangles, with the same moves
+// by the same draws. Squares given as outlines take the very steps of squares.
+
+/// Whether two convex polygons overlap: separation() below 0. Touching is not overlap.
+bool overlap(Corners a, Corners b);
+
+class HardPolygons {
+  public:
+    /// Outlines about their centroids at least clearance (m) apart, starting at `poses`, one an outline, which must not
+    /// overlap. walls: moved inward by the clearance.
+    HardPolygons(const Walls& walls, std::span<const Outline> outlines, double clearance,
+                 std::span<const PlanarPose> poses);
+
+    /// As HardRectangles'.
+    int sweep(const Step& step, RandomStream& random);
+    const std::vector<PlanarPose>& poses() const { return poses_; }
+    double half_diagonal() const { return widest_; }
+
+  private:
+    struct Body {
+        Outline own;      // in its own axes
+        Outline larger;   // likewise, grown by half the clearance
+        Outline corners;  // of the larger one, where it is
+        double reach;     // of the larger one, m
+    };
+    bool try_move(std::size_t polygon, const Step& step, RandomStream& random);
+    bool hits_another(const Resident& trial, Corners corners) const;
+
+    Walls walls_;
+    std::vector<Body> bodies_;
+    double widest_;  // the largest reach, m
+    std::vector<PlanarPose> poses_;
+    Cells cells_;
+    Outline trial_;  // corners of the one that is tried
+};
 
 }  // namespace floes

@@ -4,12 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "arrangement/boundary.hpp"
-#include "arrangement/lying.hpp"
-#include "arrangement/rectangle.hpp"
+#include "arrangement/crowd.hpp"
 #include "core/random.hpp"
 #include "core/vector.hpp"
-#include "outline/polygon.hpp"
+#include "shapes/polygon.hpp"
 
 namespace floes {
 

@@ -65,6 +65,37 @@ Incident incident_face(const Triple& along) {
     return size[0] > size[2] ? Incident{0, 1, 2} : Incident{2, 0, 1};
 }
 
+/// What of an incident face lies within the reference box.
+struct FacePoints {
+    int count;
+    double flat[16];               ///< places on the reference face
+    std::array<Triple, 8> points;  ///< from the reference box's centre
+    std::array<double, 8> depth;
+};
+
+/// At most four of the points, the deepest among them, into `found`.
+void keep_points(const FacePoints& face, const double* position, bool of_a, BoxOverlap& found) {
+    constexpr int most = 4;
+    int chosen[8] = {0, 1, 2, 3};
+    if (face.count > most) {
+        int deepest = 0;
+        for (int i = 1; i < face.count; ++i) {
+            if (face.depth[static_cast<std::size_t>(i)] > face.depth[static_cast<std::size_t>(deepest)]) deepest = i;
+        }
+        spread_evenly(face.count, face.flat, most, deepest, chosen);
+    }
+    found.count = face.count < most ? face.count : most;
+    for (int i = 0; i < found.count; ++i) {
+        const auto from = static_cast<std::size_t>(chosen[i]);
+        BoxOverlap::Point& to = found.points[static_cast<std::size_t>(i)];
+        to.depth = face.depth[from];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double at = face.points[from][k] + position[k];
+            to.on_b[k] = of_a ? at : at - found.normal[k] * face.depth[from];
+        }
+    }
+}
+
 /// The face of one box, the reference, that the other's incident face overlaps, and the points of that one within it.
 void touch_by_face(const BoxPlace& a, const BoxPlace& b, const LeastOverlap& least, BoxOverlap& found) {
     const bool of_a = least.code <= 3;
@@ -98,8 +129,8 @@ void touch_by_face(const BoxPlace& a, const BoxPlace& b, const LeastOverlap& lea
     const double corners[8] = {c1 - k1 - k3, c2 - k2 - k4, c1 - k1 + k3, c2 - k2 + k4,
                                c1 + k1 + k3, c2 + k2 + k4, c1 + k1 - k3, c2 + k2 - k4};
     const double half[2] = {one.half_extent[first], one.half_extent[second]};
-    double flat[16];
-    const int clipped = clip_to_rectangle(half, corners, flat);
+    FacePoints face;
+    const int clipped = clip_to_rectangle(half, corners, face.flat);
 
     // Back into space; only points within the reference box stay.
     const double inverse = 1.0 / (m11 * m22 - m12 * m21);
@@ -107,44 +138,22 @@ void touch_by_face(const BoxPlace& a, const BoxPlace& b, const LeastOverlap& lea
     m12 *= inverse;
     m21 *= inverse;
     m22 *= inverse;
-    std::array<Triple, 8> points;
-    std::array<double, 8> depth;
-    int count = 0;
+    face.count = 0;
     for (int i = 0; i < clipped; ++i) {
-        const double u = m22 * (flat[2 * i] - c1) - m12 * (flat[2 * i + 1] - c2);
-        const double v = -m21 * (flat[2 * i] - c1) + m11 * (flat[2 * i + 1] - c2);
-        const auto at = static_cast<std::size_t>(count);
+        const double u = m22 * (face.flat[2 * i] - c1) - m12 * (face.flat[2 * i + 1] - c2);
+        const double v = -m21 * (face.flat[2 * i] - c1) + m11 * (face.flat[2 * i + 1] - c2);
+        const auto at = static_cast<std::size_t>(face.count);
         for (std::size_t k = 0; k < 3; ++k) {
-            points[at][k] = centre[k] + u * other.rotation[3 * k + static_cast<std::size_t>(incident.first)] +
-                            v * other.rotation[3 * k + static_cast<std::size_t>(incident.second)];
+            face.points[at][k] = centre[k] + u * other.rotation[3 * k + static_cast<std::size_t>(incident.first)] +
+                                 v * other.rotation[3 * k + static_cast<std::size_t>(incident.second)];
         }
-        depth[at] = one.half_extent[normal_axis] - dot(out, points[at]);
-        if (!(depth[at] >= 0)) continue;
-        flat[2 * count] = flat[2 * i];
-        flat[2 * count + 1] = flat[2 * i + 1];
-        ++count;
+        face.depth[at] = one.half_extent[normal_axis] - dot(out, face.points[at]);
+        if (!(face.depth[at] >= 0)) continue;
+        face.flat[2 * face.count] = face.flat[2 * i];
+        face.flat[2 * face.count + 1] = face.flat[2 * i + 1];
+        ++face.count;
     }
-    if (count < 1) return;
-
-    constexpr int most = 4;
-    int chosen[8] = {0, 1, 2, 3};
-    if (count > most) {
-        int deepest = 0;
-        for (int i = 1; i < count; ++i) {
-            if (depth[static_cast<std::size_t>(i)] > depth[static_cast<std::size_t>(deepest)]) deepest = i;
-        }
-        spread_evenly(count, flat, most, deepest, chosen);
-    }
-    found.count = count < most ? count : most;
-    for (int i = 0; i < found.count; ++i) {
-        const auto from = static_cast<std::size_t>(chosen[i]);
-        BoxOverlap::Point& to = found.points[static_cast<std::size_t>(i)];
-        to.depth = depth[from];
-        for (std::size_t k = 0; k < 3; ++k) {
-            const double at = points[from][k] + one.position[k];
-            to.on_b[k] = of_a ? at : at - found.normal[k] * depth[from];
-        }
-    }
+    if (face.count > 0) keep_points(face, one.position, of_a, found);
 }
 
 }  // namespace

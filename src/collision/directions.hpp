@@ -1,5 +1,5 @@
 #pragma once
-// Sums and products of vectors, and directions in the axes of a body. Only for this room.
+// Sums and products of vectors, and directions in the axes of a body. Only for this module.
 
 #include "collision/box.hpp"
 

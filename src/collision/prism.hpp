@@ -3,7 +3,7 @@
 // the centre of mass. A box is one with four corners.
 
 #include "collision/box.hpp"
-#include "outline/polygon.hpp"
+#include "shapes/polygon.hpp"
 
 namespace floes {
 

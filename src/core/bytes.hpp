@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iosfwd>
 #include <span>
 #include <string>
 #include <string_view>
@@ -56,5 +57,9 @@ class ByteReader {
 
     std::span<const std::byte> rest_;
 };
+
+// Bytes as text, RFC 4648.
+
+void write_base64(std::ostream& text, std::span<const std::byte> bytes);
 
 }  // namespace floes

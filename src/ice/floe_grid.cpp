@@ -1,6 +1,7 @@
 #include "ice/floe_grid.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <numbers>
 
@@ -60,6 +61,22 @@ std::vector<GridJoint> joint_order(const FloeGrid& grid) {
 Quat joint_frame(JointAxis axis) {
     if (axis == JointAxis::x) return Quat::Identity();
     return Quat(std::numbers::sqrt2 / 2, 0, -std::numbers::sqrt2 / 2, 0);
+}
+
+std::shared_ptr<const CutFloe> cut_of(const FloeShape& shape) {
+    if (!shape.is_polygon()) return nullptr;
+    return std::make_shared<const CutFloe>(cut_into_elements(shape.outline, shape.element));
+}
+
+JointSpring polygon_joint(const CutJoint& joint, const FloeShape& shape, const Material& material) {
+    return beam_joint(elastic_ice(shape, material), joint.length, joint.span);
+}
+
+Quat turned_to(const Corner& axis) {
+    // By half the angle φ of (x, z) = (cos φ, -sin φ), from roots only.
+    const double cosine = std::sqrt(std::max(0.0, 0.5 * (1 + axis.x)));
+    const double sine = std::sqrt(std::max(0.0, 0.5 * (1 - axis.x)));
+    return Quat(cosine, 0, axis.z > 0 ? -sine : sine, 0).normalized();
 }
 
 }  // namespace floes

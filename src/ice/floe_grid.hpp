@@ -3,10 +3,13 @@
 // Element (i, k), i along the floe's x and k along its z, has index i + k * elements_long within its floe.
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/vector.hpp"
+#include "ice/joint_stress.hpp"
 #include "scenario/scenario.hpp"
+#include "shapes/elements.hpp"
 
 namespace floes {
 
@@ -53,5 +56,16 @@ std::vector<GridJoint> joint_order(const FloeGrid& grid);
 
 /// joint -> floe rotation: x from a to b, y up.
 Quat joint_frame(JointAxis axis);
+
+// Floes that are convex polygons: their elements, joints and springs.
+
+/// The elements and joints of a polygon; null for a rectangle, which FloeGrid describes.
+std::shared_ptr<const CutFloe> cut_of(const FloeShape& shape);
+
+/// A beam joint as wide as the edge that two elements share, from one centre to the other.
+JointSpring polygon_joint(const CutJoint& joint, const FloeShape& shape, const Material& material);
+
+/// Rotation about y whose x axis is the unit vector (x, z).
+Quat turned_to(const Corner& axis);
 
 }  // namespace floes

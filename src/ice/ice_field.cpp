@@ -1,18 +1,59 @@
+// Floes of an IceField that come and go, and its counts.
+
 #include "ice/ice_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <optional>
-
-#include "core/components.hpp"
 #include "core/error.hpp"
 #include "core/turn.hpp"
-#include "ice/beam_joint.hpp"
-#include "ice/polygon_floe.hpp"
+#include "core/vector.hpp"
+#include "ice/floe_grid.hpp"
+#include "ice/joint_stress.hpp"
 #include "ice/scenario_world.hpp"
 
 namespace floes {
+
+IceLayout::IceLayout(const FloeSet& floes) : first_joint{0} {
+    for (std::size_t i = 0; i < floes.size(); ++i) {
+        const FloeShape& shape = floes.shape(i);
+        const int first = static_cast<int>(elements.size());
+        if (const std::shared_ptr<const CutFloe> cut = cut_of(shape)) {
+            add(*cut, static_cast<int>(i), shape.thickness);
+            continue;
+        }
+        const FloeGrid grid = grid_of(shape);
+        const Vec3 half_extents = Vec3(shape.element, shape.thickness, shape.element) / 2;
+        for (int index = 0; index < grid.elements(); ++index)
+            elements.push_back({static_cast<int>(i), half_extents, grid.outline_edges(index)});
+        for (const GridJoint& one : joint_order(grid)) {
+            const bool along = one.axis == JointAxis::x;
+            joints.push_back(
+                {first + one.a, first + one.b, along ? edge_plus_x : edge_plus_z, along ? edge_minus_x : edge_minus_z});
+        }
+        first_joint.push_back(joints.size());
+    }
+}
+
+void IceLayout::add(const CutFloe& cut, int floe, double thickness) {
+    const int first = static_cast<int>(elements.size());
+    for (const CutElement& one : cut.elements) {
+        Corner half;
+        for (const Corner& corner : one.corners)
+            half = {std::max(half.x, std::abs(corner.x)), std::max(half.z, std::abs(corner.z))};
+        elements.push_back({floe, {half.x, thickness / 2, half.z}, one.rim, one.corners});
+    }
+    for (const CutJoint& one : cut.joints) joints.push_back({first + one.a, first + one.b, one.edge_a, one.edge_b});
+    first_joint.push_back(joints.size());
+}
+
 namespace {
 
 constexpr std::size_t no_element = ~std::size_t{0};
@@ -240,6 +281,288 @@ void IceField::split_pieces(World& world, int floe) {
         element.piece = piece;
         world.set_piece(element.body, piece);
     }
+}
+
+int IceField::enter(World& world, const Scenario& scenario, const SingleFloe& floe) {
+    const int number = entered_;
+    if (const std::shared_ptr<const CutFloe> cut = cut_of(floe.shape))
+        add_polygon(world, scenario, floe, cut);
+    else
+        add_floe(world, scenario, floe, joint_order(grid_of(floe.shape)));
+    return place_of(number);
+}
+
+void IceField::leave(World& world, int place) {
+    Sheet& sheet = floes_[static_cast<std::size_t>(place)];
+    const int pieces = pieces_at(sheet);
+    left_.broken += sheet.broken ? 1 : 0;
+    left_.cracked += sheet.cracked ? 1 : 0;
+    left_.split += pieces > 1 ? 1 : 0;
+    left_.pieces += pieces;
+    add_piece_areas(sheet, left_.areas);
+    sheet.there = false;
+    for (const Joint& joint : joints_) {
+        if (joint.floe != place) continue;
+        world.remove_joint(joint.id);
+        if (by_stress_) stress_.remove_joint(joint.place);
+    }
+    std::erase_if(joints_, [&](const Joint& joint) { return joint.floe == place; });
+    free_joints_.insert(free_joints_.end(), sheet.joints.begin(), sheet.joints.end());
+    std::ranges::sort(free_joints_, std::ranges::greater());
+    for (int index = 0; index < sheet.elements(); ++index)
+        world.take_out(elements_[static_cast<std::size_t>(sheet.first + index)].body);
+}
+
+int IceField::place_of(int number) const {
+    const auto at = static_cast<std::size_t>(number);
+    if (at < floes_.size() && floes_[at].number == number) return number;  // always, where none leaves
+    return static_cast<int>(std::ranges::find(floes_, number, &Sheet::number) - floes_.begin());
+}
+
+int IceField::pieces_at(const Sheet& sheet) const {
+    std::set<int> pieces;
+    for (int index = 0; index < sheet.elements(); ++index)
+        pieces.insert(elements_[static_cast<std::size_t>(sheet.first + index)].piece);
+    return static_cast<int>(pieces.size());
+}
+
+int IceField::broken_floes() const {
+    const auto broken = [](const Sheet& sheet) { return sheet.there && sheet.broken; };
+    return left_.broken + static_cast<int>(std::ranges::count_if(floes_, broken));
+}
+
+int IceField::split_floes() const {
+    const auto split = [&](const Sheet& sheet) { return sheet.there && pieces_at(sheet) > 1; };
+    return left_.split + static_cast<int>(std::ranges::count_if(floes_, split));
+}
+
+int IceField::pieces() const {
+    int found = left_.pieces;
+    for (const Sheet& sheet : floes_)
+        if (sheet.there) found += pieces_at(sheet);
+    return found;
+}
+
+/// Nothing of a floe in one piece.
+void IceField::add_piece_areas(const Sheet& sheet, std::vector<PieceArea>& areas) const {
+    const auto first = static_cast<std::size_t>(sheet.first);
+    std::map<int, double> of_piece;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(sheet.elements()); ++i)
+        of_piece[elements_[first + i].piece] +=
+            sheet.cut ? sheet.cut->elements[i].area : sheet.grid.element * sheet.grid.element;
+    if (of_piece.size() == 1) return;
+    for (const auto& [piece, area] : of_piece) areas.push_back({sheet.number, area});
+}
+
+std::vector<PieceArea> IceField::piece_areas() const {
+    std::vector<PieceArea> areas = left_.areas;
+    for (const Sheet& sheet : floes_)
+        if (sheet.there) add_piece_areas(sheet, areas);
+    std::ranges::stable_sort(areas, {}, &PieceArea::floe);
+    return areas;
+}
+
+int IceField::cracked_floes() const {
+    const auto cracked = [](const Sheet& sheet) { return sheet.there && sheet.cracked; };
+    return left_.cracked + static_cast<int>(std::ranges::count_if(floes_, cracked));
+}
+
+// How joints of an IceField fail: at once by moment, or as cracks by stress.
+
+namespace {
+
+Vec2 horizontal(const Vec3& v) {
+    return {v.x(), v.z()};
+}
+
+}  // namespace
+
+IceField::Turned IceField::turned(const World& world, const Joint& joint) const {
+    const auto first = static_cast<std::size_t>(floe_of(joint).first);
+    const BodyState a = world.state(elements_[first + static_cast<std::size_t>(joint.grid.a)].body);
+    const BodyState b = world.state(elements_[first + static_cast<std::size_t>(joint.grid.b)].body);
+    const Mat3 axes = floe_axes(joint, joint.grid.a, a);
+    const Mat3 between = axes.transpose() * floe_axes(joint, joint.grid.b, b);
+    const Vec2 angles(0.5 * (between(2, 1) - between(1, 2)), 0.5 * (between(1, 0) - between(0, 1)));
+    const double angle = angles.norm();
+    if (!(angle > 0)) return {};
+    return {angle, angles.dot(horizontal(axes.transpose() * (b.angular_velocity - a.angular_velocity))) / angle};
+}
+
+std::optional<FailureMode> IceField::failing(World& world, Joint& joint) {
+    const JointStrength& strength = strength_of(joint);
+    if (!by_stress_) {
+        const JointReaction reaction = world.reaction(joint.id);
+        peaks_ = raised(peaks_, reaction);
+        return failure(reaction, strength.thresholds);
+    }
+    peaks_ = raised(peaks_, stress_.reaction(joint.place));
+    if (joint.crack) return crack_on(world, joint);
+    if (!may_fail(stress_.reaction(joint.place), stress_.across(joint.place), stress_.most_by_contacts(joint.place),
+                  strength.section, strength.thresholds))
+        return std::nullopt;
+    const JointLoad load = stress_.load(world, joint.place);
+    const Utilisation used = utilisation(load, strength.section, strength.thresholds);
+    if (!(used.share > 1)) return std::nullopt;
+    if (used.mode != FailureMode::bending) return used.mode;
+    const Turned now = turned(world, joint);
+    const double smooth = fibre_stress(smoothed(load), strength.section) / strength.section.flexural_strength;
+    const double over =
+        cracking(used.share, smooth, strength.stiffness, now.angle, strength.crack_energy, strength.length_over_span);
+    if (!(over > 1)) return std::nullopt;
+    floes_[static_cast<std::size_t>(joint.floe)].cracked = true;
+    joint.crack.emplace(cohesive_law(strength.stiffness, now.angle / over, strength.crack_energy));
+    return crack_on(world, joint);
+}
+
+std::optional<FailureMode> IceField::crack_on(World& world, Joint& joint) {
+    const Turned now = turned(world, joint);
+    Crack& crack = *joint.crack;
+    const double sound = crack.sound();
+    const double energy = crack.energy();
+    crack.follow(now.angle, now.rate, time_step_);
+    fracture_work_ += crack.energy() - energy;
+    if (crack.is_open()) return FailureMode::bending;
+    if (crack.sound() < sound) world.soften_joint(joint.id, crack.sound());
+    // Cracked ice still shears off, and a thrust still crushes it.
+    return failure(without_bending(stress_.reaction(joint.place)), strength_of(joint).thresholds);
+}
+
+void IceField::read_utilisation(const World& world, std::vector<double>& worst) const {
+    worst.assign(elements_.size(), 0.0);
+    for (const Joint& joint : joints_) {
+        const Sheet& sheet = floe_of(joint);
+        double used = 0;
+        if (!by_stress_)
+            used = utilisation(world.reaction(joint.id), sheet.of(joint).thresholds);
+        else if (joint.crack)
+            used = 2 - joint.crack->sound();
+        else
+            used = utilisation(stress_.load(world, joint.place), sheet.of(joint).section, sheet.of(joint).thresholds)
+                       .share;
+        const auto first = static_cast<std::size_t>(sheet.first);
+        for (const int index : {joint.grid.a, joint.grid.b}) {
+            double& element = worst[first + static_cast<std::size_t>(index)];
+            element = std::max(element, used);
+        }
+    }
+}
+
+// Floes of an IceField that are polygons.
+
+namespace {
+
+Vec3 flat(const Corner& point) {
+    return {point.x, 0, point.z};
+}
+
+}  // namespace
+
+/// Of as many elements, in whatever outline.
+std::size_t IceField::free_place(const CutFloe& cut) const {
+    const auto fits = [&](const Sheet& sheet) {
+        return !sheet.there && sheet.cut && sheet.cut->elements.size() == cut.elements.size();
+    };
+    return static_cast<std::size_t>(std::ranges::find_if(floes_, fits) - floes_.begin());
+}
+
+void IceField::put_element(World& world, std::size_t at, const IceElement& element, const PrismDefinition& prism) {
+    if (at >= elements_.size()) return append(element, world.add_prism(prism));
+    const BodyId body = elements_[at].body;
+    world.put_in(body, prism);
+    elements_[at] = element;
+    elements_[at].body = body;
+}
+
+/// Under a free id or a new one; which of those ever made it is. Joints of a floe have rising ids if they are free, so
+/// that they are solved in their order, as if new.
+std::size_t IceField::put_joint(World& world, const JointDefinition& definition) {
+    if (free_joints_.empty()) {
+        joint_ids_.push_back(world.add_joint(definition));
+        return joint_ids_.size() - 1;
+    }
+    const std::size_t at = free_joints_.back();
+    free_joints_.pop_back();
+    world.put_in(joint_ids_[at], definition);
+    return at;
+}
+
+void IceField::add_polygon(World& world, const Scenario& scenario, const SingleFloe& floe,
+                           const std::shared_ptr<const CutFloe>& cut) {
+    const FloeShape& shape = floe.shape;
+    const Material& material = floe.material;
+    const Water& water = scenario.water;
+    const double pressure = scenario.contact_law(material.ice).crushing_pressure;
+    const double per_area = material.ice.density * shape.thickness * (1 + water.isotropic_mass());
+    const std::size_t free = free_place(*cut);
+    const bool again = free < floes_.size();
+    const int place = static_cast<int>(free);
+    const int first = again ? floes_[free].first : static_cast<int>(elements_.size());
+    if (!again) floes_.emplace_back();
+    Sheet& sheet = floes_[free] = {first, {}, {}, joint_ids_.size(), entered_++};
+    sheet.cut = cut;
+    const Turn half = turn_of(0.5 * floe.pose.yaw);
+    const Quat yaw(half.cos, 0, half.sin, 0);
+    const Vec3 middle(floe.pose.x, shape.floating_height(material.ice, water.density), floe.pose.z);
+    const bool on_all = water.form_drag_on == FormDragOn::every_element;
+    for (int index = 0; index < sheet.elements(); ++index) {
+        const CutElement& one = cut->elements[static_cast<std::size_t>(index)];
+        const unsigned every = (1U << static_cast<unsigned>(one.corners.size())) - 1;
+        put_element(world, static_cast<std::size_t>(first + index),
+                    {BodyId(0), place, index, first, on_all ? every : one.rim},
+                    {.corners = one.corners,
+                     .half_thickness = shape.thickness / 2,
+                     .mass = per_area * one.area,
+                     .pose = {middle + yaw * flat(one.centre), yaw * turned_to(one.axis)},
+                     .piece = first,
+                     .crushing_pressure = pressure});
+        if (by_stress_)
+            stress_.put_prism(static_cast<std::size_t>(first + index),
+                              elements_[static_cast<std::size_t>(first + index)].body, one.axis,
+                              {from_axes(one.corners, {}, one.axis), shape.thickness, material.ice.poisson_ratio,
+                               pressure > 0 ? pressure : material.ice.compressive_strength});
+    }
+    for (std::size_t k = 0; k < cut->joints.size(); ++k) {
+        const CutJoint& joint = cut->joints[k];
+        sheet.of_joints.push_back(joint_strength(shape, material, joint.length, joint.span));
+        const std::size_t at = put_joint(world, {.a = elements_[static_cast<std::size_t>(first + joint.a)].body,
+                                                 .b = elements_[static_cast<std::size_t>(first + joint.b)].body,
+                                                 .pivot = middle + yaw * flat(joint.pivot),
+                                                 .frame = yaw * turned_to(joint.normal),
+                                                 .cfm = material.joint.cfm,
+                                                 .erp = material.joint.erp,
+                                                 .spring = polygon_joint(joint, shape, material)});
+        joints_.push_back({joint_ids_[at], place, static_cast<int>(k), {joint.a, joint.b, JointAxis::x}, at});
+        sheet.joints.push_back(at);
+        if (!by_stress_) continue;
+        const auto of = [&](int element, double way, unsigned edge) {
+            const Corner& centre = cut->elements[static_cast<std::size_t>(element)].centre;
+            return PrismJoint{way * joint.normal, joint.pivot - centre, joint.length, joint.span, edge};
+        };
+        stress_.put_prism_joint(at, joint_ids_[at], static_cast<std::size_t>(first + joint.a),
+                                of(joint.a, 1, joint.edge_a), static_cast<std::size_t>(first + joint.b),
+                                of(joint.b, -1, joint.edge_b));
+    }
+}
+
+Mat3 IceField::floe_axes(const Joint& joint, int element, const BodyState& state) const {
+    const CutFloe* cut = floe_of(joint).cut.get();
+    if (cut == nullptr) return state.rotation;
+    return state.rotation *
+           turned_to(cut->elements[static_cast<std::size_t>(element)].axis).toRotationMatrix().transpose();
+}
+
+IceField::JointPlace IceField::joint_place(const Joint& joint, const BodyState& a) const {
+    const Sheet& sheet = floe_of(joint);
+    if (!sheet.cut) {
+        const Mat3 axes = a.rotation * joint_frame(joint.grid.axis).toRotationMatrix();
+        return {axes, a.position + 0.5 * sheet.grid.element * axes.col(0)};
+    }
+    const CutJoint& cut = sheet.cut->joints[static_cast<std::size_t>(joint.number)];
+    const CutElement& element = sheet.cut->elements[static_cast<std::size_t>(cut.a)];
+    const Mat3 floe = floe_axes(joint, cut.a, a);
+    return {floe * turned_to(cut.normal).toRotationMatrix(),
+            a.position + floe * (flat(cut.pivot) - flat(element.centre))};
 }
 
 }  // namespace floes

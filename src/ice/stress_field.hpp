@@ -1,19 +1,134 @@
 #pragma once
-// What acts at every joint of all floes in the world's last step: its reaction, the moments beside it, and the stress
-// by contacts on its elements.
+// What a grid of elements does not show of a load: the stress right below a contact. A joint's moment is a mean over
+// the width of an element, but below a small contact the stress of a plate grows as the logarithm of the contact's size
+// (theory/westergaard.hpp). The difference between the patch that a joint feels and the contact's own size b₀ is added:
+//
+//   Δσ = C log10(b_L / b₀),   C = stress per decade, at an edge or inside
+//
+// b_L is the radius of the circle below which the formula has the stress that the joint of the grid shows: a constant
+// times the element's side, less the nearer the contact is to the joint (docs/figures/fracture.py computes it from the
+// grid; docs/fracture.md). Near a second free edge, a corner, the logarithm ends at the distance to it.
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "ice/contact_stress.hpp"
 #include "ice/floe_grid.hpp"
 #include "ice/joint_stress.hpp"
-#include "ice/prism_stress.hpp"
+#include "shapes/polygon.hpp"
 #include "world/world.hpp"
 
 namespace floes {
+
+/// A square element as a contact meets it. SI.
+struct PressedElement {
+    double side = 0;
+    double thickness = 0;
+    double poisson_ratio = 0;
+    double crushing_pressure = 0;  ///< above 0: a force crushes a circle of this pressure
+    std::uint8_t joined = 0;       ///< bits of Edge: faces with a live joint; the others are free
+};
+
+/// A contact force on an element, in the element's own axes.
+struct Press {
+    double x = 0;  ///< of the contact, from the middle of the element, m
+    double z = 0;
+    double down = 0;  ///< N, along -y
+};
+
+/// Of one direction, along x or z: the stress that the nearer joint in that direction does not see.
+struct SideStress {
+    double stress = 0;      ///< Pa, tension in the lower fibre positive
+    std::uint8_t face = 0;  ///< bit of Edge: the face of that joint; 0: there is none
+};
+
+/// Along x and along z.
+std::array<SideStress, 2> contact_stress(const PressedElement& element, const Press& press);
+
+/// The most that a force of 1 N can add to either, wherever it acts, Pa: from the smallest contact to the largest patch
+/// that a joint feels, an element's side.
+double most_contact_stress(const PressedElement& element);
+
+// The circle below which Westergaard's formula has the stress that a joint of the grid shows: b_L of docs/fracture.md,
+// as docs/figures/fracture.py finds it from the grid.
+
+/// b_L over the size of the grid for a contact level with the middle of an element, and the decades by which it shrinks
+/// for each span that the contact is nearer to the joint.
+struct FeltPatch {
+    double share, decades;
+
+    /// m; `size`: of the grid, of squares their side; `towards`: the contact from the middle of the span to the joint.
+    double radius(double size, double towards, double span) const {
+        return share * size * std::pow(10, -decades * towards / span);
+    }
+};
+inline constexpr FeltPatch felt_at_edge{0.6, 0.66};
+inline constexpr FeltPatch felt_inside{1.0, 0.92};
+
+/// The size of a grid whose joints are `length` wide and `span` long, m. A load on a node of a grid shows the sum of
+/// moments that the plate has on a circle of e^-γ/4 √(length² + span²), the same for every such grid of one diagonal:
+/// the radius by which Peaceman (SPE Journal 18, 1978 and 1983; from memory) joins a well to its cell.
+inline double size_of_grid(double length, double span) {
+    return std::sqrt(0.5 * (length * length + span * span));
+}
+
+/// Powers of ten from one radius to a larger one; 0 if it is not larger.
+inline double decades(double from, double to) {
+    return to > from ? std::log10(to / from) : 0.0;
+}
+
+// The stress below a contact on an element that is a convex prism: ice/contact_stress.hpp for any outline. A square
+// given as an outline has the stress of a square.
+//
+// The ice below the contact has Westergaard's stress whatever the elements are, so what a joint lacks of it is the same
+// logarithm, from the contact to the circle b_L that its grid feels (ice/felt_patch.hpp):
+//
+//   inside   in every direction, up to the nearest free edge
+//   at it    along that edge, from there on; a joint sees the component along its normal, and the shear
+//
+// Where the edge ends at another free one, a corner that turns by φ, the logarithm goes on with √(max(0, cos φ)): as
+// ever along a straight rim, not at all at the corner of a square, where the moment below a load is finite. In between
+// it is a fit: below a load on a corner of 120° grids of any elements then have the same stress (docs/fracture.md).
+
+/// A joint as one of its elements has it, in the axes of the floe from the element's centroid. SI.
+struct PrismJoint {
+    Corner outward;    ///< along x or z
+    Corner pivot;      ///< halfway between the centroids of the two elements
+    double length;     ///< of the common edge
+    double span;       ///< between the centroids
+    unsigned edge;     ///< bit of the element's edge that it holds
+    bool live = true;  ///< or the edge is free there
+
+    std::size_t axis() const { return outward.x != 0 ? 0 : 1; }
+};
+
+struct PressedPrism {
+    Outline corners;  ///< in the axes of the floe, about the centroid
+    double thickness = 0;
+    double poisson_ratio = 0;
+    double crushing_pressure = 0;  ///< as of PressedElement
+    std::vector<PrismJoint> joints{};
+};
+
+/// Of the nearest joint along x and the nearest along z, Pa; tension in the lower fibre positive.
+struct PrismStress {
+    static constexpr std::size_t none = ~std::size_t{0};
+
+    std::array<double, 2> stress{};                   ///< along x and z; 0 without a joint
+    double shear = 0;                                 ///< σ_xz
+    std::array<std::size_t, 2> joint = {none, none};  ///< by number in the prism's
+};
+
+/// `press`: in the axes of the floe from the centroid.
+PrismStress contact_stress(const PressedPrism& prism, const Press& press);
+
+/// The most that a force of 1 N can add at any of the joints, its shear included, wherever it acts, Pa.
+double most_contact_stress(const PressedPrism& prism);
+
+// What acts at every joint of all floes in the world's last step: its reaction, the moments beside it, and the stress
+// by contacts on its elements.
 
 class StressField {
   public:
@@ -24,8 +139,9 @@ class StressField {
     void add_element(BodyId body, const PressedElement& element);
     void add_joint(JointId id, std::size_t a, std::size_t b, JointAxis axis);
 
-    /// The same of a polygon, at the end or, under the number and the body of one whose joints have been removed, in its
-    /// place. `axis`: the element's own x axis in the axes of its floe. The joints are put in, not given with the prism.
+    /// The same of a polygon, at the end or, under the number and the body of one whose joints have been removed, in
+    /// its place. `axis`: the element's own x axis in the axes of its floe. The joints are put in, not given with the
+    /// prism.
     void put_prism(std::size_t number, BodyId body, const Corner& axis, PressedPrism prism);
     void put_prism_joint(std::size_t number, JointId id, std::size_t a, const PrismJoint& at_a, std::size_t b,
                          const PrismJoint& at_b);

@@ -1,15 +1,122 @@
 #include "keys/key.hpp"
 
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <limits>
-
 #include "keys/edit_distance.hpp"
-#include "keys/literal.hpp"
 
 namespace floes {
+
+Range Range::at_most(double bound) const {
+    Range range = *this;
+    range.high = bound;
+    return range;
+}
+
+Range Range::below(double bound) const {
+    Range range = at_most(bound);
+    range.high_included = false;
+    return range;
+}
+
+Range Range::or_infinity() const {
+    Range range = *this;
+    range.infinity_included = true;
+    return range;
+}
+
+Range Range::because(std::string_view why) const {
+    Range range = *this;
+    range.reason = why;
+    return range;
+}
+
+bool Range::contains(double value) const {
+    const bool high_enough = low_included ? value >= low : value > low;
+    const bool low_enough = high_included ? value <= high : value < high;
+    if (std::isinf(value)) return infinity_included && value > 0;
+    return high_enough && low_enough;
+}
+
+Range above(double bound) {
+    Range range = at_least(bound);
+    range.low_included = false;
+    return range;
+}
+
+Range at_least(double bound) {
+    Range range;
+    range.low = bound;
+    return range;
+}
+
+std::string to_text(const Range& range) {
+    std::vector<std::string> parts;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (range.low > -infinity)
+        parts.push_back(fmt::format("{} {}", range.low_included ? "at least" : "above", range.low));
+    if (range.high < infinity)
+        parts.push_back(fmt::format("{} {}", range.high_included ? "at most" : "below", range.high));
+    const std::string bounds = parts.empty() ? "any number" : fmt::format("{}", fmt::join(parts, " and "));
+    return range.infinity_included ? bounds + ", or inf" : bounds;
+}
+
+namespace {
+
+/// TOML tells floats from integers by the decimal point, so a number is always written with one.
+std::string with_point(std::string text) {
+    if (text.find_first_of(".en") == std::string::npos) text += ".0";
+    return text;
+}
+
+}  // namespace
+
+std::string number_literal(double number) {
+    return with_point(fmt::format("{}", number));
+}
+
+std::string number_literal(double in_si, double unit) {
+    if (unit == 1) return number_literal(in_si);
+    const double number = in_si / unit;
+    if (!std::isfinite(number)) return number_literal(number);
+    // A number that gives in_si again differs from `number` by less than 5e-16 of it. So where fewer than 15 digits are
+    // enough, 15 digits are the same ones followed by zeros.
+    for (int digits = std::numeric_limits<double>::digits10; digits <= std::numeric_limits<double>::max_digits10;
+         ++digits) {
+        const std::string text = fmt::format("{:.{}g}", number, digits);
+        double rounded = 0;
+        std::from_chars(text.data(), text.data() + text.size(), rounded);
+        if (rounded * unit == in_si) return number_literal(rounded);
+    }
+    for (const double neighbour : {std::nextafter(number, -INFINITY), std::nextafter(number, INFINITY)}) {
+        if (neighbour * unit == in_si) return number_literal(neighbour);
+    }
+    return number_literal(number);
+}
+
+std::string text_literal(std::string_view text) {
+    std::string literal = "\"";
+    for (const char character : text) {
+        const auto code = static_cast<unsigned char>(character);
+        if (character == '"' || character == '\\') {
+            literal += '\\';
+            literal += character;
+        } else if (code < 0x20 || code == 0x7f) {
+            literal += fmt::format("\\u{:04x}", code);
+        } else {
+            literal += character;
+        }
+    }
+    return literal + "\"";
+}
+
 namespace {
 
 std::string rows_text(const RowsField& rows, bool si) {
@@ -140,14 +247,9 @@ std::vector<Entry> in_order_of_reading(std::span<const Key> keys, std::vector<En
     const auto is_first = [&](const Entry& entry) {
         return std::ranges::any_of(keys, [&](const Key& key) { return key.preset && key.path == entry.path; });
     };
-    const auto is_last = [&](const Key& key, const Entry& entry) {
-        if (key.part) return key.path == entry.path;
-        return std::ranges::any_of(key.before,
-                                   [&](const Key& old) { return old.path != key.path && old.path == entry.path; });
-    };
     const auto others = std::ranges::stable_partition(entries, is_first);
     std::ranges::stable_partition(others, [&](const Entry& entry) {
-        return std::ranges::none_of(keys, [&](const Key& key) { return is_last(key, entry); });
+        return std::ranges::none_of(keys, [&](const Key& key) { return key.part && key.path == entry.path; });
     });
     return entries;
 }
@@ -182,6 +284,36 @@ std::string nearest_path(std::span<const Key> keys, std::string_view path) {
         return std::min(edit_distance(key.path, path), edit_distance(key.name(), name) + 1);
     };
     return std::string(std::ranges::min_element(keys, {}, distance)->path);
+}
+
+Key formerly(std::string_view path, Key key) {
+    key.former = path;
+    return key;
+}
+
+Key instead_of(std::vector<Key> before, Key key) {
+    key.before = std::move(before);
+    for (Key& old : key.before) old.replaced = true;
+    return key;
+}
+
+Keys keys_of_digest(Keys keys) {
+    Keys old;
+    old.reserve(keys.size() + 8);
+    for (Key& key : keys) {
+        if (key.derived()) continue;
+        if (!key.former.empty()) key.path = key.former;
+        if (key.before.empty()) old.push_back(std::move(key));
+        for (Key& replaced : key.before) old.push_back(std::move(replaced));
+    }
+    return old;
+}
+
+const Key* present_key(std::span<const Key> keys, std::string_view path) {
+    if (path.empty() || std::ranges::find(keys, path, &Key::path) != keys.end()) return nullptr;
+    const auto stands = [&](const Key& key) { return key.former == path || find_key(key.before, path) != nullptr; };
+    const auto found = std::ranges::find_if(keys, stands);
+    return found == keys.end() ? nullptr : &*found;
 }
 
 }  // namespace floes

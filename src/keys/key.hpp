@@ -1,13 +1,9 @@
 #pragma once
-// A key of the configuration: a dotted path bound to one field, with its unit, range, meaning and source. One list of
-// keys drives everything that concerns configuration text: reading, overriding, writing, comparing, the reference. A
-// list of keys refers to the value that it describes and to the words of its descriptions (mostly literals), and must
-// not outlive either. The words are not copied, because keys are described anew for each scenario that is compared.
-//
-// Keys of 1.0.0 that are others now: keys/former.hpp.
+// Allowed ranges of numbers.
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,9 +12,48 @@
 
 #include "core/units.hpp"
 #include "keys/document.hpp"
-#include "keys/range.hpp"
 
 namespace floes {
+
+/// Allowed range of a number, in the unit of the key. NaN is never allowed.
+struct Range {
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+    bool low_included = true;
+    bool high_included = true;
+    bool infinity_included = false;
+    std::string_view reason;  ///< why, if it is not obvious; part of the message
+
+    Range at_most(double bound) const;
+    Range below(double bound) const;
+    Range or_infinity() const;
+    Range because(std::string_view why) const;
+    bool contains(double value) const;
+};
+Range above(double bound);
+Range at_least(double bound);
+
+/// "above 0 and below 1"; "any number" without bounds.
+std::string to_text(const Range& range);
+
+// Numbers and words as TOML writes them.
+
+/// The shortest text that reads back to the same double, always with a point or an exponent: 75 -> "75.0".
+std::string number_literal(double number);
+
+/// `in_si / unit` with the fewest digits for which the product with `unit` is `in_si` again, bit for bit. If there is
+/// no such double (which happens for values that did not come from text), the nearest one.
+std::string number_literal(double in_si, double unit);
+
+/// A basic string in quotes, escaped for TOML.
+std::string text_literal(std::string_view text);
+
+// A key of the configuration: a dotted path bound to one field, with its unit, range, meaning and source. One list of
+// keys drives everything that concerns configuration text: reading, overriding, writing, comparing, the reference. A
+// list of keys refers to the value that it describes and to the words of its descriptions (mostly literals), and must
+// not outlive either. The words are not copied, because keys are described anew for each scenario that is compared.
+//
+// Keys of 1.0.0 that are others now: keys/former.hpp.
 
 struct NumberField {
     std::function<double()> get;      ///< SI
@@ -129,8 +164,7 @@ std::string exact_text(const Key& key);
 /// Gives `to` the value of `from`; both are the same key, bound to two values.
 void copy_value(const Key& from, const Key& to);
 
-/// The entries in the order in which they have to be read: preset keys first, part keys and replaced ones last,
-/// otherwise as given.
+/// The entries in the order in which they have to be read: preset keys first, part keys last, otherwise as given.
 std::vector<Entry> in_order_of_reading(std::span<const Key> keys, std::vector<Entry> entries);
 
 /// The key of that path, present or of 1.0.0, or none. A replaced key is found with its own path and form.
@@ -139,5 +173,22 @@ const Key* find_key(std::span<const Key> keys, std::string_view path);
 /// The key with the path nearest to a mistyped one: fewest edits, where a correct name in a wrong table counts as one
 /// edit, and a name that lacks its unit (field.concentration) as none. `keys` is not empty.
 std::string nearest_path(std::span<const Key> keys, std::string_view path);
+
+// Keys of floes 1.0.0 that have another path now, or were replaced.
+//
+// Digests are made of the paths and values that keys had in 1.0.0, so that members keep theirs. No text may have them.
+
+/// A key that had the path `path` in 1.0.0.
+Key formerly(std::string_view path, Key key);
+
+/// A key that replaced `before`, several keys of 1.0.0, which are bound to the fields that `key` sets. One of them may
+/// have the path of `key`.
+Key instead_of(std::vector<Key> before, Key key);
+
+/// The keys with the paths and forms of 1.0.0, without derived ones: what digests are made of.
+Keys keys_of_digest(Keys keys);
+
+/// The key that stands for a path that only 1.0.0 had; none for other paths.
+const Key* present_key(std::span<const Key> keys, std::string_view path);
 
 }  // namespace floes

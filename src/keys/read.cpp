@@ -8,8 +8,7 @@
 
 #include "core/error.hpp"
 #include "keys/edit_distance.hpp"
-#include "keys/former.hpp"
-#include "keys/literal.hpp"
+#include "keys/key.hpp"
 
 namespace floes {
 namespace {
@@ -148,10 +147,9 @@ void refuse_former(std::span<const Key> keys, const std::string& path, const std
         throw InputError(fmt::format("{}: {} is a key of floes 1.0.0; write {}", where, path, now->path));
 }
 
-std::string assign_known(std::span<const Key> keys, const Entry& entry, Spelling spelling) {
+std::string assign_known(std::span<const Key> keys, const Entry& entry) {
     if (const Key* key = find_key(keys, entry.path)) {
-        const bool former = key->replaced || key->path != entry.path;
-        if (former && spelling == Spelling::present) refuse_former(keys, entry);
+        if (key->replaced || key->path != entry.path) refuse_former(keys, entry);
         assign(*key, entry);
         return std::string(key->path);
     }

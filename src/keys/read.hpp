@@ -11,9 +11,6 @@ namespace floes {
 /// Sets the key's field. Throws InputError, one sentence: where, key, value, what is wrong with it, what is allowed.
 void assign(const Key& key, const Entry& entry);
 
-/// Which paths a text may have: a user's the present ones, one that floes stored also those of 1.0.0.
-enum class Spelling { present, stored };
-
 /// Throws InputError if the entry's path is one of 1.0.0 only: the sentence says what to write instead.
 void refuse_former(std::span<const Key> keys, const Entry& entry);
 
@@ -22,7 +19,7 @@ void refuse_former(std::span<const Key> keys, const std::string& path, const std
 
 /// Finds the entry's key and sets its field. Returns the path of that key, or "" for a known table without keys ([ice]
 /// and nothing below it). Throws InputError as assign() does, for an unknown key, naming the nearest known one, and for
-/// one of 1.0.0 if only present ones are allowed, naming the one that replaced it.
-std::string assign_known(std::span<const Key> keys, const Entry& entry, Spelling spelling = Spelling::present);
+/// one of 1.0.0, naming the one that replaced it.
+std::string assign_known(std::span<const Key> keys, const Entry& entry);
 
 }  // namespace floes

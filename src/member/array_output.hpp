@@ -1,20 +1,221 @@
 #pragma once
-// The list of all arrays that a member yields, beside its quantities: by it they travel from the process that computed
-// them to the journal and to the campaign file, and are read again. A new array is its field in MemberResult, one line
-// here, and its computation in run_member.cpp.
+// The axes along which the arrays of a member lie.
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <span>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
-#include "member/array_axis.hpp"
-#include "member/array_output_kind.hpp"
-#include "member/array_values.hpp"
-#include "member/floe_properties.hpp"
+#include "core/bytes.hpp"
+#include "core/error.hpp"
+#include "member/result.hpp"
+#include "scenario/scenario.hpp"
 
 namespace floes {
+
+/// Whose the places along an axis are.
+enum class AxisKind : std::uint8_t {
+    fixed,    ///< the same in every member
+    counted,  ///< 0, 1, … as far as the scenario goes; a file has those of the case that goes farthest
+    placed,   ///< values that the scenario gives; a file has those of all cases, rising
+    longest,  ///< 0, 1, … as far as the member found any, then NaN; a file has those of the member that found most
+    listed    ///< 0, 1, … as many as the member found; a file lists those of all members one after another
+};
+
+struct ArrayAxis {
+    std::string_view key;  ///< name of the dimension in a file
+    std::string_view unit;
+    std::string_view long_name;
+    AxisKind kind;
+    std::vector<double> (*places)(const Scenario&) = nullptr;  ///< none of longest and listed
+    bool whole_numbers = true;                                 ///< the places are 0, 1, …
+    std::span<const char* const> words = {};                   ///< in place of numbers
+    std::string_view owner = {};                               ///< of listed: what its column of members says
+    std::string_view unlike = {};  ///< of counted: its meaning where cases differ in their places, and it counts from 1
+};
+
+extern const ArrayAxis segment_axis, level_axis, averaging_axis, peak_axis, floe_axis, coordinate_axis, property_axis,
+    part_axis, time_axis, motion_axis, mooring_axis, thrust_axis, line_axis, height_axis, angle_axis, tow_axis,
+    break_axis, piece_axis;
+
+/// Those of which a member alone knows how far they go.
+inline constexpr std::array<const ArrayAxis*, 3> found_axes{&peak_axis, &break_axis, &piece_axis};
+
+// The values of one array of one member, and how they are taken out of its result and put back.
+
+/// Row-major; as many values as the sizes multiply to. Without values: the member does not have the array.
+struct ArrayValues {
+    std::vector<std::size_t> sizes;  ///< one for each axis
+    std::vector<double> values;
+
+    bool empty() const { return values.empty(); }
+};
+
+struct ArrayAccess {
+    ArrayValues (*get)(const MemberResult&);
+    /// The array must have as many sizes as the list gives it axes. Throws RunError for what the field cannot hold.
+    void (*set)(MemberResult&, const ArrayValues&);
+};
+
+/// Of a field that holds fewer numbers than doubles: throws RunError for those that it cannot.
+template <class Field>
+Field as_field(double value) {
+    if constexpr (std::is_same_v<Field, double>) {
+        return value;
+    } else {
+        using Number = std::conditional_t<std::is_enum_v<Field>, std::int8_t, Field>;
+        double most = std::numeric_limits<Number>::max();
+        if constexpr (std::is_same_v<Field, FailureMode>) most = failure_mode_names.size() - 1;
+        if (!(value >= 0 && value <= most && value == std::floor(value)))
+            throw RunError("a stored member has a number that there is not; it was damaged");
+        return static_cast<Field>(static_cast<Number>(value));
+    }
+}
+
+/// A vector of numbers along one axis, reached by a chain of data members.
+template <auto... Path>
+constexpr ArrayAccess at_vector() {
+    return {[](const MemberResult& result) {
+                const std::vector<double>& field = (result.*....*Path);
+                return ArrayValues{{field.size()}, field};
+            },
+            [](MemberResult& result, const ArrayValues& array) { (result.*....*Path) = array.values; }};
+}
+
+/// A vector of numbers along two fixed axes, with as many places as these have.
+template <std::size_t rows, std::size_t columns, auto... Path>
+constexpr ArrayAccess at_table() {
+    ArrayAccess access = at_vector<Path...>();
+    access.get = [](const MemberResult& result) {
+        const std::vector<double>& field = (result.*....*Path);
+        return ArrayValues{{rows, columns}, field};
+    };
+    return access;
+}
+
+/// One number of each element of a vector.
+template <auto Elements, auto Number>
+constexpr ArrayAccess at_each() {
+    return {[](const MemberResult& result) {
+                ArrayValues array{{(result.*Elements).size()}, {}};
+                for (const auto& one : result.*Elements) array.values.push_back(static_cast<double>(one.*Number));
+                return array;
+            },
+            [](MemberResult& result, const ArrayValues& array) {
+                auto& elements = result.*Elements;
+                elements.resize(array.values.size());
+                for (std::size_t k = 0; k < elements.size(); ++k)
+                    elements[k].*Number =
+                        as_field<std::remove_reference_t<decltype(elements[k].*Number)>>(array.values[k]);
+            }};
+}
+
+/// A vector of numbers in each element of a vector; shorter ones are filled up with NaN, which is left out again.
+template <auto Elements, auto Numbers>
+constexpr ArrayAccess at_rows() {
+    return {[](const MemberResult& result) {
+                std::size_t width = 0;
+                for (const auto& one : result.*Elements) width = std::max(width, (one.*Numbers).size());
+                ArrayValues array{{(result.*Elements).size(), width}, {}};
+                for (const auto& one : result.*Elements) {
+                    array.values.insert(array.values.end(), (one.*Numbers).begin(), (one.*Numbers).end());
+                    array.values.insert(array.values.end(), width - (one.*Numbers).size(),
+                                        std::numeric_limits<double>::quiet_NaN());
+                }
+                return array;
+            },
+            [](MemberResult& result, const ArrayValues& array) {
+                auto& elements = result.*Elements;
+                elements.resize(array.sizes.at(0));
+                for (std::size_t k = 0; k < elements.size(); ++k) {
+                    const auto first = array.values.begin() + static_cast<std::ptrdiff_t>(k * array.sizes.at(1));
+                    auto last = first + static_cast<std::ptrdiff_t>(array.sizes.at(1));
+                    while (last != first && std::isnan(*(last - 1))) --last;
+                    (elements[k].*Numbers).assign(first, last);
+                }
+            }};
+}
+
+/// Poses as rows of x, z and yaw.
+template <auto Poses>
+constexpr ArrayAccess at_poses() {
+    return {[](const MemberResult& result) {
+                ArrayValues array{{(result.*Poses).size(), 3}, {}};
+                for (const PlanarPose& pose : result.*Poses)
+                    array.values.insert(array.values.end(), {pose.x, pose.z, pose.yaw});
+                return array;
+            },
+            [](MemberResult& result, const ArrayValues& array) {
+                (result.*Poses).clear();
+                for (std::size_t k = 0; k + 2 < array.values.size(); k += 3)
+                    (result.*Poses).push_back({array.values[k], array.values[k + 1], array.values[k + 2]});
+            }};
+}
+
+/// Rows of as many numbers as the second axis has places, one after another.
+template <std::size_t columns, auto... Path>
+constexpr ArrayAccess at_row_list() {
+    ArrayAccess access = at_vector<Path...>();
+    access.get = [](const MemberResult& result) {
+        const std::vector<double>& field = (result.*....*Path);
+        return ArrayValues{{field.size() / columns, columns}, field};
+    };
+    return access;
+}
+
+/// A single number, which has no axis.
+template <auto Number>
+constexpr ArrayAccess at_number() {
+    return {[](const MemberResult& result) {
+                return ArrayValues{{}, {result.*Number}};
+            },
+            [](MemberResult& result, const ArrayValues& array) { result.*Number = array.values.at(0); }};
+}
+
+// What array_output.hpp's list says of each array.
+
+/// What the numbers are in a campaign file; everywhere else they are doubles.
+enum class ArrayNumbers { real, index, flag };
+
+/// How a campaign file keeps the values of a member.
+enum class ArrayChunks {
+    with_others,  ///< plain, many members together
+    of_its_own    ///< compressed, a chunk a member, which the process that computed it makes
+};
+
+struct ArrayOutput {
+    std::string_view path;  ///< group and name in the file, and its key in journals; only a name: in journals alone
+    std::string_view unit;  ///< in the file
+    std::string_view long_name;              ///< in the file and on its page
+    std::array<const ArrayAxis*, 2> axes{};  ///< row-major; nullptr after the last
+    ArrayAccess access;
+    ArrayChunks chunks = ArrayChunks::with_others;
+    bool in_table = false;        ///< read with the quantities; others when somebody asks for them
+    bool of_arrangement = false;  ///< stored once for all members that begin from the same floes
+    ArrayNumbers numbers = ArrayNumbers::real;
+    std::span<const char* const> words = {};  ///< of flags, counted from 0
+
+    constexpr std::string_view group() const { return in_file() ? path.substr(0, path.find('/')) : ""; }
+    constexpr std::string_view name() const { return path.substr(path.find('/') + 1); }
+    constexpr bool in_file() const { return path.find('/') != std::string_view::npos; }
+    constexpr bool lies_along(const ArrayAxis& axis) const { return std::ranges::find(axes, &axis) != axes.end(); }
+    /// Its axis of that kind; nullptr if it has none.
+    constexpr const ArrayAxis* axis_of(AxisKind kind) const {
+        for (const ArrayAxis* axis : axes)
+            if (axis != nullptr && axis->kind == kind) return axis;
+        return nullptr;
+    }
+};
+
+// The list of all arrays that a member yields, beside its quantities: by it they travel from the process that computed
+// them to the journal and to the campaign file, and are read again. A new array is its field in MemberResult, one line
+// here, and its computation in run_member.cpp.
 
 /// A history of how the structure moved.
 template <auto history>
@@ -263,5 +464,26 @@ consteval const ArrayOutput& array_output(std::string_view path) {
 
 /// Removes what the member keeps of all arrays.
 void clear_arrays(MemberResult& result);
+
+// A member's result as bytes, exact and the same on every machine: for journals, and for messages between ranks and
+// from isolated processes. Quantities and arrays go by their lists, each with its key, so that a reader of another
+// version knows what it has.
+
+/// All but the arrays.
+void write(ByteWriter& out, const MemberResult& result);
+
+/// Restores what write() wrote, bit for bit. Quantities that are not in the bytes are NaN. Throws RunError if the bytes
+/// are not a result.
+MemberResult read_member_result(ByteReader& in);
+
+/// The arrays that the member has, as they are.
+void write_arrays(ByteWriter& out, const MemberResult& result);
+
+/// What write_arrays() wrote. Throws RunError if the bytes are no arrays.
+void read_arrays(ByteReader& in, MemberResult& result);
+
+/// Whether the array may have these sizes: one for each axis, those of fixed axes as they are, and as many values as
+/// they multiply to. Throws RunError otherwise.
+void check_sizes(const ArrayOutput& array, std::span<const std::size_t> sizes, std::uint64_t values);
 
 }  // namespace floes

@@ -1,6 +1,7 @@
 #pragma once
 // The result of one member: a row of Table 3, its load histories, its break log and its initial arrangement.
 
+#include <array>
 #include <limits>
 #include <string>
 #include <vector>
@@ -8,11 +9,11 @@
 #include "core/vector.hpp"
 #include "ice/failure_mode.hpp"
 #include "ice/piece_area.hpp"
-#include "quantities/member_outputs.hpp"
-#include "simulation/load_history.hpp"
-#include "simulation/motion_history.hpp"
-#include "statistics/level_counts.hpp"
+#include "member/member_outputs.hpp"
+#include "scenario/floes.hpp"
+#include "simulation/histories.hpp"
 #include "statistics/load_map.hpp"
+#include "statistics/load_statistics.hpp"
 
 namespace floes {
 
@@ -39,5 +40,28 @@ struct MemberResult : MemberOutputs {
     double wall_time = 0;                 ///< s; provenance only
     double cpu_time = not_measured;       ///< s, of the thread that computed it; provenance only
 };
+
+// What a campaign file keeps of single floes where they differ.
+
+struct FloeProperty {
+    const char* name;
+    double (*of)(const FloeShape&, const Material&);  ///< SI
+};
+
+inline constexpr std::array floe_properties{
+    FloeProperty{"length", [](const FloeShape& shape, const Material&) { return shape.length; }},
+    FloeProperty{"breadth", [](const FloeShape& shape, const Material&) { return shape.breadth; }},
+    FloeProperty{"thickness", [](const FloeShape& shape, const Material&) { return shape.thickness; }},
+    FloeProperty{"element", [](const FloeShape& shape, const Material&) { return shape.element; }},
+    FloeProperty{"density", [](const FloeShape&, const Material& of) { return of.ice.density; }},
+    FloeProperty{"elastic_modulus", [](const FloeShape&, const Material& of) { return of.ice.elastic_modulus; }},
+    FloeProperty{"bending_strength", [](const FloeShape&, const Material& of) { return of.ice.bending_strength; }},
+    FloeProperty{"compressive_strength",
+                 [](const FloeShape&, const Material& of) { return of.ice.compressive_strength; }},
+    FloeProperty{"shear_strength", [](const FloeShape&, const Material& of) { return of.ice.shear_strength; }},
+};
+
+/// A row for each floe, in the order of the list.
+std::vector<double> properties_of(const FloeSet& floes);
 
 }  // namespace floes

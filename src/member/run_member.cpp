@@ -11,10 +11,10 @@
 
 #include "arrangement/arrangement.hpp"
 #include "core/error.hpp"
-#include "member/floe_properties.hpp"
-#include "quantities/quantity.hpp"
+#include "member/quantity.hpp"
+#include "member/result.hpp"
 #include "simulation/simulation.hpp"
-#include "statistics/means.hpp"
+#include "statistics/load_statistics.hpp"
 
 namespace floes {
 namespace {

@@ -1,21 +1,24 @@
 // Contradictions within the ice and within the time of a run.
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "scenario/floes.hpp"
 #include "scenario/keys.hpp"
-#include "scenario/sizes.hpp"
+#include "scenario/laws.hpp"
 #include "scenario/validate.hpp"
 
 namespace floes {
+
 namespace {
 
 constexpr double rounding = 1e-9;  // relative: 0.6 / 0.2 is not 3 in binary
@@ -211,6 +214,241 @@ void check_averaging(const Scenario& scenario, Contradictions& found) {
                                          std::max(1.0, std::round(time / step)) * step)});
         }
         return;  // one message is enough
+    }
+}
+
+// Contradictions within the laws of sizes.
+
+namespace {
+
+constexpr double least_mass = 1e-6;  // of a law within its bounds; less is a slip of the pen
+
+void check_list(const Scenario& scenario, Contradictions& found) {
+    const std::string key = "sizes.list_m";
+    const std::vector<ListedSize>& list = scenario.sizes.list;
+    if (list.empty()) {
+        found.push_back({{"sizes.law", key},
+                         fmt::format("{} needs sizes.list_m = [[length_m, breadth_m, share_percent], ...]",
+                                     given(scenario, "sizes.law"))});
+        return;
+    }
+    double sum = 0;
+    for (const ListedSize& one : list) sum += one.share;
+    if (std::abs(sum - 1) > 1e-6)
+        found.push_back(
+            {{key}, fmt::format("the shares of {} sum to {:.6g} %; they are to sum to 100 %", key, 100 * sum)});
+    if (scenario.sizes.element != ElementSide::given) return;
+    const double element = scenario.floe.element;
+    for (const ListedSize& one : list) {
+        for (const double side : {one.length, one.breadth}) {
+            const double ratio = side / element;
+            if (std::abs(ratio - std::round(ratio)) <= 1e-9 * ratio && ratio > 0.5) continue;
+            found.push_back(
+                {{key, "floe.element_m"},
+                 fmt::format("{} does not divide the side of {:g} m in {}; the nearest side that does is "
+                             "{:.6g}, or take sizes.element = \"of_floe\"",
+                             given(scenario, "floe.element_m"), side, key, side / std::max(1.0, std::round(ratio)))});
+            return;
+        }
+    }
+}
+
+void check_size_law(const Scenario& scenario, Contradictions& found) {
+    const Sizes& sizes = scenario.sizes;
+    if (sizes.smallest >= sizes.largest) {
+        found.push_back({{"sizes.smallest_m", "sizes.largest_m"},
+                         fmt::format("{} is not below {}", given(scenario, "sizes.smallest_m"),
+                                     given(scenario, "sizes.largest_m"))});
+        return;
+    }
+    if (sizes.least_ratio > sizes.largest_ratio)
+        found.push_back({{"sizes.ratio_lowest", "sizes.ratio_highest"},
+                         fmt::format("{} is above {}", given(scenario, "sizes.ratio_lowest"),
+                                     given(scenario, "sizes.ratio_highest"))});
+    if (sizes.law != SizeLaw::lognormal) return;
+    const LognormalSizes law{sizes.mean, sizes.cov};
+    const double mass =
+        cut_off(sizes.by == SharesOf::area ? number_law(law) : law, {sizes.smallest, sizes.largest}).mass();
+    if (mass < least_mass)
+        found.push_back({{"sizes.smallest_m", "sizes.largest_m", "sizes.mean_m", "sizes.cov"},
+                         fmt::format("{} and {} leave {:.2g} of the lognormal law of {} and {}; take bounds on both "
+                                     "sides of most floes",
+                                     given(scenario, "sizes.smallest_m"), given(scenario, "sizes.largest_m"), mass,
+                                     given(scenario, "sizes.mean_m"), given(scenario, "sizes.cov"))});
+}
+
+/// The shortest and the longest side of any floe before it is rounded, m.
+std::pair<double, double> extreme_sides(const Sizes& sizes) {
+    if (sizes.law != SizeLaw::list)
+        return {sizes.smallest / std::sqrt(sizes.largest_ratio), sizes.largest * std::sqrt(sizes.largest_ratio)};
+    std::vector<double> sides;
+    for (const ListedSize& one : sizes.list) sides.insert(sides.end(), {one.length, one.breadth});
+    const auto [shortest, longest] = std::ranges::minmax(sides);
+    return {shortest, longest};
+}
+
+/// Elements no larger than the smallest floe, and no more of them than a member may have.
+void check_size_elements(const Scenario& scenario, Contradictions& found) {
+    const Sizes& sizes = scenario.sizes;
+    if (sizes.element != ElementSide::of_floe) {
+        const auto [shorter, longest] = extreme_sides(sizes);
+        const double side = element_side(scenario, shorter);
+        const std::string key = sizes.element == ElementSide::given ? "floe.element_m" : "sizes.element_share";
+        if (side > shorter * (1 + 1e-9)) {
+            found.push_back(
+                {{key, "sizes.smallest_m", "sizes.list_m"},
+                 fmt::format("{} makes elements of {:.4g} m, larger than the side of {:.4g} m of the smallest "
+                             "floe; take smaller elements or larger floes",
+                             given(scenario, key), side, shorter)});
+            return;
+        }
+        constexpr double most_along = 1e4;
+        if (longest > most_along * side) {
+            found.push_back({{key, "sizes.largest_m", "sizes.list_m"},
+                             fmt::format("{} makes elements of {:.4g} m, more than {:g} of them along the largest floe",
+                                         given(scenario, key), side, most_along)});
+            return;
+        }
+    }
+    double elements = 0;
+    for (const FloeShape& shape : floe_sizes(scenario)) elements += shape.elements();
+    check_element_count(scenario, elements, found);
+}
+
+}  // namespace
+
+void check_sizes(const Scenario& scenario, Contradictions& found) {
+    const Sizes& sizes = scenario.sizes;
+    if (sizes.law == SizeLaw::one) return;
+    if (scenario.arrangement.method == ArrangementMethod::file) {
+        found.push_back({{"sizes.law", "arrangement.method"},
+                         fmt::format("{} does not suit {}; give the sizes as columns of arrangement.file",
+                                     given(scenario, "sizes.law"), given(scenario, "arrangement.method"))});
+        return;
+    }
+    if (sizes.law == SizeLaw::list)
+        check_list(scenario, found);
+    else
+        check_size_law(scenario, found);
+    if (found.empty()) check_size_elements(scenario, found);
+}
+
+// Contradictions within the laws by which the ice of floes differs.
+
+namespace {
+
+struct NamedSpread {
+    const Spread* spread;
+    std::string law;  ///< its key
+};
+
+std::array<NamedSpread, 6> spreads_of(const IceSpread& of) {
+    return {NamedSpread{&of.thickness, "spread.thickness"},
+            {&of.strength, "spread.strength"},
+            {&of.elastic_modulus, "spread.elastic_modulus"},
+            {&of.density, "spread.density"},
+            {&of.salinity, "spread.salinity"},
+            {&of.temperature, "spread.temperature"}};
+}
+
+void check_laws(const Scenario& scenario, Contradictions& found) {
+    for (const auto& [spread, law] : spreads_of(scenario.spread)) {
+        if (!spread->any()) continue;
+        const std::string bounds = law + "_within";
+        const std::vector<double>& within = spread->within;
+        if (within.size() != 2 || within[0] >= within[1]) {
+            found.push_back(
+                {{bounds}, fmt::format("{} is not two rising factors, such as [0.5, 2.0]", given(scenario, bounds))});
+        } else if (const double mass = Factors(spread->factors()).mass(); mass < least_mass) {
+            found.push_back(
+                {{bounds, law, law + "_cov"},
+                 fmt::format("{} leaves {:.2g} of the law {} with {}; take bounds on both sides of 1",
+                             given(scenario, bounds), mass, given(scenario, law), given(scenario, law + "_cov"))});
+        }
+    }
+}
+
+void check_springs(const Scenario& scenario, Contradictions& found) {
+    if (scenario.joint.model == JointModel::beam) return;
+    const auto refuse = [&](const std::string& key) {
+        found.push_back(
+            {{key, "joint.model"},
+             fmt::format("{} needs joint.model = \"beam\": with \"cfm\" joints do not follow the modulus of "
+                         "each floe",
+                         given(scenario, key))});
+    };
+    if (scenario.spread.elastic_modulus.any()) refuse("spread.elastic_modulus");
+    if (scenario.brine.salinity > 0) refuse("brine.salinity_ppt");
+}
+
+void check_brine(const Scenario& scenario, Contradictions& found) {
+    constexpr double warmest = -0.5;
+    constexpr double coldest = -22.9;
+    const Brine& brine = scenario.brine;
+    const IceSpread& spread = scenario.spread;
+    for (const auto& [one, key] :
+         {std::pair(&spread.salinity, "spread.salinity"), {&spread.temperature, "spread.temperature"}})
+        if (one->any() && brine.salinity == 0)
+            found.push_back({{key}, fmt::format("{} needs brine.salinity_ppt above 0", given(scenario, key))});
+    if (brine.salinity == 0 || !found.empty()) return;
+    const double warm = brine.temperature * least_factor(spread.temperature);
+    const double cold = brine.temperature * largest_factor(spread.temperature);
+    if (warm > warmest || cold < coldest) {
+        found.push_back({{"spread.temperature_within", "brine.temperature_C"},
+                         fmt::format("{} with {} reaches from {:.3g} to {:.3g} °C; the formula is for {:g} to {:g} °C",
+                                     given(scenario, "brine.temperature_C"),
+                                     given(scenario, "spread.temperature_within"), cold, warm, coldest, warmest)});
+        return;
+    }
+    const double most = brine_volume(brine.salinity * largest_factor(spread.salinity), warm);
+    if (brine_modulus(most) <= 0)
+        found.push_back(
+            {{"brine.salinity_ppt", "brine.temperature_C", "spread.salinity_within"},
+             fmt::format("{} with {} makes up to {:.3g} of the ice brine, where the formulas leave it no "
+                         "stiffness; take colder or fresher ice, or narrower bounds",
+                         given(scenario, "brine.salinity_ppt"), given(scenario, "brine.temperature_C"), most)});
+}
+
+/// Ice as [brine] says at one end of its laws.
+void follow(Scenario& scenario, double salinity_factor, double temperature_factor) {
+    if (scenario.brine.salinity == 0) return;
+    const double brine =
+        brine_volume(scenario.brine.salinity * salinity_factor, scenario.brine.temperature * temperature_factor);
+    scenario.ice.bending_strength = flexural_strength(brine);
+    scenario.ice.elastic_modulus = brine_modulus(brine);
+}
+
+}  // namespace
+
+void check_spread(const Scenario& scenario, Contradictions& found) {
+    const IceSpread& spread = scenario.spread;
+    check_laws(scenario, found);
+    check_springs(scenario, found);
+    if (!found.empty()) return;
+    check_brine(scenario, found);
+    if (!found.empty() || !(spread.any() || scenario.brine.salinity > 0)) return;
+    // Every single floe has to be ice that floats and bends little: the ends of the laws, in the worst combination.
+    Scenario thin = scenario;
+    follow(thin, least_factor(spread.salinity), largest_factor(spread.temperature));
+    const double strongest = thin.ice.bending_strength;
+    follow(thin, largest_factor(spread.salinity), least_factor(spread.temperature));
+    thin.ice.bending_strength = strongest * largest_factor(spread.strength);
+    thin.ice.elastic_modulus *= least_factor(spread.elastic_modulus);
+    thin.ice.density *= least_factor(spread.density);
+    thin.floe.thickness *= least_factor(spread.thickness);
+    Scenario thick = scenario;
+    thick.ice.density *= largest_factor(spread.density);
+    thick.floe.thickness *= largest_factor(spread.thickness);
+    for (const Scenario* end : {&thin, &thick}) {
+        Contradictions of_end;
+        check_floating(*end, of_end);
+        check_proportions(*end, of_end);
+        for (Contradiction& one : of_end) {
+            one.sentence = "at an end of the laws of [spread]: " + one.sentence;
+            for (const auto& [law, key] : spreads_of(spread))
+                if (law->any()) one.keys.insert(one.keys.begin(), key);
+            found.push_back(std::move(one));
+        }
     }
 }
 

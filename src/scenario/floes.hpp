@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/vector.hpp"
@@ -84,5 +85,62 @@ double element_count(const FloeSet& floes);
 
 /// The largest side of any floe, m.
 double largest_side(const FloeSet& floes);
+
+// The sizes of a scenario's floes: the same in every arrangement, so that each covers the same area.
+
+/// The shapes of all floes, rounded to whole elements, of the scenario's thickness: `floe` for each unless sizes
+/// differ. Floe i of n has the size that a share (i + ½)/n of the law is below, or the list's shares in whole floes,
+/// or an outline of shapes.file (traced_shapes()).
+std::vector<FloeShape> floe_sizes(const Scenario& scenario);
+
+/// Side of the elements, m, of a floe whose shorter side is `breadth` before it is rounded.
+double element_side(const Scenario& scenario, double breadth);
+
+/// How far from the structure's axis the edges of a field without end's window (field.ahead_m, field.behind_m) are at
+/// least, m: its radius and the diagonal of the largest floe, so that it touches nothing beyond them.
+double window_least(const Scenario& scenario);
+
+/// How many floes each entry of sizes.list is of: the nearest whole numbers whose sum is field.floes.
+std::vector<int> listed_counts(const Scenario& scenario);
+
+// The ice of single floes, drawn.
+
+/// Gives each floe the ice that the laws of [spread] draw for it, and what [brine] says. A draw depends on the
+/// campaign's seed, the arrangement's number, spread.draw, the property and the floe's number only.
+void draw_ice(const Scenario& scenario, const Draw& draw, std::vector<SingleFloe>& floes);
+
+/// The least or the largest factor that a property can have, 1 where it has no law.
+double least_factor(const Spread& spread);
+double largest_factor(const Spread& spread);
+
+// Floes that are polygons, drawn.
+
+/// Gives each floe the outline that [shapes] draws for it, and cells of a Voronoi diagram their places. Outlines depend
+/// on the campaign's seed, the arrangement's number, the part and what [shapes], [sizes], [floe] and [field] say. Cells
+/// of a field without end, which knows no part alone, stay rectangles (arrangement/cell_field.hpp). Throws InputError
+/// if cells are too small, or lie nearer than the clearance.
+void shape_floes(const Scenario& scenario, const Draw& draw, std::vector<SingleFloe>& floes);
+
+/// Whether a convex outline is a sheet of such ice that can be cut into elements.
+bool is_floe(Corners outline, double thickness);
+
+/// Gives the floe an outline, and the place where that lies.
+void lie_as(SingleFloe& floe, Corners outline);
+
+/// Throws InputError where cells whose edges moved inwards by `offset` (m) lie nearer than the clearance.
+void check_gap(const Scenario& scenario, double offset);
+
+/// Shapes of all floes of shapes.kind = "file": floe i of n has the outline that a share (i + ½)/n of all outlines, by
+/// area, is below. So all arrangements have the same floes.
+std::vector<FloeShape> traced_shapes(const Scenario& scenario);
+
+/// One floe for each outline, where it was traced, from the near edge of the field on and about its middle line.
+std::vector<SingleFloe> floes_as_traced(const Scenario& scenario);
+
+/// Area that each outline gained in becoming convex, over its own in the file; empty if it came from none.
+std::vector<double> traced_added(const TracedOutlines& traced);
+
+/// 'outline 3 "A"', as messages name one of the outlines of a file; counted from 1.
+std::string outline_name(const TracedOutlines& traced, std::size_t number);
 
 }  // namespace floes

@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "keys/former.hpp"
+#include "keys/key.hpp"
 #include "scenario/tables.hpp"
 
 namespace floes {

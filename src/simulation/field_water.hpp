@@ -6,12 +6,39 @@
 #include "ice/ice_field.hpp"
 #include "scenario/floes.hpp"
 #include "scenario/scenario.hpp"
+#include "water/floating_plate.hpp"
 #include "water/water_lanes.hpp"
+#include "world/world.hpp"
 
 namespace floes {
 
 /// One model for all squares of the same size and density, and one for each polygon. floes: those at the places of the
 /// ice.
 WaterLanes make_water(const Scenario& scenario, const FloeSet& floes, const IceField& ice);
+
+// The water that connected pieces of ice move and the waves they make, shared out among their elements: anew whenever
+// a floe has broken.
+
+class PieceWater {
+  public:
+    PieceWater(const Scenario& scenario, const FloeSet& floes);
+
+    /// Gives the elements of a floe what their pieces have, as far as water.added_mass_from and
+    /// water.heave_damping_from say "outline".
+    void share_out(int floe, const IceField& ice, World& world, WaterLanes& water);
+
+    /// What an element carries, by its place in ice.elements().
+    const CarriedWater& carried(std::size_t element) const { return carried_[element]; }
+
+  private:
+    WaterBody body_;
+    bool carries_;
+    bool radiates_;
+    std::vector<double> draught_;              ///< by floe, m
+    std::vector<CarriedWater> carried_;        ///< by element
+    std::vector<int> piece_order_;             ///< elements of one floe, piece after piece
+    std::vector<Vec2> centres_;                ///< of one piece
+    std::vector<const CutElement*> polygons_;  ///< likewise, of polygons
+};
 
 }  // namespace floes

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "structure/overlap.hpp"
+#include "shapes/overlap.hpp"
 
 namespace floes {
 

@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
+#include "shapes/shape.hpp"
 #include "simulation/structure_motion.hpp"
-#include "statistics/part_loads.hpp"
-#include "statistics/swing.hpp"
-#include "structure/shape.hpp"
+#include "statistics/averaged_load.hpp"
+#include "statistics/load_statistics.hpp"
 #include "world/state.hpp"
 
 namespace floes {

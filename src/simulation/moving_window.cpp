@@ -5,9 +5,10 @@
 #include <limits>
 #include <utility>
 
-#include "scenario/sizes.hpp"
+#include "scenario/floes.hpp"
 
 namespace floes {
+
 namespace {
 
 constexpr double strides_in_a_floe = 4;  // more strides lay the solver out anew more often
@@ -37,6 +38,91 @@ std::vector<SingleFloe> MovingWindow::next_part() {
     FieldPart part = ice_.next();
     ice_.end = part.end;
     return std::move(part.floes);
+}
+
+SleepingFloes::SleepingFloes(double wake_radius, const std::vector<IceElement>& elements) : wake_radius_(wake_radius) {
+    for (std::size_t i = 0; i < elements.size(); ++i) add(i, elements[i]);
+    list_awake();
+}
+
+void SleepingFloes::add(std::size_t element, const IceElement& of) {
+    const auto floe = static_cast<std::size_t>(of.floe);
+    floes_.resize(std::max(floes_.size(), floe + 1));
+    floes_[floe].indices.push_back(element);
+    const std::size_t body = of.body.index();
+    floe_of_body_.resize(std::max(floe_of_body_.size(), body + 1));
+    floe_of_body_[body] = floe;
+    body_.push_back(of.body);
+}
+
+void SleepingFloes::rest(World& world, const IceField& ice, int place, std::span<const BodyState> states) {
+    for (std::size_t i = body_.size(); i < ice.elements().size(); ++i) add(i, ice.elements()[i]);
+    FloeElements& floe = floes_[static_cast<std::size_t>(place)];
+    floe.there = true;
+    floe.middle = middle_of(floe, states);
+    set_asleep(world, floe, true);
+}
+
+void SleepingFloes::leave(int place) {
+    floes_[static_cast<std::size_t>(place)].there = false;
+}
+
+void SleepingFloes::lay_down(World& world, std::span<const BodyState> states, const PlanarPose& structure) {
+    if (wake_radius_ == 0) return;
+    for (FloeElements& floe : floes_) {
+        floe.middle = middle_of(floe, states);
+        const bool at_rest = std::ranges::all_of(floe.indices, [&](std::size_t i) {
+            return states[i].velocity.isZero(0) && states[i].angular_velocity.isZero(0);
+        });
+        if (at_rest && !reached(floe, structure)) set_asleep(world, floe, true);
+    }
+    list_awake();
+}
+
+void SleepingFloes::wake(World& world, const PlanarPose& structure) {
+    if (wake_radius_ == 0 || sleepers_ == 0) return;  // a field without end has sleepers that nothing wakes but rouse()
+    const std::size_t before = sleepers_;
+    for (const BodyId body : world.touched_asleep()) set_asleep(world, floes_[floe_of_body_[body.index()]], false);
+    for (FloeElements& floe : floes_) {
+        if (floe.asleep && reached(floe, structure)) set_asleep(world, floe, false);
+    }
+    if (sleepers_ != before) list_awake();
+}
+
+void SleepingFloes::wake_all(World& world) {
+    for (FloeElements& floe : floes_) set_asleep(world, floe, false);
+    list_awake();
+}
+
+Vec3 SleepingFloes::middle_of(const FloeElements& floe, std::span<const BodyState> states) {
+    Vec3 middle = Vec3::Zero();
+    for (const std::size_t i : floe.indices) middle += states[i].position / static_cast<double>(floe.indices.size());
+    return middle;
+}
+
+bool SleepingFloes::reached(const FloeElements& floe, const PlanarPose& structure) const {
+    const double x = floe.middle.x() - structure.x;
+    const double z = floe.middle.z() - structure.z;
+    return x * x + z * z <= wake_radius_ * wake_radius_;
+}
+
+void SleepingFloes::set_asleep(World& world, FloeElements& floe, bool asleep) {
+    if (floe.asleep == asleep) return;
+    floe.asleep = asleep;
+    sleepers_ += asleep ? std::size_t{1} : static_cast<std::size_t>(-1);
+    for (const std::size_t i : floe.indices) world.set_asleep(body_[i], asleep);
+}
+
+void SleepingFloes::list_awake() {
+    awake_elements_.clear();
+    std::size_t most = 0;
+    for (const FloeElements& floe : floes_) most = std::max(most, floe.indices.size());
+    for (std::size_t place = 0; place < most; ++place) {
+        for (const FloeElements& floe : floes_) {
+            if (floe.there && !floe.asleep && place < floe.indices.size())
+                awake_elements_.push_back(floe.indices[place]);
+        }
+    }
 }
 
 }  // namespace floes

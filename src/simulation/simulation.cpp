@@ -1,19 +1,97 @@
-#include "simulation/simulation.hpp"
+// What a step of a simulation leaves: the ice load, where it acts, and the histories.
 
-#include <fmt/format.h>
+#include "simulation/simulation.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "core/error.hpp"
 #include "ice/scenario_world.hpp"
 #include "simulation/field_water.hpp"
 
 namespace floes {
+
+void Encounters::meet(std::span<const ContactForce> contacts, const IceField& ice) {
+    if (met_.size() < static_cast<std::size_t>(ice.places())) met_.resize(static_cast<std::size_t>(ice.places()));
+    for (const ContactForce& contact : contacts) {
+        for (const BodyId body : {contact.a, contact.b}) {
+            if (const auto element = ice.element_of(body))
+                met_[static_cast<std::size_t>(ice.elements()[*element].floe)] = 1;
+        }
+    }
+}
+
+void Encounters::leave(int place, const IceField& ice) {
+    if (!has_met(place)) return;
+    ++left_met_;
+    left_broken_ += ice.is_broken(place) ? 1 : 0;
+    met_[static_cast<std::size_t>(place)] = 0;
+}
+
+bool Encounters::has_met(int place) const {
+    return static_cast<std::size_t>(place) < met_.size() && met_[static_cast<std::size_t>(place)] != 0;
+}
+
+int Encounters::met(const IceField& ice) const {
+    int found = left_met_;
+    for (int place = 0; place < ice.places(); ++place) found += ice.is_there(place) && has_met(place) ? 1 : 0;
+    return found;
+}
+
+int Encounters::met_broken(const IceField& ice) const {
+    int found = left_broken_;
+    for (int place = 0; place < ice.places(); ++place)
+        found += ice.is_there(place) && has_met(place) && ice.is_broken(place) ? 1 : 0;
+    return found;
+}
+
+namespace {
+
+bool within(double value, double low, double high) {
+    return value >= low && value <= high;
+}  // false for NaN
+
+}  // namespace
+
+Wellbeing::Wellbeing(const Scenario& scenario, const Channel& channel)
+    : speed(scenario.general.runaway_speed),
+      begin(channel.begin - channel.room - channel.drift),
+      end(channel.end + channel.room + channel.drift),
+      outer_edge(channel.outer_edge + channel.drift),
+      top(channel.room),
+      bottom(scenario.structure.shape.bottom() - channel.room) {}
+
+std::optional<std::string> Wellbeing::trouble(const BodyState& state) const {
+    const Vec3& at = state.position;
+    if (!at.allFinite() || !state.rotation.allFinite() || !state.velocity.allFinite() ||
+        !state.angular_velocity.allFinite()) {
+        return "has a state that is not a number";
+    }
+    if (state.velocity.squaredNorm() > speed * speed) {
+        return fmt::format("has run away: its speed is {:.4g} m/s, over runaway_speed = {:.4g} m/s",
+                           state.velocity.norm(), speed);
+    }
+    if (!within(at.z(), -outer_edge, outer_edge)) {
+        return fmt::format("is gone: it lies at z = {:.4g} m, beyond the outer edge of a wall sheet at {:.4g} m",
+                           at.z(), std::copysign(outer_edge, at.z()));
+    }
+    if (!within(at.x(), begin, end)) {
+        return fmt::format("is gone: it lies at x = {:.4g} m, outside the channel from {:.4g} to {:.4g} m", at.x(),
+                           begin, end);
+    }
+    if (!within(at.y(), bottom, top)) {
+        return fmt::format("is gone: it lies at height {:.4g} m, outside {:.4g} to {:.4g} m", at.y(), bottom, top);
+    }
+    return std::nullopt;
+}
+
 namespace {
 
 std::vector<ConvexSolid> solids_of(const Scenario& scenario) {
@@ -220,6 +298,156 @@ void Simulation::share_out_water(std::size_t first_break) {
         if (i == first_break || breaks[i].floe != breaks[i - 1].floe)
             piece_water_.share_out(ice_.place_of(breaks[i].floe), ice_, world_, water_);
     }
+}
+
+void Simulation::read_ice_load() {
+    ice_load_ = world_.contact_force(structure_);
+    if (motion_.is_free()) {
+        const PlanarPose& axis = motion_.after();
+        ice_moment_ = 0;
+        for (const ContactForce& one : structure_contacts_) {
+            const Vec3 on_a = one.normal + one.friction;
+            const double moment = (one.point.z() - axis.z) * on_a.x() - (one.point.x() - axis.x) * on_a.z();
+            ice_moment_ += one.a == structure_ ? moment : -moment;
+        }
+    }
+    if (!ice_load_.allFinite() || !std::isfinite(ice_moment_)) {
+        throw MemberFailure(fmt::format("The load on the structure is not a number (t = {:.2f} s).", step_end()));
+    }
+}
+
+void Simulation::map_contacts() {
+    const PlanarPose& axis = motion_.after();  // where contacts were looked for
+    for (const ContactForce& one : structure_contacts_) {
+        const Vec3 arm = motion_.in_own_axes(one.point - Vec3(axis.x, 0, axis.z));
+        const double surge = -motion_.in_own_axes(one.normal + one.friction).x();  // of a; on b the opposite
+        contact_bins_.add(arm.x(), arm.y(), arm.z(), one.a == structure_ ? surge : -surge, one.normal.norm());
+    }
+    hull_loads_.add(structure_contacts_, structure_, motion_);
+    ++steps_in_window_;
+}
+
+void Simulation::record() {
+    const Vec3 load = motion_.in_own_axes(ice_load_);
+    loads_.surge.push_back(-load.x());
+    loads_.sway.push_back(load.z());
+    loads_.heave.push_back(load.y());
+    if (motion_.is_free()) record_motion();
+    ++steps_;
+}
+
+void Simulation::record_motion() {
+    const PlanarPose& pose = motion_.after();
+    motions_.x.push_back(pose.x);
+    motions_.z.push_back(pose.z);
+    motions_.yaw.push_back(pose.yaw);
+    motions_.yaw_load.push_back(ice_moment_);
+    if (!motion_.moored()) return;
+    const Vec3& offset = motion_.moored()->state().offset;
+    const Vec3 restoring = motion_.moored()->restoring();
+    motions_.surge_offset.push_back(-offset[0]);
+    motions_.sway_offset.push_back(offset[1]);
+    motions_.surge_mooring.push_back(restoring[0]);
+    motions_.sway_mooring.push_back(-restoring[1]);
+    motions_.yaw_mooring.push_back(-restoring[2]);
+    if (!motion_.moored()->has_thrusters()) return;
+    const Vec3 thrust = motion_.moored()->thrust();
+    motions_.surge_thrust.push_back(thrust[0]);
+    motions_.sway_thrust.push_back(-thrust[1]);
+    motions_.yaw_thrust.push_back(-thrust[2]);
+}
+
+// How a Simulation follows a field without end: floes come, wake and leave.
+
+void Simulation::start_window(const FloeSet& floes, IceAhead ahead) {
+    window_.emplace(scenario_, floes, std::move(ahead));
+    for (int place = 0; place < ice_.places(); ++place) {
+        ice_.set_resting(place, true);
+        sleeping_.rest(world_, ice_, place, states_);
+    }
+    encounters_.enter(-ice_.floes());
+    move_window();
+}
+
+void Simulation::move_window() {
+    if (!window_) return;
+    if (!window_->moves_to(motion_.before().x)) return check_way_back();
+    leave_behind();
+    bool came = false;
+    while (enter_ahead()) came = true;
+    if (came) measure_anew();
+    for (int place = 0; place < ice_.places(); ++place) {
+        if (!ice_.is_there(place) || !sleeping_.rests(place) || sleeping_.middle_x(place) > window_->last()) continue;
+        sleeping_.rouse(world_, place);
+        ice_.set_resting(place, false);
+        encounters_.enter(1);
+    }
+    sleeping_.list_awake();
+}
+
+/// Only moorings let a structure come so far back: of the other ways scenario/checks_endless.cpp has seen the whole.
+void Simulation::check_way_back() const {
+    const double x = motion_.before().x;
+    if (!window_->has_left(x)) return;
+    throw MemberFailure(
+        fmt::format("The moored structure has come back to x = {:.4g} m (t = {:.2f} s), and floes behind x = {:.4g} m "
+                    "are gone from the field without end; take a larger field.behind_m or moorings that hold it.",
+                    x, time(), window_->first()));
+}
+
+/// Floes of which no element is in the window any more. What stays in their places does not move.
+void Simulation::leave_behind() {
+    for (int place = 0; place < ice_.places(); ++place) {
+        if (!ice_.is_there(place) || sleeping_.rests(place)) continue;
+        const auto first = static_cast<std::size_t>(ice_.first_element(place));
+        const auto count = static_cast<std::size_t>(ice_.elements(place));
+        const auto elements = std::span(states_).subspan(first, count);
+        const auto is_in = [&](const BodyState& one) { return one.position.x() >= window_->first(); };
+        if (std::ranges::any_of(elements, is_in)) continue;
+        encounters_.leave(place, ice_);
+        ice_.leave(world_, place);
+        sleeping_.leave(place);
+        for (BodyState& one : elements) one.velocity = one.angular_velocity = Vec3::Zero();
+    }
+}
+
+/// A part that finds no room ends the run, not the campaign; of the first ones the campaign hears at once.
+std::vector<SingleFloe> Simulation::next_part() {
+    try {
+        return window_->next_part();
+    } catch (const InputError& error) {
+        if (steps_ == 0) throw;
+        throw MemberFailure(fmt::format("The field cannot be laid on from x = {:.4g} m (t = {:.2f} s): {}.",
+                                        window_->last(), time(), error.what()));
+    }
+}
+
+bool Simulation::enter_ahead() {
+    const std::vector<SingleFloe> part = next_part();
+    std::vector<SingleFloe>& places = window_->places();
+    for (const SingleFloe& floe : part) {
+        const int place = ice_.enter(world_, scenario_, floe);
+        places.resize(static_cast<std::size_t>(ice_.places()));
+        places[static_cast<std::size_t>(place)] = floe;
+        states_.resize(ice_.elements().size());
+        const auto first = static_cast<std::size_t>(ice_.first_element(place));
+        for (std::size_t i = first; i < first + static_cast<std::size_t>(ice_.elements(place)); ++i)
+            states_[i] = world_.state(ice_.elements()[i].body);
+        ice_.set_resting(place, true);
+        sleeping_.rest(world_, ice_, place, states_);
+    }
+    return !part.empty();
+}
+
+/// All that is kept by element, for the floes that are there now.
+void Simulation::measure_anew() {
+    const FloeSet floes = gathered(window_->places());
+    states_before_.resize(states_.size());
+    water_ = make_water(scenario_, floes, ice_);
+    piece_water_ = PieceWater(scenario_, floes);
+    for (int place = 0; place < ice_.places(); ++place)
+        if (ice_.is_there(place)) piece_water_.share_out(place, ice_, world_, water_);
+    work_.measure(floes, ice_);
 }
 
 }  // namespace floes

@@ -1,4 +1,75 @@
 #pragma once
+// Which floes were computed, and which of them touched the structure: what counts of broken floes are relative to.
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "ice/failure_mode.hpp"
+#include "ice/ice_field.hpp"
+#include "scenario/floes.hpp"
+#include "scenario/scenario.hpp"
+#include "simulation/field_water.hpp"
+#include "simulation/frame.hpp"
+#include "simulation/histories.hpp"
+#include "simulation/hull_loads.hpp"
+#include "simulation/moving_window.hpp"
+#include "simulation/sheets.hpp"
+#include "simulation/structure_motion.hpp"
+#include "simulation/tow_work.hpp"
+#include "statistics/load_map.hpp"
+#include "water/water_lanes.hpp"
+#include "world/state.hpp"
+#include "world/world.hpp"
+
+namespace floes {
+
+class Encounters {
+  public:
+    /// Floes from now on computed.
+    void enter(int floes) { entered_ += floes; }
+
+    /// After a step: contacts of the structure in it. Allocates nothing unless the ice has a place more.
+    void meet(std::span<const ContactForce> contacts, const IceField& ice);
+
+    /// Before the floe at this place leaves the ice.
+    void leave(int place, const IceField& ice);
+
+    int entered() const { return entered_; }
+    int met(const IceField& ice) const;         ///< that touched the structure
+    int met_broken(const IceField& ice) const;  ///< of these, with a failed joint
+
+  private:
+    bool has_met(int place) const;
+
+    int entered_ = 0;
+    int left_met_ = 0, left_broken_ = 0;  // of floes that have left
+    std::vector<std::uint8_t> met_;       // by place
+};
+
+// Is a run still a simulation of floating ice? Elements that explode, leave the channel, fly or sink say it is not;
+// then the member fails with a reason and gives no numbers.
+
+/// Where and how fast an element may be. m, m/s.
+struct Wellbeing {
+    double speed = 0;       ///< largest |velocity| of the centre of mass
+    double begin = 0;       ///< least x: the channel's room before the wall sheets
+    double end = 0;         ///< largest x: as far past them
+    double outer_edge = 0;  ///< largest |z|: the outer edge of a wall sheet
+    double top = 0;         ///< largest height: the same above the water
+    double bottom = 0;      ///< least height: the same below the structure
+
+    Wellbeing(const Scenario& scenario, const Channel& channel);
+
+    /// What is wrong with an element in this state ("has run away at 12 m/s ..."); nothing if it is well. NaN is not
+    /// well.
+    std::optional<std::string> trouble(const BodyState& state) const;
+};
+
 // One tow through one arrangement: the step loop and the record of it.
 //
 //   Simulation simulation(scenario, arrangement);
@@ -7,36 +78,6 @@
 //
 // After construction nothing in the loop allocates on this side of the world: histories and contacts are reserved.
 // Where floes of a field without end come and leave, and the solver is laid out anew, it does.
-
-#include <cstdint>
-#include <functional>
-#include <optional>
-#include <stop_token>
-#include <vector>
-
-#include "ice/failure_mode.hpp"
-#include "ice/ice_field.hpp"
-#include "scenario/floes.hpp"
-#include "scenario/scenario.hpp"
-#include "simulation/channel.hpp"
-#include "simulation/encounters.hpp"
-#include "simulation/frame.hpp"
-#include "simulation/hull_loads.hpp"
-#include "simulation/load_history.hpp"
-#include "simulation/motion_history.hpp"
-#include "simulation/moving_window.hpp"
-#include "simulation/piece_water.hpp"
-#include "simulation/sheets.hpp"
-#include "simulation/sleeping_floes.hpp"
-#include "simulation/structure_motion.hpp"
-#include "simulation/tow_work.hpp"
-#include "simulation/wellbeing.hpp"
-#include "statistics/load_map.hpp"
-#include "water/water_lanes.hpp"
-#include "world/state.hpp"
-#include "world/world.hpp"
-
-namespace floes {
 
 struct SimulationState {
     int steps = 0;                    ///< completed

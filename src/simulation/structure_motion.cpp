@@ -1,5 +1,6 @@
 #include "simulation/structure_motion.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace floes {
@@ -75,6 +76,111 @@ Vec3 StructureMotion::in_own_axes(const Vec3& vector) const {
     if (after_.yaw == 0) return vector;
     const Vec2 own = turned({vector.x(), vector.z()}, -after_.yaw);
     return {own.x(), vector.y(), own.y()};
+}
+
+MooredMotion::MooredMotion(const Moorings& moorings, double step)
+    : moorings_(moorings),
+      step_(step),
+      inertia_(moorings.inertia()),
+      springs_(moorings.surge, moorings.sway, moorings.yaw),
+      stiffness_(moorings.stiffness()) {
+    for (int k = 0; k < moorings.directions(); ++k) {
+        linear_.emplace_back(Oscillator{stiffness_[k], inertia_[k], moorings.damping}, step);
+        thrusters_.push_back(thrust_law(moorings.thrusters, k, inertia_[k]));
+    }
+    state_.broken_at.assign(moorings.lines.size(), std::numeric_limits<double>::quiet_NaN());
+    for (const MooringLine& line : moorings.lines) largest_.push_back(line.pretension);
+}
+
+void MooredMotion::place(const MooredState& state) {
+    const std::size_t lines = state_.broken_at.size();
+    state_ = state;
+    state_.broken_at.resize(lines, std::numeric_limits<double>::quiet_NaN());
+}
+
+Vec3 MooredMotion::pull_of_lines(const Vec3& offset) const {
+    Vec3 sum = turret_pull(moorings_, offset);
+    for (std::size_t i = 0; i < moorings_.lines.size(); ++i)
+        if (std::isnan(state_.broken_at[i])) sum += pull(moorings_, moorings_.lines[i], offset).force;
+    return sum;
+}
+
+/// m v' = -b |v| v, each direction by itself: v / (1 + b |v| t / m).
+void MooredMotion::slow_down(double time) {
+    const Vec3 quadratic = moorings_.quadratic();
+    for (int k = 0; k < moorings_.directions(); ++k)
+        state_.velocity[k] /= 1 + quadratic[k] * std::abs(state_.velocity[k]) * time / inertia_[k];
+}
+
+/// Between the moorings' axes and the structure's, which has turned: sense -1 into its own, 1 out of them.
+Vec3 MooredMotion::in_own_axes(const Vec3& plane, double sense) const {
+    const Vec2 along = turned({plane[0], plane[1]}, sense * state_.offset[2]);
+    return {along.x(), along.y(), plane[2]};
+}
+
+/// By the thrusters alone.
+void MooredMotion::push_back(double time) {
+    if (!has_thrusters()) return;
+    const Vec3 offset = in_own_axes(state_.offset, -1);
+    Vec3 velocity = in_own_axes(state_.velocity, -1);
+    for (std::size_t k = 0; k < thrusters_.size(); ++k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        velocity[i] = velocity_under_thrust(thrusters_[k], offset[i], velocity[i], inertia_[i], time);
+    }
+    state_.velocity = in_own_axes(velocity, 1);
+}
+
+Vec3 MooredMotion::thrust() const {
+    const Vec3 offset = in_own_axes(state_.offset, -1);
+    const Vec3 velocity = in_own_axes(state_.velocity, -1);
+    Vec3 found = Vec3::Zero();
+    for (std::size_t k = 0; k < thrusters_.size(); ++k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        found[i] = floes::thrust(thrusters_[k], offset[i], velocity[i]);
+    }
+    return found;
+}
+
+/// What lines and turret pull more than the stiffness without an offset says.
+void MooredMotion::pull_beyond_linear(double time) {
+    if (moorings_.lines.empty() && moorings_.turret_curve.empty()) return;
+    const Vec3 force = pull_of_lines(state_.offset) + (stiffness_ - springs_).cwiseProduct(state_.offset);
+    for (int k = 0; k < moorings_.directions(); ++k) state_.velocity[k] += time * force[k] / inertia_[k];
+}
+
+void MooredMotion::advance(const Vec3& load, double time) {
+    slow_down(0.5 * step_);
+    push_back(0.5 * step_);
+    pull_beyond_linear(0.5 * step_);
+    for (std::size_t k = 0; k < linear_.size(); ++k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        const OscillatorState after = linear_[k].after({state_.offset[i], state_.velocity[i]}, load[i]);
+        state_.offset[i] = after.offset;
+        state_.velocity[i] = after.velocity;
+    }
+    pull_beyond_linear(0.5 * step_);
+    push_back(0.5 * step_);
+    slow_down(0.5 * step_);
+    break_lines(time);
+}
+
+void MooredMotion::break_lines(double time) {
+    for (std::size_t i = 0; i < moorings_.lines.size(); ++i) {
+        if (!std::isnan(state_.broken_at[i])) continue;
+        const MooringLine& line = moorings_.lines[i];
+        const double now = pull(moorings_, line, state_.offset).tension;
+        largest_[i] = std::max(largest_[i], now);
+        if (line.break_load > 0 && now > line.break_load) state_.broken_at[i] = time;
+    }
+}
+
+std::optional<LinePull> MooredMotion::line(std::size_t number) const {
+    if (!std::isnan(state_.broken_at[number])) return {};
+    return pull(moorings_, moorings_.lines[number], state_.offset);
+}
+
+Vec3 MooredMotion::restoring() const {
+    return pull_of_lines(state_.offset) - springs_.cwiseProduct(state_.offset);
 }
 
 }  // namespace floes

@@ -1,16 +1,81 @@
 #pragma once
-// Where the structure is from step to step: on the straight tow, on its path, and beside these on its moorings.
+// A structure on its moorings from step to step: M q̈ + C q̇ + K q = F + N(q, q̇), q its offset (structure/moorings.hpp).
+//
+// K is the stiffness without an offset, C the linear damping, both each direction by itself; N is all else: what lines
+// do beyond K, thrusters, and the water's quadratic damping. The ice load F of a step is known after it and moves the
+// structure in the next one, where it is constant. K, C and F are solved without error (statistics/oscillator.hpp);
+// quadratic damping and thrusters, also without error, and lines act for half the step before and after that (Strang's
+// splitting, second order). So springs have no numerical damping and no limit of stability; lines and thrusters have
+// that of the leapfrog, period > π Δt, and checks ask for fifty steps.
+//
+// What the splitting from the ice costs: a floe of mass m that strikes the structure, mass M, is stopped as by one that
+// does not give way, so the impulse is 1 + m/M times too large (checks ask for M >= 10 m of the heaviest floe). A floe
+// that is pushed along does not feel it.
 
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
 #include "core/vector.hpp"
 #include "scenario/scenario.hpp"
+#include "shapes/moorings.hpp"
+#include "shapes/path.hpp"
 #include "simulation/frame.hpp"
-#include "simulation/moored_motion.hpp"
-#include "structure/tow.hpp"
+#include "statistics/oscillator.hpp"
 
 namespace floes {
+
+/// How a moored structure has moved.
+struct MooredState {
+    Vec3 offset = Vec3::Zero();       ///< x, z, yaw: m, m, rad
+    Vec3 velocity = Vec3::Zero();     ///< m/s, m/s, rad/s
+    std::vector<double> broken_at{};  ///< s, of each line; NaN: it holds
+};
+
+class MooredMotion {
+  public:
+    /// At rest without an offset. `moorings` give way and hold in all their directions; `step`: s.
+    MooredMotion(const Moorings& moorings, double step);
+
+    const MooredState& state() const { return state_; }
+    void place(const MooredState& state);
+
+    /// A step that ends at `time` s, under a load that is constant in it: N, N, N m.
+    void advance(const Vec3& load, double time);
+
+    /// Of springs, lines and turret at the offset, on the structure: N, N, N m.
+    Vec3 restoring() const;
+
+    /// Of thrusters, on the structure and in its own axes, ahead and towards +z without yaw: N, N, N m.
+    Vec3 thrust() const;
+    bool has_thrusters() const { return moorings_.thrusters.any(); }
+
+    /// What a line pulls with; nothing where it has broken.
+    std::optional<LinePull> line(std::size_t number) const;
+    std::size_t lines() const { return moorings_.lines.size(); }
+
+    /// Of each line so far, N.
+    const std::vector<double>& largest_tensions() const { return largest_; }
+
+  private:
+    void slow_down(double time);
+    void push_back(double time);
+    Vec3 in_own_axes(const Vec3& plane, double sense) const;
+    void pull_beyond_linear(double time);
+    Vec3 pull_of_lines(const Vec3& offset) const;
+    void break_lines(double time);
+
+    Moorings moorings_;
+    double step_;
+    Vec3 inertia_, springs_, stiffness_;
+    std::vector<OscillatorStep> linear_;  ///< of each direction in which it gives way
+    std::vector<ThrustLaw> thrusters_;    ///< likewise
+    MooredState state_;
+    std::vector<double> largest_;
+};
+
+// Where the structure is from step to step: on the straight tow, on its path, and beside these on its moorings.
 
 class StructureMotion {
   public:

@@ -11,7 +11,7 @@
 #include "ice/ice_field.hpp"
 #include "scenario/floes.hpp"
 #include "scenario/scenario.hpp"
-#include "simulation/piece_water.hpp"
+#include "simulation/field_water.hpp"
 #include "simulation/sheets.hpp"
 #include "simulation/structure_motion.hpp"
 #include "statistics/work_shares.hpp"

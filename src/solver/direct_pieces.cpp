@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/components.hpp"
+#include "core/vector.hpp"
 #include "solver/direct_floes.hpp"
 #include "solver/lane_slot.hpp"
 

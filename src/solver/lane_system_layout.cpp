@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "core/components.hpp"
+#include "core/vector.hpp"
 #include "solver/lane_slot.hpp"
 #include "solver/lane_system.hpp"
 #include "solver/lane_width.hpp"

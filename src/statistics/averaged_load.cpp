@@ -1,15 +1,48 @@
 #include "statistics/averaged_load.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <set>
 #include <stdexcept>
 
-#include "statistics/means.hpp"
-#include "statistics/peaks.hpp"
+#include <fmt/format.h>
+
+#include "statistics/load_statistics.hpp"
 
 namespace floes {
+
+namespace {
+
+/// Places of the local maxima above `least`; of a plateau its first.
+std::vector<std::size_t> local_maxima(std::span<const double> values, double least) {
+    std::vector<std::size_t> places;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        const bool risen = k == 0 || values[k] > values[k - 1];
+        const bool falls = k + 1 == values.size() || values[k] >= values[k + 1];
+        if (risen && falls && values[k] > least) places.push_back(k);
+    }
+    return places;
+}
+
+}  // namespace
+
+std::vector<double> declustered_peaks(std::span<const double> values, std::size_t apart, double least) {
+    std::vector<std::size_t> places = local_maxima(values, least);
+    std::ranges::stable_sort(places, std::ranges::greater{}, [&](std::size_t place) { return values[place]; });
+    std::vector<double> peaks;
+    std::set<std::size_t> taken;
+    for (const std::size_t place : places) {
+        const auto next = taken.lower_bound(place);
+        const bool near_next = next != taken.end() && *next - place < apart;
+        const bool near_last = next != taken.begin() && place - *std::prev(next) < apart;
+        if (near_next || near_last) continue;
+        taken.insert(place);
+        peaks.push_back(values[place]);
+    }
+    return peaks;
+}
+
 namespace {
 
 /// A sum that terms enter and leave. What rounding takes from it is kept beside it (Neumaier 1974): a peak that has
@@ -73,6 +106,17 @@ std::vector<AveragedLoad> averaged_load(std::span<const double> window, const Av
     std::vector<AveragedLoad> all;
     for (const double time : how.times) all.push_back(averaged_over(window, time, how));
     return all;
+}
+
+PartLoad part_load(const PartHistory& part, const Averaging& how) {
+    PartLoad load{.mean = mean_of(part.surge),
+                  .maximum = std::ranges::max(part.surge),
+                  .mean_sway = mean_of(part.sway),
+                  .mean_heave = mean_of(part.heave)};
+    load.sd = population_sd(part.surge, load.mean);
+    for (const AveragedLoad& one : averaged_load(part.surge, how)) load.mean_maximum.push_back(one.mean_maximum);
+    for (const AveragedLoad& one : averaged_load(part.normal, how)) load.normal_maximum.push_back(one.mean_maximum);
+    return load;
 }
 
 }  // namespace floes

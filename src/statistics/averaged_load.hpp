@@ -1,13 +1,22 @@
 #pragma once
-// The load as something slower than a time step feels it: statistics of its running means.
-//
-// A rigid contact passes its impulse on within one step, so a maximum over single steps grows as the step shrinks. A
-// maximum of running means over a stated time does not.
+// Peaks of a load that count once each, however ragged they are.
 
+#include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
 namespace floes {
+
+/// Declustered peaks, falling: the highest local maximum, then the highest of those at least `apart` places from it,
+/// and so on, down to those above `least`. So the peaks above any higher level are the declustered peaks of that level.
+/// The ends count as local maxima where the values rise towards them. `apart`: at least 1.
+std::vector<double> declustered_peaks(std::span<const double> values, std::size_t apart, double least);
+
+// The load as something slower than a time step feels it: statistics of its running means.
+//
+// A rigid contact passes its impulse on within one step, so a maximum over single steps grows as the step shrinks. A
+// maximum of running means over a stated time does not.
 
 /// Statistics of the running mean over `time`.
 struct AveragedLoad {
@@ -36,5 +45,30 @@ std::vector<double> running_means(std::span<const double> values, std::size_t co
 /// by the averaging time less one step. `window`: as load_statistics() takes it; throws std::invalid_argument for a
 /// time longer than a segment.
 std::vector<AveragedLoad> averaged_load(std::span<const double> window, const Averaging& how);
+
+// Loads on the parts of a structure.
+
+/// Of the steps of the window.
+struct PartLoad {
+    double mean = 0;        ///< surge load, N
+    double sd = 0;          ///< population standard deviation of the surge load, N
+    double maximum = 0;     ///< largest surge load, N
+    double mean_sway = 0;   ///< N, towards +z
+    double mean_heave = 0;  ///< N, upwards
+    /// Mean of the segment maxima of the surge load's running means over each averaging time, N.
+    std::vector<double> mean_maximum{};
+    /// The same of the sum of the magnitudes of the normal forces, N: what presses on its surface, whichever way the
+    /// surface faces. Over an area it is the pressure averaged over that.
+    std::vector<double> normal_maximum{};
+};
+
+/// What acts on a part at every step of the window, as averaged_load() takes it, N.
+struct PartHistory {
+    std::vector<double> surge, sway, heave, normal;
+
+    std::array<std::vector<double>*, 4> all() { return {&surge, &sway, &heave, &normal}; }
+};
+
+PartLoad part_load(const PartHistory& part, const Averaging& how);
 
 }  // namespace floes

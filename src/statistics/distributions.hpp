@@ -1,8 +1,17 @@
 #pragma once
-// Tails and quantiles of the distributions that tests and intervals need, by Boost.Math, which takes seconds to
-// compile. `tail`, `share`: probabilities in (0, 1). Throw std::domain_error outside these ranges.
+// An interval.
 
 namespace floes {
+
+/// The limits of an interval, in the unit of what it is of; NaN where undefined.
+struct Limits {
+    double low;
+    double high;
+    friend bool operator==(const Limits&, const Limits&) = default;
+};
+
+// Tails and quantiles of the distributions that tests and intervals need, by Boost.Math, which takes seconds to
+// compile. `tail`, `share`: probabilities in (0, 1). Throw std::domain_error outside these ranges.
 
 double normal_below(double z);              ///< Φ(z)
 double normal_above(double z);              ///< 1 - Φ(z), without its rounding

@@ -1,17 +1,57 @@
 #include "statistics/load_statistics.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <boost/math/statistics/univariate_statistics.hpp>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
+#include <fmt/format.h>
+#include <boost/math/statistics/univariate_statistics.hpp>
+
 #include "statistics/distributions.hpp"
-#include "statistics/means.hpp"
 
 namespace floes {
+
+double mean_of(std::span<const double> values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double population_sd(std::span<const double> values, double mean) {
+    double sum = 0;
+    for (const double value : values) sum += (value - mean) * (value - mean);
+    return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+std::size_t part_begin(std::size_t count, std::size_t index, std::size_t parts) {
+    return index * count / parts;
+}
+
+std::vector<double> batch_means(std::span<const double> values, std::size_t batch) {
+    std::vector<double> means(values.size() / batch);
+    for (std::size_t k = 0; k < means.size(); ++k) means[k] = mean_of(values.subspan(k * batch, batch));
+    return means;
+}
+
+std::vector<double> part_means(std::span<const double> values, std::size_t parts) {
+    std::vector<double> means(parts, 0.0);
+    const std::size_t length = values.size();  // of a part, where a value has the length `parts`
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        for (std::size_t k = i * parts / length; k * length < (i + 1) * parts; ++k) {
+            const std::size_t common = std::min((i + 1) * parts, (k + 1) * length) - std::max(i * parts, k * length);
+            means[k] += values[i] * static_cast<double>(common) / static_cast<double>(length);
+        }
+    }
+    return means;
+}
+
+Swing swing_of(std::span<const double> values) {
+    const double mean = mean_of(values);
+    double largest = 0;
+    for (const double value : values) largest = std::max(largest, std::abs(value));
+    return {mean, population_sd(values, mean), largest};
+}
+
 namespace {
 
 // Batch means: 15 batches of a 150 s window last 10 s each, longer than the correlation time of the load, so their
@@ -96,6 +136,20 @@ LoadStatistics load_statistics(std::span<const double> window, double time_step,
     result.excess_kurtosis =
         constant ? undefined : boost::math::statistics::excess_kurtosis(window.begin(), window.end());
     return result;
+}
+
+std::vector<LevelCount> count_levels(std::span<const double> window, std::span<const double> levels) {
+    std::vector<LevelCount> counts(levels.size());
+    double before = std::numeric_limits<double>::infinity();  // a window that begins above a level does not rise to it
+    for (const double load : window) {
+        for (std::size_t k = 0; k < levels.size(); ++k) {
+            const bool above = load > levels[k];
+            counts[k].steps_above += above ? 1 : 0;
+            counts[k].upcrossings += above && !(before > levels[k]) ? 1 : 0;
+        }
+        before = load;
+    }
+    return counts;
 }
 
 }  // namespace floes

@@ -3,7 +3,7 @@
 #include <limits>
 #include <vector>
 
-#include "statistics/means.hpp"
+#include "statistics/load_statistics.hpp"
 
 namespace floes {
 namespace {

@@ -8,9 +8,28 @@
 #include <boost/math/tools/roots.hpp>
 
 #include "core/error.hpp"
-#include "theory/kelvin.hpp"
 
 namespace floes {
+
+double nominal_flexural_strength(double load, double length, double breadth, double thickness) {
+    return 6 * load * length / (breadth * thickness * thickness);
+}
+
+double floating_cantilever_factor(double elastic_modulus, double length, double thickness, double foundation) {
+    const double lambda = std::pow(3 * foundation / (elastic_modulus * std::pow(thickness, 3)), 0.25);
+    const double x = lambda * length;
+    const double root = std::sinh(x) * std::cos(x) + std::cosh(x) * std::sin(x);
+    return x * (std::cosh(x) * std::cosh(x) + std::cos(x) * std::cos(x)) / root;
+}
+
+double cantilever_deflection(double load, double distance, double stiffness) {
+    return load * distance * distance * distance / (3 * stiffness);
+}
+
+double cantilever_frequency(double length, double stiffness, double mass_per_length) {
+    constexpr double root = 1.8751040687119611;  // first of cos x cosh x = -1
+    return root * root * std::sqrt(stiffness / mass_per_length) / (2 * std::numbers::pi * length * length);
+}
 
 double FloatingPlate::foundation() const {
     return water_density * gravity;
@@ -51,6 +70,81 @@ double modulus_from_patch_slope(const FloatingPlate& plate, double slope, double
     const auto bracket = boost::math::tools::toms748_solve(excess, softest, stiffest,
                                                            boost::math::tools::eps_tolerance<double>(48), iterations);
     return (bracket.first + bracket.second) / 2;
+}
+
+namespace {
+
+// ber, bei and the digamma-weighted sum of ker are power series in t = (x²/4). Term n belongs to t^n/(n!)² with the
+// sign of i^n, and weight ψ(n + 1) = -γ + H_n. Even n make ber and ker, odd n bei.
+struct KelvinSums {
+    double ber = 0, ber_prime = 0, bei_prime = 0, ker_sum_prime = 0;
+};
+
+KelvinSums kelvin_sums(double x) {
+    KelvinSums sums;
+    const double t = x * x / 4;
+    double power = 1;  // t^n/(n!)²
+    double digamma = -std::numbers::egamma;
+    for (int n = 0; n < 80; ++n) {
+        const double sign = (n % 4 < 2) ? 1 : -1;
+        const double value = sign * power;
+        const double slope = value * 2 * n / x;  // d/dx t^n = 2 n t^n/x
+        if (n % 2 == 0) {
+            sums.ber += value;
+            sums.ber_prime += slope;
+            sums.ker_sum_prime += digamma * slope;
+        } else {
+            sums.bei_prime += slope;
+        }
+        power *= t / ((n + 1.0) * (n + 1.0));
+        digamma += 1.0 / (n + 1);
+        if (power < 1e-40) break;
+    }
+    return sums;
+}
+
+}  // namespace
+
+double kelvin_ker_prime(double x) {
+    if (!(x > 0 && x <= kelvin_series_limit))
+        throw InputError(fmt::format("the Kelvin functions are evaluated at x = {}; allowed is above 0 to {}", x,
+                                     kelvin_series_limit));
+    const KelvinSums s = kelvin_sums(x);
+    // ker = -ln(x/2) ber + (π/4) bei + Σ ψ ..., differentiated term by term
+    return -s.ber / x - std::log(x / 2) * s.ber_prime + std::numbers::pi / 4 * s.bei_prime + s.ker_sum_prime;
+}
+
+namespace {
+
+/// log10(E T³ / (k b⁴))
+double decades(const FloatingPlate& plate, double elastic_modulus, double b) {
+    return std::log10(elastic_modulus * std::pow(plate.thickness, 3) / (plate.foundation() * std::pow(b, 4)));
+}
+
+}  // namespace
+
+double edge_stress_per_decade(double load, double thickness, double poisson_ratio) {
+    return 4 * 0.529 * (1 + 0.54 * poisson_ratio) * load / (thickness * thickness);
+}
+
+double interior_stress_per_decade(double load, double thickness, double poisson_ratio) {
+    return 4 * 0.275 * (1 + poisson_ratio) * load / (thickness * thickness);
+}
+
+double edge_load_stress(const FloatingPlate& plate, double elastic_modulus, double load, double b) {
+    return edge_stress_per_decade(load, plate.thickness, plate.poisson_ratio) / 4 *
+           (decades(plate, elastic_modulus, b) - 0.71);
+}
+
+double interior_load_stress(const FloatingPlate& plate, double elastic_modulus, double load, double b) {
+    return interior_stress_per_decade(load, plate.thickness, plate.poisson_ratio) / 4 *
+           decades(plate, elastic_modulus, b);
+}
+
+double felt_radius(double a, double thickness) {
+    constexpr double thick_plate = 1.724;
+    if (a >= thick_plate * thickness) return a;
+    return std::sqrt(1.6 * a * a + thickness * thickness) - 0.675 * thickness;
 }
 
 }  // namespace floes

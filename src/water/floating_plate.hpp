@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/vector.hpp"
-#include "outline/elements.hpp"
+#include "shapes/elements.hpp"
 #include "solver/carried_water.hpp"
 
 namespace floes {

@@ -5,8 +5,7 @@
 // A. So buoyancy and the moment that rights it are exact at any tilt as long as neither face crosses the surface, as
 // they are for a square. Form drag acts in the middle of each exposed edge.
 
-#include "outline/elements.hpp"
-#include "water/element_state.hpp"
+#include "shapes/elements.hpp"
 #include "water/water_kernels.hpp"
 #include "water/water_model.hpp"
 

@@ -1,4 +1,37 @@
 #pragma once
+// One element as the water sees it, and its numbers in the arrays of the kernels.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "core/vector.hpp"
+#include "scenario/scenario.hpp"
+#include "water/water_kernels.hpp"
+
+namespace floes {
+
+/// Where an element is and how it moves. World axes, SI.
+struct ElementState {
+    Vec3 position = Vec3::Zero();          ///< of the centre of mass
+    Mat3 rotation = Mat3::Identity();      ///< body -> world; the columns are the element's x, normal (y) and z
+    Vec3 velocity = Vec3::Zero();          ///< of the centre of mass
+    Vec3 angular_velocity = Vec3::Zero();  ///< rad/s
+    std::uint32_t exposed_edges = 0;  ///< edge faces with form drag: bit 0 +x, 1 -x, 2 +z, 3 -z; of a polygon bit k
+};
+
+/// Size of an element: a square box of `side` x `thickness` x `side`, m.
+struct ElementShape {
+    double side = 0;
+    double thickness = 0;
+};
+
+/// Writes the fields of water_field, the first to `fields`, the next `stride` further on.
+void put_fields(const ElementState& state, double* fields, std::size_t stride);
+
+/// The wrench whose first field is at `fields`, the next `stride` further on.
+Wrench wrench_at(const double* fields, std::size_t stride);
+
 // The force of the water on one element, as a pure function of its state: buoyancy, form drag, skin drag, heave drag.
 //
 // Buoyancy. At the 2 x 2 Gauss points of the element's base, (±L/√12, ±L/√12), there is a column along the element's
@@ -32,15 +65,6 @@
 // 2011, chapter 5: τ = ρ C |U| (cosθ U + sinθ k × U), U the water's velocity relative to the ice).
 //
 // Wind. Where a column's top is above the water, ρ_a C_a U² (L²/4) along the wind at the top.
-
-#include <span>
-
-#include "core/vector.hpp"
-#include "scenario/scenario.hpp"
-#include "water/element_state.hpp"
-#include "water/water_kernels.hpp"
-
-namespace floes {
 
 /// Where the structure is across the channel, and how it moves through the water.
 struct StructureInWater {

@@ -1,6 +1,6 @@
 #pragma once
 // How Bullet's world is set up and taken down, and the piece of what does not touch its like. Only for files inside
-// this room.
+// this module.
 
 #include <BulletCollision/BroadphaseCollision/btBroadphaseInterface.h>
 #include <BulletCollision/BroadphaseCollision/btOverlappingPairCache.h>

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "outline/elements.hpp"
+#include "shapes/elements.hpp"
 
 namespace floes {
 

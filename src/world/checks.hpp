@@ -1,11 +1,12 @@
 #pragma once
-// What a World refuses: each function throws InputError with the value and its range. Only for files inside this room.
+// What a World refuses: each function throws InputError with the value and its range. Only for files inside this
+// module.
 
 #include <cstddef>
 #include <span>
 
+#include "shapes/convex_solid.hpp"
 #include "solver/carried_water.hpp"
-#include "structure/convex_solid.hpp"
 #include "world/definitions.hpp"
 
 namespace floes {

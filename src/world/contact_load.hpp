@@ -1,5 +1,5 @@
 #pragma once
-// The forces at contacts. Only for files inside this room.
+// The forces at contacts. Only for files inside this module.
 
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Between the vectors of floes and those of Bullet. Only for files inside this room.
+// Between the vectors of floes and those of Bullet. Only for files inside this module.
 
 #include <LinearMath/btTransform.h>
 

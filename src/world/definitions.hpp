@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/vector.hpp"
-#include "outline/polygon.hpp"
+#include "shapes/polygon.hpp"
 #include "solver/contact_law.hpp"
 #include "solver/joint_spring.hpp"
 #include "solver/solver_kind.hpp"

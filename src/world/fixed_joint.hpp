@@ -1,5 +1,5 @@
 #pragma once
-// A joint in Bullet and what it reports. Only for files inside this room.
+// A joint in Bullet and what it reports. Only for files inside this module.
 
 #include <BulletDynamics/ConstraintSolver/btFixedConstraint.h>
 

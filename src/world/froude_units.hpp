@@ -1,5 +1,5 @@
 #pragma once
-// Between SI, in which a World is spoken to, and the units in which it computes. Only for files inside this room.
+// Between SI, in which a World is spoken to, and the units in which it computes. Only for files inside this module.
 //
 // Bullet has lengths of its own, fixed for bodies of centimetres to a metre: contact points live up to 20 mm, shapes
 // have margins of millimetres, its narrow phase has tolerances. So a World, its solvers included, measures lengths in a
@@ -9,9 +9,9 @@
 
 #include <cmath>
 
+#include "shapes/convex_solid.hpp"
 #include "solver/body_motion.hpp"
 #include "solver/carried_water.hpp"
-#include "structure/convex_solid.hpp"
 #include "world/definitions.hpp"
 #include "world/state.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-// How the structure turns from step to step. Only for files inside this room.
+// How the structure turns from step to step. Only for files inside this module.
 
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 

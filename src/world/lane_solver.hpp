@@ -1,7 +1,8 @@
 #pragma once
 // A World's step without Bullet's world: boxes meet boxes (collision/box_contacts.hpp), Bullet finds where they meet
 // the structure (world/structure_contacts.hpp), and our solver does the rest (solver/lane_system.hpp). It alone knows
-// where bodies are and how they move; Bullet's bodies are what it was told about them. Only for files inside this room.
+// where bodies are and how they move; Bullet's bodies are what it was told about them. Only for files inside this
+// module.
 
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
@@ -14,7 +15,7 @@
 #include <vector>
 
 #include "collision/box_contacts.hpp"
-#include "outline/elements.hpp"
+#include "shapes/elements.hpp"
 #include "solver/lane_system.hpp"
 #include "world/definitions.hpp"
 #include "world/state.hpp"

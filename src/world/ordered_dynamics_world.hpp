@@ -1,5 +1,5 @@
 #pragma once
-// Bullet's world with a solve whose order is a function of ids alone. Only for files inside this room.
+// Bullet's world with a solve whose order is a function of ids alone. Only for files inside this module.
 //
 // Stock Bullet sorts joints by simulation island with an unstable sort, and takes contacts in the order of a
 // list that removal scrambles: both depend on all that happened before. Here all is one group, joints come in the order

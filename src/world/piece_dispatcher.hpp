@@ -1,5 +1,5 @@
 #pragma once
-// Which bodies may collide in the stock solver's world: not those of one piece. Only for files inside this room.
+// Which bodies may collide in the stock solver's world: not those of one piece. Only for files inside this module.
 
 #include <BulletCollision/CollisionDispatch/btCollisionConfiguration.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>

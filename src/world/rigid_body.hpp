@@ -1,5 +1,5 @@
 #pragma once
-// How Bullet's bodies are made, and made anew. Only for files inside this room.
+// How Bullet's bodies are made, and made anew. Only for files inside this module.
 
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>

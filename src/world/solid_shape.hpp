@@ -1,5 +1,5 @@
 #pragma once
-// A convex solid of the structure as a smooth shape for collision. Only for files inside this room.
+// A convex solid of the structure as a smooth shape for collision. Only for files inside this module.
 //
 // Known to Bullet by its support function, so a contact normal on a round wall is its true normal and does not step
 // from facet to facet. As with all round shapes of Bullet the outermost layer, the margin, is a sphere swept over a
@@ -9,7 +9,7 @@
 
 #include <BulletCollision/CollisionShapes/btConvexInternalShape.h>
 
-#include "structure/convex_solid.hpp"
+#include "shapes/convex_solid.hpp"
 
 namespace floes {
 

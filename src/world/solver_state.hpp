@@ -1,5 +1,5 @@
 #pragma once
-// Between Bullet's bodies, the solver's and the World's. Only for files inside this room.
+// Between Bullet's bodies, the solver's and the World's. Only for files inside this module.
 
 #include <BulletDynamics/ConstraintSolver/btContactSolverInfo.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>

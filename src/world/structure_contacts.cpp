@@ -34,7 +34,8 @@ bool bounds_meet(const SolidShape& solid, const btRigidBody& box, const btTransf
 }
 
 BoxBeside box_beside(const btTransform& place, const Triple& half_extent) {
-    return {from_bullet(place.getOrigin()), from_bullet(place.getBasis()),
+    return {from_bullet(place.getOrigin()),
+            from_bullet(place.getBasis()),
             {half_extent[0], half_extent[1], half_extent[2]}};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 // Contacts of boxes with the structure, from step to step: Bullet's GJK, for each of its solids and the boxes near
-// that. Only for files inside this room.
+// that. Only for files inside this module.
 
 #include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>

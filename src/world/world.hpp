@@ -15,8 +15,8 @@
 #include <span>
 #include <vector>
 
+#include "shapes/convex_solid.hpp"
 #include "solver/carried_water.hpp"
-#include "structure/convex_solid.hpp"
 #include "world/definitions.hpp"
 #include "world/state.hpp"
 

@@ -8,13 +8,13 @@
 
 #include "arrangement/check.hpp"
 #include "arrangement/order.hpp"
-#include "arrangement/starts.hpp"
+#include "arrangement/sampler.hpp"
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "support/refusal.hpp"
 
 namespace floes {
-namespace {
+namespace arrangement_test {
 
 using testing::HasSubstr;
 
@@ -267,5 +267,5 @@ TEST(FourfoldOrder, OfKnownYaws) {
     EXPECT_NEAR(fourfold_order(pair), std::cos(0.4), 1e-15);
 }
 
-}  // namespace
+}  // namespace arrangement_test
 }  // namespace floes

@@ -1,4 +1,4 @@
-#include "arrangement/cells.hpp"
+#include "arrangement/crowd.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "core/random.hpp"
 
 namespace floes {
-namespace {
+namespace cells_test {
 
 /// Points on an area and beyond its edges, 40 of them at one place.
 std::vector<Resident> scattered_points() {
@@ -70,5 +70,5 @@ TEST(Cells, OfPointsAtOnePlaceAreOne) {
     EXPECT_EQ(found_near(cells, {3, 2, {}, 0}, 0).size(), 40u);
 }
 
-}  // namespace
+}  // namespace cells_test
 }  // namespace floes

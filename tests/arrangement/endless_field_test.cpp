@@ -9,11 +9,11 @@
 #include <cmath>
 #include <map>
 
-#include "arrangement/rectangle.hpp"
+#include "arrangement/crowd.hpp"
 #include "scattered_scenario.hpp"
 
 namespace floes {
-namespace {
+namespace endless_field_test {
 
 Scenario narrow(int floes = 24) {
     Scenario scenario = scattered_scenario();
@@ -127,5 +127,5 @@ TEST(EndlessField, CoversAsMuchAtItsSeamsAsElsewhere) {
     EXPECT_NEAR(fields * parts * scenario.field.floes * 0.36 / (length * 2.5), 0.75, 0.01);
 }
 
-}  // namespace
+}  // namespace endless_field_test
 }  // namespace floes

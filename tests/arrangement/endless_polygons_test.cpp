@@ -7,17 +7,16 @@
 #include <cmath>
 #include <set>
 
-#include "arrangement/cell_field.hpp"
 #include "arrangement/check.hpp"
 #include "arrangement/endless_field.hpp"
 #include "arrangement/order.hpp"
 #include "arrangement/polygon_crowd.hpp"
 #include "core/error.hpp"
-#include "outline/distance.hpp"
 #include "scattered_scenario.hpp"
+#include "shapes/polygon.hpp"
 
 namespace floes {
-namespace {
+namespace endless_polygons_test {
 
 Scenario endless(ShapeKind kind, double concentration = 0.75) {
     Scenario scenario = scattered_scenario(concentration);
@@ -187,5 +186,5 @@ TEST(PolygonCrowd, PushesOneFromOneThatIsFixed) {
     EXPECT_NEAR(crowd.overlap_at(0, {0.1, 0, 0}), 0.3, 1e-12);     // with what lies
 }
 
-}  // namespace
+}  // namespace endless_polygons_test
 }  // namespace floes

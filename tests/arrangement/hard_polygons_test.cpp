@@ -1,6 +1,6 @@
 // Monte Carlo of hard polygons: against that of squares, and against places drawn at random until none overlap.
 
-#include "arrangement/hard_polygons.hpp"
+#include "arrangement/sampler.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,12 +9,11 @@
 
 #include "arrangement/arrangement.hpp"
 #include "arrangement/check.hpp"
-#include "arrangement/starts.hpp"
-#include "outline/drawn.hpp"
 #include "scattered_scenario.hpp"
+#include "shapes/drawn.hpp"
 
 namespace floes {
-namespace {
+namespace hard_polygons_test {
 
 Outline square(double half) {
     return {{-half, -half}, {half, -half}, {half, half}, {-half, half}};
@@ -147,5 +146,5 @@ TEST(HardPolygons, OfAnArrangementLieApart) {
     }
 }
 
-}  // namespace
+}  // namespace hard_polygons_test
 }  // namespace floes

@@ -7,7 +7,7 @@
 #include "scattered_scenario.hpp"
 
 namespace floes {
-namespace {
+namespace mixed_test {
 
 Scenario mixed_scenario(double concentration) {
     Scenario scenario = scattered_scenario();
@@ -71,5 +71,5 @@ TEST(MixedFloes, AnotherLawIsAnotherGeometry) {
     EXPECT_NE(geometry_key(scenario), geometry_key(other));
 }
 
-}  // namespace
+}  // namespace mixed_test
 }  // namespace floes

@@ -15,7 +15,7 @@
 #include "core/random.hpp"
 
 namespace floes {
-namespace {
+namespace order_test {
 
 constexpr double eighth = std::numbers::pi / 4;
 
@@ -140,5 +140,5 @@ TEST(Order, IsMeasuredWhateverTheMethod) {
     }
 }
 
-}  // namespace
+}  // namespace order_test
 }  // namespace floes

@@ -11,7 +11,7 @@
 #include "arrangement/scattered_scenario.hpp"
 
 namespace floes {
-namespace {
+namespace ordering_test {
 
 TEST(OrderingSweeps, ContinueTheSameField) {
     Scenario scenario = scattered_scenario();
@@ -87,5 +87,5 @@ TEST(OrderingSweeps, AreNeededToReachEquilibrium) {
     EXPECT_GT(largest_difference(0), 10);
 }
 
-}  // namespace
+}  // namespace ordering_test
 }  // namespace floes

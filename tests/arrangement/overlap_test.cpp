@@ -8,12 +8,12 @@
 #include <numbers>
 #include <vector>
 
-#include "arrangement/rectangle.hpp"
+#include "arrangement/crowd.hpp"
 #include "core/random.hpp"
 #include "core/vector.hpp"
 
 namespace floes {
-namespace {
+namespace overlap_test {
 
 using Polygon = std::vector<Vec2>;
 
@@ -169,5 +169,5 @@ TEST(Turn, IsCosineAndSine) {
     }
 }
 
-}  // namespace
+}  // namespace overlap_test
 }  // namespace floes

@@ -1,7 +1,7 @@
 #pragma once
 // A periodic box for the sampler: what is known of hard squares holds far from any wall.
 
-#include "arrangement/boundary.hpp"
+#include "arrangement/crowd.hpp"
 
 namespace floes {
 

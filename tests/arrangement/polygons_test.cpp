@@ -12,7 +12,7 @@
 #include "scattered_scenario.hpp"
 
 namespace floes {
-namespace {
+namespace polygons_test {
 
 TEST(Polygons, LieUpToTheConcentrationThatIsAsked) {
     for (const auto& [kind, concentration] : {std::pair(ShapeKind::voronoi, 0.5),
@@ -77,5 +77,5 @@ TEST(PolygonCrowd, PartsTwoThatOverlap) {
     EXPECT_NEAR(crowd.overlap_at(0, {-4.9, 0, 0}), 0.1, 1e-12);  // with the wall
 }
 
-}  // namespace
+}  // namespace polygons_test
 }  // namespace floes

@@ -16,7 +16,7 @@
 #include "arrangement/sampler.hpp"
 
 namespace floes {
-namespace {
+namespace reference_test {
 
 struct Estimate {
     double mean;
@@ -102,5 +102,5 @@ TEST(HardSquares, HaveTheOrderOfTheReferenceAtConcentration075) {
     expect_reference({0.75, 10'000, 40'000, 10}, {0.808, 0.002});
 }
 
-}  // namespace
+}  // namespace reference_test
 }  // namespace floes

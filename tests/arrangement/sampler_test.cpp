@@ -8,12 +8,11 @@
 #include "arrangement/arrangement.hpp"
 #include "arrangement/check.hpp"
 #include "arrangement/periodic_box.hpp"
-#include "arrangement/starts.hpp"
+#include "core/digest.hpp"
 #include "core/error.hpp"
-#include "core/hash.hpp"
 
 namespace floes {
-namespace {
+namespace sampler_test {
 
 HardRectangles<Walls> papers_channel() {
     const Scenario scenario;
@@ -134,5 +133,5 @@ TEST(Arrangement, HasTheStoredDigest) {
     EXPECT_EQ(digest(make_arrangement(scenario, 20240, 7).poses()), "cdeb0868c0f3b55b048f4a7667d8d1ee");
 }
 
-}  // namespace
+}  // namespace sampler_test
 }  // namespace floes

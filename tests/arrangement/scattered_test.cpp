@@ -15,7 +15,7 @@
 #include "support/refusal.hpp"
 
 namespace floes {
-namespace {
+namespace scattered_test {
 
 struct Geometry {
     double length;
@@ -110,5 +110,5 @@ TEST(Scattered, ImpossibleFieldsAreRefused) {
                                testing::HasSubstr("lower field.concentration_percent")));
 }
 
-}  // namespace
+}  // namespace scattered_test
 }  // namespace floes

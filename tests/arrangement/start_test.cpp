@@ -11,7 +11,7 @@
 #include "arrangement/arrangement.hpp"
 
 namespace floes {
-namespace {
+namespace start_test {
 
 constexpr int bins_along = 9;
 constexpr int bins_across = 8;
@@ -85,5 +85,5 @@ TEST(Start, IsStillSeenAfterFewSweeps) {
     EXPECT_GT(largest_difference(200, 12), 20);
 }
 
-}  // namespace
+}  // namespace start_test
 }  // namespace floes

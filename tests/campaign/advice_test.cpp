@@ -8,7 +8,7 @@
 #include "campaign/read.hpp"
 
 namespace floes {
-namespace {
+namespace advice_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -43,5 +43,5 @@ TEST(Advice, NamesTheOtherCasesOfOneOddity) {
                                            testing::EndsWith("The same holds for c."))));
 }
 
-}  // namespace
+}  // namespace advice_test
 }  // namespace floes

@@ -19,7 +19,7 @@
 #include "support/sweeping_scenario.hpp"
 
 namespace floes {
-namespace {
+namespace campaign_test {
 
 Campaign sample() {
     const Scenario scenario = sweeping_scenario();
@@ -278,5 +278,5 @@ TEST(Configurations, ReferenceNamesEveryKeyOnce) {
                                describe(stop).size() + describe(rules).size());
 }
 
-}  // namespace
+}  // namespace campaign_test
 }  // namespace floes

@@ -11,7 +11,7 @@
 #include "support/refusal.hpp"
 
 namespace floes {
-namespace {
+namespace columns_test {
 
 using ::testing::HasSubstr;
 
@@ -88,5 +88,5 @@ TEST(Columns, AllFloesTogetherAreNotTooManyElements) {
         with_rows("x_m,z_m,yaw_deg,floe.element_m", "7.4,0,0,0.2\n18.6,1.5,0,0.2\n", "[floe]\nelement_m = 0.0001\n"));
 }
 
-}  // namespace
+}  // namespace columns_test
 }  // namespace floes

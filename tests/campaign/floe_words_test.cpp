@@ -1,11 +1,11 @@
-#include "campaign/floe_words.hpp"
+#include "campaign/advice.hpp"
 
 #include <gtest/gtest.h>
 
 #include "campaign/read.hpp"
 
 namespace floes {
-namespace {
+namespace floe_words_test {
 
 std::vector<std::string> words(const std::string& text) {
     return floe_words(read_campaign({text, "a.toml", {}, true}, nullptr));
@@ -56,5 +56,5 @@ TEST(FloeWords, AreNotReachedByBadInput) {
               "a.toml:3: spread.strength_within = [2.0, 1.0] is not two rising factors, such as [0.5, 2.0]");
 }
 
-}  // namespace
+}  // namespace floe_words_test
 }  // namespace floes

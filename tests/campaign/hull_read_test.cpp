@@ -2,15 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include "cad/drawn.hpp"
 #include "campaign/campaign.hpp"
+#include "campaign/drawn.hpp"
 #include "campaign/read.hpp"
 #include "campaign/write.hpp"
 #include "core/error.hpp"
 #include "scenario/keys.hpp"
 
 namespace floes {
-namespace {
+namespace hull_read_test {
 
 std::string load(const std::string& path) {
     if (path == "configs/box.stl") return stl_bytes(box({-0.5, -0.4, -0.3}, {0.5, 0.4, 0.2}));
@@ -81,5 +81,5 @@ TEST(ReadHull, SaysWhatIsWrong) {
               std::string::npos);
 }
 
-}  // namespace
+}  // namespace hull_read_test
 }  // namespace floes

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "campaign/held_numbers.hpp"
-#include "campaign/pose_file.hpp"
+#include "campaign/campaign.hpp"
+#include "campaign/given.hpp"
 #include "campaign/read.hpp"
 #include "support/refusal.hpp"
 
 namespace floes {
-namespace {
+namespace limits_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -110,5 +110,5 @@ TEST(CampaignLimits, AFileNameThatIsNotUtf8NamesNoCampaign) {
     EXPECT_EQ(read_campaign({"campaign.name = \"a\"", "\xff.toml", {}, true}, nullptr).name, "a");
 }
 
-}  // namespace
+}  // namespace limits_test
 }  // namespace floes

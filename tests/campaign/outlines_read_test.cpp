@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "arrangement/arrangement.hpp"
+#include "campaign/advice.hpp"
 #include "campaign/campaign.hpp"
-#include "campaign/floe_words.hpp"
 #include "campaign/identity.hpp"
 #include "campaign/read.hpp"
 #include "campaign/write.hpp"
@@ -13,7 +13,7 @@
 #include "scenario/keys.hpp"
 
 namespace floes {
-namespace {
+namespace outlines_read_test {
 
 using testing::HasSubstr;
 
@@ -138,5 +138,5 @@ TEST(ReadOutlines, UnusedKeysChangeNoDigest) {
     EXPECT_EQ(before.find("shapes"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace outlines_read_test
 }  // namespace floes

@@ -11,7 +11,7 @@
 #include "support/refusal.hpp"
 
 namespace floes {
-namespace {
+namespace read_test {
 
 const char* const three_cases = R"([campaign]
 seed = 7
@@ -367,5 +367,5 @@ TEST(Preset, OfAUserIsPhysicalAndOfAStoredTextThatHasNoneThePapers) {
     EXPECT_EQ(preset_of(only_case(read_campaign({"", "a.h5", {}}, nullptr)).scenario.contact), ContactPreset::paper);
 }
 
-}  // namespace
+}  // namespace read_test
 }  // namespace floes

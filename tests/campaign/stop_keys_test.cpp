@@ -10,7 +10,7 @@
 #include "support/refusal.hpp"
 
 namespace floes {
-namespace {
+namespace stop_keys_test {
 
 Campaign read(const std::string& text, std::vector<std::string> overrides = {}) {
     return read_campaign({text, "a.toml", std::move(overrides)}, nullptr);
@@ -82,5 +82,5 @@ TEST(StopKeys, AreForAllCases) {
                 testing::HasSubstr("stop.minimum = 3 is for all cases; write it in [stop]"));
 }
 
-}  // namespace
+}  // namespace stop_keys_test
 }  // namespace floes

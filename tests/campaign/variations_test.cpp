@@ -13,7 +13,7 @@
 #include "support/sweeping_scenario.hpp"
 
 namespace floes {
-namespace {
+namespace variations_test {
 
 using testing::HasSubstr;
 
@@ -98,5 +98,5 @@ TEST(Variations, ABaseCaseThatIsNoneIsRefused) {
     }
 }
 
-}  // namespace
+}  // namespace variations_test
 }  // namespace floes

@@ -1,5 +1,5 @@
 #include "campaign_file/publish.hpp"
-#include "campaign_file/read_campaign_file.hpp"
+#include "campaign_file/read.hpp"
 
 #include <gmock/gmock.h>
 #include <sys/wait.h>
@@ -11,15 +11,15 @@
 #include "core/error.hpp"
 #include "hdf5/read.hpp"
 #include "hdf5/write.hpp"
-#include "journal/journal.hpp"
-#include "member/floe_properties.hpp"
+#include "member/result.hpp"
+#include "store/journal.hpp"
 #include "support/file_bytes.hpp"
 #include "support/refusal.hpp"
 #include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
-namespace {
+namespace campaign_file_test {
 
 using testing::HasSubstr;
 
@@ -230,5 +230,5 @@ TEST(CampaignFile, LeavesNothingAside) {
     EXPECT_FALSE(std::filesystem::exists(folder / "a.h5.tmp"));
 }
 
-}  // namespace
+}  // namespace campaign_file_test
 }  // namespace floes

@@ -1,6 +1,6 @@
 // Columns that get their rows one by one hold what is written whole.
 
-#include "hdf5/column.hpp"
+#include "hdf5/columns.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include "support/temporary_folder.hpp"
 
 namespace floes {
-namespace {
+namespace column_test {
 
 constexpr std::size_t rows = 20'000;  // several chunks, the last one in part
 constexpr std::size_t width = 3;
@@ -66,5 +66,5 @@ TEST(Column, IsNotFinishedBeforeItsLastRow) {
     column.finish();
 }
 
-}  // namespace
+}  // namespace column_test
 }  // namespace floes

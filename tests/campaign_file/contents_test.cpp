@@ -1,6 +1,6 @@
 // The digests over all that a file holds, and which files are read for them.
 
-#include "hdf5/contents.hpp"
+#include "hdf5/read.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 #include "support/temporary_folder.hpp"
 
 namespace floes {
-namespace {
+namespace contents_test {
 
 /// A file with a text in each of the groups.
 void write_groups(const std::filesystem::path& path, const std::vector<std::string>& names) {
@@ -69,5 +69,5 @@ TEST(ContentsDigest, IsThatOfTheMembersAlone) {
     EXPECT_NE(digest({synthetic::session(0)}), one);
 }
 
-}  // namespace
+}  // namespace contents_test
 }  // namespace floes

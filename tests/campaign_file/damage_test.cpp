@@ -8,8 +8,7 @@
 
 #include "campaign_file/publish.hpp"
 #include "core/error.hpp"
-#include "hdf5/attributes.hpp"
-#include "hdf5/contents.hpp"
+#include "hdf5/dataset.hpp"
 #include "hdf5/pages.hpp"
 #include "hdf5/read.hpp"
 #include "hdf5/verify.hpp"
@@ -19,7 +18,7 @@
 #include "support/temporary_folder.hpp"
 
 namespace floes {
-namespace {
+namespace damage_test {
 
 using testing::AnyOf;
 using testing::HasSubstr;
@@ -254,5 +253,5 @@ TEST(CheckedPages, FindEveryFlippedByte) {
     EXPECT_TRUE(is_right());
 }
 
-}  // namespace
+}  // namespace damage_test
 }  // namespace floes

@@ -6,16 +6,14 @@
 
 #include "campaign/identity.hpp"
 #include "campaign_file/publish.hpp"
-#include "campaign_file/read_campaign_file.hpp"
-#include "campaign_file/read_history.hpp"
-#include "campaign_file/read_load_map.hpp"
+#include "campaign_file/read.hpp"
 #include "hdf5/read.hpp"
 #include "hdf5/write.hpp"
 #include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
-namespace {
+namespace history_test {
 
 /// The records' histories as a campaign with these strides keeps them; their values are made up anyhow.
 void publish_thinned(const std::filesystem::path& path, Campaign campaign, std::vector<int> strides) {
@@ -125,5 +123,5 @@ TEST(LoadMaps, AreReadAsTheyWereWritten) {
     EXPECT_THAT(members, testing::ElementsAre(0, 1, 2, 5, 6, 8, 9, 10, 11));  // 4 failed, and 7 is missing
 }
 
-}  // namespace
+}  // namespace history_test
 }  // namespace floes

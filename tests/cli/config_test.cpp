@@ -9,13 +9,13 @@
 
 #include "campaign/campaign_keys.hpp"
 #include "campaign/write.hpp"
-#include "cli/config_file.hpp"
+#include "cli/config.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
-namespace {
+namespace config_test {
 
 const std::string table3 = std::string(FLOES_SOURCE_DIR) + "/configs/table3.toml";
 
@@ -77,5 +77,5 @@ TEST(Config, RefusesBadInputAndUsage) {
     EXPECT_THROW(config({"--defaults", "--format", "json"}), CommandLineEnd);
 }
 
-}  // namespace
+}  // namespace config_test
 }  // namespace floes

@@ -13,7 +13,7 @@
 #include "support/temporary_folder.hpp"
 
 namespace floes {
-namespace {
+namespace contour_test {
 
 using testing::HasSubstr;
 
@@ -88,5 +88,5 @@ TEST_F(ContourVerb, RefusesWhatItCannotWrite) {
     EXPECT_THROW(contour("--per-year 1"), CommandLineEnd);
 }
 
-}  // namespace
+}  // namespace contour_test
 }  // namespace floes

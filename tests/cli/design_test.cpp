@@ -11,13 +11,13 @@
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
 #include "findings/moored_cases.hpp"
-#include "simulation/motion_history.hpp"
+#include "simulation/histories.hpp"
 #include "support/refusal.hpp"
 #include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
-namespace {
+namespace design_test {
 
 using testing::HasSubstr;
 
@@ -81,7 +81,7 @@ TEST_F(Design, MovesAMooredHull) {
     const nlohmann::json& soft = json.at("moored").at("cases").at(0);
     EXPECT_EQ(soft.at("case"), "soft");
     EXPECT_EQ(soft.at("runs"), 4);
-    EXPECT_GT(soft.at("largest_force_N"), 0);
+    EXPECT_GT(soft.at("largest_force"), 0);
     EXPECT_EQ(json.at("moored").at("cases").size(), 2u);
 }
 
@@ -152,5 +152,5 @@ TEST_F(Design, RefusesTheMooringForceOfAFixedHull) {
     EXPECT_THROW(design("--of mooring_force --regimes year.toml"), CommandLineEnd);
 }
 
-}  // namespace
+}  // namespace design_test
 }  // namespace floes

@@ -16,7 +16,7 @@
 #include "support/temporary_folder.hpp"
 
 namespace floes {
-namespace {
+namespace design_year_test {
 
 using testing::HasSubstr;
 
@@ -57,7 +57,7 @@ TEST_F(DesignYear, IsTheSameFromTomlAndFromAScatterDiagram) {
     EXPECT_EQ(told, year("year.csv", "--format json"));
     const auto loads = nlohmann::json::parse(told).at("year").at("loads");
     EXPECT_EQ(loads.size(), 2u);
-    EXPECT_GT(loads.at(1).at("load_N").get<double>(), loads.at(0).at("load_N").get<double>());
+    EXPECT_GT(loads.at(1).at("load").get<double>(), loads.at(0).at("load").get<double>());
 }
 
 TEST_F(DesignYear, IsAlsoAPageAPictureAndAWorkbook) {
@@ -81,5 +81,5 @@ TEST_F(DesignYear, RefusesWhatItCannotAnswer) {
     EXPECT_THROW(year("year.toml", "--per-year 2"), CommandLineEnd);
 }
 
-}  // namespace
+}  // namespace design_year_test
 }  // namespace floes

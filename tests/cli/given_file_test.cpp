@@ -1,22 +1,22 @@
 // What verbs say of a file that is not the one they need.
 
-#include "cli/given_file.hpp"
+#include "cli/files.hpp"
 
 #include <gmock/gmock.h>
 
 #include <fstream>
 
 #include "campaign_file/publish.hpp"
-#include "cli/config_file.hpp"
+#include "cli/config.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
-#include "journal/journal.hpp"
+#include "store/journal.hpp"
 #include "support/refusal.hpp"
 #include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
-namespace {
+namespace given_file_test {
 
 using testing::HasSubstr;
 
@@ -74,5 +74,5 @@ TEST_F(GivenFiles, ThatFloesDidNotWriteAreNotVerified) {
     EXPECT_NE(status, 0);
 }
 
-}  // namespace
+}  // namespace given_file_test
 }  // namespace floes

@@ -10,7 +10,7 @@
 #include "support/refusal.hpp"
 
 namespace floes {
-namespace {
+namespace laboratory_test {
 
 using nlohmann::json;
 
@@ -65,5 +65,5 @@ TEST(Laboratory, WantsATest) {
     EXPECT_THROW(verb_output(add_laboratory, "laboratory"), CommandLineEnd);
 }
 
-}  // namespace
+}  // namespace laboratory_test
 }  // namespace floes

@@ -10,7 +10,7 @@
 
 #include "campaign/campaign_keys.hpp"
 #include "campaign/identity.hpp"
-#include "cli/config_file.hpp"
+#include "cli/config.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
 #include "scenario/keys.hpp"
@@ -19,7 +19,7 @@
 #include "support/temporary_folder.hpp"
 
 namespace floes {
-namespace {
+namespace new_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -107,5 +107,5 @@ TEST_F(New, TouchesNoFileThatExists) {
     EXPECT_THROW(verb_output(add_new, "new my.toml --paper --design"), CommandLineEnd);
 }
 
-}  // namespace
+}  // namespace new_test
 }  // namespace floes

@@ -10,12 +10,12 @@
 #include "campaign_file/publish.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
-#include "journal/journal.hpp"
+#include "store/journal.hpp"
 #include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
-namespace {
+namespace plan_test {
 
 using nlohmann::json;
 using testing::HasSubstr;
@@ -77,5 +77,5 @@ TEST(Plan, RefusesWhatCannotBe) {
     EXPECT_THROW(plan("--cores 0"), CommandLineEnd);
 }
 
-}  // namespace
+}  // namespace plan_test
 }  // namespace floes

@@ -1,6 +1,6 @@
 // floes replay: what it makes, by the ending of its name, and what it refuses.
 
-#include "cli/replay_outputs.hpp"
+#include "cli/replay.hpp"
 
 #include <gmock/gmock.h>
 
@@ -8,12 +8,12 @@
 
 #include "cli/commands.hpp"
 #include "core/error.hpp"
-#include "player/synthetic_recording.hpp"
+#include "draw/synthetic_recording.hpp"
 #include "support/refusal.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
-namespace {
+namespace replay_test {
 
 using testing::HasSubstr;
 
@@ -78,5 +78,5 @@ TEST(ReplayVerb, RefusesBeforeItComputes) {
     EXPECT_THROW(run({"replay", none, "0", "-o", "a.png", "--view", "sideways"}), CommandLineEnd);
 }
 
-}  // namespace
+}  // namespace replay_test
 }  // namespace floes

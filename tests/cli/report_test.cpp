@@ -13,7 +13,7 @@
 #include "support/temporary_folder.hpp"
 
 namespace floes {
-namespace {
+namespace report_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -108,5 +108,5 @@ TEST_F(Report, SaysWhatItCannotReadOrWrite) {
     EXPECT_FALSE(std::filesystem::exists(page_.string() + ".tmp"));
 }
 
-}  // namespace
+}  // namespace report_test
 }  // namespace floes

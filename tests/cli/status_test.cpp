@@ -5,16 +5,16 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign_file/publish.hpp"
-#include "cli/status_text.hpp"
+#include "cli/status.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
-#include "journal/journal.hpp"
+#include "store/journal.hpp"
 #include "support/file_bytes.hpp"
 #include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
-namespace {
+namespace status_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -229,5 +229,5 @@ TEST(Status, TellsHowFarThePrecisionIsThatIsWanted) {
     EXPECT_TRUE(nlohmann::json::parse(status_json(read_status(folder / "c.h5")))["stop"].is_null());
 }
 
-}  // namespace
+}  // namespace status_test
 }  // namespace floes

@@ -7,12 +7,12 @@
 #include "campaign_file/publish.hpp"
 #include "cli/verb_output.hpp"
 #include "core/units.hpp"
-#include "driver/campaign_status.hpp"
+#include "run/campaign_status.hpp"
 #include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
-namespace {
+namespace stop_by_design_load_test {
 
 class StopByDesignLoad : public testing::Test {
   protected:
@@ -36,9 +36,9 @@ class StopByDesignLoad : public testing::Test {
         for (const auto& load : all.at("design").at("loads")) {
             if (load.at("method") != "both tails") continue;
             if (load.at("figure") != which) continue;
-            const double value = load.at("load_N");
-            longest = std::max(
-                {longest, load.at("high").get<double>() / value - 1, 1 - load.at("low").get<double>() / value});
+            const double value = load.at("load");
+            longest = std::max({longest, load.at("load_high").get<double>() / value - 1,
+                                1 - load.at("load_low").get<double>() / value});
         }
         return longest;
     }
@@ -71,5 +71,5 @@ TEST_F(StopByDesignLoad, HasThatOfTheExpectedLargest) {
     EXPECT_NEAR(rule, by_design("--quantile 0.9", "expected"), 1e-12);
 }
 
-}  // namespace
+}  // namespace stop_by_design_load_test
 }  // namespace floes

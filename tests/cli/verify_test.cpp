@@ -7,16 +7,15 @@
 
 #include "campaign_file/publish.hpp"
 #include "cli/verb_output.hpp"
-#include "cli/verify_file.hpp"
+#include "cli/verify.hpp"
 #include "core/error.hpp"
-#include "journal/journal.hpp"
-#include "journal/journal_format.hpp"
+#include "store/journal.hpp"
 #include "support/file_bytes.hpp"
 #include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
-namespace {
+namespace verify_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -154,5 +153,5 @@ TEST_F(Verify, KnowsWhatIsNoFileOfFloes) {
     EXPECT_THAT(verify((folder_ / "letter").string()).first, HasSubstr("not of floes"));
 }
 
-}  // namespace
+}  // namespace verify_test
 }  // namespace floes

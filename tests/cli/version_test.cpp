@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "cli/commands.hpp"
-#include "records/build_info.hpp"
+#include "store/session.hpp"
 
 namespace floes {
-namespace {
+namespace version_test {
 
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -60,5 +60,5 @@ TEST(Help, NamesTheVerbThatWasMeant) {
     EXPECT_THAT(end_of({"calibrate"}).what(), HasSubstr("floes laboratory plate")) << "a former verb";
 }
 
-}  // namespace
+}  // namespace version_test
 }  // namespace floes

@@ -1,11 +1,11 @@
-#include "cli/waiting_note.hpp"
+#include "cli/terminal.hpp"
 
 #include <gtest/gtest.h>
 
 #include <sstream>
 
 namespace floes {
-namespace {
+namespace waiting_note_test {
 
 using std::chrono::milliseconds;
 
@@ -24,5 +24,5 @@ TEST(WaitingNote, SaysNothingOfWhatIsQuick) {
     EXPECT_EQ(out.str(), "");
 }
 
-}  // namespace
+}  // namespace waiting_note_test
 }  // namespace floes

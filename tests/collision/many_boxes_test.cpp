@@ -16,7 +16,7 @@
 #include "collision/random_boxes.hpp"
 
 namespace floes {
-namespace {
+namespace many_boxes_test {
 
 using test::Dice;
 
@@ -149,5 +149,5 @@ TEST(ManyBoxes, TouchWhereBulletSaysWhenPiecesChangeAndBoxesAreMoved) {
     }
 }
 
-}  // namespace
+}  // namespace many_boxes_test
 }  // namespace floes

@@ -11,7 +11,7 @@
 #include "collision/random_boxes.hpp"
 
 namespace floes {
-namespace {
+namespace prisms_test {
 
 using test::Dice;
 
@@ -181,5 +181,5 @@ TEST(PrismSection, KnowsTheEdgeThatADirectionLeavesBy) {
     EXPECT_EQ(edge_towards(hexagon, {0.1, -1, 0.1}), -1);
 }
 
-}  // namespace
+}  // namespace prisms_test
 }  // namespace floes

@@ -16,7 +16,7 @@
 #include "collision/touching_points.hpp"
 
 namespace floes {
-namespace {
+namespace two_boxes_test {
 
 using test::Dice;
 
@@ -137,5 +137,5 @@ TEST(TwoBoxes, AlignedBoxesTouchWhereBulletSays) {
     }
 }
 
-}  // namespace
+}  // namespace two_boxes_test
 }  // namespace floes

@@ -1,4 +1,4 @@
-#include "core/components.hpp"
+#include "core/vector.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace floes {
-namespace {
+namespace components_test {
 
 using testing::ElementsAre;
 
@@ -27,5 +27,5 @@ TEST(Components, AreNamedByTheirSmallestNode) {
     EXPECT_THAT(firsts(4, {{3, 2}, {3, 3}, {2, 3}}), ElementsAre(0, 1, 2, 2));
 }
 
-}  // namespace
+}  // namespace components_test
 }  // namespace floes

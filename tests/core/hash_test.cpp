@@ -1,11 +1,11 @@
-#include "core/hash.hpp"
+#include "core/digest.hpp"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
 namespace floes {
-namespace {
+namespace hash_test {
 
 // The values that the XXH3 specification publishes for the empty input with seed 0.
 TEST(Hash, EmptyTextHasThePublishedDigest) {
@@ -36,5 +36,5 @@ TEST(Hash, OneCharacterChangesTheDigest) {
     EXPECT_EQ(short_digests.size(), text.size());
 }
 
-}  // namespace
+}  // namespace hash_test
 }  // namespace floes

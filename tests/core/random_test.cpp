@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace floes {
-namespace {
+namespace random_test {
 
 constexpr std::uint64_t seed = 0x0123456789abcdef;
 constexpr std::uint64_t geometry = 0xfedcba9876543210;
@@ -107,5 +107,5 @@ TEST(RandomStream, BelowOneIsNothingElse) {
     EXPECT_EQ(stream.draws(), 1u);
 }
 
-}  // namespace
+}  // namespace random_test
 }  // namespace floes

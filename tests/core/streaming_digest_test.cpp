@@ -1,12 +1,11 @@
-#include "core/streaming_digest.hpp"
+#include "core/digest.hpp"
 
 #include <gtest/gtest.h>
 
-#include "core/hash.hpp"
-#include "core/utf8.hpp"
+#include "core/text.hpp"
 
 namespace floes {
-namespace {
+namespace streaming_digest_test {
 
 TEST(StreamingDigest, IsThatOfAllBytes) {
     const std::string text(1000, 'x');
@@ -37,5 +36,5 @@ TEST(Utf8, IsCutBetweenLetters) {
     EXPECT_EQ(beginning("\x80\x80\x80\x80\x80\x80", 5).size(), 5u) << "not UTF-8: anywhere";
 }
 
-}  // namespace
+}  // namespace streaming_digest_test
 }  // namespace floes

@@ -1,9 +1,9 @@
-#include "core/wording.hpp"
+#include "core/text.hpp"
 
 #include <gtest/gtest.h>
 
 namespace floes {
-namespace {
+namespace wording_test {
 
 TEST(Counted, OneHasNoPlural) {
     EXPECT_EQ(counted(1, "member"), "1 member");
@@ -27,5 +27,5 @@ TEST(DurationInFigures, HasThreeOfOneUnit) {
     EXPECT_EQ(duration_in_figures(183 * 86400), "183 d");
 }
 
-}  // namespace
+}  // namespace wording_test
 }  // namespace floes

@@ -11,10 +11,10 @@
 
 #include "inference/design_load.hpp"
 #include "inference/known_processes.hpp"
-#include "statistics/peaks.hpp"
+#include "statistics/averaged_load.hpp"
 
 namespace floes {
-namespace {
+namespace design_coverage_test {
 
 constexpr std::size_t arrangements = 100;
 constexpr std::array probabilities{0.5, 0.9};
@@ -81,8 +81,8 @@ TEST_P(DesignCoverage, IsAsTheIntervalsSay) {
         const auto held = try_often(process, times, count);
         for (std::size_t method = 0; method < held.size(); ++method)
             for (std::size_t k = 0; k < probabilities.size(); ++k)
-                fmt::print("| design | {} | {:g} | {} | {:g} | {:+.1f} % | {:.0f} % | {:.0f} % |\n", process.name, times,
-                           name_of(static_cast<LargestBy>(method)), probabilities[k],
+                fmt::print("| design | {} | {:g} | {} | {:g} | {:+.1f} % | {:.0f} % | {:.0f} % |\n", process.name,
+                           times, name_of(static_cast<LargestBy>(method)), probabilities[k],
                            100 * (held[method][k].ratio / count - 1), 100.0 * held[method][k].within / count,
                            100.0 * held[method][k].below / count);
         for (std::size_t k = 0; k < probabilities.size(); ++k)
@@ -92,5 +92,5 @@ TEST_P(DesignCoverage, IsAsTheIntervalsSay) {
 
 INSTANTIATE_TEST_SUITE_P(Processes, DesignCoverage, testing::Range<std::size_t>(0, 5));
 
-}  // namespace
+}  // namespace design_coverage_test
 }  // namespace floes

@@ -14,7 +14,7 @@
 #include "inference/precision_stop.hpp"
 
 namespace floes {
-namespace {
+namespace load_stop_coverage_test {
 
 struct Kind {
     const char* name;
@@ -109,5 +109,5 @@ TEST_P(LoadStopCoverage, IsAsTheIntervalsSay) {
 INSTANTIATE_TEST_SUITE_P(Rows, LoadStopCoverage,
                          testing::Values(Row{0, 0.5, 0.95}, Row{1, 0.5, 0.95}, Row{2, 0.5, 0.9}));
 
-}  // namespace
+}  // namespace load_stop_coverage_test
 }  // namespace floes

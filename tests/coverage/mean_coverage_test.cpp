@@ -10,13 +10,13 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "inference/interval.hpp"
 #include "inference/known_processes.hpp"
-#include "inference/mixed_mean.hpp"
 #include "inference/paired.hpp"
 #include "inference/precision_stop.hpp"
 
 namespace floes {
-namespace {
+namespace mean_coverage_test {
 
 struct Kind {
     const char* name;
@@ -242,5 +242,5 @@ INSTANTIATE_TEST_SUITE_P(Rows, StopCoverage,
                                          StopRow{2, 0.1, 0, 0.9}, StopRow{4, 0.05, 0, 0.9}, StopRow{5, 0.05, 0, 0.92},
                                          StopRow{6, 0.05, 0, 0.92}, StopRow{6, 0.1, 0, 0.92}));
 
-}  // namespace
+}  // namespace mean_coverage_test
 }  // namespace floes

@@ -10,12 +10,12 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "inference/interval.hpp"
 #include "inference/known_processes.hpp"
 #include "inference/posterior_load.hpp"
-#include "inference/unlike_members.hpp"
 
 namespace floes {
-namespace {
+namespace unlike_coverage_test {
 
 constexpr double window = 150;
 constexpr double peaks_a_member = 20;
@@ -151,5 +151,5 @@ INSTANTIATE_TEST_SUITE_P(Rows, UnlikeCoverage,
                                          Row{2, 20, 0.92}, Row{2, 50, 0.92}, Row{3, 8, 0.92}, Row{3, 100, 0.92},
                                          Row{4, 8, 0.88}, Row{4, 50, 0.88}));
 
-}  // namespace
+}  // namespace unlike_coverage_test
 }  // namespace floes

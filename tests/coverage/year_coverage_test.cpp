@@ -10,12 +10,12 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "inference/interval.hpp"
 #include "inference/known_processes.hpp"
-#include "inference/unlike_members.hpp"
 #include "inference/year_load.hpp"
 
 namespace floes {
-namespace {
+namespace year_coverage_test {
 
 constexpr double window = 150;         // s
 constexpr double peaks_a_member = 20;  // about so many in 150 s
@@ -137,5 +137,5 @@ INSTANTIATE_TEST_SUITE_P(Rows, YearCoverage,
                          testing::Values(Row{0, 12}, Row{0, 50}, Row{1, 12}, Row{1, 50}, Row{2, 12}, Row{2, 50},
                                          Row{3, 12}, Row{3, 50}, Row{4, 12}, Row{4, 50}));
 
-}  // namespace
+}  // namespace year_coverage_test
 }  // namespace floes

@@ -1,6 +1,6 @@
 # The pages that people read first: every command of the tutorial runs and prints what the page shows, and links lead
 # somewhere.
-# Debian's own Python has what the blocks need (packages-test.txt).
+# Debian's own Python has what the blocks need (packages-test-all.txt).
 add_test(NAME docs.pages COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/docs/pages_test.py ${PROJECT_SOURCE_DIR})
 set_tests_properties(docs.pages PROPERTIES LABELS default TIMEOUT 60)
 # A minute on one core; with sanitizers a multiple of that, for what other tests run as well.
@@ -14,7 +14,7 @@ if(TARGET floes AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   add_test(NAME docs.moored_hull
            COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/docs/tutorial_test.py $<TARGET_FILE:floes>
                    ${PROJECT_SOURCE_DIR}/docs/moored_hull.md)
-  set_tests_properties(docs.tutorial docs.year_tutorial PROPERTIES LABELS default TIMEOUT 900 PROCESSORS 2)
+  set_tests_properties(docs.tutorial docs.year_tutorial PROPERTIES LABELS all TIMEOUT 900 PROCESSORS 2)
   # Some minutes: a campaign at full scale.
   set_tests_properties(docs.moored_hull PROPERTIES LABELS slow TIMEOUT 1800 PROCESSORS 2)
 endif()

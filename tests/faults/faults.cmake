@@ -1,5 +1,5 @@
 # Which process breaks, when and how: tests/faults/matrix.py.
-floes_test_program(faulty SOURCES faults/main.cpp LIBRARIES floes_driver)
+floes_test_program(faulty SOURCES faults/main.cpp LIBRARIES floes_run)
 foreach(what members processes)
   add_test(NAME faults.${what} COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/faults/matrix.py $<TARGET_FILE:faulty>
                                        ${MPIEXEC_EXECUTABLE} ${what})

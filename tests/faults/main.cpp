@@ -20,11 +20,11 @@
 #include <thread>
 #include <vector>
 
-#include "attempt/helper.hpp"
-#include "driver/run_campaign.hpp"
-#include "driver/worker.hpp"
+#include "run/helper.hpp"
+#include "run/link.hpp"
+#include "run/run_campaign.hpp"
+#include "run/worker.hpp"
 #include "support/synthetic.hpp"
-#include "wire/open_link.hpp"
 
 namespace {
 

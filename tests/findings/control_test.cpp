@@ -1,6 +1,6 @@
 // Control variates as a finding: covariates of real arrangements, drawn as the campaign draws them.
 
-#include "findings/control_section.hpp"
+#include "findings/control.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include "core/random.hpp"
 
 namespace floes {
-namespace {
+namespace control_test {
 
 Campaign small() {
     Scenario scenario;
@@ -54,16 +54,19 @@ CampaignTable table_of(const Campaign& campaign) {
 
 TEST(ControlFinding, CorrectsWhatFollowsTheOrderAndNothingElse) {
     const Campaign campaign = small();
-    const CampaignTable table = table_of(campaign);
-    const std::vector<ControlRow> rows = find_control(campaign, table);
-    ASSERT_EQ(rows.size(), 6u);  // mean, mean maximum, failure ratio of two cases
-    EXPECT_TRUE(rows[0].found.used);
-    EXPECT_GT(rows[0].found.left_out, 0.8);
-    EXPECT_GT(rows[0].found.saved, 40);
-    EXPECT_LT(rows[3].found.left_out, 0.2);
-    EXPECT_FALSE(rows[2].found.used);  // no floe broke
-    const std::string told = text(std::vector{control_section(summarise(table), rows)}, 100);
-    EXPECT_THAT(told, testing::HasSubstr("one, mean, N"));
+    Evidence evidence = evidence_of(campaign, table_of(campaign));
+    const Results found = find_control(evidence);
+    ASSERT_EQ(data_rows(found).rows.size(), 6u);  // mean, mean maximum, failure ratio of two cases
+    // Below the name of each quantity are the two cases.
+    EXPECT_TRUE(std::get<bool>(found.at(1, "used").get()));
+    EXPECT_GT(found.number(1, "r_squared_left_out"), 0.8);
+    EXPECT_GT(found.number(1, "arrangements_saved"), 40);
+    EXPECT_EQ(found.name(2, "quantity"), "mean_load");
+    EXPECT_LT(found.number(2, "r_squared_left_out"), 0.2);
+    EXPECT_EQ(found.name(7, "quantity"), "failure_ratio");
+    EXPECT_FALSE(std::get<bool>(found.at(7, "used").get()));  // no floe broke
+    const std::string told = text(std::vector{control_section(evidence)}, 100);
+    EXPECT_THAT(told, testing::ContainsRegex("\nmean, N *\none "));
     EXPECT_THAT(told, testing::HasSubstr("off"));
 }
 
@@ -71,8 +74,8 @@ TEST(ControlFinding, HasNothingToDrawWherePosesAreGiven) {
     Campaign campaign = small();
     const CampaignTable table = table_of(campaign);
     for (Case& one : campaign.cases) one.scenario.arrangement.method = ArrangementMethod::file;
-    EXPECT_TRUE(find_control(campaign, table).empty());
+    EXPECT_TRUE(find_control(evidence_of(campaign, table)).empty());
 }
 
-}  // namespace
+}  // namespace control_test
 }  // namespace floes

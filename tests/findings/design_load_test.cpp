@@ -1,6 +1,6 @@
 // The design load as a finding: rows of a case, Froude's law, pairs, and what cannot be answered.
 
-#include "findings/design_load_section.hpp"
+#include "findings/design_load.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 #include "support/refusal.hpp"
 
 namespace floes {
-namespace {
+namespace design_load_test {
 
 using testing::HasSubstr;
 
@@ -65,7 +65,7 @@ nlohmann::json answer(const DesignLoadRequest& request) {
 double load_of(const nlohmann::json& told, const std::string& name, const std::string& method = "both tails") {
     for (const auto& one : told.at("design").at("loads"))
         if (one.at("case") == name && one.at("method") == method && one.at("figure") == "quantile")
-            return one.at("load_N");
+            return one.at("load");
     ADD_FAILURE() << "no load of " << name << " in " << told;
     return 0;
 }
@@ -83,7 +83,7 @@ TEST(DesignFinding, GrowsByFroude) {
     const nlohmann::json model = answer({});
     const nlohmann::json full = answer({.exposure = 6 * 10800, .averaging = 6, .scale = scale});
     EXPECT_NEAR(load_of(full, "weak") / load_of(model, "weak"), scale * scale * scale, 1e-6);
-    EXPECT_EQ(full.at("design").at("basis").at(0).at("exposure_s"), 10800);
+    EXPECT_EQ(full.at("design").at("basis").at(0).at("exposure"), 10800);
 }
 
 TEST(DesignFinding, ComparesCasesOverTheSameArrangements) {
@@ -91,9 +91,9 @@ TEST(DesignFinding, ComparesCasesOverTheSameArrangements) {
     EXPECT_EQ(pair.at("first"), "weak");
     EXPECT_EQ(pair.at("second"), "strong");
     // The loads vary together, so the difference is far more certain than either.
-    EXPECT_GT(pair.at("low").get<double>(), 0);
-    EXPECT_LT(pair.at("high").get<double>() - pair.at("low").get<double>(),
-              0.7 * pair.at("difference_N").get<double>());
+    EXPECT_GT(pair.at("difference_low").get<double>(), 0);
+    EXPECT_LT(pair.at("difference_high").get<double>() - pair.at("difference_low").get<double>(),
+              0.7 * pair.at("difference").get<double>());
 }
 
 // With many peaks a case is resampled less often, the less the more peaks it has; the draws that both have are
@@ -182,7 +182,7 @@ TEST(DesignFinding, HasNoFiguresOfALoadThatIsRefused) {
     const auto& basis = told.at("design").at("basis").at(0);
     EXPECT_EQ(basis.at("refused_as_rising"), true);
     EXPECT_EQ(basis.at("arrangements"), 40);
-    for (const char* name : {"threshold_N", "peaks", "time_run_s", "scatter"}) EXPECT_TRUE(basis.at(name).is_null());
+    for (const char* name : {"threshold", "peaks", "time_run", "scatter"}) EXPECT_TRUE(basis.at(name).is_null());
 }
 
 TEST(DesignFinding, SaysNothingOfThreeMembers) {
@@ -208,5 +208,5 @@ TEST(DesignFinding, SaysWhereThereAreTooFewPeaks) {
     EXPECT_THAT(told, HasSubstr("strong: too few peaks ("));
 }
 
-}  // namespace
+}  // namespace design_load_test
 }  // namespace floes

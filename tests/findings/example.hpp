@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "campaign_file/read_campaign_file.hpp"
+#include "campaign_file/read.hpp"
 
 namespace floes::example {
 

@@ -1,6 +1,6 @@
 // Failed joints as the report shows them: by mode, over time and over the floe.
 
-#include "findings/report_sections.hpp"
+#include "findings/catalogue.hpp"
 
 #include <gmock/gmock.h>
 
@@ -8,7 +8,7 @@
 #include "ice/failure_mode.hpp"
 
 namespace floes {
-namespace {
+namespace failures_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -60,5 +60,5 @@ TEST(Failures, MayBeNone) {
     EXPECT_THAT(joint_failures_section(of).figures, IsEmpty());
 }
 
-}  // namespace
+}  // namespace failures_test
 }  // namespace floes

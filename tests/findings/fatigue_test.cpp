@@ -8,7 +8,7 @@
 #include <cmath>
 
 namespace floes {
-namespace {
+namespace fatigue_test {
 
 constexpr double step = 0.01;  // s
 
@@ -58,5 +58,5 @@ TEST(Fatigue, OfNoHistoriesIsNone) {
     EXPECT_TRUE(find_fatigue({}).cases.empty());
 }
 
-}  // namespace
+}  // namespace fatigue_test
 }  // namespace floes

@@ -1,16 +1,15 @@
 // A trend over all members is seen where no single member shows it.
 
-#include "findings/joint_trend.hpp"
+#include "findings/steady.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "findings/example.hpp"
-#include "findings/stationary.hpp"
 #include "findings/warnings.hpp"
 
 namespace floes {
-namespace {
+namespace joint_trend_test {
 
 /// Of each case `members` members with these slopes, N/s, in turn, over a window of 150 s.
 CampaignTable campaign(int members, const std::vector<double>& slopes) {
@@ -100,5 +99,5 @@ TEST(JointTrend, WarnsOfMembersFarAboveTheOthers) {
                 testing::StartsWith("Members whose mean load is far above the others': 1 of 12 of E30 (5)."));
 }
 
-}  // namespace
+}  // namespace joint_trend_test
 }  // namespace floes

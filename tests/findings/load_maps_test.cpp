@@ -1,16 +1,16 @@
-#include "findings/load_maps.hpp"
+#include "findings/load_map.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "campaign_file/publish.hpp"
-#include "campaign_file/read_campaign_file.hpp"
+#include "campaign_file/read.hpp"
 #include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
-namespace {
+namespace load_maps_test {
 
 /// Member n of the first case has n + 1 N straight ahead at the keel, 3 N at 45 degrees at the top.
 std::vector<MemberRecord> loaded(const Campaign& campaign) {
@@ -48,5 +48,5 @@ TEST(LoadMaps, AreMeansOverTheMembersOfACase) {
     EXPECT_NEAR(maps[0].along_tow[10].high - 4, 4.302652729911275 * 3 / std::sqrt(3.0), 1e-9);  // t(2), s = 3
 }
 
-}  // namespace
+}  // namespace load_maps_test
 }  // namespace floes

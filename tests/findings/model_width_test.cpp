@@ -10,7 +10,7 @@
 #include "findings/example.hpp"
 
 namespace floes {
-namespace {
+namespace model_width_test {
 
 using testing::HasSubstr;
 
@@ -86,22 +86,21 @@ TEST(ModelWidth, ComparesOtherFloesWithoutPairs) {
     ASSERT_TRUE(width);
     const auto still = std::ranges::find(width->variations, 3U, &VariationRow::of_case);
     EXPECT_FALSE(still->changes.front().paired);
-    EXPECT_NEAR(still->changes.front().estimate, 3, 1e-12);
+    EXPECT_NEAR(still->changes.front().change.value, 3, 1e-12);
     EXPECT_NEAR(still->changes.front().standard_error, std::sqrt(2 * 6.0 / 8), 1e-12);  // variance of 0 to 7 is 6
 }
 
 TEST(ModelWidth, SaysWhichIsLarger) {
     Evidence evidence = varied({30, 27, 34, 33}, 0);
-    EXPECT_EQ(
-        width_sentence(find_model_width(evidence)),
-        "Sampling leaves the mean load open by ± 2.0 N, the 2 inputs varied here by -3.0 to +5.0 N together: more "
-        "arrangements do not narrow that.");
+    EXPECT_EQ(width_sentence(find_model_width(evidence), {}),
+              "Sampling leaves the mean load open by ± 2 N, the 2 inputs varied here by -3 to +5 N together: more "
+              "arrangements do not narrow that.");
     Evidence alike = varied({30, 30, 30.5, 30}, 0);
-    EXPECT_THAT(width_sentence(find_model_width(alike)), HasSubstr("would narrow the result"));
+    EXPECT_THAT(width_sentence(find_model_width(alike), {}), HasSubstr("would narrow the result"));
     const std::vector<Section> sections{model_section(evidence)};
-    EXPECT_THAT(text(sections, 120), testing::ContainsRegex("rough +\\+4.0 ± 0.0 "));
-    EXPECT_THAT(text(sections, 120), testing::ContainsRegex("base, n = 8 +33.5 ± 2.0 "));
-    EXPECT_THAT(csv(sections), HasSubstr("smooth,contact.ice_ice_friction,mean_N,33.5,-3,"));
+    EXPECT_THAT(text(sections, 120), testing::ContainsRegex("rough +4.00 \\[4.00, 4.00\\]"));
+    EXPECT_THAT(text(sections, 120), testing::ContainsRegex("base, n = 8 +33.50 \\[31.45, 35.55\\]"));
+    EXPECT_THAT(csv(sections), HasSubstr("smooth,contact.ice_ice_friction,mean_load,33.5,-3,"));
 }
 
 TEST(ModelWidth, IsUnknownWithoutABaseCase) {
@@ -111,5 +110,5 @@ TEST(ModelWidth, IsUnknownWithoutABaseCase) {
     EXPECT_THAT(model_section(evidence).missing, HasSubstr("floes vary"));
 }
 
-}  // namespace
+}  // namespace model_width_test
 }  // namespace floes

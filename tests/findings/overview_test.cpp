@@ -1,6 +1,6 @@
 // A campaign on one screen: what is wrong with it first, and only intervals that say something.
 
-#include "findings/overview_section.hpp"
+#include "findings/answer.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,13 +8,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "findings/cases.hpp"
 #include "findings/example.hpp"
-#include "findings/load_columns.hpp"
-#include "findings/printable.hpp"
+#include "findings/summary.hpp"
 #include "findings/warnings.hpp"
 
 namespace floes {
-namespace {
+namespace overview_test {
 
 using testing::ContainsRegex;
 using testing::ElementsAre;
@@ -32,10 +32,8 @@ CampaignTable whole() {
 }
 
 Evidence evidence_with(const CampaignTable& table) {
-    Evidence evidence;
+    Evidence evidence = evidence_of({}, table);
     evidence.file = "a.h5";
-    evidence.table = table;
-    evidence.summary = summarise(table);
     return evidence;
 }
 
@@ -125,8 +123,6 @@ TEST(Printable, AreIntervalsThatSaySomething) {
     const Quantity& order = *find_quantity("local_order");  // it may be of either sign
     EXPECT_TRUE(says_something(order, 0.01, {-0.2, 0.22}, 8));
     EXPECT_FALSE(says_something(quantity("failure_ratio"), 0.5, {0, 1}, 4));
-    EXPECT_EQ(printable_bracket(quantity("mean_load"), 300, {17, 1666}, 4, 1), "–");
-    EXPECT_EQ(printable_bracket(quantity("failure_ratio"), 0.1, {0.05, 0.15}, 4, 1), "[5.0, 15.0]");
 }
 
 // 26, 28, 24, 30 N: s = 2.582; t(n - 1) s / √n <= 2.7 N first holds for n = 7: 2.447 · 2.582 / 2.646 = 2.39 N, for 6
@@ -137,19 +133,22 @@ TEST(Printable, SaysHowManyArrangementsWouldDo) {
     EXPECT_EQ(arrangements_for(found, 1, 0.1), 0);
 }
 
-TEST(LoadColumns, TakeTheLoadOverOneSecondAndUnitsThatSuit) {
+TEST(LoadColumns, TakeTheLoadOverOneSecondInTheUnitOfTheCampaign) {
     CampaignTable table = whole();
-    EXPECT_EQ(load_columns(summarise(table))[1].heading(), "largest of a step, N");
+    EXPECT_EQ(load_columns(summarise(table))[1].words, "largest of a step");
     table.averaging_times = {0.5, 1, 2};
     for (MemberRow& row : table.members) {
         row.load.mean *= 1e6;
+        row.load.maximum *= 1e6;
+        row.load.mean_maximum *= 1e6;
         for (const double time : table.averaging_times) row.averaged.push_back({time, 1, {}, 4e6 / time, 1});
     }
-    const std::vector<LoadColumn> columns = load_columns(summarise(table));
-    EXPECT_EQ(columns[0].heading(), "mean load, MN");
-    EXPECT_EQ(columns[1].heading(), "largest over 1 s, kN");
-    EXPECT_EQ(columns[1].cell(summarise(table).cases[0]), "4000 in all");
+    const Evidence evidence = evidence_with(table);
+    EXPECT_EQ(load_columns(evidence.summary)[1].words, "largest over 1 s");
+    const std::string text = floes::text(std::vector{overview_section(evidence, {})}, 100, evidence.units);
+    EXPECT_THAT(text, ContainsRegex("mean load, MN +largest over 1 s, MN"));
+    EXPECT_THAT(text, ContainsRegex("E30 +4 +27\\.0 ± 4\\.1 +4\\.0 in all"));
 }
 
-}  // namespace
+}  // namespace overview_test
 }  // namespace floes

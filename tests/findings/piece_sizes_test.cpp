@@ -1,4 +1,4 @@
-#include "findings/piece_sizes.hpp"
+#include "findings/failures.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include "findings/example.hpp"
 
 namespace floes {
-namespace {
+namespace piece_sizes_test {
 
 TEST(IceSizes, AreSharesOfTheArea) {
     IceSizes sizes;
@@ -90,5 +90,5 @@ TEST(PieceSizes, AreMissingWhereNothingBroke) {
     EXPECT_THAT(piece_sizes_section(evidence).missing, testing::HasSubstr("no floe is known to be in pieces"));
 }
 
-}  // namespace
+}  // namespace piece_sizes_test
 }  // namespace floes

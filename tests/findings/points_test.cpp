@@ -9,14 +9,13 @@
 
 #include "campaign/read.hpp"
 #include "findings/answer.hpp"
+#include "findings/catalogue.hpp"
 #include "findings/conditions.hpp"
 #include "findings/example.hpp"
-#include "findings/overview_section.hpp"
-#include "findings/report_sections.hpp"
-#include "scenario/contact_preset.hpp"
+#include "scenario/scenario.hpp"
 
 namespace floes {
-namespace {
+namespace points_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -74,16 +73,18 @@ TEST(Points, AreCalledByTheirKeys) {
 
 TEST(Points, HaveTheirLoadsBesideTheirPlaces) {
     const Evidence evidence = evidence_with(grid);
-    const Section told = points_section(find_points(evidence.campaign), evidence.summary);
-    ASSERT_EQ(told.table.size(), 7u);
-    EXPECT_EQ(told.table[0][1].value, "thickness, m");
-    EXPECT_EQ(told.table[6][0].value, "0.04_0.07");
-    EXPECT_EQ(told.table[6][4].value, "20.0 ± 2.5");  // 19, 20, 21 N: t(2) / √3
+    const Section told = points_section(evidence);
+    const Table table = shown_table(told.results.at(1), evidence.units);
+    ASSERT_EQ(table.size(), 7u);
+    EXPECT_EQ(table[0][1].value, "thickness, m");
+    EXPECT_EQ(table[6][0].value, "0.04_0.07");
+    EXPECT_EQ(table[6][4].value, "20.00");
+    EXPECT_EQ(table[6][4].range, "[17.52, 22.48]");  // 19, 20, 21 N: t(2) / √3
 }
 
 TEST(Points, AreDrawnOverEachAxisAndOverTwo) {
     const Evidence evidence = evidence_with(grid);
-    const std::vector<Figure> figures = point_figures(find_points(evidence.campaign), evidence.summary);
+    const std::vector<Figure> figures = point_figures(evidence);
     ASSERT_EQ(figures.size(), 3u);
     EXPECT_EQ(figures[0].x.label, "thickness, m");
     EXPECT_THAT(figures[0].legend, ElementsAre(std::pair("c0", "speed 0.02 m/s"), std::pair("c1", "speed 0.07 m/s")));
@@ -94,15 +95,15 @@ TEST(Points, AreDrawnOverEachAxisAndOverTwo) {
     EXPECT_EQ(std::ranges::count_if(map.marks,
                                     [](const Figure::Mark& one) { return std::holds_alternative<Figure::Cell>(one); }),
               6);
-    EXPECT_EQ(std::get<Figure::Words>(map.marks.back()).words, "20.0");
-    EXPECT_THAT(map.heat_scale, HasSubstr("20.0"));
+    EXPECT_EQ(std::get<Figure::Words>(map.marks.back()).words, "20");
+    EXPECT_THAT(map.heat_scale, HasSubstr("20 N"));
 }
 
 TEST(Points, OfAnAxisOfWordsHaveARowForEach) {
     const Evidence evidence = evidence_with(
         "[campaign]\narrangements = 3\n[design]\nmethod = \"grid\"\n[[design.axis]]\nkey = \"field.far_end\"\n"
         "values = [\"open\", \"ice_sheet\"]\n");
-    const std::vector<Figure> figures = point_figures(find_points(evidence.campaign), evidence.summary);
+    const std::vector<Figure> figures = point_figures(evidence);
     ASSERT_EQ(figures.size(), 1u);
     EXPECT_THAT(figures[0].y.names, ElementsAre("ice_sheet", "open"));
 }
@@ -111,20 +112,19 @@ TEST(Points, WithoutAResultAreNotDrawn) {
     Evidence evidence = evidence_with(grid);
     for (MemberRow& row : evidence.table.members)
         row = example::without_result(row.case_index, row.arrangement, RowStatus::missing);
-    EXPECT_THAT(point_figures(find_points(evidence.campaign), summarise(evidence.table)), IsEmpty());
+    EXPECT_THAT(point_figures(evidence_of(evidence.campaign, evidence.table)), IsEmpty());
 }
 
 // The headline, the table and the page give one number for one range.
 TEST(Points, ChangeByTheSameFromOneEndToTheOther) {
     Evidence evidence = evidence_with(grid);
-    const std::string overview =
-        text(std::vector{overview_section(evidence, find_sensitivity(evidence.campaign, evidence.table))}, 100);
-    const char* const change = "Thickness from 0.02 to 0.04 m changes the mean load by +8.0 N";
+    const std::string overview = text(std::vector{overview_section(evidence, find_sensitivity(evidence))}, 100);
+    const char* const change = "Thickness from 0.02 to 0.04 m changes the mean load by +8 N";
     EXPECT_THAT(overview, HasSubstr(change));
     EXPECT_THAT(overview, Not(HasSubstr("mean - ")));
     EXPECT_THAT(find_answer(evidence).changes.at(0), HasSubstr(change));
     EXPECT_THAT(find_answer(evidence).loads.at(1),
-                HasSubstr("20.0 N (17.5 to 22.5) at thickness 0.04 m, speed 0.07 m/s"));
+                HasSubstr("20 N (17.5 to 22.5) at thickness 0.04 m, speed 0.07 m/s"));
     EXPECT_THAT(find_answer(evidence).basis.at(2),
                 HasSubstr("Varies over the 6 points of the design: thickness 0.02 to 0.04 m, speed 0.02 to 0.07 m/s."));
 }
@@ -136,7 +136,7 @@ TEST(Answer, SaysWhatVariesBetweenCases) {
     const CampaignAnswer answer = find_answer(evidence);
     EXPECT_THAT(answer.basis.at(1), HasSubstr(" x 0.02 to 0.04 m at 75 %"));
     EXPECT_THAT(answer.basis.at(2), HasSubstr("Varies: thickness 0.02 m (thin), 0.04 m (thick)."));
-    EXPECT_THAT(answer.changes.at(0), HasSubstr("thick instead of thin changes the mean load by +8.0 N"));
+    EXPECT_THAT(answer.changes.at(0), HasSubstr("thick instead of thin changes the mean load by +8 N"));
 }
 
 // A doubt that matters stands beside the figure: the methods lie between 40 and 75 N, 70 % of 50 N apart, and 3 h are
@@ -158,10 +158,10 @@ TEST(Answer, SaysDoubtsBesideTheFigure) {
     evidence.summary = summarise(evidence.table);
     const std::string told = find_answer(evidence).loads.at(0);
     EXPECT_THAT(told, HasSubstr("[1 of 3 not steady]"));
-    EXPECT_THAT(told, HasSubstr("exceeded with 10 %: 50.0 N (45.0 to 55.0); doubtful: methods differ by 70 %, "
+    EXPECT_THAT(told, HasSubstr("exceeded with 10 %: 50 N (45 to 55); doubtful: methods differ by 70 %, "
                                 "extrapolated to 1.1e+02 times the time run."));
     evidence.designs->of_cases[0].load.arrangements = 2;
-    EXPECT_THAT(find_answer(evidence).loads.at(0), HasSubstr("exceeded with 10 %: 50.0 N; doubtful"));
+    EXPECT_THAT(find_answer(evidence).loads.at(0), HasSubstr("exceeded with 10 %: 50 N; doubtful"));
 }
 
 TEST(WhatWasRun, DrawsEveryHullAndNotEveryCase) {
@@ -188,8 +188,9 @@ TEST(WhatWasRun, DrawsFloesThatDifferAsTheyAre) {
     EXPECT_EQ(squares(told.figures.back()), 4 + 18);  // of 0.4 m and of 1.2 m x 0.6 m, once each
     EXPECT_THAT(told.figures.back().caption, HasSubstr("the smallest, the middle one by area and the largest"));
 
-    Evidence cells =
-        evidence_with("[campaign]\narrangements = 3\n[shapes]\nkind = \"voronoi\"\n[contact]\npreset = \"physical\"\n[general]\nsolver = \"direct\"\n[joint]\nmodel = \"beam\"\nfailure = \"moment\"\n");
+    Evidence cells = evidence_with(
+        "[campaign]\narrangements = 3\n[shapes]\nkind = \"voronoi\"\n[contact]\npreset = "
+        "\"physical\"\n[general]\nsolver = \"direct\"\n[joint]\nmodel = \"beam\"\nfailure = \"moment\"\n");
     const Section drawn = what_was_run(cells);
     const Figure& figure = drawn.figures.back();
     const auto polygons = std::ranges::count_if(
@@ -223,5 +224,5 @@ TEST(Convergence, FigureFollowsTheMeansNotTheWidestInterval) {
         }
 }
 
-}  // namespace
+}  // namespace points_test
 }  // namespace floes

@@ -1,6 +1,6 @@
 // Pressure over the area of the parts of a hull.
 
-#include "findings/pressure_area.hpp"
+#include "findings/parts.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,10 +9,10 @@
 
 #include "campaign/read.hpp"
 #include "findings/example.hpp"
-#include "theory/pressure_area.hpp"
+#include "theory/level_ice.hpp"
 
 namespace floes {
-namespace {
+namespace pressure_area_test {
 
 using testing::HasSubstr;
 
@@ -117,5 +117,5 @@ TEST(PressureArea, OfMembersWithoutNormalForcesIsMissing) {
     EXPECT_THAT(pressure_section(made).missing, HasSubstr("without normal forces"));
 }
 
-}  // namespace
+}  // namespace pressure_area_test
 }  // namespace floes

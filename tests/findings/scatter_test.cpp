@@ -1,6 +1,6 @@
 // What of the scatter of single runs is of their arrangement, and what of their windows.
 
-#include "findings/scatter.hpp"
+#include "findings/sensitivity.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,11 +8,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "findings/evidence.hpp"
 #include "findings/example.hpp"
 #include "support/synthetic.hpp"
 
 namespace floes {
-namespace {
+namespace scatter_test {
 
 /// Two cases over 20 arrangements: mean loads of 20 and 40 N that vary by `common` with the arrangement, and by `own`
 /// with the member, each to either side.
@@ -41,38 +42,35 @@ Campaign campaign() {
 }
 
 TEST(Scatter, IsOfArrangementsWhereCasesGoTogether) {
-    const CampaignTable table = table_of(0.1, 0.001);
-    const std::vector<ScatterRow> rows = find_scatter(campaign(), table, summarise(table), {});
-    ASSERT_EQ(rows.size(), 3u);
-    EXPECT_GT(rows[0].of_arrangement.share, 0.99);
-    EXPECT_NEAR(rows[0].of_arrangement.sd, 0.1 * std::sqrt(20 / 19.0), 1e-3);
-    EXPECT_EQ(rows[0].of_arrangement.arrangements, 20u);
-    EXPECT_TRUE(std::isnan(rows[0].of_time));               // no histories
-    EXPECT_TRUE(std::isnan(rows[2].of_arrangement.share));  // broken floes are all the same
+    const Results found = find_scatter(evidence_of(campaign(), table_of(0.1, 0.001)), {});
+    ASSERT_EQ(found.rows.size(), 3u);
+    EXPECT_GT(found.number(0, "arrangement_share"), 0.99);
+    EXPECT_NEAR(found.number(0, "sd_over_mean"), 0.1 * std::sqrt(20 / 19.0), 1e-3);
+    EXPECT_EQ(found.number(0, "arrangements"), 20);
+    EXPECT_TRUE(std::isnan(found.number(0, "time_share")));         // no histories
+    EXPECT_TRUE(std::isnan(found.number(2, "arrangement_share")));  // broken floes are all the same
 }
 
 // 25 effective samples of a scatter of half the mean are a tenth of the mean.
 TEST(Scatter, IsOfWindowsWhereTheyAreShort) {
-    const CampaignTable table = table_of(0.1, 0);
     SteadyReport steady;
     for (int member = 0; member < 40; ++member) steady.members.push_back({member, {}, 1, 25});
-    const std::vector<ScatterRow> rows = find_scatter(campaign(), table, summarise(table), steady);
-    EXPECT_NEAR(rows[0].of_time, 19 / 20.0, 1e-9);
-    const std::string told = text(std::vector{scatter_section(rows)}, 400);
+    const Results found = find_scatter(evidence_of(campaign(), table_of(0.1, 0)), steady);
+    EXPECT_NEAR(found.number(0, "time_share"), 19 / 20.0, 1e-9);
+    const std::string told = text(std::vector{scatter_section(found)}, 400);
     EXPECT_THAT(told, testing::HasSubstr("2 cases x 20 arrangements"));
-    EXPECT_THAT(told, testing::ContainsRegex("mean, N +10.3 +100 % .*95 %"));
-    const auto json_told = nlohmann::json::parse(json(std::vector{scatter_section(rows)}));
-    EXPECT_EQ(json_told.at("scatter").at(0).at("quantity"), "mean_N");
-    EXPECT_TRUE(json_told.at("scatter").at(2).at("arrangement").at("share").is_null());
+    EXPECT_THAT(told, testing::ContainsRegex("mean +10.3 +100 \\[.* 95\n"));
+    const auto json_told = nlohmann::json::parse(json(std::vector{scatter_section(found)}));
+    EXPECT_EQ(json_told.at("scatter").at(0).at("quantity"), "mean_load");
+    EXPECT_TRUE(json_told.at("scatter").at(2).at("arrangement_share").is_null());
 }
 
 TEST(Scatter, OfCasesThatShareNothingIsUnknown) {
     Campaign apart = campaign();
     apart.cases[1].scenario.field.floes = 5;
-    const CampaignTable table = table_of(0.1, 0);
-    EXPECT_TRUE(find_scatter(apart, table, summarise(table), {}).empty());
+    EXPECT_TRUE(find_scatter(evidence_of(apart, table_of(0.1, 0)), {}).empty());
     EXPECT_THAT(scatter_section({}).before, testing::HasSubstr("two cases over the same arrangements"));
 }
 
-}  // namespace
+}  // namespace scatter_test
 }  // namespace floes

@@ -13,7 +13,7 @@
 #include "findings/pairs.hpp"
 
 namespace floes {
-namespace {
+namespace summary_test {
 
 TEST(Summary, CountsTheMembersOfEachCase) {
     const Summary summary = summarise(example::campaign());
@@ -89,13 +89,13 @@ TEST(Summary, LeavesOutWhatADoneMemberDoesNotHave) {
     const Summary summary = summarise(table);
     EXPECT_DOUBLE_EQ(summary.cases[0].of(quantity("sd_load")).estimate, (28 + 24 + 30) / 6.0);
     EXPECT_EQ(summary.cases[0].done, 4);
-    const std::vector<PairRow> pairs = compare_pairs(table);
+    const std::vector<PairRow> pairs = compare_pairs(evidence_of({}, table));
     const auto of_sd =
         std::ranges::find_if(pairs, [](const PairRow& row) { return row.quantity.key.view() == "sd_load"; });
     EXPECT_EQ(of_sd->found.arrangements, pairs.front().found.arrangements - 1);
     for (MemberRow& row : table.members) row.load.sd = std::nan("");
     EXPECT_TRUE(std::isnan(summarise(table).cases[0].of(quantity("sd_load")).estimate));
-    EXPECT_NO_THROW(compare_pairs(table));
+    EXPECT_NO_THROW(compare_pairs(evidence_of({}, table)));
 }
 
 TEST(Summary, OfOneArrangementHasNoLimits) {
@@ -142,5 +142,5 @@ TEST(Summary, NamesTheCasesThereAre) {
     }
 }
 
-}  // namespace
+}  // namespace summary_test
 }  // namespace floes

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "fuzz/fuzz.hpp"
-#include "year/contour_inputs.hpp"
+#include "match/contour_section.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using floes::fuzz::require;

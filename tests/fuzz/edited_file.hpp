@@ -24,11 +24,10 @@
 
 #include "core/bytes.hpp"
 #include "fuzz/fuzz.hpp"
-#include "hdf5/attributes.hpp"
-#include "hdf5/contents.hpp"
+#include "hdf5/dataset.hpp"
 #include "hdf5/pages.hpp"
 #include "hdf5/read.hpp"
-#include "records/file_calls.hpp"
+#include "store/file_calls.hpp"
 #include "support/file_bytes.hpp"
 #include "support/temporary_folder.hpp"
 

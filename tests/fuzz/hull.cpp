@@ -1,6 +1,6 @@
 // A CAD file: the first byte says whether it is an OBJ file ('o') or an STL file.
 
-#include "cad/hull_file.hpp"
+#include "campaign/hull_file.hpp"
 #include "fuzz/campaign_text.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -7,8 +7,7 @@
 #include <cstring>
 
 #include "fuzz/fuzz.hpp"
-#include "journal/journal.hpp"
-#include "journal/journal_format.hpp"
+#include "store/journal.hpp"
 
 namespace {
 

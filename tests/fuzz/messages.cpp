@@ -1,6 +1,6 @@
 // Messages between ranks. The first byte chooses the kind.
 
-#include "driver/messages.hpp"
+#include "run/messages.hpp"
 #include "fuzz/fuzz.hpp"
 
 namespace {

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "campaign/outline_file.hpp"
 #include "fuzz/campaign_text.hpp"
-#include "traced/take_outlines.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "fuzz/fuzz.hpp"
-#include "records/packed_numbers.hpp"
+#include "store/packed_arrays.hpp"
 
 namespace {
 

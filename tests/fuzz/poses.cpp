@@ -1,6 +1,6 @@
 // A file of poses, and the campaign that begins with them.
 
-#include "campaign/pose_file.hpp"
+#include "campaign/given.hpp"
 #include "fuzz/campaign_text.hpp"
 
 namespace {

@@ -1,9 +1,8 @@
 // What journals store, as bytes. The first byte chooses the kind of record.
 
 #include "fuzz/fuzz.hpp"
-#include "records/calibration_record.hpp"
-#include "records/member_record.hpp"
-#include "records/session.hpp"
+#include "store/member_record.hpp"
+#include "store/session.hpp"
 
 namespace {
 
@@ -30,18 +29,13 @@ void use(const floes::MemberRecord& record) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;
     const auto bytes = floes::fuzz::as_bytes(data, size).subspan(1);
-    switch (data[0] % 4) {
+    switch (data[0] % 3) {
         case 0: {
             const auto record = require_one_writing(bytes, floes::decode_member_record);
             if (record) use(*record);
             break;
         }
-        case 1: {
-            const auto older = floes::fuzz::taken([&] { return floes::decode_member_record_1_0(bytes); });
-            if (older) require_one_writing(floes::encode(*older), floes::decode_member_record);
-            break;
-        }
-        case 2:
+        case 1:
             require_one_writing(bytes, floes::decode_session);
             break;
         default:

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "driver/messages.hpp"
-#include "journal/journal_format.hpp"
-#include "member/result_bytes.hpp"
+#include "member/array_output.hpp"
+#include "run/messages.hpp"
+#include "store/journal.hpp"
 #include "support/small_journal.hpp"
 #include "support/synthetic.hpp"
 
@@ -96,8 +96,8 @@ int main(int count, char** arguments) {
     seeds.write("records/member", encode(member()), kind(0));
     Session session;
     session.software = {{"bullet", "3"}};
-    seeds.write("records/session", encode(session), kind(2));
-    seeds.write("records/calibration", encode(CalibrationRecord{"key", {.curve = {{}}}}), kind(3));
+    seeds.write("records/session", encode(session), kind(1));
+    seeds.write("records/calibration", encode(CalibrationRecord{"key", {.curve = {{}}}}), kind(2));
     seeds.write("messages/answers", encode(std::vector<Answer>{{3, small_record(1)}}), kind(0));
     seeds.write("messages/hello", encode(Hello{2, "node", "0123", 77}), kind(1));
     seeds.write("messages/assignments", encode(std::vector<Assignment>{{1, 1, false}, {2, 1, true}}), kind(2));

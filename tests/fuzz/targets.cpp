@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "fuzz/fuzz.hpp"
-#include "match/targets.hpp"
+#include "match/waves.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using floes::fuzz::require;

@@ -8,7 +8,7 @@
 #include "ice_scene.hpp"
 
 namespace floes::test {
-namespace {
+namespace breaking_test {
 
 struct Loading {
     FailureMode mode;
@@ -176,5 +176,5 @@ TEST(IceBreaking, LeavesAConnectedFloeOnePiece) {
     EXPECT_EQ(ice.elements()[0].exposed_edges, edge_minus_x | edge_minus_z | edge_plus_x);
 }
 
-}  // namespace
+}  // namespace breaking_test
 }  // namespace floes::test

@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "ice/crack.hpp"
+#include "ice/failure.hpp"
 #include "ice_scene.hpp"
 
 namespace floes::test {
-namespace {
+namespace crack_test {
 
 TEST(CohesiveLaw, TakesTheEnergyWhateverThePeak) {
     for (const double peak : {0.002, 0.004, 0.008}) {
@@ -99,5 +99,5 @@ INSTANTIATE_TEST_SUITE_P(Ice, ElementsThatPart,
                          testing::Values(Parting{0.2, 0.02}, Parting{0.2, 0.01}, Parting{0.2, 0.0025},
                                          Parting{0.1, 0.02}, Parting{0.1, 0.005}, Parting{0.05, 0.02}));
 
-}  // namespace
+}  // namespace crack_test
 }  // namespace floes::test

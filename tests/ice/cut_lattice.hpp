@@ -7,10 +7,9 @@
 #include <vector>
 
 #include "beam_sheet.hpp"
-#include "ice/beam_joint.hpp"
 #include "ice/joint_stress.hpp"
-#include "ice/prism_stress.hpp"
-#include "outline/elements.hpp"
+#include "ice/stress_field.hpp"
+#include "shapes/elements.hpp"
 
 namespace floes::test {
 
@@ -99,7 +98,8 @@ class CutLattice {
 
     /// The prism of an element with its joints, and their numbers.
     PressedPrism prism(int element, double crushing_pressure, std::vector<std::size_t>& numbers) const {
-        PressedPrism made{in_floe(static_cast<std::size_t>(element)), ice_.thickness, ice_.poisson_ratio, crushing_pressure};
+        PressedPrism made{in_floe(static_cast<std::size_t>(element)), ice_.thickness, ice_.poisson_ratio,
+                          crushing_pressure};
         for (std::size_t k = 0; k < cut_.joints.size(); ++k) {
             const CutJoint& joint = cut_.joints[k];
             if (joint.a != element && joint.b != element) continue;

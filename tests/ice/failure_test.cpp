@@ -8,7 +8,7 @@
 #include <limits>
 
 namespace floes {
-namespace {
+namespace failure_test {
 
 constexpr double none = std::numeric_limits<double>::infinity();
 
@@ -117,5 +117,5 @@ TEST(PeakReactionsTest, KeepTheLargestOfEachPart) {
     EXPECT_EQ(peaks, expected);
 }
 
-}  // namespace
+}  // namespace failure_test
 }  // namespace floes

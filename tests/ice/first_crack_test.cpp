@@ -6,13 +6,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "ice/contact_stress.hpp"
-#include "ice/crack.hpp"
+#include "ice/failure.hpp"
+#include "ice/stress_field.hpp"
 #include "lattice.hpp"
-#include "theory/westergaard.hpp"
+#include "theory/plate.hpp"
 
 namespace floes::test {
-namespace {
+namespace first_crack_test {
 
 /// Stress by 1 N at (x, z) on an element in the middle of the rim of a half plate, or of a wide sheet, at the joint on
 /// its +x face. `load`: N, decides the size of the contact.
@@ -119,5 +119,5 @@ TEST(ContactStress, EndsAtACornerAndTurnsWithTheLoad) {
     EXPECT_EQ(contact_stress({0.2, thickness, poisson, crushing, 0}, {0, 0, 10})[0].face, 0) << "an element by itself";
 }
 
-}  // namespace
+}  // namespace first_crack_test
 }  // namespace floes::test

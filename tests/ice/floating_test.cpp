@@ -12,7 +12,7 @@
 #include "support/sweeping_scenario.hpp"
 
 namespace floes::test {
-namespace {
+namespace floating_test {
 
 constexpr double gravity = 9.81;
 
@@ -137,5 +137,5 @@ TEST(IceFloating, DoesNotTouchItself) {
     EXPECT_LT(closest, 0.2 - 1e-3) << "the load must make diagonal neighbours overlap";
 }
 
-}  // namespace
+}  // namespace floating_test
 }  // namespace floes::test

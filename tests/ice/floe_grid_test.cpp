@@ -8,7 +8,7 @@
 #include <set>
 
 namespace floes {
-namespace {
+namespace floe_grid_test {
 
 const FloeGrid grid{3, 2, 0.2};
 
@@ -43,5 +43,5 @@ TEST(JointFrameTest, LooksFromAToB) {
     EXPECT_TRUE((joint_frame(JointAxis::z) * Vec3::UnitY()).isApprox(Vec3::UnitY()));
 }
 
-}  // namespace
+}  // namespace floe_grid_test
 }  // namespace floes

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <random>
 
-#include "ice/contact_stress.hpp"
+#include "ice/stress_field.hpp"
 
 namespace floes {
-namespace {
+namespace joint_stress_test {
 
 constexpr IceSection section{0.2, 0.033, 0.3, 36.4e3, 30e3};
 const double bending_strength = 0.2 * 0.033 * 0.033 / 6 * 36.4e3;  // N m
@@ -125,5 +125,5 @@ TEST(ContactStress, IsNeverMoreThanItsBound) {
     EXPECT_GT(most, 0.5) << "a bound that is of use";
 }
 
-}  // namespace
+}  // namespace joint_stress_test
 }  // namespace floes

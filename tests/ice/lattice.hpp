@@ -7,8 +7,8 @@
 
 #include "beam_sheet.hpp"
 #include "core/vector.hpp"
-#include "ice/beam_joint.hpp"
 #include "ice/floe_grid.hpp"
+#include "ice/joint_stress.hpp"
 #include "ice/stress_field.hpp"
 #include "theory/plate.hpp"
 

@@ -9,7 +9,7 @@
 #include "ice_scene.hpp"
 
 namespace floes::test {
-namespace {
+namespace leaving_test {
 
 Scenario beam_scenario(int elements_long, int elements_broad) {
     Scenario scenario = scenario_of(elements_long, elements_broad);
@@ -160,5 +160,5 @@ TEST(Leaving, GivesAFloeInAnothersPlaceTheStressThatItHasAlone) {
     expect_alike(fresh, alone, used, later);
 }
 
-}  // namespace
+}  // namespace leaving_test
 }  // namespace floes::test

@@ -7,12 +7,12 @@
 #include <numbers>
 #include <vector>
 
-#include "ice/polygon_floe.hpp"
+#include "ice/floe_grid.hpp"
 #include "ice/scenario_world.hpp"
 #include "ice_scene.hpp"
 
 namespace floes::test {
-namespace {
+namespace polygon_crack_test {
 
 FloeSet alone(const Scenario& scenario, const Outline& outline, double element) {
     FloeShape shape = scenario.floe;
@@ -222,5 +222,5 @@ INSTANTIATE_TEST_SUITE_P(Ice, PolygonsThatPart,
                                               0.2,
                                               2 * (0.04 + 0.02 + 0.01) / (3 * 0.3)}));
 
-}  // namespace
+}  // namespace polygon_crack_test
 }  // namespace floes::test

@@ -1,6 +1,6 @@
 // Floes that are polygons: as squares where they are squares, as beams and plates where they are not.
 
-#include "ice/polygon_floe.hpp"
+#include "ice/floe_grid.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 #include "theory/plate.hpp"
 
 namespace floes::test {
-namespace {
+namespace polygon_floe_test {
 
 Scenario polygon_scenario() {
     Scenario scenario;
@@ -147,7 +147,7 @@ double depth_over_plate(const Scenario& scenario, const Outline& outline, double
 }
 
 /// A hexagon on water under a load in its middle sinks as a square sheet of such elements, which the closed form is
-/// compared with in tests/laboratory; here both are within what elements of 0.7 of a characteristic length resolve.
+/// compared with in tests/simulation; here both are within what elements of 0.7 of a characteristic length resolve.
 TEST(PolygonFloe, HexagonOnWaterSinksAsAPlate) {
     Scenario scenario = polygon_scenario();
     scenario.ice.elastic_modulus = 15e6;  // so soft that the rim is far away
@@ -204,5 +204,5 @@ TEST(PolygonFloe, FallsIntoPiecesWhereItsJointsFail) {
     EXPECT_GT(now, static_cast<std::uint32_t>(std::popcount(rim)));
 }
 
-}  // namespace
+}  // namespace polygon_floe_test
 }  // namespace floes::test

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "cut_lattice.hpp"
-#include "theory/westergaard.hpp"
+#include "theory/plate.hpp"
 
 namespace floes::test {
-namespace {
+namespace prism_rim_test {
 
 constexpr double load = 10;
 const double contact = felt_radius(std::sqrt(load / (std::numbers::pi * crushing)), thickness);
@@ -159,5 +159,5 @@ TEST(Corners, OfAHexagonHaveTheSameStressWithAnyElements) {
     EXPECT_LT(found[1], 0.8) << "less than on a straight rim";
 }
 
-}  // namespace
+}  // namespace prism_rim_test
 }  // namespace floes::test

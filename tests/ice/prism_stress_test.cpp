@@ -1,6 +1,6 @@
 // The stress below contacts on prisms: as squares where they are squares, by closed form where they are not.
 
-#include "ice/prism_stress.hpp"
+#include "ice/stress_field.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,13 +11,12 @@
 #include <random>
 
 #include "beam_sheet.hpp"
-#include "ice/felt_patch.hpp"
 #include "ice/floe_grid.hpp"
 #include "ice/joint_stress.hpp"
-#include "theory/westergaard.hpp"
+#include "theory/plate.hpp"
 
 namespace floes::test {
-namespace {
+namespace prism_stress_test {
 
 constexpr double side = 0.2;
 constexpr double load = 10;
@@ -144,5 +143,5 @@ TEST(PrismStress, IsNeverMoreThanItsBound) {
     EXPECT_GT(most, 0.5) << "a bound that is of use";
 }
 
-}  // namespace
+}  // namespace prism_stress_test
 }  // namespace floes::test

@@ -11,7 +11,7 @@
 #include "ice_scene.hpp"
 
 namespace floes::test {
-namespace {
+namespace three_point_test {
 
 constexpr double side = 0.2;
 constexpr double thick = 0.033;
@@ -170,5 +170,5 @@ TEST(ThreePoints, CrackAStripWithObliqueEndsAsABeam) {
     expect_cracks({.elements = 3, .support = side, .stamps = {0}, .oblique = 0.1}, (side / 2 - stamp / 2) / 2);
 }
 
-}  // namespace
+}  // namespace three_point_test
 }  // namespace floes::test

@@ -10,7 +10,7 @@
 #include "core/random.hpp"
 
 namespace floes {
-namespace {
+namespace bootstrap_test {
 
 // Of two rows each resample is one of four equally likely ones: the mean of 0 and 1 is 0, 1/2, 1/2, 1.
 TEST(Bootstrap, DrawsEveryRowAsOften) {
@@ -78,5 +78,5 @@ TEST(Quantile, IsLinearBetweenSortedValues) {
     EXPECT_EQ(limits, (Limits{1.5, 3}));
 }
 
-}  // namespace
+}  // namespace bootstrap_test
 }  // namespace floes

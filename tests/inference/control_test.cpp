@@ -1,6 +1,6 @@
 // The regression estimator: exact where the load is a plane, off where it does not help, and intervals that hold.
 
-#include "inference/control.hpp"
+#include "inference/linear_fit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "inference/known_processes.hpp"
 
 namespace floes {
-namespace {
+namespace control_test {
 
 using known::normal;
 
@@ -92,5 +92,5 @@ TEST(Control, LeavesOutWhatDoesNotVaryOrIsNotKnown) {
     EXPECT_FALSE(controlled_mean(std::vector<double>{1, 2}, {{1}, {2}}, {{1}, {2}}).used);
 }
 
-}  // namespace
+}  // namespace control_test
 }  // namespace floes

@@ -85,7 +85,7 @@ class Design(unittest.TestCase):
         peaks = np.sort(rows[np.isfinite(rows)])[::-1]
         time = self.window * len(rows)
         threshold = np.quantile(peaks, 1 - SHARE)
-        self.assertAlmostEqual(basis["threshold_N"], threshold, places=9)
+        self.assertAlmostEqual(basis["threshold"], threshold, places=9)
         excess = peaks[peaks > threshold] - threshold
         self.assertEqual(basis["peaks"], len(excess))
         weights = np.array([hidden_weight((k + 0.5) * SEPARATION / time) for k in range(len(excess))])
@@ -111,10 +111,10 @@ class Design(unittest.TestCase):
         other = origin + frozen.isf(rarer * frozen.sf(threshold - origin))
         both = next(line for line in self.told["loads"] if line["case"] == name and line["method"] == "both tails" and
                     line["figure"] == "quantile")
-        self.assertLess(both["low"], max(one, other))  # members may differ, so it is not a mean of the two
-        self.assertGreater(both["high"], min(one, other))
+        self.assertLess(both["load_low"], max(one, other))  # members may differ, so it is not a mean of the two
+        self.assertGreater(both["load_high"], min(one, other))
         for method, load in {"Pareto tail": one, "Weibull tail": other}.items():
-            told = next(line["load_N"] for line in self.told["loads"] if line["case"] == name and
+            told = next(line["load"] for line in self.told["loads"] if line["case"] == name and
                         line["method"] == method and line["figure"] == "quantile")
             self.assertAlmostEqual(told / load, 1, delta=2e-3, msg=method)
 

@@ -11,7 +11,7 @@
 #include "core/random.hpp"
 
 namespace floes {
-namespace {
+namespace design_load_test {
 
 /// Windows of 100 s with about 20 exponential peaks of scale 20 N above 30 N each, and five segments.
 std::vector<PeakRow> exponential_rows(std::size_t count, double scale = 20, std::uint32_t number = 0) {
@@ -127,5 +127,5 @@ TEST(DesignLoad, OverThresholdsAgreesWithItself) {
     EXPECT_TRUE(std::isnan(found[2][1]));  // a single peak
 }
 
-}  // namespace
+}  // namespace design_load_test
 }  // namespace floes

@@ -4,11 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "inference/posterior_spread.hpp"
+#include "inference/random_walk.hpp"
 #include "toy_simulator.hpp"
 
 namespace floes {
-namespace {
+namespace emulator_check_test {
 
 using Vector = Eigen::VectorXd;
 
@@ -132,5 +132,5 @@ TEST(Simplex, FindsTheEndOfABentValley) {
     EXPECT_EQ(walk_simplex(nowhere, std::vector{0.0}, {0.5, 1e-9}).cost, std::numeric_limits<double>::infinity());
 }
 
-}  // namespace
+}  // namespace emulator_check_test
 }  // namespace floes

@@ -9,7 +9,7 @@
 #include "toy_simulator.hpp"
 
 namespace floes {
-namespace {
+namespace emulator_data_test {
 
 using Vector = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
@@ -73,5 +73,5 @@ TEST(Emulator, OfSevenAxesAndSixtyPointsIsQuick) {
     EXPECT_EQ(emulator.covariances().size(), 9);
 }
 
-}  // namespace
+}  // namespace emulator_data_test
 }  // namespace floes

@@ -9,7 +9,7 @@
 #include "toy_simulator.hpp"
 
 namespace floes {
-namespace {
+namespace emulator_test {
 
 using Vector = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
@@ -160,5 +160,5 @@ TEST(Emulator, TellsAnAxisThatDoesNothing) {
     EXPECT_NEAR(emulator.at(Vector{{0.5, -0.9}}).mean, emulator.at(Vector{{0.5, 0.9}}).mean, 0.02);
 }
 
-}  // namespace
+}  // namespace emulator_test
 }  // namespace floes

@@ -9,7 +9,7 @@
 #include "core/random.hpp"
 
 namespace floes {
-namespace {
+namespace extremes_test {
 
 std::vector<double> sample(const ExtremeFit& from, std::size_t count, std::uint32_t number = 0) {
     RandomStream random{11, number, StreamId::monte_carlo, 0};
@@ -149,5 +149,5 @@ TEST(Exceedance, IsPlottedAfterWeibull) {
     EXPECT_EQ(curve[2].probability, 0.25);
 }
 
-}  // namespace
+}  // namespace extremes_test
 }  // namespace floes

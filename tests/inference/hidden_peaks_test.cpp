@@ -1,6 +1,6 @@
 // Peaks hidden by higher ones: Rényi's closed form, and independent events declustered.
 
-#include "inference/hidden_peaks.hpp"
+#include "inference/tails.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "statistics/peaks.hpp"
+#include "statistics/averaged_load.hpp"
 
 namespace floes {
-namespace {
+namespace hidden_peaks_test {
 
 TEST(HiddenPeaks, AreNoneWherePeaksAreRare) {
     EXPECT_EQ(events_per_peak(0), 1);
@@ -71,5 +71,5 @@ TEST(HiddenPeaks, AreMadeUpFor) {
     }
 }
 
-}  // namespace
+}  // namespace hidden_peaks_test
 }  // namespace floes

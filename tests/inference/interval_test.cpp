@@ -13,7 +13,7 @@
 #include "core/random.hpp"
 
 namespace floes {
-namespace {
+namespace interval_test {
 
 // With two values ±d about the mean s = d √2 and Student's t has one degree of freedom, where it is Cauchy's:
 // t = tan(π/2 · 0.95).
@@ -143,5 +143,5 @@ TEST(Clipped, CutsTheRangesOfARatio) {
     EXPECT_TRUE(std::isnan(one.low) && std::isnan(one.high));
 }
 
-}  // namespace
+}  // namespace interval_test
 }  // namespace floes

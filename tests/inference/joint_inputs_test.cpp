@@ -10,7 +10,7 @@
 #include "inference/known_processes.hpp"
 
 namespace floes {
-namespace {
+namespace joint_inputs_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -140,5 +140,5 @@ TEST(FitJointInputs, TakesTheLikelierOfWeibullAndLognormal) {
     EXPECT_NEAR(fit.inputs.other.second.at(0.03), 0.3, 1e-3);
 }
 
-}  // namespace
+}  // namespace joint_inputs_test
 }  // namespace floes

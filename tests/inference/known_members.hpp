@@ -8,7 +8,7 @@
 #include "campaign/campaign.hpp"
 #include "core/random.hpp"
 #include "inference/known_processes.hpp"
-#include "quantities/member_outputs.hpp"
+#include "member/member_outputs.hpp"
 
 namespace floes::known {
 

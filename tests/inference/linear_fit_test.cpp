@@ -10,7 +10,7 @@
 #include "core/random.hpp"
 
 namespace floes {
-namespace {
+namespace linear_fit_test {
 
 const PointCoordinates points{{-1, -1}, {-1, 1}, {1, -1}, {1, 1}, {0, 0.5}, {0.25, 0}};
 const std::vector<std::vector<double>> values{{1, 2, 4, 7, 3, 3.5}, {2, 2, 5, 6, 3.5, 4}, {0.5, 3, 4.5, 8, 3, 3}};
@@ -95,5 +95,5 @@ TEST(LinearFit, WantsPointsThatTellTheAxesApart) {
     EXPECT_THROW(fit_repetitions(points, std::vector<std::vector<double>>{values[0]}), InputError);
 }
 
-}  // namespace
+}  // namespace linear_fit_test
 }  // namespace floes

@@ -13,7 +13,7 @@
 #include "inference/precision_stop.hpp"
 
 namespace floes {
-namespace {
+namespace load_stop_test {
 
 using testing::HasSubstr;
 
@@ -169,5 +169,5 @@ TEST(LoadStop, WatchesTheCaseThatIsNamed) {
     EXPECT_EQ(after(13, true).judged(), 13);
 }
 
-}  // namespace
+}  // namespace load_stop_test
 }  // namespace floes

@@ -1,7 +1,7 @@
 // Tails of members that differ: they are those of tails.hpp where members are alike, and find what members were drawn
 // from.
 
-#include "inference/member_tails.hpp"
+#include "inference/tails.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include "inference/known_processes.hpp"
 
 namespace floes {
-namespace {
+namespace member_tails_test {
 
 constexpr double window = 150;
 
@@ -136,5 +136,5 @@ TEST(MemberTails, OfNoPeaksAreNone) {
     EXPECT_TRUE(draw_tails(TailKind::pareto, data, {}).draws.empty());
 }
 
-}  // namespace
+}  // namespace member_tails_test
 }  // namespace floes

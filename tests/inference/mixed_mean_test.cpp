@@ -1,6 +1,6 @@
 // Intervals of the mean of members of which some are of another kind.
 
-#include "inference/mixed_mean.hpp"
+#include "inference/interval.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,10 +11,9 @@
 
 #include "inference/known_processes.hpp"
 #include "inference/paired.hpp"
-#include "inference/unlike_members.hpp"
 
 namespace floes {
-namespace {
+namespace mixed_mean_test {
 
 /// Loads about 20 N of members that do not jam.
 std::vector<double> loads(std::size_t count, std::uint32_t number = 0) {
@@ -108,5 +107,5 @@ TEST(MixedMean, NeedsAsManyMembersAsShowAKindOfAShare) {
     EXPECT_EQ(members_to_see(0.1), 29);
 }
 
-}  // namespace
+}  // namespace mixed_mean_test
 }  // namespace floes

@@ -11,7 +11,7 @@
 #include "inference/interval.hpp"
 
 namespace floes {
-namespace {
+namespace paired_test {
 
 TEST(Paired, IsTheIntervalOfTheDifferences) {
     const std::vector<double> first{10, 12, 9, 14};
@@ -105,5 +105,5 @@ TEST(Power, GivesTheKnownSampleSizes) {
     EXPECT_EQ(arrangements_to_resolve(std::nan(""), 1), 0);
 }
 
-}  // namespace
+}  // namespace paired_test
 }  // namespace floes

@@ -15,7 +15,7 @@
 #include "inference/interval.hpp"
 
 namespace floes {
-namespace {
+namespace precision_stop_test {
 
 StopRule rule(double half_width, int minimum, int look_ahead) {
     StopRule made;
@@ -216,5 +216,5 @@ TEST(Coverage, IsLostInOrderOfArrival) {
     EXPECT_LT(simulate(256, Order::arrival, 1000).bias, -0.30);
 }
 
-}  // namespace
+}  // namespace precision_stop_test
 }  // namespace floes

@@ -8,7 +8,7 @@
 #include <limits>
 
 namespace floes {
-namespace {
+namespace random_walk_test {
 
 /// Two correlated normal values, SD 1 and 10, correlation 0.8; times e^5.
 double correlated(std::span<const double> at) {
@@ -54,5 +54,5 @@ TEST(RandomWalk, IsTheSameAgainAndAnotherWithAnotherNumber) {
     EXPECT_NE(draws(1), draws(2));
 }
 
-}  // namespace
+}  // namespace random_walk_test
 }  // namespace floes

@@ -13,7 +13,7 @@
 #include "core/random.hpp"
 
 namespace floes {
-namespace {
+namespace sobol_indices_test {
 
 constexpr double pi = std::numbers::pi;
 using Point = std::array<double, 3>;
@@ -117,5 +117,5 @@ TEST(SobolIndices, AreUndefinedWhereNothingVaries) {
     EXPECT_THROW(sobol_indices({{NAN}, {1}, {}}), InputError);
 }
 
-}  // namespace
+}  // namespace sobol_indices_test
 }  // namespace floes

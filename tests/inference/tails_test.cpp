@@ -10,7 +10,7 @@
 #include "core/random.hpp"
 
 namespace floes {
-namespace {
+namespace tails_test {
 
 constexpr double rate = 0.1;  // per s, above the threshold
 
@@ -161,5 +161,5 @@ TEST(Tails, AShortExposureStaysAtTheThreshold) {
     EXPECT_NEAR(expected_largest(pareto(0), 1e-3), 50, 0.01);
 }
 
-}  // namespace
+}  // namespace tails_test
 }  // namespace floes

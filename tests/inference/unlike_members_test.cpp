@@ -1,6 +1,6 @@
 // Members that stand out are found, and only they.
 
-#include "inference/unlike_members.hpp"
+#include "inference/interval.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "inference/known_processes.hpp"
 
 namespace floes {
-namespace {
+namespace unlike_members_test {
 
 /// Twenty exponential peaks of 20 N above 10 N for each scale.
 std::vector<std::vector<double>> peaks_of(const std::vector<double>& scales, std::uint32_t number = 0) {
@@ -91,5 +91,5 @@ TEST(UnlikeMembers, ThatAreNotSeenAreRarerWithMoreMembers) {
     EXPECT_NEAR(unseen_share(12), 0.22, 0.005);
 }
 
-}  // namespace
+}  // namespace unlike_members_test
 }  // namespace floes

@@ -1,6 +1,6 @@
 // Shares of the scatter of single runs, by hand and where the truth is known.
 
-#include "inference/variance_parts.hpp"
+#include "inference/sobol_indices.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "inference/known_processes.hpp"
 
 namespace floes {
-namespace {
+namespace variance_parts_test {
 
 // The example of Shrout and Fleiss, Table 2: six targets, four judges; ICC(3,1) = 0.71 in their Table 4.
 TEST(ArrangementShare, IsThatOfItsSourcesExample) {
@@ -53,5 +53,5 @@ TEST(ArrangementShare, OfTooLittleIsUndefined) {
     EXPECT_THROW(arrangement_share(std::vector<std::vector<double>>{{1, 2, 3}, {2, 3}}), InputError);
 }
 
-}  // namespace
+}  // namespace variance_parts_test
 }  // namespace floes

@@ -15,7 +15,7 @@
 #include "inference/known_processes.hpp"
 
 namespace floes {
-namespace {
+namespace year_load_test {
 
 constexpr double window = 150;  // s
 constexpr double hour = 3600;
@@ -165,5 +165,5 @@ TEST(YearLoad, IsExceededInThatShareOfDrawnYears) {
     }
 }
 
-}  // namespace
+}  // namespace year_load_test
 }  // namespace floes

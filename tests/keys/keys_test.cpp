@@ -5,12 +5,11 @@
 #include "core/error.hpp"
 #include "keys/edit_distance.hpp"
 #include "keys/key.hpp"
-#include "keys/literal.hpp"
 #include "keys/read.hpp"
 #include "keys/write.hpp"
 
 namespace floes {
-namespace {
+namespace keys_test {
 
 enum class Colour { blue, white };
 
@@ -240,5 +239,5 @@ TEST(Document, KeepsTheOrderOfTheText) {
     EXPECT_EQ(document.blocks[2].where, "f:9");
 }
 
-}  // namespace
+}  // namespace keys_test
 }  // namespace floes

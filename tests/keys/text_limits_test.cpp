@@ -1,6 +1,6 @@
 // Texts that would take more time, stack or memory than there is: most were found by fuzzing.
 
-#include "keys/text_limits.hpp"
+#include "keys/document.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -13,7 +13,7 @@
 #include "support/refusal.hpp"
 
 namespace floes {
-namespace {
+namespace text_limits_test {
 
 using testing::HasSubstr;
 
@@ -113,5 +113,5 @@ TEST(Keys, PresetsAreReadFirstAndPartsLast) {
     EXPECT_EQ(order, "bbxaycc");
 }
 
-}  // namespace
+}  // namespace text_limits_test
 }  // namespace floes

@@ -29,12 +29,16 @@ machine() {
     rm -rf -- "$home" "$bin" "$stage/calls"
     mkdir -p "$home" "$bin"
     cp "$project/floes" "$home/floes"
-    mkdir -p "$home/packaging/debian" "$home/src"
+    mkdir -p "$home/packaging/debian" "$home/src" "$home/ensemble/cli"
+    printf '    add_run(line, command);\n    add_status(line);\n    add_config(line);\n    add_summarize(line);\n' \
+        >"$home/ensemble/cli/verbs.cpp"
     printf '# why\nalpha   # because\n\nbeta\n' >"$home/packaging/debian/packages.txt"
     printf 'gamma\n' >"$home/packaging/debian/packages-test.txt"
+    printf 'eta\n' >"$home/packaging/debian/packages-test-all.txt"
     printf 'epsilon\n' >"$home/packaging/debian/packages-slow.txt"
     printf 'zeta\n' >"$home/packaging/debian/packages-release.txt"
     printf 'alpha\nbeta\ngamma\n' >"$stage/installed"
+    touch "$stage/a b.toml" "$stage/c.toml" "$stage/c d.toml"
     echo 1000 >"$stage/uid"
     : >"$stage/calls"
     stub id <<'STUB'
@@ -252,23 +256,65 @@ done
 # -- tests
 machine
 launch test
-check "test" "ctest in $home: --preset release -j3 -LE slow" "$out"
+check "test" "ctest in $home: --preset release -j3 -L default" "$out"
 check "test builds the tests" "cmake --preset release -DFLOES_TESTS=ON
 cmake --build $home/build/release --target tests" "$(calls)"
 : >"$stage/calls"
 launch test
 check "the next test configures nothing" "cmake --build $home/build/release --target tests" "$(calls)"
+launch test --all
+check_has "all tests need their packages too" "missing: eta" "$err"
+echo eta >>"$stage/installed"
+launch test --all -R wire
+check "test --all" "ctest in $home: --preset release -j3 -LE slow -R wire" "$out"
 launch test --slow -R wire
-check_has "slow tests need their packages too, and those that make packages" "missing: epsilon zeta" "$err"
+check_has "slow tests need theirs, and those that make packages" "missing: epsilon zeta" "$err"
 printf 'epsilon\nzeta\n' >>"$stage/installed"
 launch test --slow -R wire
 check "test --slow" "ctest in $home: --preset release -j3 -R wire" "$out"
 : >"$stage/installed"
 launch test -L soak
-check_has "test -L needs them as well" "missing: alpha beta epsilon gamma zeta" "$err"
-printf '%s\n' alpha beta gamma epsilon zeta >"$stage/installed"
+check_has "test -L needs them as well" "missing: alpha beta epsilon eta gamma zeta" "$err"
+printf '%s\n' alpha beta gamma epsilon eta zeta >"$stage/installed"
 launch test -L soak
 check "test -L" "ctest in $home: --preset release -j3 -L soak" "$out"
+
+# -- the sanitizers: a build of their own
+machine
+launch sanitize -R keys
+check "sanitize" "ctest in $home: --preset asan -j2 -L quick -R keys" "$out"
+check "sanitize builds quick tests" "cmake --preset asan
+cmake --build $home/build/asan --target quick_tests" "$(calls)"
+
+# -- wrong words are told before anything is installed or built
+machine
+: >"$stage/installed"
+launch sumarize c.h5
+check "a verb that is none: status" 2 "$status"
+check "a verb that is none: nothing was tried" "" "$(calls)"
+check_has "a verb that is none: those that are" "no verb 'sumarize'; the verbs are run status config summarize" "$err"
+launch run missing.toml -o c.h5
+check "a file that is not there: status" 2 "$status"
+check_has "a file that is not there: its name" "no file 'missing.toml', which 'floes run' is to read" "$err"
+machine
+for words in "run -o new.h5" "config new.toml" "--help" "help run"; do
+    # shellcheck disable=SC2086
+    launch $words
+    check "$words is for the program" "0" "$status"
+done
+
+# -- how far a build is, without a terminal
+machine
+rm "$bin/cmake"
+stub cmake <<'STUB'
+#!/bin/bash
+if [[ $1 == --preset ]]; then mkdir -p "build/$2"; exit; fi
+echo "[30/120 60.5] Building CXX object a.o"
+printf '#!/bin/sh\n' >"$2/floes"
+chmod +x "$2/floes"
+STUB
+FLOES_TOLD_EACH=0 launch run c.toml
+check_has "progress in lines" "floes: building floes: 30 of 120, 3:00 left" "$err"
 
 ((failures == 0)) && echo "launcher: all checks passed"
 exit $((failures > 0))

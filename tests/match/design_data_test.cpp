@@ -9,14 +9,13 @@
 
 #include "campaign_file/publish.hpp"
 #include "core/random.hpp"
-#include "match/scatter.hpp"
 #include "match/synthetic_wave.hpp"
 #include "support/refusal.hpp"
 #include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
-namespace {
+namespace design_data_test {
 
 using synthetic::wave;
 using testing::DoubleEq;
@@ -277,5 +276,5 @@ TEST(MatchData, IsReadFromACampaignFile) {
     EXPECT_EQ(data.targets[1].runs[4], 3);
 }
 
-}  // namespace
+}  // namespace design_data_test
 }  // namespace floes

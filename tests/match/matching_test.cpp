@@ -13,7 +13,7 @@
 #include "support/refusal.hpp"
 
 namespace floes {
-namespace {
+namespace matching_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -283,5 +283,5 @@ TEST(NextPoints, AreLeftAndSpreadOut) {
     EXPECT_EQ(points, next_points(match(tank.data(), emulate(tank.data()), 2048, 1), tank.data(), 12));
 }
 
-}  // namespace
+}  // namespace matching_test
 }  // namespace floes

@@ -1,6 +1,6 @@
 // The next wave: a campaign that reads back, at the points that were chosen.
 
-#include "match/next_wave.hpp"
+#include "match/matching.hpp"
 
 #include <gmock/gmock.h>
 
@@ -10,7 +10,7 @@
 #include "core/error.hpp"
 
 namespace floes {
-namespace {
+namespace next_wave_test {
 
 MatchWave wave() {
     MatchWave made;
@@ -73,5 +73,5 @@ TEST(NextWave, VariesAPartOfAnotherKey) {
     EXPECT_THROW(match_axes(both), InputError);
 }
 
-}  // namespace
+}  // namespace next_wave_test
 }  // namespace floes

@@ -1,6 +1,6 @@
 // The design load over what is left, of a tank whose largest loads are known.
 
-#include "match/predict_design_load.hpp"
+#include "match/predict.hpp"
 
 #include <gmock/gmock.h>
 
@@ -15,7 +15,7 @@
 #include "support/refusal.hpp"
 
 namespace floes {
-namespace {
+namespace predict_design_test {
 
 using testing::HasSubstr;
 
@@ -156,5 +156,5 @@ TEST(PredictedDesignLoad, NeedsAnAveragingTimeThatTheWavesHave) {
     EXPECT_THAT(refusal([&] { found_in(wave, 1, {.averaging = 7}); }), HasSubstr("take one of 0.5, 1 s"));
 }
 
-}  // namespace
+}  // namespace predict_design_test
 }  // namespace floes

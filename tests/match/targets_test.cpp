@@ -1,6 +1,6 @@
 // Targets: what a text says of them, what is refused, and the two texts that stand in configs.
 
-#include "match/targets.hpp"
+#include "match/waves.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,11 +9,11 @@
 #include <cmath>
 #include <fstream>
 
-#include "findings/paper_table3.hpp"
+#include "findings/cases.hpp"
 #include "support/refusal.hpp"
 
 namespace floes {
-namespace {
+namespace targets_test {
 
 using testing::HasSubstr;
 
@@ -160,5 +160,5 @@ TEST(TankTargets, AreTheExperimentsFigures) {
     EXPECT_EQ(found.elastic_modulus_mpa, 60);
 }
 
-}  // namespace
+}  // namespace targets_test
 }  // namespace floes

@@ -14,7 +14,7 @@
 #include "support/jam_scenario.hpp"
 
 namespace floes {
-namespace {
+namespace run_member_test {
 
 Scenario jam(double cfm = 0.016) {
     Scenario scenario = jam_scenario();
@@ -252,5 +252,5 @@ TEST(RunMember, RefusesFloesThatOverlap) {
     EXPECT_THROW(run_member(scenario, 7, 0), InputError);
 }
 
-}  // namespace
+}  // namespace run_member_test
 }  // namespace floes

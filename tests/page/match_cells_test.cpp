@@ -1,6 +1,6 @@
 // A matching seen along one or two of its inputs, from points given by hand, and the page made of a formula's results.
 
-#include "page/match_cells.hpp"
+#include "page/match_page.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include "page/match_page.hpp"
 
 namespace floes {
-namespace {
+namespace match_cells_test {
 
 using testing::DoubleEq;
 using testing::ElementsAre;
@@ -122,5 +122,5 @@ TEST(MatchPage, FollowsTheWaves) {
     EXPECT_THAT(match_page(data), HasSubstr("<td>first.h5</td><td>12</td><td>-</td>"));
 }
 
-}  // namespace
+}  // namespace match_cells_test
 }  // namespace floes

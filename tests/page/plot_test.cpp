@@ -10,7 +10,7 @@
 #include <vector>
 
 namespace floes {
-namespace {
+namespace plot_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -79,5 +79,5 @@ TEST(Plot, EscapesWords) {
     EXPECT_THAT(svg(figure), HasSubstr("&lt;m&gt;"));
 }
 
-}  // namespace
+}  // namespace plot_test
 }  // namespace floes

@@ -29,8 +29,8 @@ def main(floes, config, page):
                        check=True, stdout=subprocess.DEVNULL)
         summary = json.loads(subprocess.run([floes, "summarize", "smoke.h5", "--format", "json"], cwd=folder, check=True,
                                             capture_output=True, text=True).stdout)
-        means = [case["mean_N"]["estimate"] for case in summary["cases"]]
-        by_name = dict(sorted((case["name"], case["mean_N"]["estimate"]) for case in summary["cases"]))
+        means = [case["mean_load"] for case in summary["cases"]]
+        by_name = dict(sorted((case["name"], case["mean_load"]) for case in summary["cases"]))
         said = []
         for kind, block in blocks:
             run = subprocess.run(COMMANDS[kind] + [block], cwd=folder, env=environment, capture_output=True, text=True)

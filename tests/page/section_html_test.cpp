@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 
 namespace floes {
-namespace {
+namespace section_html_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -66,5 +66,5 @@ TEST(SectionHtml, PutsFiguresWithoutACaptionBesideTheNext) {
     EXPECT_EQ(count_of(html, "<svg"), 3u);
 }
 
-}  // namespace
+}  // namespace section_html_test
 }  // namespace floes

@@ -5,12 +5,12 @@
 #include <gmock/gmock.h>
 
 #include "campaign_file/publish.hpp"
-#include "journal/journal.hpp"
+#include "store/journal.hpp"
 #include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
-namespace {
+namespace status_page_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -83,5 +83,5 @@ TEST_F(StatusPage, IsMadeOfTheCampaignFileAlone) {
     EXPECT_THAT(page(), AllOf(Not(HasSubstr(refresh)), HasSubstr("10 of 12 members done"), HasSubstr("--resume")));
 }
 
-}  // namespace
+}  // namespace status_page_test
 }  // namespace floes

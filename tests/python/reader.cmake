@@ -1,5 +1,5 @@
 # python/floes_reader, installed by pip without a network, beside what floes says of the same files; and docs/python.md.
-# Debian's own Python has what it needs (packages-test.txt); another one earlier in the path may not.
+# Debian's own Python has what it needs (packages-test-all.txt); another one earlier in the path may not.
 if(TARGET floes)
   add_test(NAME python.reader
            COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/python/reader_test.py $<TARGET_FILE:floes>
@@ -7,10 +7,10 @@ if(TARGET floes)
   add_test(NAME python.notebook
            COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/python/notebook.py $<TARGET_FILE:floes>
                    ${PROJECT_SOURCE_DIR})
-  set_tests_properties(python.notebook PROPERTIES LABELS default TIMEOUT 300 PROCESSORS 2)
+  set_tests_properties(python.notebook PROPERTIES LABELS all TIMEOUT 300 PROCESSORS 2)
   add_test(NAME tables.workbook
            COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/python/workbook.py $<TARGET_FILE:floes>
                    $<TARGET_FILE:synthetic_file>)
-  set_tests_properties(tables.workbook PROPERTIES LABELS default TIMEOUT 120 PROCESSORS 2)
-  set_tests_properties(python.reader PROPERTIES LABELS default TIMEOUT 300 PROCESSORS 2)
+  set_tests_properties(tables.workbook PROPERTIES LABELS all TIMEOUT 120 PROCESSORS 2)
+  set_tests_properties(python.reader PROPERTIES LABELS all TIMEOUT 300 PROCESSORS 2)
 endif()

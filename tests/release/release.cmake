@@ -10,18 +10,18 @@ endfunction()
 if(TARGET floes)
   set(release_tests ${CMAKE_CURRENT_SOURCE_DIR}/release)
   foreach(script versions recipes)
-    floes_release_test(${script} LABELS default TIMEOUT 120
+    floes_release_test(${script} LABELS all TIMEOUT 120
       COMMAND /usr/bin/python3 ${release_tests}/${script}.py ${PROJECT_SOURCE_DIR} $<TARGET_FILE:floes>)
   endforeach()
   if(TARGET floes_manual)
-    floes_release_test(pages LABELS default TIMEOUT 120
+    floes_release_test(pages LABELS all TIMEOUT 120
       COMMAND /usr/bin/python3 ${release_tests}/pages.py $<TARGET_FILE:floes> ${PROJECT_BINARY_DIR}/manual
               --synthetic=$<TARGET_FILE:synthetic_file>)
     floes_release_test(shells LABELS slow TIMEOUT 300
       COMMAND /usr/bin/python3 ${release_tests}/pages.py $<TARGET_FILE:floes> ${PROJECT_BINARY_DIR}/manual --shells)
     floes_release_test(install LABELS default TIMEOUT 120
       COMMAND bash ${release_tests}/install.sh ${PROJECT_BINARY_DIR} ${PROJECT_SOURCE_DIR})
-    floes_release_test(scripts LABELS default TIMEOUT 60
+    floes_release_test(scripts LABELS all TIMEOUT 60
       COMMAND shellcheck -x install.sh debian_root.sh old_processor.sh
               ${PROJECT_SOURCE_DIR}/packaging/clusters/pbs/campaign.pbs
               ${PROJECT_SOURCE_DIR}/packaging/clusters/lsf/campaign.lsf)

@@ -1,6 +1,6 @@
 // Which member is meant, and which of its times.
 
-#include "replay/choose_member.hpp"
+#include "replay/replay_member.hpp"
 
 #include <gmock/gmock.h>
 
@@ -8,7 +8,7 @@
 #include "support/refusal.hpp"
 
 namespace floes {
-namespace {
+namespace choose_member_test {
 
 using testing::HasSubstr;
 
@@ -63,5 +63,5 @@ TEST(ChosenTimes, AreTheRunUnlessSaidOtherwise) {
     EXPECT_EQ(chosen_times(subject, {.to = 10, .every = 0.02}).every, 0.02);
 }
 
-}  // namespace
+}  // namespace choose_member_test
 }  // namespace floes

@@ -8,18 +8,18 @@
 #include <vector>
 
 #include "arrangement/arrangement.hpp"
-#include "attempt/member_function.hpp"
 #include "campaign/campaign.hpp"
 #include "campaign/identity.hpp"
 #include "campaign_file/publish.hpp"
-#include "campaign_file/read_campaign_file.hpp"
-#include "records/member_record.hpp"
+#include "campaign_file/read.hpp"
 #include "replay/replay_member.hpp"
+#include "run/attempt.hpp"
+#include "store/member_record.hpp"
 #include "support/endless_scenario.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
-namespace {
+namespace endless_replay_test {
 
 using testing::IsEmpty;
 
@@ -163,5 +163,5 @@ TEST_F(EndlessReplay, KeepsTheStartTheWorstMomentAndTheEnd) {
     for (const BreakEvent& event : frames.breaks) EXPECT_LT(event.floe, layout.floes());
 }
 
-}  // namespace
+}  // namespace endless_replay_test
 }  // namespace floes

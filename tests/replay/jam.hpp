@@ -4,11 +4,11 @@
 #include <filesystem>
 #include <vector>
 
-#include "attempt/member_function.hpp"
 #include "campaign/campaign.hpp"
 #include "campaign/identity.hpp"
 #include "campaign_file/publish.hpp"
-#include "records/member_record.hpp"
+#include "run/attempt.hpp"
+#include "store/member_record.hpp"
 #include "support/jam_scenario.hpp"
 
 namespace floes::jam {

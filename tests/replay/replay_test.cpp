@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "campaign_file/read_campaign_file.hpp"
+#include "campaign_file/read.hpp"
 #include "core/error.hpp"
 #include "replay/jam.hpp"
 #include "support/file_bytes.hpp"
@@ -15,7 +15,7 @@
 #include "support/temporary_folder.hpp"
 
 namespace floes {
-namespace {
+namespace replay_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -193,5 +193,5 @@ TEST_F(Replay, LeavesNothingWhenItIsStopped) {
     EXPECT_FALSE(std::filesystem::exists(place("stopped.h5.tmp")));
 }
 
-}  // namespace
+}  // namespace replay_test
 }  // namespace floes

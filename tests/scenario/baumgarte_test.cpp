@@ -7,7 +7,7 @@
 #include "scenario/scenario.hpp"
 
 namespace floes {
-namespace {
+namespace baumgarte_test {
 
 constexpr double time_step = 0.02;
 constexpr double erp = 0.8;
@@ -71,5 +71,5 @@ TEST(JointRows, FollowFromTheInertiaOfABox) {
     EXPECT_NEAR(2 / rows.in_plane_bending, mass * 2 * 0.2 * 0.2 / 12, 1e-12);
 }
 
-}  // namespace
+}  // namespace baumgarte_test
 }  // namespace floes

@@ -7,12 +7,12 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "scenario/floes.hpp"
 #include "scenario/keys.hpp"
-#include "scenario/sizes.hpp"
 #include "scenario/validate.hpp"
 
 namespace floes {
-namespace {
+namespace motion_test {
 
 using testing::HasSubstr;
 constexpr double pi = std::numbers::pi;
@@ -166,5 +166,5 @@ TEST(Motion, UnusedKeysAreInNoDigest) {
     EXPECT_THAT(canonical_text(scenario), HasSubstr("moorings.surge_kN_m"));
 }
 
-}  // namespace
+}  // namespace motion_test
 }  // namespace floes

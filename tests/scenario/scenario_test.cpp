@@ -9,7 +9,7 @@
 #include "scenario/keys.hpp"
 
 namespace floes {
-namespace {
+namespace scenario_test {
 
 TEST(Scenario, DefaultsAreThePapersField) {
     const Scenario scenario;
@@ -83,5 +83,5 @@ TEST(ContactPreset, IsFoundAgainInTheLaw) {
     EXPECT_EQ(with_preset(law, ContactPreset::own), law);
 }
 
-}  // namespace
+}  // namespace scenario_test
 }  // namespace floes

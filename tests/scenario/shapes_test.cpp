@@ -5,13 +5,13 @@
 
 #include <cmath>
 
-#include "outline/elements.hpp"
 #include "scenario/floes.hpp"
 #include "scenario/keys.hpp"
 #include "scenario/validate.hpp"
+#include "shapes/elements.hpp"
 
 namespace floes {
-namespace {
+namespace shapes_test {
 
 using testing::HasSubstr;
 
@@ -106,5 +106,5 @@ TEST(Shapes, LeaveTheDigestOfOthersAlone) {
     EXPECT_NE(canonical_text(scenario), before);
 }
 
-}  // namespace
+}  // namespace shapes_test
 }  // namespace floes

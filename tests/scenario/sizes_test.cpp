@@ -1,6 +1,6 @@
 // Floes of mixed sizes: whole elements, shares reached, the same floes in every arrangement.
 
-#include "scenario/sizes.hpp"
+#include "scenario/floes.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 #include "scenario/validate.hpp"
 
 namespace floes {
-namespace {
+namespace sizes_test {
 
 Scenario mixed(SizeLaw law) {
     Scenario scenario;
@@ -146,5 +146,5 @@ TEST(Sizes, WhatCannotBeIsOneSentence) {
               "arrangement.file");
 }
 
-}  // namespace
+}  // namespace sizes_test
 }  // namespace floes

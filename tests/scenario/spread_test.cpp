@@ -13,7 +13,7 @@
 #include "scenario/validate.hpp"
 
 namespace floes {
-namespace {
+namespace spread_test {
 
 constexpr int many = 20'000;
 
@@ -182,5 +182,5 @@ TEST(Spread, WhatCannotBeIsOneSentence) {
     EXPECT_EQ(sentence([](Scenario& s) { s.spread.thickness = {LawKind::lognormal, 0.2}; }), "");
 }
 
-}  // namespace
+}  // namespace spread_test
 }  // namespace floes

@@ -6,14 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "outline/elements.hpp"
 #include "scenario/floes.hpp"
 #include "scenario/keys.hpp"
-#include "scenario/shaped_floes.hpp"
 #include "scenario/validate.hpp"
+#include "shapes/elements.hpp"
 
 namespace floes {
-namespace {
+namespace traced_test {
 
 using testing::HasSubstr;
 
@@ -148,5 +147,5 @@ TEST(Traced, AreRefusedWithWhatDoesNotSuitThem) {
     EXPECT_THAT(refusal_of(scenario), HasSubstr("arrangement.method = \"traced\" needs shapes.kind = \"file\""));
 }
 
-}  // namespace
+}  // namespace traced_test
 }  // namespace floes

@@ -10,7 +10,7 @@
 #include "support/sweeping_scenario.hpp"
 
 namespace floes {
-namespace {
+namespace validate_test {
 
 using Change = std::function<void(Scenario&)>;
 
@@ -346,5 +346,5 @@ TEST(Validate, FirstKeyNamedIsAKey) {
     EXPECT_EQ(found[1].keys.front(), "analysis.segments");
 }
 
-}  // namespace
+}  // namespace validate_test
 }  // namespace floes

@@ -13,7 +13,7 @@
 #include "schedule/scheduler.hpp"
 
 namespace floes {
-namespace {
+namespace random_order_test {
 
 /// The world around a scheduler: who is there, what they hold, and answers that are still on their way.
 class Surroundings {
@@ -157,5 +157,5 @@ TEST(SchedulerProperty, HoldsInAnyOrderOfEvents) {
     }
 }
 
-}  // namespace
+}  // namespace random_order_test
 }  // namespace floes

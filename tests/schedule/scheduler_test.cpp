@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace floes {
-namespace {
+namespace scheduler_test {
 
 std::vector<Command> handle(Scheduler& scheduler, const Event& event) {
     const std::vector<Command> commands = scheduler.handle(event);
@@ -182,5 +182,5 @@ TEST(Scheduler, RefusesWhatCannotBe) {
     EXPECT_THROW(scheduler.handle(WorkerJoined{0, 1, 0}), std::logic_error);
 }
 
-}  // namespace
+}  // namespace scheduler_test
 }  // namespace floes

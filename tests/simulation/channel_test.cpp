@@ -1,9 +1,9 @@
-#include "simulation/channel.hpp"
+#include "simulation/sheets.hpp"
 
 #include <gtest/gtest.h>
 
 namespace floes {
-namespace {
+namespace channel_test {
 
 double top(const IceSheet& sheet) {
     return sheet.centre.y() + sheet.half_extents.y();
@@ -41,5 +41,5 @@ TEST(Channel, WithAnOpenEndHasWallsAsFarAsTheTowCanPush) {
     EXPECT_NEAR(channel.end, 24.9 + 1.0 + 0.07 * 270, 1e-12);
 }
 
-}  // namespace
+}  // namespace channel_test
 }  // namespace floes

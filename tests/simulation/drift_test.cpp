@@ -11,7 +11,7 @@
 #include "support/smoke_channel.hpp"
 
 namespace floes {
-namespace {
+namespace drift_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -153,5 +153,5 @@ TEST(Drift, OfWindHasItsShareOfTheWork) {
     EXPECT_LT(std::abs(work.rest), 0.01 * load);
 }
 
-}  // namespace
+}  // namespace drift_test
 }  // namespace floes

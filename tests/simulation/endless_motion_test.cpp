@@ -13,13 +13,13 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "endless_tow.hpp"
-#include "scenario/sizes.hpp"
+#include "scenario/floes.hpp"
 #include "simulation/moving_window.hpp"
-#include "statistics/means.hpp"
+#include "statistics/load_statistics.hpp"
 #include "support/endless_scenario.hpp"
 
 namespace floes {
-namespace {
+namespace endless_motion_test {
 
 constexpr double pi = std::numbers::pi;
 constexpr double mass = 500;  // kg
@@ -190,5 +190,5 @@ TEST(EndlessPath, BeginsWithTheBitsOfAnyLongerOne) {
     EXPECT_GT(std::abs(longer.structure().after().z), 0.3);
 }
 
-}  // namespace
+}  // namespace endless_motion_test
 }  // namespace floes

@@ -12,7 +12,7 @@
 #include "support/endless_scenario.hpp"
 
 namespace floes {
-namespace {
+namespace endless_test {
 
 TEST(EndlessTow, BeginsWithTheBitsOfAnyLongerOne) {
     for (const SolverKind solver : {SolverKind::lanes, SolverKind::direct}) {
@@ -174,5 +174,5 @@ TEST(EndlessTow, CannotBeContinuedFromAState) {
     EXPECT_THROW(Simulation(scenario, laid.floes, Simulation(scenario, laid.floes).state()), InputError);
 }
 
-}  // namespace
+}  // namespace endless_test
 }  // namespace floes

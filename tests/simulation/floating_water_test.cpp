@@ -9,7 +9,7 @@
 #include "water/floating_plate.hpp"
 
 namespace floes {
-namespace {
+namespace floating_water_test {
 
 constexpr double rho_g = 9810;
 constexpr double area = 0.36;
@@ -145,5 +145,5 @@ TEST(FloatingWater, IsSharedOutAnewAmongPieces) {
     EXPECT_LT(whole.element_states()[4].velocity.y(), 0.7 * expected);
 }
 
-}  // namespace
+}  // namespace floating_water_test
 }  // namespace floes

@@ -12,7 +12,7 @@
 #include "support/sweeping_scenario.hpp"
 
 namespace floes {
-namespace {
+namespace froude_test {
 
 using test::scaled;
 
@@ -96,5 +96,5 @@ TEST(FroudeOfAnyScale, FirstContactsAreTheSame) {
     }
 }
 
-}  // namespace
+}  // namespace froude_test
 }  // namespace floes

@@ -10,7 +10,7 @@
 #include "support/barge.hpp"
 
 namespace floes {
-namespace {
+namespace hull_loads_test {
 
 Scenario with_barge() {
     Scenario scenario;
@@ -51,5 +51,5 @@ TEST(HullLoads, PressesOnAPartAlongItsNormals) {
     EXPECT_EQ(parts[3].normal_maximum, std::vector<double>(2, 0.0));
 }
 
-}  // namespace
+}  // namespace hull_loads_test
 }  // namespace floes

@@ -1,6 +1,6 @@
 // A structure on its moorings under given loads, against closed forms.
 
-#include "simulation/moored_motion.hpp"
+#include "simulation/structure_motion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "world/world.hpp"
 
 namespace floes {
-namespace {
+namespace moored_motion_test {
 
 constexpr double pi = std::numbers::pi;
 constexpr double step = 0.02;
@@ -262,5 +262,5 @@ TEST(MooredMotion, StruckByAFloeItTakesItsMomentum) {
     }
 }
 
-}  // namespace
+}  // namespace moored_motion_test
 }  // namespace floes

@@ -10,11 +10,11 @@
 #include "arrangement/arrangement.hpp"
 #include "core/error.hpp"
 #include "simulation/simulation.hpp"
-#include "statistics/means.hpp"
+#include "statistics/load_statistics.hpp"
 #include "support/smoke_channel.hpp"
 
 namespace floes {
-namespace {
+namespace moored_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -184,5 +184,5 @@ TEST(MooredStructure, FailsAtTheBank) {
     }
 }
 
-}  // namespace
+}  // namespace moored_test
 }  // namespace floes

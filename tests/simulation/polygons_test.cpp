@@ -9,7 +9,7 @@
 #include "support/smoke_channel.hpp"
 
 namespace floes {
-namespace {
+namespace polygons_test {
 
 Scenario channel() {
     Scenario scenario = in_smoke_channel({});
@@ -93,5 +93,5 @@ TEST(PolygonTow, WorkOfTheTowIsAccountedFor) {
     EXPECT_LT(std::abs(shares.rest), 0.15 * mean);
 }
 
-}  // namespace
+}  // namespace polygons_test
 }  // namespace floes

@@ -14,7 +14,7 @@
 #include "support/smoke_channel.hpp"
 
 namespace floes {
-namespace {
+namespace sheets_test {
 
 /// A channel whose one floe lies far from its sides.
 Scenario empty_channel(double confining) {
@@ -202,5 +202,5 @@ TEST(Sheets, AreMovedByEachSolver) {
     }
 }
 
-}  // namespace
+}  // namespace sheets_test
 }  // namespace floes

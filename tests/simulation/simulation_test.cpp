@@ -10,7 +10,7 @@
 #include "support/sweeping_scenario.hpp"
 
 namespace floes {
-namespace {
+namespace simulation_test {
 
 /// A channel with room for a few floes and a tow so slow that the structure stays away from them.
 Scenario quiet_scenario(int floes, double duration) {
@@ -138,5 +138,5 @@ TEST(Tow, StopsOnRequest) {
     EXPECT_EQ(simulation.steps(), 0);
 }
 
-}  // namespace
+}  // namespace simulation_test
 }  // namespace floes

@@ -1,4 +1,4 @@
-#include "simulation/sleeping_floes.hpp"
+#include "simulation/moving_window.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "support/sweeping_scenario.hpp"
 
 namespace floes {
-namespace {
+namespace sleeping_floes_test {
 
 constexpr double wake_radius = 1.3;
 
@@ -111,5 +111,5 @@ TEST(SleepingFloes, TheStatedBoundHoldsForWhatTheFlowWouldHaveDone) {
               scenario.structure.speed * a * a / (wake_radius * wake_radius));
 }
 
-}  // namespace
+}  // namespace sleeping_floes_test
 }  // namespace floes

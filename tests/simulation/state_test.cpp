@@ -7,7 +7,7 @@
 #include "support/sweeping_scenario.hpp"
 
 namespace floes {
-namespace {
+namespace state_test {
 
 /// The structure drives into two floes so hard that they break, in still water.
 Scenario breaking_scenario(SolverKind solver) {
@@ -83,5 +83,5 @@ TEST_P(ResumedTow, RefusesAStateOfOtherFloes) {
 INSTANTIATE_TEST_SUITE_P(Solvers, ResumedTow, ::testing::Values(SolverKind::stock, SolverKind::lanes),
                          [](const auto& given) { return given.param == SolverKind::stock ? "stock" : "lanes"; });
 
-}  // namespace
+}  // namespace state_test
 }  // namespace floes

@@ -9,7 +9,7 @@
 #include "support/smoke_channel.hpp"
 
 namespace floes {
-namespace {
+namespace tow_work_test {
 
 /// A short tow through packed floes.
 Scenario packed() {
@@ -69,5 +69,5 @@ TEST(TowWork, IsNothingBeforeTheWindow) {
     EXPECT_EQ(together(simulation.work()), 0);
 }
 
-}  // namespace
+}  // namespace tow_work_test
 }  // namespace floes

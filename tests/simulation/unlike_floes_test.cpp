@@ -5,13 +5,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "ice/beam_joint.hpp"
-#include "ice/ice_layout.hpp"
+#include "ice/ice_field.hpp"
+#include "ice/joint_stress.hpp"
 #include "ice/scenario_world.hpp"
 #include "simulation/simulation.hpp"
 
 namespace floes {
-namespace {
+namespace unlike_floes_test {
 
 constexpr double sides[]{0.2, 0.3, 0.15};     // of elements, m
 constexpr double thicknesses[]{0.033, 0.06};  // m
@@ -188,5 +188,5 @@ TEST(UnlikeFloes, BreakEachAtItsOwnStrength) {
     EXPECT_EQ(pairs.ice.failure_ratio(), 0.5);
 }
 
-}  // namespace
+}  // namespace unlike_floes_test
 }  // namespace floes

@@ -11,7 +11,7 @@
 #include "support/smoke_channel.hpp"
 
 namespace floes {
-namespace {
+namespace wall_test {
 
 /// A floe between the wall of configs/table3_physical.toml, 69 degrees below the waterline, and the far end's sheet.
 Scenario pushed_under(double friction) {
@@ -126,5 +126,5 @@ TEST(Wall, IsLoadedAlikeByMirroredFields) {
     EXPECT_NEAR(sway[1], -sway[0], 0.2 * surge[0]);
 }
 
-}  // namespace
+}  // namespace wall_test
 }  // namespace floes

@@ -1,4 +1,4 @@
-#include "simulation/wellbeing.hpp"
+#include "simulation/simulation.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <limits>
 
 namespace floes {
-namespace {
+namespace wellbeing_test {
 
 using testing::HasSubstr;
 
@@ -54,5 +54,5 @@ TEST_F(WellbeingTest, NotANumberIsNotWell) {
     EXPECT_THAT(trouble_at({10, 0, 0}, {nan, 0, 0}), HasSubstr("not a number"));
 }
 
-}  // namespace
+}  // namespace wellbeing_test
 }  // namespace floes

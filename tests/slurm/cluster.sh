@@ -160,7 +160,7 @@ all_idle() {
 start_cluster() {
     local program node
     for program in munged slurmctld slurmd sbatch; do
-        PATH=$PATH:/usr/sbin command -v "$program" > /dev/null || fail "$program is missing; packages-test.txt has it"
+        PATH=$PATH:/usr/sbin command -v "$program" > /dev/null || fail "$program is missing; packages-test-all.txt has it"
     done
     PATH=$PATH:/usr/sbin
     mkdir -p "$CLUSTER"/{run,state,log,munge}

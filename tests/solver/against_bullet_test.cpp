@@ -10,7 +10,7 @@
 #include "solver/lane_width.hpp"
 
 namespace floes::testing {
-namespace {
+namespace against_bullet_test {
 
 struct Outcome {
     std::vector<SolverState> states;
@@ -199,5 +199,5 @@ TEST(LaneWidths, UnknownWidthIsRefused) {
     EXPECT_THROW(lane_kernels(3), RunError);
 }
 
-}  // namespace
+}  // namespace against_bullet_test
 }  // namespace floes::testing

@@ -9,7 +9,7 @@
 #include <vector>
 
 namespace floes::testing {
-namespace {
+namespace contact_order_test {
 
 using Contact = ContactOrder::Contact;
 
@@ -145,5 +145,5 @@ TEST(ContactOrder, PairsThatBearNothingAreApartFromThoseThatDo) {
     for (std::uint32_t i = 0; i < 16; ++i) EXPECT_EQ(order.slot(i) / 8, i % 2);
 }
 
-}  // namespace
+}  // namespace contact_order_test
 }  // namespace floes::testing

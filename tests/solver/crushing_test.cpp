@@ -11,7 +11,7 @@
 #include "solver/lane_system.hpp"
 
 namespace floes::testing {
-namespace {
+namespace crushing_test {
 
 using Vector = Eigen::Vector3d;
 
@@ -116,5 +116,5 @@ TEST(CrushingArea, IsSharedByThePointsThatTouch) {
     EXPECT_EQ(found[2], 0) << "a gap";
 }
 
-}  // namespace
+}  // namespace crushing_test
 }  // namespace floes::testing

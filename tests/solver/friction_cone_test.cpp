@@ -10,7 +10,7 @@
 #include "solver/lane_width.hpp"
 
 namespace floes::testing {
-namespace {
+namespace friction_cone_test {
 
 using Vector = std::array<double, 3>;
 
@@ -205,5 +205,5 @@ TEST(FrictionCone, EveryWidthGivesTheSameBits) {
     }
 }
 
-}  // namespace
+}  // namespace friction_cone_test
 }  // namespace floes::testing

@@ -11,7 +11,7 @@
 #include "solver/lane_system.hpp"
 
 namespace floes {
-namespace {
+namespace momentum_test {
 
 Vec3 vec(const std::array<double, 3>& v) {
     return {v[0], v[1], v[2]};
@@ -145,5 +145,5 @@ TEST(Momentum, OfAllChangesFromWithinOnlyByFrictionAcrossOverlaps) {
     }
 }
 
-}  // namespace
+}  // namespace momentum_test
 }  // namespace floes

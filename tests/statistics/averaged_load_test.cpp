@@ -13,7 +13,7 @@
 #include "statistics/load_statistics.hpp"
 
 namespace floes {
-namespace {
+namespace averaged_load_test {
 
 constexpr double step = 0.02;
 
@@ -116,5 +116,5 @@ TEST(AveragedLoad, RefusesATimeLongerThanASegment) {
     EXPECT_THROW(over(load, 20 * step), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace averaged_load_test
 }  // namespace floes

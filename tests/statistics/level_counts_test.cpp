@@ -1,11 +1,9 @@
-#include "statistics/level_counts.hpp"
+#include "statistics/load_statistics.hpp"
 
 #include <gtest/gtest.h>
 
-#include "statistics/means.hpp"
-
 namespace floes {
-namespace {
+namespace level_counts_test {
 
 TEST(LevelCounts, AreOfStepsAboveAndOfRises) {
     const std::vector<double> load{5, 1, 2, 3, 2, 2, 5, 5, 1, 5};
@@ -22,5 +20,5 @@ TEST(BatchMeans, LeaveOutWhatIsLeftOver) {
     EXPECT_TRUE(batch_means(values, 6).empty());
 }
 
-}  // namespace
+}  // namespace level_counts_test
 }  // namespace floes

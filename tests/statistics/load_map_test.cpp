@@ -7,7 +7,7 @@
 #include <numeric>
 
 namespace floes {
-namespace {
+namespace load_map_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -47,5 +47,5 @@ TEST(ContactBins, AreMeansByHeightAndAngle) {
     EXPECT_NEAR(middle_height(0), 1 / 24.0, 1e-15);
 }
 
-}  // namespace
+}  // namespace load_map_test
 }  // namespace floes

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 namespace floes {
-namespace {
+namespace load_statistics_test {
 
 // By the definition, with sums as they stand.
 TEST(LoadStatistics, ShapeIsThatOfTheMoments) {
@@ -116,5 +116,5 @@ TEST(LoadStatistics, RefusesWhatHasNoStatistics) {
     EXPECT_THROW(load_statistics(broken, 0.02, 3), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace load_statistics_test
 }  // namespace floes

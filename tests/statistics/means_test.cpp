@@ -1,4 +1,4 @@
-#include "statistics/means.hpp"
+#include "statistics/load_statistics.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace floes {
-namespace {
+namespace means_test {
 
 constexpr std::array values{1.0, 2.0, 6.0, 3.0, 100.0};
 
@@ -30,5 +30,5 @@ TEST(PartMeans, ShareTheValuesAcrossTheirEdges) {
         EXPECT_NEAR(mean_of(part_means(many, parts)), mean_of(many), 1e-15) << parts;
 }
 
-}  // namespace
+}  // namespace means_test
 }  // namespace floes

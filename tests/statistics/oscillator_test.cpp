@@ -11,7 +11,7 @@
 #include <vector>
 
 namespace floes {
-namespace {
+namespace oscillator_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -189,5 +189,5 @@ TEST(Oscillator, RefusesWhatIsNone) {
     EXPECT_TRUE(motion_under(of_a_second(0.1), {}, 0.1).empty());
 }
 
-}  // namespace
+}  // namespace oscillator_test
 }  // namespace floes

@@ -1,4 +1,4 @@
-#include "statistics/peaks.hpp"
+#include "statistics/averaged_load.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include "core/random.hpp"
 
 namespace floes {
-namespace {
+namespace peaks_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -63,5 +63,5 @@ TEST(Peaks, AreApart) {
     for (std::size_t k = 1; k < places.size(); ++k) EXPECT_GE(places[k] - places[k - 1], 50);
 }
 
-}  // namespace
+}  // namespace peaks_test
 }  // namespace floes

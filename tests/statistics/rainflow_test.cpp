@@ -8,7 +8,7 @@
 #include <map>
 
 namespace floes {
-namespace {
+namespace rainflow_test {
 
 std::map<double, double> counts(const std::vector<LoadCycle>& cycles) {
     std::map<double, double> by_range;
@@ -52,5 +52,5 @@ TEST(Rainflow, OfALoadThatStaysIsNone) {
     EXPECT_EQ(rainflow(std::vector<double>{3, 4}).size(), 1u);
 }
 
-}  // namespace
+}  // namespace rainflow_test
 }  // namespace floes

@@ -1,7 +1,7 @@
 // Steady state and autocorrelation of loads with known results.
 
 #include "statistics/steady_state.hpp"
-#include "statistics/means.hpp"
+#include "statistics/load_statistics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "core/random.hpp"
 
 namespace floes {
-namespace {
+namespace steady_state_test {
 
 double normal(RandomStream& random) {
     const double radius = std::sqrt(-2 * std::log(1 - random.uniform()));
@@ -122,5 +122,5 @@ TEST(Autocorrelation, IsUndefinedForALoadThatNeverChanges) {
     EXPECT_TRUE(std::isnan(autocorrelation(std::vector<double>(19, 3.0), 0.02).effective_samples));
 }
 
-}  // namespace
+}  // namespace steady_state_test
 }  // namespace floes

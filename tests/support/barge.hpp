@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "structure/shape.hpp"
+#include "shapes/shape.hpp"
 
 namespace floes::test {
 

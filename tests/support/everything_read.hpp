@@ -5,10 +5,7 @@
 #include <string>
 
 #include "campaign/write.hpp"
-#include "campaign_file/read_campaign_file.hpp"
-#include "campaign_file/read_details.hpp"
-#include "campaign_file/read_history.hpp"
-#include "campaign_file/read_load_map.hpp"
+#include "campaign_file/read.hpp"
 #include "core/bytes.hpp"
 
 namespace floes {
@@ -114,8 +111,9 @@ inline Bytes load_maps_read(const std::filesystem::path& path) {
 }
 
 /// What there is to read of a file, each as bytes. They throw as the readers do.
-inline constexpr Bytes (*parts_read[])(const std::filesystem::path&){
-    table_read, origin_read, wall_times_read, poses_read, breaks_read, pieces_read, histories_read, load_maps_read, campaign_read};
+inline constexpr Bytes (*parts_read[])(const std::filesystem::path&){table_read,     origin_read,    wall_times_read,
+                                                                     poses_read,     breaks_read,    pieces_read,
+                                                                     histories_read, load_maps_read, campaign_read};
 
 inline Bytes everything_read(const std::filesystem::path& path) {
     ByteWriter out;

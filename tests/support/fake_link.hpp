@@ -18,7 +18,7 @@
 
 #include <gtest/gtest.h>
 
-#include "wire/link.hpp"
+#include "run/link.hpp"
 
 namespace floes {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "journal/journal.hpp"
+#include "store/journal.hpp"
 #include "support/refusal.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/whole_records.hpp"

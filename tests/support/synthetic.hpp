@@ -12,9 +12,8 @@
 #include "campaign/read.hpp"
 #include "campaign/write.hpp"
 #include "core/random.hpp"
-#include "records/calibration_record.hpp"
-#include "records/member_record.hpp"
-#include "records/session.hpp"
+#include "store/member_record.hpp"
+#include "store/session.hpp"
 #include "support/sweeping_scenario.hpp"
 
 namespace floes::synthetic {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "journal/journal.hpp"
+#include "store/journal.hpp"
 
 namespace floes {
 

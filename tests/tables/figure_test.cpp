@@ -7,7 +7,7 @@
 #include <limits>
 
 namespace floes {
-namespace {
+namespace figure_test {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
@@ -36,5 +36,5 @@ TEST(Figures, CloseABandOnItsWayBack) {
     EXPECT_EQ(std::get<Figure::Area>(figure.marks.front()).outline, outline);
 }
 
-}  // namespace
+}  // namespace figure_test
 }  // namespace floes

@@ -1,13 +1,13 @@
 // Sentences broken into lines.
 
-#include "tables/prose.hpp"
+#include "tables/table.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tables/section.hpp"
 
 namespace floes {
-namespace {
+namespace prose_test {
 
 TEST(Prose, IsBrokenAtSpaces) {
     EXPECT_EQ(wrapped("one two three four", 9), "one two\nthree\nfour");
@@ -34,5 +34,5 @@ TEST(Prose, OfASectionFollowsTheWidth) {
     EXPECT_NE(text(std::vector{told}, 12).find("Another such\none.\n"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace prose_test
 }  // namespace floes

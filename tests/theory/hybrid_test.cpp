@@ -9,7 +9,7 @@
 #include "theory/hybrid.hpp"
 
 namespace floes {
-namespace {
+namespace hybrid_test {
 
 constexpr double right_angle = std::numbers::pi / 2;
 constexpr double slope = std::numbers::pi / 4;
@@ -90,5 +90,5 @@ TEST(Kpr, HasItsThreeParts) {
     EXPECT_DOUBLE_EQ(kpr_load({2, 0, 0}, hull, ice_of(0), floe_length, speed).total(), 2 * load.static_part);
 }
 
-}  // namespace
+}  // namespace hybrid_test
 }  // namespace floes

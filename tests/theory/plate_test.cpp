@@ -4,12 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
-#include "theory/beam.hpp"
-#include "theory/kelvin.hpp"
 #include "theory/plate.hpp"
 
 namespace floes {
-namespace {
+namespace plate_test {
 
 /// dP/dw0 (N/m) under a point load: 8 sqrt(k D).
 double point_load_slope(const FloatingPlate& plate, double elastic_modulus) {
@@ -76,5 +74,5 @@ TEST(Cantilever, NominalStrengthIsSixPLOverBHSquared) {
     EXPECT_DOUBLE_EQ(nominal_flexural_strength(2.0, 0.5, 0.2, 0.1), 6 * 2.0 * 0.5 / (0.2 * 0.01));
 }
 
-}  // namespace
+}  // namespace plate_test
 }  // namespace floes

@@ -1,9 +1,9 @@
-#include "theory/pressure_area.hpp"
+#include "theory/level_ice.hpp"
 
 #include <gtest/gtest.h>
 
 namespace floes {
-namespace {
+namespace pressure_area_test {
 
 // 7.40 A^-0.70 MPa up to 10 m², where it meets 1.48 MPa to two digits.
 TEST(PressureOfArea, FallsToTenSquareMetres) {
@@ -15,5 +15,5 @@ TEST(PressureOfArea, FallsToTenSquareMetres) {
     EXPECT_EQ(pressure_of_area(1000), 1.48e6);
 }
 
-}  // namespace
+}  // namespace pressure_area_test
 }  // namespace floes

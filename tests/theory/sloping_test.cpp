@@ -1,7 +1,7 @@
 // ISO 19906's level ice on a slope and by crushing: the figures that OpenFAST's module IceFloe printed for its example
 // (modules/icefloe/test/GLA_proto_flex_ISO.log), and limits.
 
-#include "theory/sloping.hpp"
+#include "theory/level_ice.hpp"
 
 #include <cmath>
 
@@ -10,7 +10,7 @@
 #include "core/error.hpp"
 
 namespace floes {
-namespace {
+namespace sloping_test {
 
 const IceHull cone{
     .breadth = 5, .length = 5, .draught = 0, .stem_angle = 60 * unit::degree, .entrance_angle = 0, .friction = 0.15};
@@ -94,5 +94,5 @@ TEST(Sloping, RefusesWhatHasNoLoad) {
         EXPECT_THROW(sloping_load(cone, sheet, none), InputError);
 }
 
-}  // namespace
+}  // namespace sloping_test
 }  // namespace floes

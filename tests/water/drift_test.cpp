@@ -8,7 +8,7 @@
 #include "water/water_model.hpp"
 
 namespace floes {
-namespace {
+namespace drift_test {
 
 constexpr double radius = 0.614;
 constexpr double tow = 0.07;
@@ -105,5 +105,5 @@ TEST(Wind, PressesWithItsStressOnDryTopsOnly) {
     EXPECT_EQ(model.wrench(state, 0).force.x(), 0);
 }
 
-}  // namespace
+}  // namespace drift_test
 }  // namespace floes

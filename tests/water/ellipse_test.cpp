@@ -9,7 +9,7 @@
 #include "water/water_model.hpp"
 
 namespace floes {
-namespace {
+namespace ellipse_test {
 
 constexpr double speed = 0.07;
 
@@ -74,5 +74,5 @@ TEST(FlowRoundEllipses, OfSeveralAddsUp) {
                 1e-15);
 }
 
-}  // namespace
+}  // namespace ellipse_test
 }  // namespace floes

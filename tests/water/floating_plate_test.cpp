@@ -6,7 +6,7 @@
 #include <numbers>
 
 namespace floes {
-namespace {
+namespace floating_plate_test {
 
 constexpr WaterBody fresh{.density = 1000, .gravity = 9.81, .in_plane = 0.1};
 constexpr double draught = 0.93 * 0.033;
@@ -130,5 +130,5 @@ TEST(FloatingPlate, CarriesMostInItsMiddle) {
     EXPECT_GT(floe[0].carried.z, 0);
 }
 
-}  // namespace
+}  // namespace floating_plate_test
 }  // namespace floes

@@ -6,7 +6,7 @@
 #include <numbers>
 
 namespace floes {
-namespace {
+namespace flow_test {
 
 constexpr double radius = 0.614;
 constexpr double speed = 0.07;
@@ -77,5 +77,5 @@ TEST(PotentialFlow, WithinTheCircleKeepsTheValueAtItsEdge) {
     }
 }
 
-}  // namespace
+}  // namespace flow_test
 }  // namespace floes

@@ -9,7 +9,7 @@
 #include "water/floating_plate.hpp"
 
 namespace floes {
-namespace {
+namespace polygon_water_test {
 
 CutFloe cut_square(double side, double element) {
     const double half = side / 2;
@@ -94,5 +94,5 @@ TEST(PolygonWater, IsSharedOutAmongSquaresAsAmongSquares) {
     }
 }
 
-}  // namespace
+}  // namespace polygon_water_test
 }  // namespace floes

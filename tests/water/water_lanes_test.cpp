@@ -13,7 +13,7 @@
 #include "solver/lane_width.hpp"
 
 namespace floes {
-namespace {
+namespace water_lanes_test {
 
 constexpr ElementShape shape{0.2, 0.033};
 constexpr double structure_x = 1.5;
@@ -143,5 +143,5 @@ TEST(WaterLanes, RefuseAWidthThatThereIsNot) {
     EXPECT_THROW(WaterLanes(std::vector{model(WaterFlow::still)}, std::vector<std::size_t>(4), 3), RunError);
 }
 
-}  // namespace
+}  // namespace water_lanes_test
 }  // namespace floes

@@ -10,7 +10,7 @@
 #include "water/floating_plate.hpp"
 
 namespace floes {
-namespace {
+namespace water_model_test {
 
 constexpr double gravity = 9.81;
 constexpr ElementShape shape{0.2, 0.033};
@@ -261,5 +261,5 @@ TEST(Drag, AFloeAheadOfTheStructureIsPushedAway) {
     EXPECT_LT(drag({}, state).force.x(), 0);  // and back past its sides
 }
 
-}  // namespace
+}  // namespace water_model_test
 }  // namespace floes

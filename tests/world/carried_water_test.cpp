@@ -10,7 +10,7 @@
 #include "world/lanes_scene.hpp"
 
 namespace floes::test {
-namespace {
+namespace carried_water_test {
 
 WorldDefinition weightless_direct(int lanes = 0) {
     WorldDefinition definition;
@@ -215,5 +215,5 @@ TEST(CarriedWater, IsRefusedBySweepsAndWhereItCannotBe) {
     EXPECT_THROW(world.set_water(element, {.normal = 1, .x = 0.2, .xx = 0.01}), InputError);
 }
 
-}  // namespace
+}  // namespace carried_water_test
 }  // namespace floes::test

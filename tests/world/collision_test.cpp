@@ -5,7 +5,7 @@
 #include "scene.hpp"
 
 namespace floes::test {
-namespace {
+namespace collision_test {
 
 /// Two elements in line, the first pushed for one second so that it runs at `speed` before it meets the second, of
 /// twice its mass.
@@ -123,5 +123,5 @@ TEST(WorldPiece, BodiesOfNoPieceTouchEachOther) {
     EXPECT_GT(world.contact_force(a).norm(), 0);
 }
 
-}  // namespace
+}  // namespace collision_test
 }  // namespace floes::test

@@ -10,7 +10,7 @@
 #include "scene.hpp"
 
 namespace floes::test {
-namespace {
+namespace cone_test {
 
 const double pi = std::acos(-1.0);
 const std::vector<double> azimuths{0.0, 0.3, 1.0, 0.25 * pi, 0.5 * pi, 2.0, pi, 4.4, 5.9};
@@ -182,5 +182,5 @@ TEST(Cone, StockRefusesIt) {
     EXPECT_THROW(World{definition}, InputError);
 }
 
-}  // namespace
+}  // namespace cone_test
 }  // namespace floes::test

@@ -10,7 +10,7 @@
 #include "scene.hpp"
 
 namespace floes::test {
-namespace {
+namespace crushing_test {
 
 constexpr double strength = 145.6e3;  // compressive, Table 1
 constexpr double speed = 0.07;
@@ -201,5 +201,5 @@ TEST(Crushing, NeedsAPressure) {
     EXPECT_THROW(World{crushing(0, 0.02)}, InputError);
 }
 
-}  // namespace
+}  // namespace crushing_test
 }  // namespace floes::test

@@ -8,7 +8,7 @@
 #include "scene.hpp"
 
 namespace floes::test {
-namespace {
+namespace determinism_test {
 
 /// A cone driven into rows of joined pairs that lie close together before a wall; some joints are taken out on the way.
 class Crowd {
@@ -118,5 +118,5 @@ TEST(WorldDeterminism, DoesNotDependOnContactsElsewhere) {
     expect_same(crowd_beside(40), crowd_beside(0));
 }
 
-}  // namespace
+}  // namespace determinism_test
 }  // namespace floes::test

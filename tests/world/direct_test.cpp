@@ -12,7 +12,7 @@
 #include "world/lanes_scene.hpp"
 
 namespace floes::test {
-namespace {
+namespace direct_test {
 
 WorldDefinition direct_world(int lanes = 0) {
     WorldDefinition definition;
@@ -323,5 +323,5 @@ TEST(Direct, RefusesWhatItCannotDo) {
     EXPECT_THROW(LoneFloe(2, loose, direct_world()), InputError);
 }
 
-}  // namespace
+}  // namespace direct_test
 }  // namespace floes::test

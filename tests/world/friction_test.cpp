@@ -12,7 +12,7 @@
 #include "world/material_friction.hpp"
 
 namespace floes::test {
-namespace {
+namespace friction_test {
 
 /// Distance and speed down the slope after some steps from rest.
 struct Slide {
@@ -105,5 +105,5 @@ TEST(World, RefusesFrictionThatNoProductGives) {
     EXPECT_THROW(World({.contact = friction_of(0.3, 11)}), InputError);
 }
 
-}  // namespace
+}  // namespace friction_test
 }  // namespace floes::test

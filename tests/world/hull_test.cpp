@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "scene.hpp"
-#include "structure/shape.hpp"
+#include "shapes/shape.hpp"
 
 namespace floes::test {
-namespace {
+namespace hull_test {
 
 constexpr double speed = 0.07;
 constexpr double time_step = 0.02;
@@ -84,5 +84,5 @@ TEST(WorldHull, AManySidedPrismIsNearlyRound) {
     EXPECT_NEAR(at, touching, 2e-3);
 }
 
-}  // namespace
+}  // namespace hull_test
 }  // namespace floes::test

@@ -7,10 +7,10 @@
 
 #include "core/error.hpp"
 #include "scene.hpp"
-#include "structure/shape.hpp"
+#include "shapes/shape.hpp"
 
 namespace floes::test {
-namespace {
+namespace internal_edges_test {
 
 WorldDefinition with(bool internal_edges, NormalLaw law) {
     return {.time_step = 0.01,
@@ -86,5 +86,5 @@ TEST(InternalEdges, StockRefusesToLeaveThemOut) {
     EXPECT_THROW(World{definition}, InputError);
 }
 
-}  // namespace
+}  // namespace internal_edges_test
 }  // namespace floes::test

@@ -11,7 +11,7 @@
 #include "scene.hpp"
 
 namespace floes::test {
-namespace {
+namespace joint_reaction_test {
 
 struct Load {
     const char* name;
@@ -161,5 +161,5 @@ TEST(WorldJoint, RefusesWhatItCannotSolve) {
     EXPECT_THROW(world.add_joint({a, BodyId(7), Vec3::Zero(), Quat::Identity(), 0.1, 0.8}), InputError);
 }
 
-}  // namespace
+}  // namespace joint_reaction_test
 }  // namespace floes::test

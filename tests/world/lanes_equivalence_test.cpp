@@ -8,7 +8,7 @@
 #include "world/lanes_scene.hpp"
 
 namespace floes::test {
-namespace {
+namespace lanes_equivalence_test {
 
 WorldDefinition solved_by(SolverKind solver, int lanes = 0) {
     WorldDefinition definition;
@@ -140,5 +140,5 @@ INSTANTIATE_TEST_SUITE_P(LanesEquivalence, EveryWidth,
                                          std::pair(Friction::one_direction, NormalLaw::crushing),
                                          std::pair(Friction::cone, NormalLaw::crushing)));
 
-}  // namespace
+}  // namespace lanes_equivalence_test
 }  // namespace floes::test

@@ -9,7 +9,7 @@
 #include "world/scene.hpp"
 
 namespace floes {
-namespace {
+namespace length_unit_test {
 
 using test::element_at;
 using test::element_mass;
@@ -97,5 +97,5 @@ TEST(LengthUnitOfAWorld, IsRefusedUnlessAboveZero) {
 INSTANTIATE_TEST_SUITE_P(Solvers, LengthUnit, testing::Values(SolverKind::stock, SolverKind::lanes),
                          [](const auto& given) { return given.param == SolverKind::stock ? "stock" : "lanes"; });
 
-}  // namespace
+}  // namespace length_unit_test
 }  // namespace floes

@@ -8,10 +8,10 @@
 
 #include "core/error.hpp"
 #include "scene.hpp"
-#include "structure/shape.hpp"
+#include "shapes/shape.hpp"
 
 namespace floes::test {
-namespace {
+namespace prism_test {
 
 WorldDefinition direct() {
     WorldDefinition definition = weightless();
@@ -93,5 +93,5 @@ TEST(WorldPrism, RefusesWhatIsNone) {
                 testing::ThrowsMessage<InputError>(testing::HasSubstr("direct")));
 }
 
-}  // namespace
+}  // namespace prism_test
 }  // namespace floes::test

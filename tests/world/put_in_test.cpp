@@ -8,7 +8,7 @@
 #include "world/scene.hpp"
 
 namespace floes {
-namespace {
+namespace put_in_test {
 
 constexpr int steps = 40;
 
@@ -137,5 +137,5 @@ TEST(TakeOut, TheStockSolverCannot) {
     EXPECT_THROW(world.put_in(body, test::element_at({0, 0, 0})), InputError);
 }
 
-}  // namespace
+}  // namespace put_in_test
 }  // namespace floes

@@ -6,7 +6,7 @@
 #include "world/scene.hpp"
 
 namespace floes {
-namespace {
+namespace sleep_test {
 
 World lanes_world(double gravity) {
     WorldDefinition definition;
@@ -85,5 +85,5 @@ TEST(Sleep, IsNotForTheStockSolver) {
     EXPECT_THROW(world.set_asleep(body, true), InputError);
 }
 
-}  // namespace
+}  // namespace sleep_test
 }  // namespace floes

@@ -10,7 +10,7 @@
 #include "world/world.hpp"
 
 namespace floes {
-namespace {
+namespace sliding_box_test {
 
 constexpr double step = 0.02;
 
@@ -156,5 +156,5 @@ TEST(SlidingBox, IsRefusedWithoutMass) {
     EXPECT_THROW(world.add_sliding_box(box), InputError);
 }
 
-}  // namespace
+}  // namespace sliding_box_test
 }  // namespace floes

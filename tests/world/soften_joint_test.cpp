@@ -7,7 +7,7 @@
 #include "world/world.hpp"
 
 namespace floes {
-namespace {
+namespace soften_joint_test {
 
 /// Two boxes that a spring holds together, at rest under a couple about the joint's horizontal axis or along it.
 class Couple {
@@ -72,5 +72,5 @@ TEST(SoftenJoint, RefusesWhatCannotBe) {
     EXPECT_THROW(swept.world().soften_joint(swept.joint(), 0.5), InputError);
 }
 
-}  // namespace
+}  // namespace soften_joint_test
 }  // namespace floes

@@ -10,7 +10,7 @@
 #include "scene.hpp"
 
 namespace floes::test {
-namespace {
+namespace structure_test {
 
 constexpr double speed = 0.07;
 constexpr double time_step = 0.02;
@@ -171,5 +171,5 @@ TEST(WorldStructure, RefusesWhatHasNoVolume) {
     EXPECT_THROW(world.add_structure(std::vector<ConvexSolid>{Frustum{0, 0, 1, 1}}, Vec3::Zero()), InputError);
 }
 
-}  // namespace
+}  // namespace structure_test
 }  // namespace floes::test

@@ -1,0 +1,113 @@
+# What most files include, read once: a module that uses it compiles in half the time.
+file(WRITE ${PROJECT_BINARY_DIR}/generated/precompiled.cpp "")
+add_library(floes_precompiled STATIC ${PROJECT_BINARY_DIR}/generated/precompiled.cpp)
+target_link_libraries(floes_precompiled PRIVATE Eigen3::Eigen fmt::fmt)
+target_precompile_headers(floes_precompiled PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp)
+
+# All modules' headers, for tests and benchmarks.
+add_library(floes_headers INTERFACE)
+
+# floes_module(src/NAME USES modules… INSIDE modules… LIBRARIES public… PRIVATE private…)
+#   One static library floes_NAME of every .cpp in the folder. Its headers are included as "NAME/file.hpp", by a folder of
+#   links that holds no other module.
+function(floes_module path)
+  cmake_parse_arguments(MODULE "" "" "USES;INSIDE;LIBRARIES;PRIVATE" ${ARGN})
+  get_filename_component(name ${path} NAME)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${path}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
+  list(TRANSFORM MODULE_USES PREPEND floes_)
+  list(TRANSFORM MODULE_INSIDE PREPEND floes_)
+  set(headers ${PROJECT_BINARY_DIR}/include/${name})
+  file(MAKE_DIRECTORY ${headers})
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${path} ${headers}/${name} SYMBOLIC)
+  add_library(floes_${name} STATIC ${sources})
+  target_include_directories(floes_${name} PUBLIC ${headers})
+  target_include_directories(floes_headers INTERFACE ${headers})
+  target_link_libraries(floes_${name} PUBLIC ${MODULE_USES} ${MODULE_LIBRARIES} PRIVATE ${MODULE_INSIDE} ${MODULE_PRIVATE})
+  floes_compile_options(floes_${name})
+  target_precompile_headers(floes_${name} REUSE_FROM floes_precompiled)
+endfunction()
+
+# No FMA contraction: the same bits on every CPU and at every lane width.
+function(floes_compile_options target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow
+                         -Wnon-virtual-dtor -Woverloaded-virtual $<$<BOOL:${FLOES_WARNINGS_AS_ERRORS}>:-Werror>)
+endfunction()
+floes_compile_options(floes_precompiled)
+
+# Each kernels_*.cpp of a module for its own instruction set; which one runs is decided at run time.
+function(floes_lane_kernels path)
+  set(kernels -fno-math-errno -Wno-psabi)
+  set(instructions_scalar)
+  set(instructions_sse2 -msse2)
+  set(instructions_avx2 -mavx2)
+  set(instructions_avx512 -mavx512f -mprefer-vector-width=512)
+  foreach(set scalar sse2 avx2 avx512)
+    set(source ${PROJECT_SOURCE_DIR}/${path}/kernels_${set}.cpp)
+    if(set STREQUAL "scalar" OR CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+      set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "${kernels};${instructions_${set}}"
+                                  SKIP_PRECOMPILE_HEADERS ON)
+    else()
+      set_source_files_properties(${source} PROPERTIES HEADER_FILE_ONLY ON)
+    endif()
+  endforeach()
+endfunction()
+
+# floes_tests(NAME MODULES modules… [LIBRARIES libs…] [LABEL label] [SOURCES files…] [LONG filter] [QUICK])
+#   One GoogleTest program test_NAME of tests/NAME/*.cpp, every TEST a CTest test with the label default or the one given.
+#   LONG: those of them that average for ten seconds and more, which are slow. QUICK: run under the sanitizers as well,
+#   whenever all tests run. Ten sources are compiled as one; each has a namespace of its own for what it needs.
+function(floes_tests name)
+  cmake_parse_arguments(TEST "QUICK" "TIMEOUT;LONG;LABEL" "MODULES;LIBRARIES;SOURCES" ${ARGN})
+  if(NOT TEST_SOURCES)
+    file(GLOB TEST_SOURCES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/*.cpp)
+  endif()
+  if(NOT TEST_SOURCES)
+    return()
+  endif()
+  if(NOT TEST_TIMEOUT)
+    set(TEST_TIMEOUT 300)
+  endif()
+  if(NOT TEST_LABEL)
+    set(TEST_LABEL default)
+  endif()
+  list(TRANSFORM TEST_MODULES PREPEND floes_)
+  floes_test_program(test_${name} SOURCES ${TEST_SOURCES}
+                     LIBRARIES ${TEST_MODULES} ${TEST_LIBRARIES} GTest::gtest GTest::gmock GTest::gtest_main)
+  target_precompile_headers(test_${name} REUSE_FROM floes_tests_precompiled)
+  set_target_properties(test_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
+  if(TEST_QUICK)
+    add_dependencies(quick_tests test_${name})
+    set(TEST_LABEL "${TEST_LABEL}\\;quick")
+  endif()
+  set(usual "*")
+  if(TEST_LONG)
+    set(usual "-${TEST_LONG}")
+    gtest_discover_tests(test_${name} TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60 TEST_FILTER "${TEST_LONG}"
+                         TEST_LIST test_${name}_LONG PROPERTIES LABELS slow TIMEOUT ${TEST_TIMEOUT})
+  endif()
+  gtest_discover_tests(test_${name} TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60 TEST_FILTER "${usual}"
+                       PROPERTIES LABELS "${TEST_LABEL}" TIMEOUT ${TEST_TIMEOUT})
+endfunction()
+
+# floes_test_program(TARGET SOURCES files… LIBRARIES libs…): a program that tests need; the target `tests` builds them
+# all.
+function(floes_test_program target)
+  cmake_parse_arguments(PROGRAM "" "" "SOURCES;LIBRARIES" ${ARGN})
+  add_executable(${target} ${PROGRAM_SOURCES})
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_compile_definitions(${target} PRIVATE FLOES_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  target_link_libraries(${target} PRIVATE floes_headers ${PROGRAM_LIBRARIES})
+  floes_compile_options(${target})
+  floes_quick_to_compile(${target})
+  add_dependencies(tests ${target})
+endfunction()
+
+# What tests do themselves need not be fast. At -O1 g++ 12 warns of what is not so in the standard library.
+function(floes_quick_to_compile target)
+  if(CMAKE_BUILD_TYPE STREQUAL "Release")
+    target_compile_options(${target} PRIVATE -O1 -Wno-array-bounds -Wno-mismatched-new-delete
+                           -Wno-stringop-overflow)
+  endif()
+endfunction()

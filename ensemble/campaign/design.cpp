@@ -1,0 +1,388 @@
+// The points of a design.
+
+#include "campaign/design.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <boost/random/sobol.hpp>
+
+#include "campaign/campaign_keys.hpp"
+#include "core/error.hpp"
+#include "core/random.hpp"
+#include "keys/edit_distance.hpp"
+#include "keys/key.hpp"
+#include "keys/read.hpp"
+#include "scenario/keys.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr std::size_t longest_name = 24;
+constexpr int digits = 10;
+
+/// Points in the unit cube, one row a point.
+using UnitPoints = std::vector<std::vector<double>>;
+
+UnitPoints latin_hypercube(std::size_t points, std::size_t axes, std::uint64_t seed) {
+    UnitPoints all(points, std::vector<double>(axes));
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+        RandomStream random(seed, static_cast<std::uint32_t>(axis), StreamId::latin_hypercube, points);
+        std::vector<std::size_t> part(points);
+        std::iota(part.begin(), part.end(), std::size_t{0});
+        for (std::size_t left = points; left > 1; --left)
+            std::swap(part[left - 1], part[random.below(static_cast<std::uint32_t>(left))]);
+        for (std::size_t p = 0; p < points; ++p)
+            all[p][axis] = (static_cast<double>(part[p]) + random.uniform()) / static_cast<double>(points);
+    }
+    return all;
+}
+
+UnitPoints sobol(std::size_t points, std::size_t dimensions, std::uint64_t seed) {
+    constexpr int unused_bits = 64 - 53;
+    std::vector<std::uint64_t> shift(dimensions);
+    for (std::size_t d = 0; d < dimensions; ++d) {
+        RandomStream random(seed, static_cast<std::uint32_t>(d), StreamId::sobol_shift, 0);
+        shift[d] = static_cast<std::uint64_t>(random.uniform() * 0x1p53);
+    }
+    boost::random::sobol sequence(dimensions);
+    UnitPoints all(points, std::vector<double>(dimensions));
+    for (std::size_t p = 0; p < points; ++p) {
+        for (std::size_t d = 0; d < dimensions; ++d) {
+            const std::uint64_t bits = p == 0 ? 0 : sequence() >> unused_bits;  // Boost skips the first point, 0
+            all[p][d] = static_cast<double>(bits ^ shift[d]) * 0x1p-53;
+        }
+    }
+    return all;
+}
+
+/// A, B and A with one axis from B, for each base point in turn.
+UnitPoints saltelli(std::size_t base_points, std::size_t axes, std::uint64_t seed) {
+    UnitPoints all;
+    for (const std::vector<double>& both : sobol(base_points, 2 * axes, seed)) {
+        const auto middle = both.begin() + static_cast<std::ptrdiff_t>(axes);
+        const std::vector<double> a(both.begin(), middle);
+        all.push_back(a);
+        all.emplace_back(middle, both.end());
+        for (std::size_t axis = 0; axis < axes; ++axis) {
+            all.push_back(a);
+            all.back()[axis] = both[axes + axis];
+        }
+    }
+    return all;
+}
+
+double rounded(double value) {
+    const std::string text = fmt::format("{:.{}g}", value, digits);
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+}
+
+Value on_axis(const DesignAxis& axis, double unit) {
+    // Half a number beyond either end: then each whole number is met equally often.
+    const double beyond = axis.whole ? 0.5 : 0;
+    const double low = axis.from - beyond;
+    const double high = axis.to + beyond;
+    const double value =
+        axis.scale == AxisScale::log ? low * std::exp(unit * std::log(high / low)) : low + unit * (high - low);
+    const double inside = std::clamp(axis.whole ? std::floor(value + 0.5) : rounded(value), axis.from, axis.to);
+    return axis.whole ? Value{static_cast<std::int64_t>(inside)} : Value{inside};
+}
+
+std::string numbered(std::size_t point, std::size_t count) {
+    const std::size_t width = std::max<std::size_t>(3, fmt::format("{}", count - 1).size());
+    return fmt::format("p{:0{}}", point, width);
+}
+
+/// "0.03_open"; empty where the values are no short name.
+std::string named_by_values(const std::vector<Value>& values) {
+    std::vector<std::string> words;
+    for (const Value& value : values) {
+        const auto* word = std::get_if<std::string>(&value.data);
+        words.push_back(word != nullptr ? *word : to_text(value));
+    }
+    const std::string name = fmt::format("{}", fmt::join(words, "_"));
+    const auto plain = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-' || c == '+' || c == '.'; };
+    return name.size() <= longest_name && std::ranges::all_of(name, plain) ? name : "";
+}
+
+void name_points(std::vector<DesignPoint>& points, bool by_values) {
+    std::set<std::string> names;
+    for (DesignPoint& point : points) {
+        if (by_values) point.name = named_by_values(point.values);
+        by_values = by_values && !point.name.empty() && names.insert(point.name).second;
+        if (!by_values) break;
+    }
+    if (by_values) return;
+    for (std::size_t p = 0; p < points.size(); ++p) points[p].name = numbered(p, points.size());
+}
+
+std::vector<DesignPoint> given_points(const Design& design) {
+    std::vector<DesignPoint> points(static_cast<std::size_t>(point_count(design)));
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        std::size_t rest = p;
+        points[p].values.resize(design.axes.size());
+        for (std::size_t i = design.axes.size(); i-- > 0;) {
+            const std::vector<Value>& values = design.axes[i].values;
+            points[p].values[i] = values[design.method == DesignMethod::list ? p : rest % values.size()];
+            rest /= values.size();
+        }
+    }
+    return points;
+}
+
+UnitPoints unit_points(const Design& design, std::uint64_t seed) {
+    const auto points = static_cast<std::size_t>(design.points);
+    if (design.method == DesignMethod::latin_hypercube) return latin_hypercube(points, design.axes.size(), seed);
+    if (design.indices) return saltelli(points, design.axes.size(), seed);
+    return sobol(points, design.axes.size(), seed);
+}
+
+}  // namespace
+
+std::int64_t point_count(const Design& design) {
+    if (design.has_ranges()) {
+        const std::int64_t each = design.indices ? static_cast<std::int64_t>(design.axes.size()) + 2 : 1;
+        return std::min(each * design.points, most_cases + 1);
+    }
+    if (design.axes.empty()) return 0;
+    std::int64_t count = 1;
+    const auto length = static_cast<std::int64_t>(design.axes.front().values.size());
+    for (const DesignAxis& axis : design.axes) {
+        const auto own = static_cast<std::int64_t>(axis.values.size());
+        if (design.method == DesignMethod::list && own != length) return 0;
+        count = std::min(count * own, most_cases + 1);
+    }
+    return design.method == DesignMethod::list ? length : count;
+}
+
+std::vector<DesignPoint> design_points(const Design& design, std::uint64_t seed) {
+    if (!design.has_ranges()) {
+        std::vector<DesignPoint> points = given_points(design);
+        name_points(points, true);
+        return points;
+    }
+    std::vector<DesignPoint> points;
+    for (const std::vector<double>& unit : unit_points(design, seed)) {
+        DesignPoint& point = points.emplace_back();
+        for (std::size_t i = 0; i < unit.size(); ++i) point.values.push_back(on_axis(design.axes[i], unit[i]));
+    }
+    name_points(points, false);
+    return points;
+}
+
+namespace {
+
+/// The entries of a [[design.axis]].
+struct AxisText {
+    std::optional<Entry> key;
+    std::optional<Entry> values;
+    std::optional<Entry> from;
+    std::optional<Entry> to;
+    std::optional<Entry> scale;
+
+    explicit AxisText(const Block& block) {
+        const std::vector<std::pair<std::string, std::optional<Entry>*>> known{
+            {"key", &key}, {"values", &values}, {"from", &from}, {"to", &to}, {"scale", &scale}};
+        for (const Entry& entry : block.entries) {
+            const auto found = std::ranges::find(known, entry.path, &decltype(known)::value_type::first);
+            if (found == known.end()) {
+                const auto near = std::ranges::min_element(
+                    known, {}, [&](const auto& one) { return edit_distance(one.first, entry.path); });
+                throw InputError(fmt::format("{}: {} = {} is not a key of an axis; did you mean {}?", entry.where,
+                                             entry.path, to_text(entry.value), near->first));
+            }
+            *found->second = entry;
+        }
+    }
+};
+
+class AxisReader {
+  public:
+    AxisReader(const Block& block, const Design& design)
+        : text_(block), where_(block.where), design_(design), keys_(describe(scratch_)) {}
+
+    DesignAxis read() {
+        const Key& key = find();
+        axis_.key = key.path;
+        axis_.whole = std::holds_alternative<IntegerField>(key.field);
+        axis_.numeric = axis_.whole || std::holds_alternative<NumberField>(key.field);
+        if (text_.scale) {
+            Key scale = word_key("scale", axis_.scale, {"linear", "log"}, "", "");
+            assign(scale, *text_.scale);
+        }
+        if (design_.has_ranges()) {
+            read_range(key);
+        } else {
+            read_values(key);
+        }
+        return axis_;
+    }
+
+  private:
+    InputError wrong(const std::string& where, const std::string& what) const {
+        return InputError(fmt::format("{}: the axis {} {}", where, axis_.key, what));
+    }
+
+    const Key& find() {
+        if (!text_.key)
+            throw InputError(
+                fmt::format("{}: this [[design.axis]] has no key; begin it with key = \"ice.thickness_m\"", where_));
+        std::string path;
+        assign(text_key("key", path, "", ""), *text_.key);
+        refuse_former(keys_, path, text_.key->where);
+        if (const Key* key = find_key(keys_, full_path(path))) return *key;
+        throw InputError(fmt::format("{}: key = {} is not a key that a case takes; did you mean {}?", text_.key->where,
+                                     text_literal(path), text_literal(nearest_path(keys_, path))));
+    }
+
+    void read_range(const Key& key) {
+        if (text_.values)
+            throw wrong(text_.values->where, "has values, which are for a grid or a list; give it from and to");
+        if (!axis_.numeric)
+            throw wrong(text_.key->where, "takes no numbers, so it has no from and to; a grid or a list takes values");
+        if (!text_.from || !text_.to) throw wrong(where_, "wants from and to, between which its points lie");
+        axis_.from = number(key, *text_.from);
+        axis_.to = number(key, *text_.to);
+        if (axis_.from >= axis_.to)
+            throw wrong(text_.to->where, fmt::format("goes from {} to {}; from must be below to",
+                                                     to_text(text_.from->value), to_text(text_.to->value)));
+        refuse_log_of(axis_.from, text_.from->where);
+    }
+
+    void read_values(const Key& key) {
+        if (text_.from || text_.to)
+            throw wrong((text_.from ? text_.from : text_.to)->where,
+                        "has from or to, which are for latin_hypercube and sobol; give it values");
+        if (!text_.values) throw wrong(where_, "has no values; give it a list, as in values = [0.02, 0.03]");
+        const Entry& entry = *text_.values;
+        const auto* values = std::get_if<std::vector<Value>>(&entry.value.data);
+        if (values == nullptr || values->empty())
+            throw wrong(entry.where,
+                        fmt::format("has values = {}; allowed: a list of one value or more", to_text(entry.value)));
+        if (std::ssize(*values) > most_cases)
+            throw wrong(entry.where,
+                        fmt::format("has {} values; no more than {} are allowed", values->size(), most_cases));
+        std::set<std::pair<std::size_t, std::string>> seen;  // kind and text
+        for (const Value& value : *values) {
+            assign(key, {axis_.key, value, entry.where});
+            if (axis_.numeric) refuse_log_of(number(key, {axis_.key, value, entry.where}), entry.where);
+            const bool repeated = !seen.emplace(value.data.index(), exact_text(key)).second;
+            if (repeated && design_.method == DesignMethod::grid)
+                throw wrong(entry.where, fmt::format("has {} twice; keep one", to_text(value)));
+            axis_.values.push_back(value);
+        }
+        if (!axis_.numeric && text_.scale) throw wrong(text_.scale->where, "takes no numbers, so it has no scale");
+    }
+
+    /// The number in the key's unit. Throws InputError if the key does not accept it.
+    double number(const Key& key, const Entry& entry) const {
+        assign(key, {axis_.key, entry.value, entry.where});
+        if (const auto* whole = std::get_if<std::int64_t>(&entry.value.data)) return static_cast<double>(*whole);
+        const double value = std::get<double>(entry.value.data);
+        if (std::isinf(value)) throw wrong(entry.where, "has the value inf; the values of an axis are finite");
+        return value;
+    }
+
+    void refuse_log_of(double value, const std::string& where) const {
+        if (axis_.scale == AxisScale::log && value <= 0)
+            throw wrong(where,
+                        fmt::format("has the scale log and the value {}; a logarithm wants values above 0", value));
+    }
+
+    AxisText text_;
+    std::string where_;
+    const Design& design_;
+    Scenario scratch_;
+    Keys keys_;
+    DesignAxis axis_;
+};
+
+class DesignCheck {
+  public:
+    DesignCheck(const Design& design, const Origins& origins, const std::string& file)
+        : design_(design), origins_(origins), file_(file) {}
+
+    void check() const {
+        if (design_.axes.empty())
+            throw wrong("design.method",
+                        fmt::format("{} wants axes; write [[design.axis]] with a key for each", method()));
+        if (design_.has_ranges()) {
+            if (design_.points == 0)
+                throw wrong("design.method", fmt::format("{} wants design.points, how many points it has", method()));
+        } else if (design_.points != 0) {
+            throw wrong("design.points", fmt::format("design.points = {} is not used by {}, whose axes have values",
+                                                     design_.points, method()));
+        }
+        const std::int64_t count = point_count(design_);
+        if (count == 0) throw wrong("design.method", uneven_list());
+        if (count > most_cases)
+            throw wrong("design.method", fmt::format("{} makes more than {} points; take fewer", method(), most_cases));
+    }
+
+  private:
+    InputError wrong(const std::string& key, const std::string& what) const {
+        const auto set = origins_.find(key);
+        return InputError(fmt::format("{}: {}", set == origins_.end() ? file_ : set->second, what));
+    }
+
+    std::string method() const {
+        Design copy = design_;
+        const Key key = method_key(copy);
+        return fmt::format("{} = {}", key.path, literal(key));
+    }
+
+    std::string uneven_list() const {
+        std::vector<std::string> lengths;
+        for (const DesignAxis& axis : design_.axes)
+            lengths.push_back(fmt::format("{} has {}", axis.key, axis.values.size()));
+        return fmt::format(
+            "{} takes the axes' values side by side, so all want equally many, and {}; \"grid\" combines "
+            "them all",
+            method(), fmt::join(lengths, ", "));
+    }
+
+    const Design& design_;
+    const Origins& origins_;
+    const std::string& file_;
+};
+
+}  // namespace
+
+Origins read_axes(const std::vector<Block>& blocks, const Origins& origins, const std::string& file, Design& design) {
+    Origins places;
+    for (const Block& block : blocks) {
+        if (block.path != axis_block) continue;
+        if (!design.active())
+            throw InputError(
+                fmt::format("{}: this [[design.axis]] has no design; write [design] with method = \"grid\", "
+                            "\"list\", \"latin_hypercube\" or \"sobol\"",
+                            block.where));
+        design.axes.push_back(AxisReader(block, design).read());
+        const std::string& key = design.axes.back().key;
+        const auto [earlier, is_new] = places.emplace(key, block.where);
+        if (!is_new)
+            throw InputError(
+                fmt::format("{}: {} has an axis already, at {}; keep one", block.where, key, earlier->second));
+    }
+    if (design.active()) {
+        DesignCheck(design, origins, file).check();
+    } else if (design.points != 0) {
+        throw InputError(
+            fmt::format("{}: design.points is given and no design.method; write method = \"sobol\" or another in "
+                        "[design]",
+                        origins.at("design.points")));
+    }
+    return places;
+}
+
+}  // namespace floes

@@ -1,0 +1,413 @@
+// The only door from GeoJSON (RFC 7946, and the member "crs" of its predecessor).
+
+#include "campaign/outline_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "shapes/elements.hpp"
+#include "shapes/polygon.hpp"
+
+namespace floes {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::string_view kinds = "Polygon, MultiPolygon, Feature, FeatureCollection and GeometryCollection";
+constexpr int deepest = 16;         // collections within collections
+constexpr int deepest_value = 100;  // of any JSON; a coordinate of the above lies less deep
+
+class Reader {
+  public:
+    explicit Reader(std::string file) : file_(std::move(file)) {}
+
+    void take(const Json& object, const std::string& where, const std::string& name, int depth) {
+        const std::string type = type_of(object, where);
+        if (depth > deepest) throw InputError(fmt::format("{}: collections lie {} deep; flatten them", where, depth));
+        if (type == "FeatureCollection") {
+            take_each(object, "features", "feature", where, name, depth);
+        } else if (type == "GeometryCollection") {
+            take_each(object, "geometries", "geometry", where, name, depth);
+        } else if (type == "Feature") {
+            const auto geometry = object.find("geometry");
+            if (geometry == object.end() || geometry->is_null())
+                throw InputError(fmt::format("{}: this feature has no geometry; leave it out", where));
+            take(*geometry, where, name_of(object), depth + 1);
+        } else if (type == "Polygon") {
+            take_polygon(coordinates(object, where), where, name);
+        } else if (type == "MultiPolygon") {
+            const Json& polygons = coordinates(object, where);
+            for (std::size_t k = 0; k < polygons.size(); ++k)
+                take_polygon(polygons[k], fmt::format("{}, polygon {}", where, k + 1),
+                             name.empty() || polygons.size() == 1 ? name : fmt::format("{} part {}", name, k + 1));
+        } else {
+            throw InputError(fmt::format("{}: a {} encloses no ice; floes are read from {}", where, type, kinds));
+        }
+    }
+
+    std::vector<TracedFloe> floes() && { return std::move(floes_); }
+
+  private:
+    static std::string type_of(const Json& object, const std::string& where) {
+        const auto type = object.is_object() ? object.find("type") : object.end();
+        if (!object.is_object() || type == object.end() || !type->is_string())
+            throw InputError(fmt::format("{}: this is no GeoJSON, which has a \"type\"; allowed: {}", where, kinds));
+        return type->get<std::string>();
+    }
+
+    void take_each(const Json& object, const char* member, const char* each, const std::string& where,
+                   const std::string& name, int depth) {
+        const auto list = object.find(member);
+        if (list == object.end() || !list->is_array())
+            throw InputError(fmt::format("{}: this collection has no list of {}", where, member));
+        for (std::size_t k = 0; k < list->size(); ++k)
+            take((*list)[k], fmt::format("{}, {} {}", where, each, k + 1), name, depth + 1);
+    }
+
+    static std::string text_of(const Json& value) {
+        if (value.is_string()) return value.get<std::string>();
+        return value.is_number() ? value.dump() : "";
+    }
+
+    static std::string name_of(const Json& feature) {
+        if (const auto id = feature.find("id"); id != feature.end()) return text_of(*id);
+        const auto properties = feature.find("properties");
+        if (properties == feature.end() || !properties->is_object()) return "";
+        for (const char* key : {"floe", "name"})
+            if (const auto found = properties->find(key); found != properties->end()) return text_of(*found);
+        return "";
+    }
+
+    static const Json& coordinates(const Json& object, const std::string& where) {
+        const auto found = object.find("coordinates");
+        if (found == object.end() || !found->is_array() || found->empty())
+            throw InputError(fmt::format("{}: it has no coordinates", where));
+        return *found;
+    }
+
+    static Corner corner_of(const Json& position, const std::string& where, std::size_t number) {
+        if (!position.is_array() || position.size() < 2 || !position[0].is_number() || !position[1].is_number())
+            throw InputError(fmt::format("{}: place {} of the ring is none; write [x, y]", where, number));
+        return {position[0].get<double>(), 0.0 - position[1].get<double>()};
+    }
+
+    Outline ring_of(const Json& ring, const std::string& where) {
+        if (!ring.is_array() || ring.size() < 4)
+            throw InputError(
+                fmt::format("{}: a ring has at least 4 places, the last being the first again; this one "
+                            "has {}",
+                            where, ring.is_array() ? ring.size() : 0));
+        Outline corners;
+        for (const Json& position : ring) {
+            corners.push_back(corner_of(position, where, corners.size() + 1));
+            if (++corners_ > most_file_corners)
+                throw InputError(fmt::format("{}: the file has more than {} corners; simplify its outlines", file_,
+                                             most_file_corners));
+        }
+        if (corners.front() != corners.back())
+            throw InputError(fmt::format(
+                "{}: the ring is not closed: it begins at ({:.9g}, {:.9g}) and ends at "
+                "({:.9g}, {:.9g}); let it end where it begins",
+                where, corners.front().x, 0.0 - corners.front().z, corners.back().x, 0.0 - corners.back().z));
+        corners.pop_back();
+        return corners;
+    }
+
+    void take_polygon(const Json& rings, const std::string& where, const std::string& name) {
+        if (!rings.is_array() || rings.empty()) throw InputError(fmt::format("{}: it has no coordinates", where));
+        TracedFloe floe{name, where, ring_of(rings[0], where), {}};
+        for (std::size_t k = 1; k < rings.size(); ++k)
+            floe.holes.push_back(ring_of(rings[k], fmt::format("{}, hole {}", where, k)));
+        floes_.push_back(std::move(floe));
+        if (floes_.size() > most_outlines)
+            throw InputError(
+                fmt::format("{}: the file has more than {} outlines; take a part of it", file_, most_outlines));
+    }
+
+    std::string file_;
+    std::vector<TracedFloe> floes_;
+    std::size_t corners_ = 0;
+};
+
+/// The name of the file's reference system; empty without one.
+std::string reference_system(const Json& object) {
+    for (const Json::json_pointer& path :
+         {"/crs/properties/name"_json_pointer, "/crs/properties/code"_json_pointer, "/coordRefSys"_json_pointer})
+        if (object.contains(path) && !object.at(path).is_structured())
+            return object.at(path).is_string() ? object.at(path).get<std::string>() : object.at(path).dump();
+    return "";
+}
+
+void refuse_degrees(const Json& object, const std::string& file) {
+    if (!object.is_object()) return;
+    const std::string system = reference_system(object);
+    const auto number =
+        std::ranges::find_if_not(system.rbegin(), system.rend(), [](unsigned char c) { return std::isdigit(c) != 0; });
+    const std::string code(number.base(), system.end());
+    constexpr std::array geographic{"84", "4326", "4979", "4258", "4269", "4267"};
+    constexpr std::array mercator{"3857", "900913", "3785", "102100"};
+    if (std::ranges::find(geographic, code) != geographic.end())
+        throw InputError(
+            fmt::format("{}: its reference system {} is in degrees of longitude and latitude; project it "
+                        "to lengths first, such as the UTM zone of the picture",
+                        file, system));
+    if (std::ranges::find(mercator, code) != mercator.end())
+        throw InputError(
+            fmt::format("{}: its reference system {} is the Mercator projection of web maps, in which "
+                        "lengths are too long by one over the cosine of the latitude; project it to true "
+                        "lengths first, such as the UTM zone of the picture",
+                        file, system));
+}
+
+}  // namespace
+
+std::vector<TracedFloe> read_geojson(const std::string& text, const std::string& file) {
+    // What lies deeper would take a hundred bytes of memory for each bracket.
+    const auto shallow = [&](int depth, Json::parse_event_t, Json&) {
+        if (depth > deepest_value) throw InputError(fmt::format("{}: this is no GeoJSON: it is too deep", file));
+        return true;
+    };
+    Json object;
+    try {
+        object = Json::parse(text, shallow);
+    } catch (const Json::exception& error) {
+        const std::string_view what = error.what();
+        throw InputError(
+            fmt::format("{}: this is no JSON: {}", file, beginning(what.substr(what.find("] ") + 2), 160)));
+    }
+    refuse_degrees(object, file);
+    Reader reader(file);
+    reader.take(object, file, "", 0);
+    return std::move(reader).floes();
+}
+
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view blank = " \t\r";
+    const std::size_t first = text.find_first_not_of(blank);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(blank) + 1 - first);
+}
+
+std::vector<std::string_view> cells_of(std::string_view line) {
+    std::vector<std::string_view> cells;
+    for (std::size_t from = 0;;) {
+        const std::size_t comma = line.find(',', from);
+        cells.push_back(trimmed(line.substr(from, comma - from)));
+        if (comma == std::string_view::npos) return cells;
+        from = comma + 1;
+    }
+}
+
+double number_of(std::string_view cell, const std::string& where) {
+    double number = 0;
+    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
+    if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(number))
+        throw InputError(fmt::format("{}: {:?} is not a finite number", where, beginning(cell, 40)));
+    return number;
+}
+
+}  // namespace
+
+std::vector<TracedFloe> read_outline_csv(const std::string& text, const std::string& file) {
+    if (!is_utf8(text)) throw InputError(fmt::format("{}: this is no text in UTF-8; save it as such", file));
+    std::vector<TracedFloe> floes;
+    std::set<std::string> names;
+    std::istringstream lines(text.substr(text.starts_with("\xEF\xBB\xBF") ? 3 : 0));
+    bool header = false;
+    std::size_t corners = 0;
+    int number = 0;
+    for (std::string line; std::getline(lines, line);) {
+        ++number;
+        if (trimmed(line).empty()) continue;
+        const std::string where = fmt::format("{}:{}", file, number);
+        const std::vector<std::string_view> cells = cells_of(line);
+        if (!header) {
+            if (cells != std::vector<std::string_view>{"floe", "x", "y"})
+                throw InputError(
+                    fmt::format("{}: {:?} is not the header of a file of outlines; write floe,x,y and "
+                                "below it a line for each corner",
+                                where, beginning(trimmed(line), 60)));
+            header = true;
+            continue;
+        }
+        if (cells.size() != 3 || cells[0].empty())
+            throw InputError(fmt::format("{}: {:?} is not a corner; write the floe's name, x and y", where,
+                                         beginning(trimmed(line), 60)));
+        const Corner corner{number_of(cells[1], where), 0.0 - number_of(cells[2], where)};
+        if (floes.empty() || floes.back().name != cells[0]) {
+            const std::string name(cells[0]);
+            if (!names.insert(name).second)
+                throw InputError(
+                    fmt::format("{}: floe {} comes again after another one; keep the corners of a floe "
+                                "together, and give each floe a name of its own",
+                                where, name));
+            if (floes.size() == most_outlines)
+                throw InputError(
+                    fmt::format("{}: the file has more than {} outlines; take a part of it", where, most_outlines));
+            floes.push_back({name, where, {}, {}});
+        }
+        if (++corners > most_file_corners)
+            throw InputError(
+                fmt::format("{}: the file has more than {} corners; simplify its outlines", where, most_file_corners));
+        floes.back().ring.push_back(corner);
+    }
+    if (!header)
+        throw InputError(fmt::format("{}: the file is empty; write floe,x,y and a line for each corner", file));
+    return floes;
+}
+
+namespace {
+
+constexpr double smallest = 0.01;  // m, of all outlines together
+constexpr double largest = 1e5;
+
+bool ends_with(std::string file, const std::string& ending) {
+    std::ranges::transform(file, file.begin(), [](unsigned char c) { return std::tolower(c); });
+    return file.ends_with(ending);
+}
+
+std::vector<TracedFloe> floes_of(const std::string& text, const std::string& file) {
+    const bool csv = ends_with(file, ".csv");
+    if (!csv && !ends_with(file, ".geojson") && !ends_with(file, ".json"))
+        throw InputError(
+            fmt::format("{}: outlines are read from .geojson, .json and .csv files; export one of these", file));
+    if (text.size() > longest_outline_file)
+        throw InputError(
+            fmt::format("{}: this file has {} bytes, more than {}; simplify its outlines, or take a part "
+                        "of it",
+                        file, text.size(), longest_outline_file));
+    if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+        throw InputError(fmt::format("{}: the file is empty", file));
+    std::vector<TracedFloe> floes = csv ? read_outline_csv(text, file) : read_geojson(text, file);
+    if (floes.empty()) throw InputError(fmt::format("{}: the file has no outlines", file));
+    return floes;
+}
+
+/// The ring without corners that lie on the one before.
+Outline ring_of(const Outline& corners, const std::string& where) {
+    Outline ring = corners;
+    ring.erase(std::ranges::unique(ring).begin(), ring.end());
+    while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+    if (ring.size() > most_ring_corners)
+        throw InputError(fmt::format("{}: the outline has {} corners, more than {}; simplify it", where, ring.size(),
+                                     most_ring_corners));
+    if (const auto fault = ring_fault_of(ring)) throw InputError(fmt::format("{}: {}; trace it anew", where, *fault));
+    return ring;
+}
+
+/// What the file says covers, in its unit.
+double area_of(const TracedFloe& floe) {
+    double area = std::abs(floes::area_of(floe.ring));
+    for (const Outline& hole : floe.holes) area -= std::abs(floes::area_of(hole));
+    if (!(area > 0)) throw InputError(fmt::format("{}: its holes leave nothing of it", floe.where));
+    return area;
+}
+
+void refuse_doubles(const std::vector<TracedFloe>& floes) {
+    std::map<std::string, const TracedFloe*> named;
+    for (const TracedFloe& one : floes) {
+        if (one.name.empty()) continue;
+        const auto [found, is_new] = named.try_emplace(one.name, &one);
+        if (!is_new)
+            throw InputError(
+                fmt::format("{}: floe {} is there already ({}); was it traced twice? Give each floe a "
+                            "name of its own, or none a name",
+                            one.where, one.name, found->second->where));
+    }
+}
+
+struct Bounds {
+    Corner low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    Corner high{-low.x, -low.z};
+
+    void hold(const Outline& outline) {
+        for (const Corner& one : outline) {
+            low = {std::min(low.x, one.x), std::min(low.z, one.z)};
+            high = {std::max(high.x, one.x), std::max(high.z, one.z)};
+        }
+    }
+};
+
+/// Floes of some metres are some 1e-5 degrees wide, and no file in lengths has floes as small beside its coordinates.
+void refuse_degrees(const std::vector<TracedFloe>& floes, const Bounds& bounds, const std::string& file) {
+    constexpr double widest = 0.1;  // degrees, of one floe: 11 km
+    double size = 0;
+    for (const TracedFloe& one : floes) size = std::max({size, size_of(one.ring).x, size_of(one.ring).z});
+    if (size > widest || bounds.low.x < -180 || bounds.high.x > 360 || bounds.low.z < -90 || bounds.high.z > 90) return;
+    throw InputError(fmt::format(
+        "{}: its coordinates look like degrees of longitude and latitude: the largest floe is {:.3g} across, and all "
+        "lie within x = {:.6g} to {:.6g} and y = {:.6g} to {:.6g}; project them to lengths first, such as the UTM zone "
+        "of the picture, or, if they are lengths, write them in a smaller unit with shapes.unit",
+        file, size, bounds.low.x, bounds.high.x, 0.0 - bounds.high.z, 0.0 - bounds.low.z));
+}
+
+/// Of all floes, divided by commas; empty if none has one.
+std::string names_of(const std::vector<TracedFloe>& floes) {
+    if (std::ranges::all_of(floes, &std::string::empty, &TracedFloe::name)) return "";
+    std::string names;
+    for (std::size_t i = 0; i < floes.size(); ++i) {
+        std::string name = floes[i].name.empty() ? fmt::format("{}", i + 1) : floes[i].name;
+        std::ranges::replace_if(
+            name, [](unsigned char c) { return c == ',' || c < ' '; }, ' ');
+        names += (i > 0 ? ", " : "") + name;
+    }
+    return names;
+}
+
+}  // namespace
+
+void take_outlines(TracedOutlines& traced, const std::string& text, const std::string& file) {
+    std::vector<TracedFloe> floes = floes_of(text, file);
+    refuse_doubles(floes);
+    Bounds bounds;
+    for (TracedFloe& one : floes) {
+        one.ring = ring_of(one.ring, one.where);
+        for (Outline& hole : one.holes) hole = ring_of(hole, one.where + ", a hole");
+        bounds.hold(one.ring);
+    }
+    refuse_degrees(floes, bounds, file);
+    const double unit = metres(traced.unit);
+    const double size = unit * std::max(bounds.high.x - bounds.low.x, bounds.high.z - bounds.low.z);
+    if (!(size > smallest && size < largest))
+        throw InputError(
+            fmt::format("{}: the outlines reach over {:.4g} m, which is no field of ice; is shapes.unit "
+                        "right?",
+                        file, size));
+    Bounds of_floes;  // which reach a little farther where they have fewer corners
+    std::vector<Outline> outlines;
+    std::vector<double> areas;
+    for (const TracedFloe& one : floes) {
+        areas.push_back(unit * unit * area_of(one));
+        Outline placed;
+        for (const Corner& corner : one.ring) placed.push_back(unit * (corner - bounds.low));
+        outlines.push_back(with_fewer_corners(convex_hull(std::move(placed)), most_outline_corners));
+        of_floes.hold(outlines.back());
+    }
+    const Corner origin{of_floes.low.x, 0.5 * (of_floes.low.z + of_floes.high.z)};
+    for (Outline& one : outlines)
+        for (Corner& corner : one) corner = corner - origin;
+    traced.outlines = std::move(outlines);
+    traced.areas = std::move(areas);
+    traced.names = names_of(floes);
+    traced.path.clear();
+    traced.unit = LengthUnit::m;
+}
+
+}  // namespace floes

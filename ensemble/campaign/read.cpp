@@ -1,0 +1,454 @@
+#include "campaign/read.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <optional>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "campaign/campaign.hpp"
+#include "campaign/campaign_keys.hpp"
+#include "campaign/design.hpp"
+#include "campaign/given.hpp"
+#include "campaign/identity.hpp"
+#include "campaign/write.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "keys/edit_distance.hpp"
+#include "keys/key.hpp"
+#include "keys/read.hpp"
+#include "scenario/keys.hpp"
+#include "scenario/validate.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr const char* case_block = "case";
+constexpr std::size_t longest_name = 200;
+constexpr std::size_t most_axis_values = 2'000'000;  // over all cases; each takes some 150 bytes
+
+/// The memory that a value needs, in numbers; a text counts by its length.
+std::size_t size_of(const Value& value) {
+    if (const auto* text = std::get_if<std::string>(&value.data)) return 1 + text->size() / 16;
+    std::size_t size = 1;
+    if (const auto* list = std::get_if<std::vector<Value>>(&value.data))
+        for (const Value& item : *list) size += size_of(item);
+    return size;
+}
+
+/// The same for the values of all axes in one case, at most.
+std::size_t values_of_a_case(const Design& design) {
+    std::size_t size = 0;
+    for (const DesignAxis& axis : design.axes) {
+        std::size_t largest = 1;
+        for (const Value& value : axis.values) largest = std::max(largest, size_of(value));
+        size += largest;
+    }
+    return size;
+}
+
+void refuse_stranger(const Block& block) {
+    if (block.path == case_block || block.path == axis_block) return;
+    const bool axis = edit_distance(block.path, axis_block) < edit_distance(block.path, case_block);
+    throw InputError(fmt::format("{}: [[{}]] is not a table of a configuration; did you mean [[{}]]?", block.where,
+                                 block.path, axis ? axis_block : case_block));
+}
+
+/// The block's name, checked: present, plain, and none of those `taken`.
+std::string case_name(const Block& block, std::set<std::string>& taken) {
+    const auto entry = std::ranges::find(block.entries, "name", &Entry::path);
+    if (entry == block.entries.end()) {
+        throw InputError(fmt::format("{}: this [[case]] has no name; begin it with name = \"E60\"", block.where));
+    }
+    std::string name;
+    assign(text_key("name", name, "", "Name of the case."), *entry);
+    const auto plain = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-' || c == '+' || c == '.'; };
+    if (name.size() > longest_name)
+        throw InputError(fmt::format("{}: name = {} is longer than the {} characters that the name of a case may have",
+                                     entry->where, to_text(entry->value), longest_name));
+    if (name.empty() || !std::ranges::all_of(name, plain)) {
+        throw InputError(fmt::format("{}: name = {} cannot name a case; allowed: letters, digits and any of _ - + .",
+                                     entry->where, text_literal(name)));
+    }
+    if (!taken.insert(name).second) {
+        throw InputError(fmt::format("{}: name = {} names an earlier case too; give each case its own name",
+                                     entry->where, text_literal(name)));
+    }
+    return name;
+}
+
+/// Whether the cases are the points of a design, written out: then they have a design.point.
+bool written_out(const std::vector<CaseBlock>& cases) {
+    return std::ranges::any_of(cases, [](const CaseBlock& one) {
+        return std::ranges::find(one.block.entries, "design.point", &Entry::path) != one.block.entries.end();
+    });
+}
+
+}  // namespace
+
+std::vector<CaseBlock> given_cases(const Document& document, const std::string& fallback, const std::string& file,
+                                   const Design& design) {
+    std::vector<CaseBlock> cases;
+    std::set<std::string> taken;
+    for (const Block& block : document.blocks) {
+        refuse_stranger(block);
+        if (block.path == case_block) cases.push_back({block, case_name(block, taken), cases.size()});
+    }
+    if (cases.empty()) cases.push_back({{case_block, file, {}}, design.active() ? "" : fallback});
+    return cases;
+}
+
+std::vector<CaseBlock> at_points(std::vector<CaseBlock> given, const Design& design, const Origins& axes,
+                                 std::uint64_t seed, const std::string& file) {
+    if (!design.active() || written_out(given)) return given;
+    const auto all = static_cast<std::int64_t>(given.size()) * point_count(design);
+    if (all > most_cases)
+        throw InputError(fmt::format("{}: {} at {} are {}; no more than {} are allowed", file,
+                                     counted(std::ssize(given), "case"), counted(point_count(design), "point"),
+                                     counted(all, "case"), most_cases));
+    const std::size_t values = static_cast<std::size_t>(all) * values_of_a_case(design);
+    if (values > most_axis_values)
+        throw InputError(
+            fmt::format("{}: {} of the design have {} values of its axes, more than the {} that can be "
+                        "held; take fewer points or fewer axes",
+                        file, counted(all, "case"), values, most_axis_values));
+    const std::vector<DesignPoint> points = design_points(design, seed);
+    std::vector<CaseBlock> cases;
+    for (const CaseBlock& one : given) {
+        for (const Entry& entry : one.block.entries) refuse_axis(entry, axes);
+        for (std::size_t p = 0; p < points.size(); ++p) {
+            CaseBlock& at_point = cases.emplace_back(one);
+            at_point.name = one.name.empty() ? points[p].name : one.name + "+" + points[p].name;
+            if (at_point.name.size() > longest_name)
+                throw InputError(
+                    fmt::format("{}: the name of the point {} is longer than {} characters; give the "
+                                "[[case]] a shorter one",
+                                file, at_point.name, longest_name));
+            at_point.base = one.name;
+            at_point.point = static_cast<int>(p);
+            for (std::size_t axis = 0; axis < design.axes.size(); ++axis) {
+                const std::string& key = design.axes[axis].key;
+                at_point.block.entries.push_back({key, points[p].values[axis], axes.at(key)});
+            }
+        }
+    }
+    return cases;
+}
+
+void refuse_members(std::size_t cases, int arrangements, const std::string& file) {
+    const auto members = static_cast<std::int64_t>(cases) * arrangements;
+    if (members > most_members)
+        throw InputError(
+            fmt::format("{}: {} with {} make {} members, more than the {} that a campaign can hold; take fewer of "
+                        "either, or run several campaigns",
+                        file, counted(static_cast<std::int64_t>(cases), "case"), counted(arrangements, "arrangement"),
+                        members, most_members));
+}
+
+void refuse_axis(const Entry& entry, const Origins& axes) {
+    const auto axis = axes.find(full_path(entry.path));
+    if (axis == axes.end()) return;
+    throw InputError(fmt::format("{}: {} = {} is hidden by the axis of the design at {}; keep one of them", entry.where,
+                                 entry.path, to_text(entry.value), axis->second));
+}
+
+void check_points(const Campaign& campaign, const std::string& file) {
+    std::set<std::string> names;
+    std::set<std::string> bases;
+    std::set<std::pair<std::string, int>> points;
+    const std::int64_t count = point_count(campaign.design);
+    for (const Case& one : campaign.cases) {
+        if (!campaign.design.active()) {
+            if (one.point < 0 && one.base.empty()) continue;
+            throw InputError(fmt::format(
+                "{}: the case {} is a point of a design, and there is no [design]; take its design.point away", file,
+                one.name));
+        }
+        const char* what = !names.insert(one.name).second ? "has the name of another point; rename a [[case]]"
+                           : one.point < 0                ? "has no design.point, and others have"
+                           : one.point >= count           ? "has a design.point beyond the design's last"
+                           : !points.emplace(one.base, one.point).second ? "has the design.point of an earlier case"
+                                                                         : nullptr;
+        if (what != nullptr) throw InputError(fmt::format("{}: the case {} {}", file, one.name, what));
+        bases.insert(one.base);
+    }
+    const std::size_t wanted = bases.size() * static_cast<std::size_t>(count);
+    if (points.size() < wanted)
+        throw InputError(
+            fmt::format("{}: {} of the {} points of the design have no case; take design.point away from the "
+                        "others too, and the design gives them all",
+                        file, wanted - points.size(), wanted));
+}
+
+namespace {
+
+constexpr std::string_view case_prefix = "case.";
+constexpr std::string_view axis_prefix = "design.axis.";
+
+bool is_case_path(const std::string& path) {
+    return path == "case" || path.starts_with(case_prefix);
+}
+
+class Reader {
+  public:
+    Reader(const CampaignSource& source, LoadFile load_file)
+        : source_(source),
+          document_(parse_document(source.text, source.file)),
+          poses_(source.file, load_file),
+          hull_(source.file, load_file),
+          outlines_(source.file, load_file) {
+        if (!source.from_user) base_ = paper_scenario();  // where it is silent
+        for (const std::string& text : source.overrides) overrides_.push_back(parse_override(text, "--set"));
+    }
+
+    Campaign read() {
+        read_tables();
+        axes_ = read_axes(document_.blocks, origins_, source_.file, design_);
+        refuse_hidden();
+        std::vector<CaseBlock> given = given_cases(document_, name_of_ice(), source_.file, design_);
+        find_case_overrides(given);
+        if (head_.name.empty()) head_.name = name_of_file();
+        Campaign campaign{.name = head_.name,
+                          .seed = head_.seed,
+                          .arrangements = head_.arrangements,
+                          .cases = {},
+                          .stop = stop_,
+                          .run = rules_,
+                          .design = design_,
+                          .common_arrangements = head_.common_arrangements};
+        const std::vector<CaseBlock> blocks = at_points(std::move(given), design_, axes_, head_.seed, source_.file);
+        refuse_members(blocks.size(), campaign.arrangements, source_.file);
+        Case one;
+        const Keys keys = describe(one);  // only once, because it takes longer than the rest of a case
+        HeldNumbers held(source_.file);
+        for (const CaseBlock& block : blocks) {
+            read_case(block, blocks.size() > 1, one, keys);
+            held.add(one.scenario);
+            campaign.cases.push_back(one);
+        }
+        effects_.refuse_without();
+        check_points(campaign, source_.file);
+        if (const auto fault = stop_quantity_fault(campaign))
+            throw InputError(
+                fmt::format("{}: {}", origins_.contains("stop.of") ? origins_.at("stop.of") : source_.file, *fault));
+        refuse_base_case(campaign);
+        // The campaign is stored and sent as this text, so one that could not be read again is refused at once.
+        if (source_.from_user) write_campaign(campaign, fmt::format("{}, with all keys written out", source_.file));
+        return campaign;
+    }
+
+  private:
+    /// The tables and the overrides that are not for one case.
+    void read_tables() {
+        Keys keys = describe(head_);
+        keys.reserve(150);
+        for (Key& key : describe(design_)) keys.push_back(std::move(key));
+        for (Key& key : describe(stop_)) keys.push_back(std::move(key));
+        for (Key& key : describe(rules_)) keys.push_back(std::move(key));
+        for (Key& key : describe(base_)) keys.push_back(std::move(key));
+        for (const Entry& entry : in_order_of_reading(keys, document_.entries)) {
+            if (is_case_path(entry.path)) {
+                throw InputError(
+                    fmt::format("{}: {} = {} is not in a case; begin each case with [[case]], in double brackets",
+                                entry.where, entry.path, to_text(entry.value)));
+            }
+            if (entry.path.starts_with(axis_prefix)) {
+                throw InputError(fmt::format(
+                    "{}: {} = {} is not in an axis; begin each axis with [[design.axis]], in double brackets",
+                    entry.where, entry.path, to_text(entry.value)));
+            }
+            set(keys, entry, origins_);
+        }
+        for (const Entry& entry : in_order_of_reading(keys, overrides_)) {
+            if (!is_case_path(entry.path)) set(keys, entry, origins_);
+        }
+        for (const Entry& entry : overrides_) {
+            const Key* key = find_key(keys, full_path(entry.path));
+            if (key != nullptr && !key->preset) overridden_.emplace_back(entry, exact_text(*key));
+        }
+    }
+
+    void refuse_base_case(const Campaign& campaign) const {
+        if (rules_.base_case.empty() || base_case(campaign)) return;
+        std::vector<std::string> names;
+        for (const Case& one : campaign.cases) names.push_back(one.name);
+        throw InputError(fmt::format("{}: run.base_case = {} names no case; the cases are {}",
+                                     origins_.at("run.base_case"), text_literal(rules_.base_case), name_list(names)));
+    }
+
+    void set(const Keys& keys, const Entry& entry, Origins& origins) const {
+        const std::string path = assign_known(keys, entry);
+        if (!path.empty()) origins[full_path(path)] = entry.where;
+    }
+
+    /// Refuses an override that would have no effect because a case or an axis sets the same key.
+    void refuse_hidden() const {
+        for (const Entry& entry : overrides_) {
+            if (is_case_path(entry.path)) continue;
+            refuse_axis(entry, axes_);
+            refuse_hidden(entry);
+        }
+    }
+
+    void refuse_hidden(const Entry& override_entry) const {
+        for (const Block& block : document_.blocks) {
+            if (block.path == axis_block) continue;
+            for (const Entry& entry : block.entries) {
+                if (full_path(entry.path) != override_entry.path) continue;
+                throw InputError(
+                    fmt::format("{}: the [[case]] at {} sets {} itself; override it there, --set case.NAME.{}={}",
+                                override_entry.where, block.where, override_entry.path, override_entry.path,
+                                to_text(override_entry.value)));
+            }
+        }
+    }
+
+    /// Refuses an override that a preset of the case would undo. `keys`: of the case, after all its entries are set.
+    void refuse_overruled(const Keys& keys, const CaseBlock& block) const {
+        for (const auto& [entry, wanted] : overridden_) {
+            const Key* here = find_key(keys, full_path(entry.path));
+            if (here == nullptr || exact_text(*here) == wanted) continue;
+            throw InputError(fmt::format(
+                "{}: the preset of case {} says {} = {}; override it there, --set case.{}.{}={}", entry.where,
+                block.name, entry.path, literal(*here), block.name, entry.path, to_text(entry.value)));
+        }
+    }
+
+    /// Which case the override "case.NAME.key" is for. Names may contain dots, so the longest that fits.
+    static const CaseBlock* target(const std::string& path, const std::vector<CaseBlock>& cases) {
+        const CaseBlock* best = nullptr;
+        for (const CaseBlock& one : cases) {
+            const bool fits = path.starts_with(fmt::format("{}{}.", case_prefix, one.name));
+            if (fits && (best == nullptr || one.name.size() > best->name.size())) best = &one;
+        }
+        return best;
+    }
+
+    InputError stranger(const Entry& entry, const std::vector<CaseBlock>& cases) const {
+        if (cases.front().name.empty())
+            return InputError(
+                fmt::format("{}: {} names no case; there are none but the points of the design, and what "
+                            "is for all of them needs no case",
+                            entry.where, entry.path));
+        std::vector<std::string> names;
+        for (const CaseBlock& one : cases) names.push_back(one.name);
+        return InputError(fmt::format("{}: {} names no case; the cases are {}, written case.{}.KEY", entry.where,
+                                      entry.path, name_list(names), names.front()));
+    }
+
+    void find_case_overrides(const std::vector<CaseBlock>& cases) {
+        for (Entry entry : overrides_) {
+            if (!is_case_path(entry.path)) continue;
+            const CaseBlock* one = target(entry.path, cases);
+            if (one == nullptr) throw stranger(entry, cases);
+            entry.path.erase(0, case_prefix.size() + one->name.size() + 1);
+            refuse_campaign_key(entry);
+            refuse_axis(entry, axes_);
+            if (entry.path == "name")
+                throw InputError(
+                    fmt::format("{}: a case cannot be renamed here; rename it in {}", entry.where, source_.file));
+            case_overrides_.emplace_back(one->given, std::move(entry));
+        }
+    }
+
+    /// Of the only case, if it has no name: from its E, or from its Σ where that decides E.
+    std::string name_of_ice() const {
+        if (pairing(base_, origins_) == Pairing::find_modulus) return fmt::format("cfm{:.6g}", base_.joint.cfm);
+        return fmt::format("E{:.6g}", base_.ice.elastic_modulus / unit::megapascal);
+    }
+
+    std::string name_of_file() const {
+        const std::string stem = std::filesystem::path(source_.file).stem().string();
+        if (is_utf8(stem)) return stem;
+        throw InputError(
+            "The name of the configuration file is not UTF-8, so it cannot name the campaign; give campaign.name.");
+    }
+
+    /// Reads a case into `one`, to which `keys` are bound. Messages name the case if it is `one_of_many`.
+    void read_case(const CaseBlock& block, bool one_of_many, Case& one, const Keys& keys) {
+        one = {block.name, base_};
+        Origins own;
+        for (const Entry& entry : in_order_of_reading(keys, block.block.entries)) {
+            refuse_campaign_key(entry);
+            if (own.contains(full_path(entry.path))) {
+                throw InputError(fmt::format("{}: {} is given twice in this [[case]]; keep one", entry.where,
+                                             full_path(entry.path)));
+            }
+            set(keys, entry, own);
+        }
+        refuse_overruled(keys, block);
+        std::vector<Entry> overrides;
+        for (const auto& [of_case, entry] : case_overrides_) {
+            if (of_case == block.given) overrides.push_back(entry);
+        }
+        for (const Entry& entry : in_order_of_reading(keys, std::move(overrides))) set(keys, entry, own);
+        one.name = block.name;
+        if (block.point >= 0) {
+            one.base = block.base;
+            one.point = block.point;
+        }
+        own.insert(origins_.begin(), origins_.end());  // what the case does not set comes from the tables
+        one.pairing = pairing(one.scenario, own);
+        if (source_.from_user) effects_.note(keys, own);
+        const std::string label = one_of_many ? fmt::format("case {}: ", one.name) : "";
+        const std::optional<PoseFile> file = poses_.resolve(one.scenario, own, label);
+        hull_.resolve(one.scenario, own, label);
+        outlines_.resolve(one.scenario, own, label);
+        refuse_contradictions(one.scenario, own, label);
+        if (source_.from_user) poses_.refuse_faults(one.scenario, file, own, label);
+    }
+
+    /// Of joints that follow Σ. Stored texts leave out what is to be found; where they have both, both are settled.
+    Pairing pairing(const Scenario& scenario, const Origins& own) const {
+        if (scenario.joint.model != JointModel::cfm) return Pairing::settled;
+        const bool modulus = own.contains("ice.elastic_modulus_MPa");
+        if (!own.contains("joint.cfm")) return source_.from_user || modulus ? Pairing::find_cfm : Pairing::settled;
+        if (!modulus) return Pairing::find_modulus;
+        return source_.from_user && !rules_.nominal_modulus ? Pairing::check : Pairing::settled;
+    }
+
+    static void refuse_campaign_key(const Entry& entry) {
+        const std::string table = entry.path.substr(0, entry.path.find('.'));
+        if (table != "campaign" && table != "stop") return;
+        throw InputError(fmt::format("{}: {} = {} is for all cases; write it in [{}]", entry.where, entry.path,
+                                     to_text(entry.value), table));
+    }
+
+    /// The message begins with the place of the first key involved that the text sets.
+    void refuse_contradictions(const Scenario& scenario, const Origins& origins, const std::string& label) const {
+        const std::vector<Contradiction> found = find_contradictions(scenario);
+        if (found.empty()) return;
+        const auto& keys = found.front().keys;
+        const auto set_key = std::ranges::find_if(keys, [&](const std::string& key) { return origins.contains(key); });
+        const std::string& where = set_key == keys.end() ? source_.file : origins.at(*set_key);
+        throw InputError(fmt::format("{}: {}{}", where, label, found.front().sentence));
+    }
+
+    const CampaignSource& source_;
+    Document document_;
+    std::vector<Entry> overrides_;
+    std::vector<std::pair<Entry, std::string>> overridden_;  ///< keys of a scenario, with the text that each then has
+    CampaignHead head_;
+    StopRule stop_;
+    RunRules rules_;
+    Scenario base_;
+    Design design_;
+    Origins origins_;
+    Origins axes_;                                               ///< where each axis of the design is given
+    std::vector<std::pair<std::size_t, Entry>> case_overrides_;  ///< for which [[case]], as if it stood there
+    GivenPoses poses_;
+    GivenHull hull_;
+    GivenOutlines outlines_;
+    KeyEffects effects_;
+};
+
+}  // namespace
+
+Campaign read_campaign(const CampaignSource& source, LoadFile load_file) {
+    return Reader(source, load_file).read();
+}
+
+}  // namespace floes

@@ -1,0 +1,128 @@
+#pragma once
+// Σ as a figure of a case.
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "campaign/campaign.hpp"
+#include "member/quantity.hpp"
+#include "store/stored_members.hpp"
+
+namespace floes {
+
+/// Σ of joints that follow it; NaN for beams, which have none.
+inline double followed_cfm(const Joint& joint) {
+    return joint.model == JointModel::cfm ? joint.cfm : std::numeric_limits<double>::quiet_NaN();
+}
+
+// What a campaign file says of its cases and members, as values. Every dataset, unit and attribute:
+// docs/campaign_file.md.
+
+enum class RowStatus : std::int8_t { missing = -1, done = 0, failed = 1 };
+
+/// A case as the file has it.
+struct CaseRow {
+    std::string name;
+    double cfm = 0;              ///< Σ; NaN where joints are beams
+    double elastic_modulus = 0;  ///< Pa
+    FarEnd far_end = FarEnd::ice_sheet;
+    ContactLaw contact;    ///< only its laws, Γ and crushing pressure; the pressure is the one in force
+    Shape shape;           ///< of the structure
+    Analysis analysis;     ///< when the load was measured; its levels are those of CampaignTable
+    double time_step = 0;  ///< Δt, s
+    Field field = {};
+    double field_length = 0;      ///< m; 0: unknown
+    Vec2 current = Vec2::Zero();  ///< along x and z, m/s
+    Wind wind = {};
+    Joint joint = {};
+
+    double window_steps() const { return analysis.window / time_step; }
+};
+
+/// A member as the file has it. Unless the member is done, its outputs are unmeasured().
+struct MemberRow : MemberOutputs {
+    int case_index = 0;   ///< row of CampaignTable::cases
+    int arrangement = 0;  ///< row of /arrangements; equal for members that began from the same floes
+    RowStatus status = RowStatus::missing;
+    std::string reason;               ///< of a failure
+    std::vector<double> steps_above;  ///< of each of CampaignTable::levels; NaN where the case does not count it
+    std::vector<double> upcrossings;  ///< likewise
+
+    bool done() const { return status == RowStatus::done; }
+    /// The quantity; NaN unless the member is done, counts too.
+    double value(const Quantity& quantity) const;
+    /// The load averaged over `time`, s; nullptr unless the member is done and took it.
+    const AveragedLoad* averaged_over(double time) const;
+};
+
+/// Puts `counts`, which belong to the levels `own`, to their places among `all` levels, which have them all.
+void set_levels(MemberRow& row, std::span<const double> all, std::span<const double> own,
+                std::span<const LevelCount> counts);
+
+/// What summaries need of a campaign file.
+struct CampaignTable {
+    std::string title;
+    std::vector<CaseRow> cases;
+    std::vector<MemberRow> members;            ///< in member order
+    std::vector<double> levels;                ///< N, rising: every level that some case counts steps above
+    std::vector<double> averaging_times = {};  ///< s, rising: every time that some case averages the load over
+
+    /// The list of quantities, with those of the averaged load.
+    std::vector<Quantity> quantities() const { return quantities_with(averaging_times); }
+};
+
+/// The number of the done member with the largest surge load in a step of its window, of those that `counts` takes;
+/// none where there is none.
+std::optional<int> member_with_largest_load(const CampaignTable& table,
+                                            const std::function<bool(const MemberRow&)>& counts);
+
+/// The table that read_campaign_file() gives after publish() of the same members.
+CampaignTable campaign_table(const Campaign& campaign, const StoredMembers& members);
+
+// The rows of /arrangements: cases that begin from the same floes share a row.
+
+/// Rows are ordered by arrangement number, then by sharing_groups().
+class ArrangementRows {
+  public:
+    explicit ArrangementRows(const Campaign& campaign);
+
+    int count() const { return groups_ * arrangements_; }
+    /// Rows of each arrangement number.
+    int groups() const { return groups_; }
+    int row(MemberKey member) const;
+    /// Arrangement number of a row.
+    int number(int row) const { return row / groups_; }
+
+  private:
+    std::vector<int> group_of_case_;
+    int groups_ = 0;
+    int arrangements_ = 0;
+};
+
+// Rows of members, made of their records one by one; member_rows.cpp has campaign_table() too. For this module only.
+
+class MemberRows {
+  public:
+    /// `campaign` must outlive the rows.
+    explicit MemberRows(const Campaign& campaign);
+
+    /// The campaign's table, without members.
+    const CampaignTable& table() const { return table_; }
+    const ArrangementRows& arrangements() const { return arrangements_; }
+    /// `record`: nullptr where there is none.
+    MemberRow row(std::size_t member, const MemberRecord* record) const;
+    MemberRow row(std::size_t member, RowStatus status, const MemberResult& result) const;
+
+  private:
+    const Campaign& campaign_;
+    CampaignTable table_;
+    ArrangementRows arrangements_;
+};
+
+}  // namespace floes

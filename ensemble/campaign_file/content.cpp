@@ -1,0 +1,645 @@
+// The arrays of members in a campaign file, by their list.
+
+#include "campaign_file/content.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <set>
+#include <string>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "campaign/write.hpp"
+#include "campaign_file/campaign_table.hpp"
+#include "hdf5/columns.hpp"
+
+namespace floes {
+
+namespace {
+
+std::vector<const ArrayAxis*> all_axes() {
+    std::vector<const ArrayAxis*> axes;
+    for (const ArrayOutput& array : array_outputs)
+        for (const ArrayAxis* axis : array.axes)
+            if (axis != nullptr && std::ranges::find(axes, axis) == axes.end()) axes.push_back(axis);
+    return axes;
+}
+
+std::vector<double> united(const std::vector<std::vector<double>>& of_cases) {
+    std::vector<double> all;
+    for (const std::vector<double>& own : of_cases) all.insert(all.end(), own.begin(), own.end());
+    std::ranges::sort(all);
+    all.erase(std::ranges::unique(all).begin(), all.end());
+    return all;
+}
+
+FiledAxis filed(const ArrayAxis& axis, const Campaign& campaign) {
+    FiledAxis filed;
+    if (axis.places == nullptr) return filed;
+    std::vector<std::vector<double>> of_cases;
+    for (const Case& one : campaign.cases) of_cases.push_back(axis.places(one.scenario));
+    for (const std::vector<double>& own : of_cases) filed.own_sizes.push_back(own.size());
+    if (axis.kind == AxisKind::placed) {
+        filed.places = united(of_cases);
+        for (const std::vector<double>& own : of_cases) {
+            std::vector<std::size_t>& positions = filed.positions.emplace_back();
+            for (const double place : own)
+                positions.push_back(
+                    static_cast<std::size_t>(std::ranges::lower_bound(filed.places, place) - filed.places.begin()));
+        }
+        return filed;
+    }
+    filed.places = *std::ranges::max_element(of_cases, {}, &std::vector<double>::size);
+    filed.alike = std::ranges::all_of(of_cases, [&](const std::vector<double>& own) {
+        return std::equal(own.begin(), own.end(), filed.places.begin());
+    });
+    return filed;
+}
+
+}  // namespace
+
+ArrayPlaces::ArrayPlaces(const Campaign& campaign) {
+    for (const ArrayAxis* axis : all_axes()) axes_.emplace(axis, filed(*axis, campaign));
+}
+
+std::vector<std::size_t> ArrayPlaces::own_sizes(const ArrayOutput& array, int case_index) const {
+    std::vector<std::size_t> sizes;
+    for (const ArrayAxis* one : array.axes) {
+        if (one == nullptr) break;
+        const std::vector<std::size_t>& of_cases = axis(*one).own_sizes;
+        sizes.push_back(of_cases.empty() ? 0 : of_cases.at(static_cast<std::size_t>(case_index)));
+    }
+    return sizes;
+}
+
+/// Calls use(index in own values, index in the row) for each value, in order.
+template <class Use>
+void ArrayPlaces::for_each_place(const ArrayOutput& array, int case_index, std::span<const std::size_t> own,
+                                 std::span<const std::size_t> sizes, const Use& use) const {
+    const auto position = [&](std::size_t k, std::size_t index) {
+        const auto& positions = axis(*array.axes[k]).positions;
+        return positions.empty() ? index : positions.at(static_cast<std::size_t>(case_index)).at(index);
+    };
+    std::size_t count = 1;
+    for (const std::size_t size : own) count *= size;
+    std::vector<std::size_t> index(own.size(), 0);
+    for (std::size_t value = 0; value < count; ++value) {
+        std::size_t place = 0;
+        bool inside = true;
+        for (std::size_t k = 0; k < own.size(); ++k) {
+            const std::size_t at = position(k, index[k]);
+            inside = inside && at < sizes[k];
+            place = place * sizes[k] + at;
+        }
+        if (inside) use(value, place);
+        for (std::size_t k = own.size(); k-- > 0 && ++index[k] == own[k];) index[k] = 0;
+    }
+}
+
+std::vector<double> ArrayPlaces::row(const ArrayOutput& array, int case_index, const ArrayValues& own,
+                                     std::span<const std::size_t> sizes) const {
+    std::size_t width = 1;
+    for (const std::size_t size : sizes) width *= size;
+    std::vector<double> row(width, std::numeric_limits<double>::quiet_NaN());
+    if (!own.empty())
+        for_each_place(array, case_index, own.sizes, sizes,
+                       [&](std::size_t value, std::size_t place) { row[place] = own.values[value]; });
+    return row;
+}
+
+ArrayValues ArrayPlaces::own(const ArrayOutput& array, int case_index, std::span<const double> row,
+                             std::span<const std::size_t> sizes) const {
+    ArrayValues own{own_sizes(array, case_index), {}};
+    for (std::size_t k = 0; k < own.sizes.size(); ++k)
+        if (array.axes[k]->kind == AxisKind::longest) own.sizes[k] = sizes[k];
+    std::size_t count = 1;
+    for (const std::size_t size : own.sizes) count *= size;
+    own.values.resize(count, std::numeric_limits<double>::quiet_NaN());
+    for_each_place(array, case_index, own.sizes, sizes,
+                   [&](std::size_t value, std::size_t place) { own.values[value] = row[place]; });
+    if (std::ranges::all_of(own.values, [](double value) { return std::isnan(value); })) own.values.clear();
+    return own;
+}
+
+namespace {
+
+using hdf5::Label;
+using hdf5::Scale;
+
+std::vector<std::int32_t> counted_to(std::size_t count) {
+    std::vector<std::int32_t> numbers(count);
+    std::iota(numbers.begin(), numbers.end(), 0);
+    return numbers;
+}
+
+Scale make_scale(hid_t file, const ArrayAxis& axis, const CampaignContent& content) {
+    const Label label{std::string(axis.key), std::string(axis.unit), std::string(axis.long_name)};
+    const FiledAxis& filed = content.places.axis(axis);
+    if (axis.places == nullptr) return hdf5::write_scale(file, label, counted_to(content.found(axis)));
+    if (!axis.words.empty())
+        return hdf5::write_scale(file, label, std::vector<std::string>(axis.words.begin(), axis.words.end()));
+    if (axis.whole_numbers) return hdf5::write_scale(file, label, counted_to(filed.places.size()));
+    if (filed.alike) return hdf5::write_scale(file, label, filed.places);
+    std::vector<double> numbers(filed.places.size());
+    std::iota(numbers.begin(), numbers.end(), 1.0);
+    return hdf5::write_scale(file, Label{std::string(axis.key), "1", std::string(axis.unlike)}, numbers);
+}
+
+template <class Use>
+void for_each_done(const CampaignContent& content, const Use& use) {
+    for (const std::optional<std::size_t>& record : content.records)
+        if (record && content.members.notes()[*record].done()) use(content.members.notes()[*record]);
+}
+
+}  // namespace
+
+CampaignContent::CampaignContent(const Campaign& of, const StoredMembers& all_members)
+    : campaign(of),
+      members(all_members),
+      records(match_records(of, all_members.notes())),
+      attempts(last_attempts(of, all_members.notes())),
+      rows(of),
+      places(of) {}
+
+std::size_t CampaignContent::found(const ArrayAxis& axis) const {
+    std::size_t most = 0;
+    std::size_t all = 0;
+    for_each_done(*this, [&](const MemberNote& note) {
+        const auto own = static_cast<std::size_t>(found_along(note, axis));
+        most = std::max(most, own);
+        all += own;
+    });
+    return axis.kind == AxisKind::listed ? all : most;
+}
+
+bool CampaignContent::has(const ArrayOutput& array) const {
+    return std::ranges::none_of(array.axes, [&](const ArrayAxis* axis) {
+        if (axis == nullptr) return false;
+        return ((axis->kind == AxisKind::placed || axis->kind == AxisKind::counted) &&
+                places.axis(*axis).places.empty()) ||
+               (axis->kind == AxisKind::longest && found(*axis) == 0);
+    });
+}
+
+CampaignScales::CampaignScales(hid_t file, const CampaignContent& content)
+    : member(hdf5::write_index_scale(file, "member", "member: arrangement number times cases plus case",
+                                     content.records.size())),
+      case_(hdf5::write_index_scale(file, "case", "case, a row of /cases", content.campaign.cases.size())),
+      arrangement(hdf5::write_index_scale(file, "arrangement", "arrangement, a row of /arrangements",
+                                          static_cast<std::size_t>(content.rows.arrangements().count()))),
+      profile_point(hdf5::write_index_scale(file, "profile_point", "point of the structure's profile, from below",
+                                            content.largest([](const Scenario& s) {
+                                                return std::max<std::size_t>(1, s.structure.shape.profile().size());
+                                            }))) {
+    for (const ArrayOutput& array : array_outputs) {
+        if (!array.in_file() || !content.has(array)) continue;
+        for (const ArrayAxis* axis : array.axes)
+            if (axis != nullptr && !axes_.contains(axis)) axes_.emplace(axis, make_scale(file, *axis, content));
+    }
+}
+
+namespace {
+
+struct Row {
+    std::int32_t case_index;
+    const CurvePoint* point;
+};
+
+std::vector<Row> calibration_rows(const CampaignContent& content, std::span<const CalibrationRecord> calibrations) {
+    std::vector<Row> rows;
+    const std::vector<const Calibration*> of_case = match_calibrations(content.campaign, calibrations);
+    for (std::size_t k = 0; k < of_case.size(); ++k) {
+        if (of_case[k] == nullptr) continue;
+        for (const CurvePoint& point : of_case[k]->curve) rows.push_back({static_cast<std::int32_t>(k), &point});
+    }
+    return rows;
+}
+
+}  // namespace
+
+void write_calibration(hid_t file, const CampaignContent& content, std::span<const CalibrationRecord> calibrations) {
+    const std::vector<Row> rows = calibration_rows(content, calibrations);
+    if (rows.empty()) return;
+    const hdf5::Scale scale =
+        hdf5::write_index_scale(file, "calibration_point", "plate test, a row of /calibration", rows.size());
+    const hdf5::Handle group = hdf5::create_group(file, "calibration");
+    const auto integers = [&](const char* name, const char* long_name, auto function) {
+        std::vector<std::int32_t> values;
+        for (const Row& row : rows) values.push_back(function(row));
+        hdf5::write_values(group.id(), {name, "1", long_name}, {scale}, values);
+    };
+    const auto reals = [&](const char* name, const char* unit, const char* long_name, double CurvePoint::*field) {
+        std::vector<double> values;
+        for (const Row& row : rows) values.push_back(row.point->*field);
+        hdf5::write_values(group.id(), {name, unit, long_name}, {scale}, values);
+    };
+    integers("case", "case that the test calibrated", [](const Row& row) { return row.case_index; });
+    reals("sheet", "m", "side of the square sheet", &CurvePoint::sheet);
+    reals("element", "m", "side of its elements", &CurvePoint::element);
+    reals("thickness", "m", "thickness of the sheet", &CurvePoint::thickness);
+    reals("time_step", "s", "time step", &CurvePoint::time_step);
+    reals("erp", "1", "error reduction parameter of the joints (Gamma)", &CurvePoint::erp);
+    integers("iterations", "iterations of the solver a step", [](const Row& row) { return row.point->iterations; });
+    reals("cfm", "1", "constraint force mixing of the joints (Sigma)", &CurvePoint::cfm);
+    reals("slope", "N m-1", "load over deflection at the centre", &CurvePoint::slope);
+    reals("elastic_modulus", "Pa", "elastic modulus shown, load on a patch", &CurvePoint::elastic_modulus);
+    reals("elastic_modulus_point", "Pa", "elastic modulus shown, as if the load were a point",
+          &CurvePoint::elastic_modulus_point);
+}
+
+namespace {
+
+using hdf5::Handle;
+
+template <class Value, class Function>
+std::vector<Value> of_cases(const CampaignContent& content, Function function) {
+    std::vector<Value> values;
+    for (const Case& one : content.campaign.cases) values.push_back(function(one.scenario));
+    return values;
+}
+
+/// A column each of the rows of the cases' shapes, filled up with NaN.
+void write_shapes(hid_t group, const CampaignContent& content, const CampaignScales& scales) {
+    const std::size_t points = scales.profile_point.size();
+    for (std::size_t column = 0; column < Shape::columns.size(); ++column) {
+        const auto& [name, unit, text, low, high] = Shape::columns[column];
+        std::vector<double> values(scales.case_.size() * points, nan);
+        for (std::size_t k = 0; k < content.table().cases.size(); ++k) {
+            const std::vector<std::vector<double>> rows = content.table().cases[k].shape.profile();
+            for (std::size_t p = 0; p < rows.size(); ++p) values[k * points + p] = rows[p][column];
+        }
+        hdf5::write_values(group, {fmt::format("profile_{}", name), std::string(unit), std::string(text)},
+                           {scales.case_, scales.profile_point}, values);
+    }
+}
+
+}  // namespace
+
+void write_cases(hid_t file, const CampaignContent& content, const CampaignScales& scales) {
+    const Handle group = hdf5::create_group(file, "cases");
+    const hid_t id = group.id();
+    const hdf5::Dimensions one{scales.case_};
+    std::vector<std::string> names;
+    for (const CaseRow& row : content.table().cases) names.push_back(row.name);
+    hdf5::write_values(id, {"name", "1", "name of the case"}, one, names);
+    hdf5::write_values(id, {"hull", "1", "shape of the structure, in words"}, one,
+                       of_cases<std::string>(content, [](const Scenario& s) { return s.structure.shape.words(); }));
+    hdf5::write_values(id, {"parts", "1", "parts of the structure in the order of /parts, divided by commas"}, one,
+                       of_cases<std::string>(content, [](const Scenario& s) {
+                           return fmt::format("{}", fmt::join(s.structure.shape.parts(), ","));
+                       }));
+    const auto real = [&](const char* name, const char* unit, const char* long_name, auto function) {
+        hdf5::write_values(id, {name, unit, long_name}, one, of_cases<double>(content, function));
+    };
+    real("cfm", "1", "constraint force mixing of the joints (Sigma); NaN for beam joints",
+         [](const Scenario& s) { return followed_cfm(s.joint); });
+    real("elastic_modulus", "Pa", "elastic modulus that the case stands for",
+         [](const Scenario& s) { return s.ice.elastic_modulus; });
+    real("contact_erp", "1", "error reduction parameter of contacts (Gamma)",
+         [](const Scenario& s) { return s.contact.erp; });
+    real("crushing_pressure", "Pa", "pressure at which edges crush, where they do",
+         [](const Scenario& s) { return s.contact_law().crushing_pressure; });
+    const auto choice = [&](const char* name, const char* long_name, const std::string& words, auto function) {
+        const auto number = [&](const Scenario& s) { return static_cast<std::int8_t>(function(s)); };
+        std::vector<std::int8_t> values(1 + static_cast<std::size_t>(std::ranges::count(words, ' ')));
+        std::iota(values.begin(), values.end(), std::int8_t{0});
+        hdf5::write_values(id, {name, "1", long_name}, one, of_cases<std::int8_t>(content, number),
+                           hdf5::Flags{values, words});
+    };
+    choice("friction", "where friction points", fmt::format("{}", fmt::join(friction_words, " ")),
+           [](const Scenario& s) { return s.contact.friction; });
+    choice("contact_law", "what bounds the force along the normal", fmt::format("{}", fmt::join(normal_law_words, " ")),
+           [](const Scenario& s) { return s.contact.normal; });
+    choice("internal_edges", "whether edges inside a body act", "do_not_act act",
+           [](const Scenario& s) { return s.contact.internal_edges; });
+    real("time_step", "s", "time step", [](const Scenario& s) { return s.general.time_step; });
+    real("steady_start", "s", "begin of the analysis window",
+         [](const Scenario& s) { return s.analysis.steady_start; });
+    real("window", "s", "length of the analysis window", [](const Scenario& s) { return s.analysis.window; });
+    real("peak_separation", "s", "time between peaks of the averaged load that count as two",
+         [](const Scenario& s) { return s.analysis.peak_separation; });
+    hdf5::write_values(id, {"segments", "1", "equal parts of the analysis window"}, one,
+                       of_cases<std::int32_t>(content, [](const Scenario& s) { return s.analysis.segments; }));
+    hdf5::write_values(id, {"history_stride", "1", "successive steps whose mean is one value of /history"}, one,
+                       of_cases<std::int32_t>(content, [](const Scenario& s) { return s.analysis.history_stride; }));
+    choice("far_end", "what stands behind the ice field", "ice_sheet open never",
+           [](const Scenario& s) { return s.field.far_end; });
+    write_shapes(id, content, scales);
+}
+
+void add_members(hid_t id, const CampaignScales& scales, MemberTables& tables) {
+    const hdf5::Dimensions member{scales.member};
+    const auto integers = [&](const char* name, const char* long_name, auto of) {
+        tables.add_numbers<std::int32_t>(id, {name, "1", long_name}, member, std::nullopt, of);
+    };
+    const auto flags = [&](const char* name, const char* long_name, const hdf5::Flags& meanings, auto of) {
+        tables.add_numbers<std::int8_t>(id, {name, "1", long_name}, member, meanings, of);
+    };
+    integers("case", "case of the member, a row of /cases", [](const FiledMember& m) { return m.row.case_index; });
+    integers("arrangement", "arrangement of the member, a row of /arrangements",
+             [](const FiledMember& m) { return m.row.arrangement; });
+    flags("status", "whether the member was computed", hdf5::Flags{{-1, 0, 1}, "missing done failed"},
+          [](const FiledMember& m) { return static_cast<std::int8_t>(m.row.status); });
+    // Counts are doubles too, so that every reader sees NaN where there is none.
+    for (const Quantity& one : quantities)
+        tables.add_numbers<double>(id, {std::string{one.key.view()}, std::string{one.unit}, std::string{one.long_name}},
+                                   member, nan, [&one](const FiledMember& m) { return m.row.value(one); });
+    flags("steady", "whether the trend of the surge load does not differ from zero",
+          hdf5::Flags{{0, 1}, "not_steady steady", -1},
+          [](const FiledMember& m) { return static_cast<std::int8_t>(m.row.done() ? m.row.load.steady : -1); });
+    tables.add_texts(id, {"reason", "1", "why the member failed; empty unless it did"}, member,
+                     [](const FiledMember& m) { return m.row.reason; });
+}
+
+void add_arrangement_numbers(hid_t group, const CampaignContent& content, const CampaignScales& scales,
+                             MemberTables& tables) {
+    // Members come in the order of their arrangements, so each row begins where its number is first seen.
+    struct Numbers {
+        hdf5::Column<std::int32_t> column;
+        int rows = 0;
+        void finish() { column.finish(); }
+    };
+    const ArrangementRows& rows = content.rows.arrangements();
+    auto numbers =
+        std::make_shared<Numbers>(Numbers{{group, {"number", "1", "arrangement number"}, {scales.arrangement}}});
+    tables.add(numbers, [&rows](Numbers& all, const FiledMember& member) {
+        for (const int last = rows.number(member.row.arrangement) * rows.groups() + rows.groups(); all.rows < last;
+             ++all.rows)
+            all.column.add(rows.number(all.rows));
+    });
+}
+
+namespace {
+
+using hdf5::Handle;
+using hdf5::Scale;
+
+// Not the root's scale: a scale refers to what it is attached to, and comparing two files follows the reference.
+void add_members(hid_t group, const CampaignContent& content, MemberTables& tables) {
+    const Scale member = hdf5::write_index_scale(group, "member", "member", content.records.size());
+    const hdf5::Dimensions one{member};
+    const auto reals = [&](const char* name, const char* unit, const char* long_name, auto of) {
+        tables.add_numbers<double>(group, {name, unit, long_name}, one, nan, [of](const FiledMember& m) {
+            return m.record != nullptr ? static_cast<double>(of(*m.record)) : nan;
+        });
+    };
+    reals("wall_time", "s", "wall time of the member", [](const MemberRecord& r) { return r.result.wall_time; });
+    reals("cpu_time", "s", "processor time of the member", [](const MemberRecord& r) { return r.result.cpu_time; });
+    reals("peak_memory", "byte", "largest resident set of the process by the member's end",
+          [](const MemberRecord& r) { return r.peak_memory; });
+    tables.add_numbers<std::int32_t>(group, {"rank", "1", "rank that computed the member"}, one, std::int32_t{-1},
+                                     [](const FiledMember& m) { return m.record != nullptr ? m.record->rank : -1; });
+    tables.add_texts(group, {"host", "1", "host that computed the member"}, one,
+                     [](const FiledMember& m) { return m.record != nullptr ? m.record->host : ""; });
+    tables.add_numbers<std::int32_t>(group, {"attempts", "1", "attempts at the member"}, one, std::nullopt,
+                                     [&content](const FiledMember& m) { return content.attempts[m.number]; });
+}
+
+void write_sessions(hid_t group, std::span<const Session> sessions) {
+    const Scale scale =
+        hdf5::write_index_scale(group, "session", "start of the program on the campaign", sessions.size());
+    const auto texts = [&](const char* name, const char* long_name, auto function) {
+        std::vector<std::string> values;
+        for (const Session& session : sessions) values.push_back(function(session));
+        hdf5::write_values(group, {name, "1", long_name}, {scale}, values);
+    };
+    const auto counts = [&](const char* name, const char* long_name, int Session::*field) {
+        std::vector<std::int32_t> values;
+        for (const Session& session : sessions) values.push_back(session.*field);
+        hdf5::write_values(group, {name, "1", long_name}, {scale}, values);
+    };
+    texts("session_started", "begin of the session, UTC", [](const Session& s) { return s.started; });
+    texts("session_ended", "end of the session, UTC; empty when killed or at work",
+          [](const Session& s) { return s.ended; });
+    texts("session_outcome", "how the session ended", [](const Session& s) { return s.outcome; });
+    texts("session_host", "host of rank 0", [](const Session& s) { return s.host; });
+    texts("session_machine", "system and processor of rank 0", [](const Session& s) { return s.machine; });
+    texts("session_job", "batch job", [](const Session& s) { return s.job; });
+    texts("session_software", "software and versions", [](const Session& s) {
+        std::string text;
+        for (const Software& software : s.software)
+            text += fmt::format("{}{} {}", text.empty() ? "" : "; ", software.name, software.version);
+        return text;
+    });
+    counts("session_ranks", "ranks of the session", &Session::ranks);
+    counts("session_threads", "threads over all ranks of the session", &Session::threads);
+    counts("session_reused", "members that had their result, or stood aside, before the session", &Session::reused);
+    counts("session_retried", "members that failed or were lost before and were tried again", &Session::retried);
+    counts("session_computed", "members done in the session", &Session::computed);
+    counts("session_set_aside", "members given up in the session", &Session::set_aside);
+}
+
+std::string lower_case(std::string text) {
+    for (char& letter : text)
+        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+    return text;
+}
+
+}  // namespace
+
+void add_provenance(hid_t file, const CampaignContent& content, std::span<const Session> sessions,
+                    MemberTables& tables) {
+    const Handle group = hdf5::create_group(file, "provenance");
+    const hid_t id = group.id();
+    hdf5::write_attribute(id, "date", utc_now());
+    hdf5::write_attribute(id, "seed", content.campaign.seed);
+    if (!sessions.empty()) {
+        hdf5::write_attribute(id, "machine", sessions.back().machine);
+        for (const Software& software : sessions.back().software)
+            hdf5::write_attribute(id, lower_case(software.name), software.version);
+    }
+    hdf5::write_text(id, {"configuration", "1", "resolved configuration, TOML"}, write_campaign(content.campaign));
+    add_members(id, content, tables);
+    write_sessions(id, sessions);
+}
+
+namespace {
+
+/// An array that lies in a row for each member.
+class MemberArray {
+  public:
+    MemberArray(hid_t group, const ArrayOutput& array, const CampaignContent& content, const hdf5::Label& label,
+                const hdf5::Scale& member, const hdf5::Dimensions& axes)
+        : array_(array), number_(array_number(array.path)), places_(content.places) {
+        for (const hdf5::Scale& one : axes) sizes_.push_back(one.size());
+        if (array.chunks == ArrayChunks::of_its_own) {
+            rows_.emplace(group, label, member, axes);
+        } else {
+            hdf5::Dimensions all{member};
+            all.insert(all.end(), axes.begin(), axes.end());
+            column_.emplace(group, label, all, nan);
+        }
+    }
+
+    void write(const FiledMember& member) {
+        const PackedArray packed = member.row.done() ? member.record->array(number_) : PackedArray{};
+        if (rows_ && packed.empty()) return;
+        if (rows_ && packed.sizes == sizes_) return rows_->write(member.number, packed.numbers);
+        const std::vector<double> row = places_.row(array_, member.row.case_index, unpack(packed), sizes_);
+        if (rows_) return rows_->write(member.number, row);
+        column_->add(row);
+    }
+
+    void finish() {
+        if (rows_) rows_->finish();
+        if (column_) column_->finish();
+    }
+
+  private:
+    const ArrayOutput& array_;
+    std::size_t number_;
+    const ArrayPlaces& places_;
+    std::vector<std::size_t> sizes_;
+    std::optional<hdf5::Rows> rows_;
+    std::optional<hdf5::Column<double>> column_;
+};
+
+/// An array that is the same in all members of an arrangement: they come one after another.
+class ArrangementArray {
+  public:
+    ArrangementArray(hid_t group, const ArrayOutput& array, const CampaignContent& content, const hdf5::Label& label,
+                     const hdf5::Scale& arrangement, const hdf5::Dimensions& axes)
+        : array_(array),
+          number_(array_number(array.path)),
+          places_(content.places),
+          rows_(content.rows.arrangements()),
+          column_(group, label, with(arrangement, axes), nan) {
+        for (const hdf5::Scale& one : axes) {
+            sizes_.push_back(one.size());
+            width_ *= one.size();
+        }
+        begin(0);
+    }
+
+    void write(const FiledMember& member) {
+        const int row = member.row.arrangement;
+        if (rows_.number(row) != rows_.number(first_)) {
+            column_.add(values_);
+            begin(row - row % rows_.groups());
+        }
+        if (member.record == nullptr || member.record->array(poses_).empty()) return;
+        const ArrayValues own = unpack(member.record->array(number_));
+        const std::vector<double> placed = places_.row(array_, member.row.case_index, own, sizes_);
+        std::ranges::copy(
+            placed, values_.begin() + static_cast<std::ptrdiff_t>(width_ * static_cast<std::size_t>(row - first_)));
+    }
+
+    void finish() {
+        column_.add(values_);
+        column_.finish();
+    }
+
+  private:
+    static hdf5::Dimensions with(const hdf5::Scale& first, const hdf5::Dimensions& others) {
+        hdf5::Dimensions all{first};
+        all.insert(all.end(), others.begin(), others.end());
+        return all;
+    }
+
+    void begin(int row) {
+        first_ = row;
+        values_.assign(static_cast<std::size_t>(rows_.groups()) * width_, nan);
+    }
+
+    static constexpr std::size_t poses_ = array_number("arrangements/pose");
+
+    const ArrayOutput& array_;
+    std::size_t number_;
+    const ArrayPlaces& places_;
+    const ArrangementRows& rows_;
+    std::vector<std::size_t> sizes_;
+    std::size_t width_ = 1;
+    hdf5::Column<double> column_;
+    int first_ = 0;  ///< row of the present arrangement number
+    std::vector<double> values_;
+};
+
+/// An array of which a member has any number of values, listed one member after another.
+template <class Value>
+class ListedArray {
+  public:
+    template <class Missing>
+    ListedArray(hid_t group, const ArrayOutput& array, const hdf5::Label& label, const hdf5::Scale& axis,
+                const Missing& missing)
+        : number_(array_number(array.path)), column_(group, label, {axis}, missing) {}
+
+    void write(const FiledMember& member) {
+        if (!member.row.done()) return;
+        for (const double value : unpack(member.record->array(number_)).values) column_.add(static_cast<Value>(value));
+    }
+
+    void finish() { column_.finish(); }
+
+  private:
+    std::size_t number_;
+    hdf5::Column<Value> column_;
+};
+
+/// To which member each row of a list belongs.
+class ListOwners {
+  public:
+    ListOwners(hid_t group, const ArrayAxis& axis, const hdf5::Scale& scale)
+        : axis_(axis), column_(group, {"member", "1", std::string(axis.owner)}, {scale}) {}
+
+    void write(const FiledMember& member, const CampaignContent& content) {
+        if (!member.row.done()) return;
+        const MemberNote& note = content.members.notes()[*content.records[member.number]];
+        for (int k = 0; k < found_along(note, axis_); ++k) column_.add(static_cast<std::int32_t>(member.number));
+    }
+
+    void finish() { column_.finish(); }
+
+  private:
+    const ArrayAxis& axis_;
+    hdf5::Column<std::int32_t> column_;
+};
+
+void add_listed(hid_t group, const ArrayOutput& array, const hdf5::Label& label, const hdf5::Scale& scale,
+                MemberTables& tables) {
+    const auto add = [&]<class Value>(Value, const auto& missing) {
+        tables.add(std::make_shared<ListedArray<Value>>(group, array, label, scale, missing),
+                   [](ListedArray<Value>& list, const FiledMember& member) { list.write(member); });
+    };
+    switch (array.numbers) {
+        case ArrayNumbers::real:
+            return add(double{}, nan);
+        case ArrayNumbers::index:
+            return add(std::int32_t{}, std::optional<std::int32_t>{});
+        case ArrayNumbers::flag:
+            return add(std::int8_t{}, hdf5::flags_of(array.words));
+    }
+}
+
+}  // namespace
+
+void add_arrays(hid_t group, std::string_view name, const CampaignContent& content, const CampaignScales& scales,
+                MemberTables& tables) {
+    std::set<const ArrayAxis*> owned;
+    for (const ArrayOutput& array : array_outputs) {
+        if (array.group() != name || !content.has(array)) continue;
+        const hdf5::Label label{std::string(array.name()), std::string(array.unit), std::string(array.long_name)};
+        hdf5::Dimensions axes;
+        for (const ArrayAxis* axis : array.axes)
+            if (axis != nullptr) axes.push_back(scales.along(*axis));
+        if (const ArrayAxis* listed = array.axis_of(AxisKind::listed)) {
+            const hdf5::Scale& scale = scales.along(*listed);
+            if (owned.insert(listed).second)
+                tables.add(
+                    std::make_shared<ListOwners>(group, *listed, scale),
+                    [&content](ListOwners& owners, const FiledMember& member) { owners.write(member, content); });
+            add_listed(group, array, label, scale, tables);
+        } else if (array.of_arrangement) {
+            tables.add(std::make_shared<ArrangementArray>(group, array, content, label, scales.arrangement, axes),
+                       [](ArrangementArray& one, const FiledMember& member) { one.write(member); });
+        } else {
+            tables.add(std::make_shared<MemberArray>(group, array, content, label, scales.member, axes),
+                       [](MemberArray& one, const FiledMember& member) { one.write(member); });
+        }
+    }
+}
+
+}  // namespace floes

@@ -1,0 +1,182 @@
+#pragma once
+// Where the values of a member's arrays lie in the rows of a campaign file, which are as wide as all cases together
+// need. For this module only.
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "campaign/campaign.hpp"
+#include "campaign_file/campaign_table.hpp"
+#include "hdf5/columns.hpp"
+#include "hdf5/write.hpp"
+#include "member/array_output.hpp"
+#include "store/member_record.hpp"
+#include "store/session.hpp"
+
+namespace floes {
+
+/// An axis in a file.
+struct FiledAxis {
+    std::vector<double> places;                       ///< none of axes that members find
+    std::vector<std::size_t> own_sizes;               ///< by case; likewise
+    std::vector<std::vector<std::size_t>> positions;  ///< by case: of its own places; empty: they are the first ones
+    bool alike = true;                                ///< the places of each case are the first ones
+};
+
+class ArrayPlaces {
+  public:
+    explicit ArrayPlaces(const Campaign& campaign);
+
+    const FiledAxis& axis(const ArrayAxis& axis) const { return axes_.at(&axis); }
+
+    /// Sizes of the array in a member of the case; 0 along the axes that members find.
+    std::vector<std::size_t> own_sizes(const ArrayOutput& array, int case_index) const;
+
+    /// The member's values in a row of these sizes, NaN elsewhere.
+    std::vector<double> row(const ArrayOutput& array, int case_index, const ArrayValues& own,
+                            std::span<const std::size_t> sizes) const;
+
+    /// The way back. Where all are NaN, the member does not have the array.
+    ArrayValues own(const ArrayOutput& array, int case_index, std::span<const double> row,
+                    std::span<const std::size_t> sizes) const;
+
+  private:
+    template <class Use>
+    void for_each_place(const ArrayOutput& array, int case_index, std::span<const std::size_t> own,
+                        std::span<const std::size_t> sizes, const Use& use) const;
+
+    std::map<const ArrayAxis*, FiledAxis> axes_;
+};
+
+// What of a campaign file has to do with single members: datasets that take one member after another, so that only one
+// record is in memory at a time. For this module only.
+
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// A member on its way into the file.
+struct FiledMember {
+    std::size_t number = 0;
+    const MemberRecord* record = nullptr;  ///< nullptr where there is none
+    const MemberRow& row;
+
+    /// The result of a done member, else nullptr: of a failed one nothing stands in the file but that it failed.
+    const MemberResult* done() const { return row.done() ? &record->result : nullptr; }
+};
+
+class MemberTables {
+  public:
+    /// A table with a finish(), and what it takes: write(table, member) is called for each member, in member order.
+    template <class Table, class Write>
+    void add(std::shared_ptr<Table> table, Write write) {
+        tables_.push_back(
+            {[table, write](const FiledMember& member) { write(*table, member); }, [table] { table->finish(); }});
+    }
+
+    /// A dataset of numbers: of(member) is a value, or a row of them. `missing`: a value, or flags.
+    template <class Value, class Missing, class Function>
+    void add_numbers(hid_t group, const hdf5::Label& label, const hdf5::Dimensions& dimensions, const Missing& missing,
+                     Function of) {
+        add(std::make_shared<hdf5::Column<Value>>(group, label, dimensions, missing),
+            [of](hdf5::Column<Value>& column, const FiledMember& member) { column.add(of(member)); });
+    }
+
+    /// A dataset of texts.
+    template <class Function>
+    void add_texts(hid_t group, const hdf5::Label& label, const hdf5::Dimensions& dimensions, Function of) {
+        add(std::make_shared<hdf5::TextColumn>(group, label, dimensions),
+            [of](hdf5::TextColumn& column, const FiledMember& member) { column.add(of(member)); });
+    }
+
+    void write(const FiledMember& member) const {
+        for (const Table& table : tables_) table.write(member);
+    }
+
+    /// After the last member.
+    void finish() const {
+        for (const Table& table : tables_) table.finish();
+    }
+
+  private:
+    struct Table {
+        std::function<void(const FiledMember&)> write;
+        std::function<void()> finish;
+    };
+    std::vector<Table> tables_;
+};
+
+// What the parts of a campaign file are made of, and the functions that write them. For this module only.
+
+struct CampaignContent {
+    CampaignContent(const Campaign& of, const StoredMembers& all_members);
+
+    const Campaign& campaign;
+    const StoredMembers& members;
+    std::vector<std::optional<std::size_t>> records;  ///< by member: number of its record; none where there is none
+    std::vector<int> attempts;                        ///< by member
+    MemberRows rows;
+    ArrayPlaces places;
+
+    const CampaignTable& table() const { return rows.table(); }
+    /// Of an axis that members find: how far it goes in the file.
+    std::size_t found(const ArrayAxis& axis) const;
+    /// Whether the file has the array: none of its axes is without places.
+    bool has(const ArrayOutput& array) const;
+    /// The largest of a count over the cases' scenarios.
+    template <class Function>
+    std::size_t largest(Function function) const {
+        std::size_t value = 0;
+        for (const Case& one : campaign.cases)
+            value = std::max(value, static_cast<std::size_t>(function(one.scenario)));
+        return value;
+    }
+};
+
+/// The dimensions at the root: only there do netCDF readers find them from every group.
+class CampaignScales {
+  public:
+    CampaignScales(hid_t file, const CampaignContent& content);
+
+    const hdf5::Scale& along(const ArrayAxis& axis) const { return axes_.at(&axis); }
+
+    hdf5::Scale member;
+    hdf5::Scale case_;
+    hdf5::Scale arrangement;
+    hdf5::Scale profile_point;
+
+  private:
+    std::map<const ArrayAxis*, hdf5::Scale> axes_;
+};
+
+// These make datasets that are filled as `tables` get one member after another.
+
+/// Quantities and states, a row for each member.
+void add_members(hid_t group, const CampaignScales& scales, MemberTables& tables);
+/// Those arrays of members that lie in the group of that name.
+void add_arrays(hid_t group, std::string_view name, const CampaignContent& content, const CampaignScales& scales,
+                MemberTables& tables);
+/// The number of each arrangement.
+void add_arrangement_numbers(hid_t group, const CampaignContent& content, const CampaignScales& scales,
+                             MemberTables& tables);
+/// /provenance, with all that is not of members.
+void add_provenance(hid_t file, const CampaignContent& content, std::span<const Session> sessions,
+                    MemberTables& tables);
+
+// These write what is not of members.
+
+void write_cases(hid_t file, const CampaignContent& content, const CampaignScales& scales);
+/// Nothing where no case was calibrated.
+void write_calibration(hid_t file, const CampaignContent& content, std::span<const CalibrationRecord> calibrations);
+
+}  // namespace floes

@@ -1,0 +1,280 @@
+#include "campaign_file/read.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "campaign_file/campaign_table.hpp"
+#include "core/error.hpp"
+#include "hdf5/columns.hpp"
+#include "member/member_outputs.hpp"
+#include "statistics/load_statistics.hpp"
+
+namespace floes {
+
+ArrayReader::ArrayReader(const CampaignFile& file, const ArrayOutput& array, const ArrayPlaces& places)
+    : array_(&array), places_(&places) {
+    const std::string name(array.path);
+    if (!hdf5::exists(file.id(), name)) return;
+    rows_.emplace(file.id(), name);
+    std::size_t known = 1;
+    for (const ArrayAxis* axis : array.axes)
+        if (axis != nullptr && axis->kind != AxisKind::longest) known *= places.axis(*axis).places.size();
+    for (const ArrayAxis* axis : array.axes) {
+        if (axis == nullptr) break;
+        const bool longest = axis->kind == AxisKind::longest;
+        sizes_.push_back(longest ? rows_->width() / std::max<std::size_t>(known, 1) : places.axis(*axis).places.size());
+    }
+    std::size_t width = 1;
+    for (const std::size_t size : sizes_) width *= size;
+    hdf5::check_count(file.id(), name, rows_->width(), width);
+}
+
+ArrayValues ArrayReader::read(std::size_t row, int case_index) {
+    if (!rows_) return {std::vector<std::size_t>(2, 0), {}};
+    return places_->own(*array_, case_index, rows_->read(row), sizes_);
+}
+
+std::vector<ArrayReader> array_readers(const CampaignFile& file, std::string_view group_or_path,
+                                       const ArrayPlaces& places) {
+    std::vector<ArrayReader> readers;
+    for (const ArrayOutput& array : array_outputs)
+        if (array.path == group_or_path || array.group() == group_or_path) readers.emplace_back(file, array, places);
+    return readers;
+}
+
+std::vector<RowStatus> read_states(const CampaignFile& file) {
+    const auto count = static_cast<std::size_t>(member_count(file.campaign()));
+    const auto values = hdf5::read_numbers<std::int8_t>(file.id(), "members/status", count, -1, 1);
+    std::vector<RowStatus> states;
+    for (const std::int8_t value : values) states.push_back(static_cast<RowStatus>(value));
+    return states;
+}
+
+namespace {
+
+constexpr auto last_mode = static_cast<std::int8_t>(std::size(failure_mode_names) - 1);
+
+constexpr const char* told_facts[]{"date",  "floes", "git_revision", "machine", "compiler", "compiler_flags", "bullet",
+                                   "eigen", "hdf5",  "tbb",          "boost",   "mpi",      "math_library",   "seed"};
+
+std::string fact(hid_t group, const char* name) {
+    const hdf5::Handle attribute(hdf5::check_read(H5Aopen(group, name, H5P_DEFAULT), group, name), H5Aclose, "H5Aopen",
+                                 name);
+    const hdf5::Handle type(H5Aget_type(attribute.id()), H5Tclose, "H5Aget_type", name);
+    if (H5Tget_class(type.id()) == H5T_STRING) return hdf5::read_text_attribute(group, name);
+    if (H5Aget_storage_size(attribute.id()) != sizeof(std::uint64_t))
+        hdf5::refuse_damaged(group, fmt::format("the attribute {} is no single number", name));
+    std::uint64_t number = 0;
+    hdf5::check_read(H5Aread(attribute.id(), hdf5::native_type<std::uint64_t>(), &number), group, name);
+    return std::to_string(number);
+}
+
+}  // namespace
+
+CampaignOrigin read_origin(const CampaignFile& file) {
+    const hdf5::QuietErrors quiet;
+    const hdf5::Handle group(
+        hdf5::check_read(H5Gopen2(file.id(), "provenance", H5P_DEFAULT), file.id(), "the group provenance"), H5Gclose,
+        "H5Gopen", "provenance");
+    CampaignOrigin origin;
+    origin.configuration = hdf5::read_text(file.id(), "provenance/configuration");
+    for (const char* name : told_facts) {
+        if (hdf5::has_attribute(group.id(), name)) origin.facts.emplace_back(name, fact(group.id(), name));
+    }
+    return origin;
+}
+
+std::vector<PlanarPose> read_poses(const CampaignFile& file, int member) {
+    const hdf5::QuietErrors quiet;
+    const ArrayPlaces places(file.campaign());
+    const MemberKey key = member_key(file.campaign(), member);
+    MemberResult result;
+    ArrayReader(file, array_output("arrangements/pose"), places)
+        .read(static_cast<std::size_t>(ArrangementRows(file.campaign()).row(key)), key.case_index, result);
+    return result.arrangement;
+}
+
+std::vector<double> read_wall_times(const CampaignFile& file) {
+    const hdf5::QuietErrors quiet;
+    return hdf5::read_values<double>(file.id(), "provenance/wall_time");
+}
+
+std::vector<BreakRow> read_breaks(const CampaignFile& file) {
+    const hdf5::QuietErrors quiet;
+    const auto member = hdf5::read_values<std::int32_t>(file.id(), "breaks/member");
+    const auto time = hdf5::read_column<double>(file.id(), "breaks/time", member.size());
+    const auto floe = hdf5::read_column<std::int32_t>(file.id(), "breaks/floe", member.size());
+    const auto joint = hdf5::read_column<std::int32_t>(file.id(), "breaks/joint", member.size());
+    const auto mode = hdf5::read_numbers<std::int8_t>(file.id(), "breaks/mode", member.size(), 0, last_mode);
+    std::vector<BreakRow> rows;
+    for (std::size_t i = 0; i < member.size(); ++i)
+        rows.push_back({member[i], time.at(i), floe.at(i), joint.at(i), mode.at(i)});
+    return rows;
+}
+
+std::vector<PieceRow> read_pieces(const CampaignFile& file) {
+    const hdf5::QuietErrors quiet;
+    if (!hdf5::exists(file.id(), "pieces")) return {};
+    const auto member = hdf5::read_values<std::int32_t>(file.id(), "pieces/member");
+    const auto floe = hdf5::read_column<std::int32_t>(file.id(), "pieces/floe", member.size());
+    const auto area = hdf5::read_column<double>(file.id(), "pieces/area", member.size());
+    std::vector<PieceRow> rows;
+    for (std::size_t i = 0; i < member.size(); ++i) rows.push_back({member[i], floe.at(i), area.at(i)});
+    return rows;
+}
+
+namespace {
+
+/// Of the members that `wanted` takes.
+void for_histories(const CampaignFile& file, const ArrayOutput& array, const std::function<bool(int member)>& wanted,
+                   const std::function<void(const SurgeHistory&)>& use) {
+    const hdf5::QuietErrors quiet;
+    const Campaign& campaign = file.campaign();
+    const ArrayPlaces places(campaign);
+    const std::vector<RowStatus> states = read_states(file);
+    ArrayReader reader(file, array, places);
+    for (int member = 0; member < static_cast<int>(states.size()); ++member) {
+        if (states[static_cast<std::size_t>(member)] != RowStatus::done || !wanted(member)) continue;
+        const int of_case = member_key(campaign, member).case_index;
+        const ArrayValues history = reader.read(static_cast<std::size_t>(member), of_case);
+        const Scenario& scenario = campaign.cases[static_cast<std::size_t>(of_case)].scenario;
+        const double step = scenario.general.time_step * scenario.analysis.history_stride;
+        if (!history.empty()) use({member, step, history.values});
+    }
+}
+
+}  // namespace
+
+void for_each_history(const CampaignFile& file, const std::function<void(const SurgeHistory&)>& use) {
+    for_histories(
+        file, array_output("history/surge_load"), [](int) { return true; }, use);
+}
+
+void for_each_mooring_history(const CampaignFile& file, const std::function<void(const SurgeHistory&)>& use) {
+    for_histories(
+        file, array_output("history/surge_mooring"), [](int) { return true; }, use);
+}
+
+void with_history(const CampaignFile& file, int member, const std::function<void(const SurgeHistory&)>& use) {
+    for_histories(
+        file, array_output("history/surge_load"), [member](int one) { return one == member; }, use);
+}
+
+void for_each_load_map(const CampaignFile& file, const std::function<void(int, const LoadMap&)>& use) {
+    const hdf5::QuietErrors quiet;
+    const ArrayPlaces places(file.campaign());
+    const std::vector<RowStatus> states = read_states(file);
+    std::vector<ArrayReader> readers = array_readers(file, "load_map", places);
+    for (std::size_t member = 0; member < states.size(); ++member) {
+        if (states[member] != RowStatus::done) continue;
+        MemberResult result;
+        for (ArrayReader& one : readers)
+            one.read(member, member_key(file.campaign(), static_cast<int>(member)).case_index, result);
+        if (!result.load_map.empty()) use(static_cast<int>(member), result.load_map);
+    }
+}
+
+namespace {
+
+std::vector<MemberResult> read_quantities(const CampaignFile& file, std::size_t count) {
+    std::vector<MemberResult> results(count);
+    for (const Quantity& one : quantities) {
+        const std::string name = fmt::format("members/{}", one.key);
+        std::vector<double> values(count, std::numeric_limits<double>::quiet_NaN());
+        if (one.since == 0 || hdf5::exists(file.id(), name)) values = hdf5::read_column<double>(file.id(), name, count);
+        for (std::size_t k = 0; k < count; ++k) {
+            if (!one.holds(values[k]))
+                hdf5::refuse_damaged(file.id(), fmt::format("{} has {} in place of a count", name, values[k]));
+            one.place.set(results[k], values[k]);
+        }
+    }
+    return results;
+}
+
+/// Those that are read with the quantities. Times of averaged loads are what the scenario says.
+void read_table_arrays(const CampaignFile& file, const std::vector<RowStatus>& states,
+                       std::vector<MemberResult>& results) {
+    const Campaign& campaign = file.campaign();
+    const ArrayPlaces places(campaign);
+    const auto case_of = [&](std::size_t member) { return member_key(campaign, static_cast<int>(member)).case_index; };
+    for (std::size_t k = 0; k < results.size(); ++k) {
+        if (states[k] != RowStatus::done) continue;
+        for (const double time : campaign.cases[static_cast<std::size_t>(case_of(k))].scenario.averaging_times())
+            results[k].averaged.push_back({.time = time, .segment_maximum = {}});
+    }
+    for (const ArrayOutput& array : array_outputs) {
+        if (!array.in_table) continue;
+        ArrayReader reader(file, array, places);
+        for (std::size_t k = 0; k < results.size(); ++k)
+            if (states[k] == RowStatus::done) reader.read(k, case_of(k), results[k]);
+    }
+}
+
+}  // namespace
+
+CampaignTable read_campaign_file(const CampaignFile& file) {
+    const hdf5::QuietErrors quiet;
+    const MemberRows rows(file.campaign());
+    CampaignTable table = rows.table();
+    table.title = hdf5::read_text_attribute(file.id(), "title");
+    const std::vector<RowStatus> states = read_states(file);
+    std::vector<MemberResult> results = read_quantities(file, states.size());
+    read_table_arrays(file, states, results);
+    const auto steady = hdf5::read_numbers<std::int8_t>(file.id(), "members/steady", states.size(), -1, 1);
+    const auto reason = hdf5::read_texts(file.id(), "members/reason");
+    hdf5::check_count(file.id(), "members/reason", reason.size(), states.size());
+    for (std::size_t k = 0; k < states.size(); ++k) {
+        results[k].load.steady = steady[k] == 1;
+        results[k].reason = reason[k];
+        table.members.push_back(rows.row(k, states[k], results[k]));
+    }
+    return table;
+}
+
+namespace {
+
+void measure(MemberRow& row, std::span<const double> window, double step, const Analysis& analysis,
+             std::span<const double> levels) {
+    row.load = load_statistics(window, step, analysis.segments);
+    std::vector<double> times;
+    for (const AveragedLoad& one : row.averaged) times.push_back(one.time);
+    row.averaged = averaged_load(window, {.time_step = step,
+                                          .segments = analysis.segments,
+                                          .times = times,
+                                          .peak_separation = analysis.peak_separation});
+    const std::vector<LevelCount> counts = count_levels(window, levels);
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+        if (std::isnan(row.steps_above[k])) continue;
+        row.steps_above[k] = counts[k].steps_above;
+        row.upcrossings[k] = counts[k].upcrossings;
+    }
+}
+
+}  // namespace
+
+std::span<const double> in_window(const SurgeHistory& history, const Analysis& analysis) {
+    const auto count = static_cast<std::size_t>(std::llround(analysis.window / history.step));
+    return history.surge.last(std::min(count, history.surge.size()));
+}
+
+CampaignTable measured_anew(const CampaignFile& file, CampaignTable table, const std::vector<Analysis>& windows) {
+    for (std::size_t k = 0; k < table.cases.size(); ++k) table.cases[k].analysis = windows.at(k);
+    for_each_history(file, [&](const SurgeHistory& history) {
+        MemberRow& row = table.members.at(static_cast<std::size_t>(history.member));
+        const CaseRow& about = table.cases.at(static_cast<std::size_t>(row.case_index));
+        if (about.analysis.history_stride > 1)
+            throw InputError(
+                fmt::format("--window auto measures maxima and deviations anew, which needs the load of every step, "
+                            "and the histories of case {} are means over {} steps (analysis.history_steps).",
+                            about.name, about.analysis.history_stride));
+        measure(row, in_window(history, about.analysis), history.step, about.analysis, table.levels);
+    });
+    return table;
+}
+
+}  // namespace floes

@@ -1,0 +1,116 @@
+#include "cli/files.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "store/journal.hpp"
+
+namespace floes {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string first_bytes(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    std::string bytes(512, '\0');
+    in.read(bytes.data(), std::ssize(bytes));
+    bytes.resize(static_cast<std::size_t>(in.gcount()));
+    return bytes;
+}
+
+/// A campaign file that is not there.
+std::string missing(const fs::path& path) {
+    const fs::path journal = journal_path(path);
+    if (given_file(journal) != GivenFile::journal) return fmt::format("there is no file {}.", path.string());
+    const std::string so_far = fs::path(path).replace_extension("").string() + "_so_far.h5";
+    return fmt::format(
+        "there is no file {0} yet, but its journal {1} has the members that are done: floes run CONFIG.toml -o {0} "
+        "--resume computes the rest and writes the file; floes merge {0} -o {2} writes one of what is done.",
+        path.string(), journal.string(), so_far);
+}
+
+std::string what_it_is(const fs::path& path, GivenFile kind) {
+    const std::string name = path.string();
+    const std::string campaign_file = fs::path(path).replace_extension(".h5").string();
+    switch (kind) {
+        case GivenFile::nothing:
+            return missing(path);
+        case GivenFile::folder:
+            return fmt::format("{} is a folder; give a campaign file in it, the .h5 that floes run wrote.", name);
+        case GivenFile::journal:
+            return fmt::format("{} is the journal of a campaign; give its campaign file, {}.", name, campaign_file);
+        case GivenFile::text:
+            if (path.extension() == ".toml")
+                return fmt::format("{0} is a configuration, not a campaign file; floes run {0} -o {1} makes {1}.", name,
+                                   campaign_file);
+            return fmt::format("{} is a text, not a campaign file; give the .h5 that floes run wrote.", name);
+        case GivenFile::hdf5:
+        case GivenFile::other:
+            break;
+    }
+    return fmt::format("{} is no campaign file; give the .h5 that floes run wrote.", name);
+}
+
+}  // namespace
+
+GivenFile given_file(const fs::path& path) {
+    constexpr std::string_view hdf5_signature = "\x89HDF\r\n\x1a\n";
+    std::error_code unknown;
+    if (fs::is_directory(path, unknown)) return GivenFile::folder;
+    if (!fs::exists(path, unknown)) return GivenFile::nothing;
+    const std::string bytes = first_bytes(path);
+    if (bytes.starts_with(hdf5_signature)) return GivenFile::hdf5;
+    if (bytes.starts_with(journal_format::magic)) return GivenFile::journal;
+    const bool control =
+        std::ranges::any_of(bytes, [](unsigned char c) { return c < 32 && c != '\n' && c != '\t' && c != '\r'; });
+    return control || bytes.empty() ? GivenFile::other : GivenFile::text;
+}
+
+void expect_campaign_file(const fs::path& path) {
+    const GivenFile kind = given_file(path);
+    if (kind != GivenFile::hdf5) throw InputError(what_it_is(path, kind));
+}
+
+void write_page(const std::filesystem::path& path, const std::string& page) {
+    const std::filesystem::path aside = path.string() + ".tmp";
+    const auto refuse = [&](const std::string& reason) {
+        std::error_code ignored;
+        std::filesystem::remove(aside, ignored);
+        throw RunError(fmt::format("{} cannot be written ({}); does the folder exist, and has it free space?",
+                                   path.string(), reason));
+    };
+    std::ofstream file(aside, std::ios::binary);
+    file << page;
+    file.close();
+    if (!file) refuse(std::strerror(errno));
+    std::error_code error;
+    std::filesystem::rename(aside, path, error);
+    if (error) refuse(error.message());
+}
+
+std::string quoted(const std::string& word) {
+    const bool plain = !word.empty() && word.find_first_not_of(
+                                            "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                            "0123456789_-+=.,/:@%") == std::string::npos;
+    if (plain) return word;
+    std::string text = "'";
+    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+}
+
+std::string typed_program(const std::string& program) {
+    const char* launcher = std::getenv("FLOES_LAUNCHER");
+    if (launcher != nullptr) return quoted(launcher);
+    return program.empty() ? "floes" : quoted(program);
+}
+
+}  // namespace floes

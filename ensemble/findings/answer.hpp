@@ -1,0 +1,35 @@
+#pragma once
+// The answer of a campaign in sentences: the loads, what they rest on, and what would change them.
+
+#include <string>
+#include <vector>
+
+#include "findings/evidence.hpp"
+#include "tables/section.hpp"
+
+namespace floes {
+
+struct CampaignAnswer {
+    std::vector<std::string> warnings;  ///< what is wrong with the whole
+    std::vector<std::string> loads;     ///< of each case with done members: mean and design load with their intervals,
+                                        ///< and doubts; of a design its least and its largest mean
+    std::vector<std::string> basis;     ///< ice field, members, method, and how far it extrapolates
+    std::vector<std::string> changes;   ///< the axes of a design that change the mean load most, or the other cases
+};
+
+/// Design loads are left out for a campaign of many cases, and where the members did not average their load.
+CampaignAnswer find_answer(Evidence& evidence);
+
+// A campaign on one screen: what is wrong with it, a row for each case, and what comes next. The whole is in the other
+// findings.
+
+/// Cases that are shown one by one; of a design with more of them, its axes and its extreme points are.
+inline constexpr std::size_t most_overview_rows = 12;
+
+/// Warnings and the table. Differences are to the evidence's reference, otherwise to the first case; a design has none.
+Section overview_section(const Evidence& evidence, const Sensitivity& sensitivity);
+
+/// The file and the commands for it, `program` as people call it.
+Section next_commands(const Evidence& evidence, const std::string& program);
+
+}  // namespace floes

@@ -1,0 +1,479 @@
+#include "findings/cases.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ranges>
+
+#include <fmt/format.h>
+
+#include "core/text.hpp"
+#include "core/units.hpp"
+#include "findings/catalogue.hpp"
+#include "findings/conditions.hpp"
+#include "findings/summary.hpp"
+#include "inference/interval.hpp"
+#include "scenario/keys.hpp"
+#include "tables/number_text.hpp"
+
+namespace floes {
+
+Estimate estimate_of(const CaseSummary& row, const Quantity& quantity) {
+    return estimate(row.of(quantity), row.done, kind_of(quantity));
+}
+
+Bracket one_further_run(const CaseSummary& row, const Quantity& quantity) {
+    const CaseEstimate& known = row.of(quantity);
+    const Limits limits{known.prediction_low, known.prediction_high};
+    return {limits, says_something(quantity, known.estimate, limits, row.done)};
+}
+
+ResultColumn LoadColumn::column() const {
+    return {.words = words,
+            .unit = unit_of(quantity),
+            .holds = ResultColumn::Holds::estimates,
+            .form = ResultColumn::Form::plus_minus};
+}
+
+Quantity largest_load(const Summary& summary) {
+    Quantity largest = quantity("mean_maximum");
+    for (const Quantity& one : summary.quantities) {
+        if (one.averaging == 0 || one.averaged != quantity("mean_maximum").averaged) continue;
+        largest = one;
+        if (one.averaging == 1) break;
+    }
+    return largest;
+}
+
+std::string largest_words(const Quantity& largest) {
+    return largest.averaging == 0 ? "largest of a step" : fmt::format("largest over {:g} s", largest.averaging);
+}
+
+std::vector<LoadColumn> load_columns(const Summary& summary) {
+    const Quantity largest = largest_load(summary);
+    return {{quantity("mean_load"), "mean load"},
+            {largest, largest_words(largest)},
+            {quantity("failure_ratio"), "broken floes"}};
+}
+
+namespace {
+
+/// Whether a case has a figure without an interval.
+bool any_dash(const Summary& summary) {
+    for (const LoadColumn& column : load_columns(summary))
+        for (const CaseSummary& row : summary.cases) {
+            const Estimate mean = estimate_of(row, column.quantity);
+            if (std::isfinite(mean.value) && !mean.said && mean.low != mean.high) return true;
+        }
+    return false;
+}
+
+}  // namespace
+
+std::string unseen_text(const Summary& summary, bool in_full) {
+    constexpr double times = 5;  // the load
+    int fewest = 0;
+    for (const CaseSummary& row : summary.cases)
+        if (row.done >= fewest_for_interval && (fewest == 0 || row.done < fewest)) fewest = row.done;
+    if (fewest == 0) return "";
+    return fmt::format(
+        " Kinds of member that none of n = {} is are in no interval; up to {:.2g} % of all may be such{}.", fewest,
+        unseen_share(static_cast<std::size_t>(fewest)) / unit::percent,
+        in_full ? fmt::format(": each percent at {:g} times the load adds {:g} % to the mean", times, times - 1)
+                : std::string{});
+}
+
+std::string load_columns_text(const Summary& summary) {
+    const Quantity largest = largest_load(summary);
+    int segments = 0;
+    bool same = true;
+    for (const CaseSummary& row : summary.cases) {
+        same = same && (segments == 0 || segments == row.about.analysis.segments);
+        segments = row.about.analysis.segments;
+    }
+    const std::string parts = same && segments == 1 ? "the window"
+                              : same ? fmt::format("each of the window's {}", counted(segments, "segment"))
+                                     : std::string{"each of the window's segments"};
+    return fmt::format(
+               "±: 95 % interval of the mean over arrangements (t), of sampling alone (floes vary: of the model){}. "
+               "Largest: of {}, {}; their mean.",
+               any_dash(summary) ? fmt::format("; –: of fewer than {}, or too wide", fewest_for_interval)
+                                 : std::string{},
+               parts,
+               largest.averaging == 0 ? std::string{"in a single step, which depends on the time step"}
+                                      : fmt::format("averaged over {:g} s", largest.averaging)) +
+           unseen_text(summary, false);
+}
+
+namespace {
+
+/// The source of a key says whether its default is a value that the paper states.
+bool stated(const Key& key) {
+    const auto begins = [&](const char* words) { return key.source.starts_with(words); };
+    return begins("Table 1") || begins("Table 3") || begins("the paper, ");
+}
+
+bool of_the_case(const Key& key) {
+    return key.path == "ice.elastic_modulus_MPa" || key.path == "joint.cfm";
+}
+
+std::vector<Datum> paper_line(const PaperRow& paper) {
+    return {fmt::format("the paper at {:g} MPa", paper.elastic_modulus_mpa),
+            1,
+            paper.mean,
+            paper.sd,
+            paper.mean_maximum,
+            paper.sd_maximum,
+            paper.failure_ratio};
+}
+
+std::vector<Datum> experiment_line() {
+    const Experiment measured;
+    return {fmt::format("experiment at {:g} MPa", measured.elastic_modulus_mpa),
+            Absent{},
+            measured.mean,
+            Absent{},
+            fmt::format("{:.1f} (largest)", measured.maximum),
+            Absent{},
+            measured.failure_ratio};
+}
+
+}  // namespace
+
+bool is_the_papers(const Scenario& scenario) {
+    Scenario own = scenario;
+    Scenario papers;
+    const Keys keys = describe(own);
+    const Keys defaults = describe(papers);
+    return std::ranges::all_of(keys, [&](const Key& key) {
+        return !stated(key) || of_the_case(key) || exact_text(key) == exact_text(*find_key(defaults, key.path));
+    });
+}
+
+const PaperRow* paper_row(const Case& one) {
+    if (!is_the_papers(one.scenario)) return nullptr;
+    const double modulus = one.scenario.ice.elastic_modulus / unit::megapascal;
+    const auto found = std::ranges::find_if(
+        paper_table3, [&](const PaperRow& row) { return std::abs(row.elastic_modulus_mpa - modulus) < 0.5; });
+    return found == paper_table3.end() ? nullptr : &*found;
+}
+
+Results table3(const Campaign& campaign, const Summary& summary) {
+    const std::array<Quantity, 5> shown{quantity("mean_load"), quantity("sd_load"), quantity("mean_maximum"),
+                                        quantity("sd_maximum"), quantity("failure_ratio")};
+    Results table{.columns = {{.words = "case"}, {.words = "n"}}};
+    for (const Quantity& quantity : shown) {
+        table.columns.push_back(column_of(quantity));
+        table.columns.back().key.clear();
+    }
+    bool experiment = false;
+    for (std::size_t k = 0; k < summary.cases.size(); ++k) {
+        const CaseSummary& row = summary.cases[k];
+        std::vector<Datum> means{summary.label_of(k), row.done};
+        std::vector<Datum> runs{"  one further run", Absent{}};
+        for (const Quantity& quantity : shown) {
+            means.emplace_back(estimate_of(row, quantity));
+            runs.emplace_back(one_further_run(row, quantity));
+        }
+        table.add(std::move(means));
+        if (row.done >= fewest_for_interval) table.add(std::move(runs));
+        const PaperRow* paper = paper_row(campaign.cases.at(k));
+        if (paper == nullptr) continue;
+        const bool again =
+            k + 1 < campaign.cases.size() && paper_row(campaign.cases[k + 1]) == paper;  // in a design, show it once
+        if (!again) table.add(paper_line(*paper));
+        experiment = experiment || paper->elastic_modulus_mpa == Experiment{}.elastic_modulus_mpa;
+    }
+    if (experiment) table.add(experiment_line());
+    return table;
+}
+
+namespace {
+
+constexpr std::size_t most_reasons = 10;  // shown; `floes status` has all of them
+
+struct Totals {
+    int members = 0, done = 0, failed = 0, missing = 0, not_steady = 0;
+
+    explicit Totals(const Summary& summary) {
+        for (const CaseSummary& row : summary.cases) {
+            members += row.members;
+            done += row.done;
+            failed += row.failed_members;
+            missing += row.missing_members;
+            not_steady += row.not_steady;
+        }
+    }
+};
+
+std::string heading(const Summary& summary, const Totals& totals) {
+    std::string text = fmt::format("Campaign {}: {} in {}", summary.title, counted(totals.members, "member"),
+                                   counted(std::ssize(summary.cases), "case"));
+    if (totals.failed > 0) text += fmt::format(", {} failed", totals.failed);
+    text += totals.missing > 0 ? fmt::format(". INCOMPLETE: {} without a result yet.\n", totals.missing) : ".\n";
+    for (const std::string& condition : condition_lines(summary)) text += condition + "\n";
+    return text;
+}
+
+std::string notes(const Summary& summary, const Totals& totals) {
+    std::string text = fmt::format(
+        "\nOne arrangement is one value. Brackets, all 95 %: confidence interval of the mean over all arrangements by "
+        "Student's t, or by a mixture where members stand out; below it by BCa bootstrap, which assumes no "
+        "distribution; then the prediction interval of one "
+        "further run; –: one that would say nothing, of fewer than {} arrangements or too wide. Failure ratio: broken "
+        "floes "
+        "/ floes. Joints failed: mean per run.\n",
+        fewest_for_interval);
+    text +=
+        has_rigid_contacts(summary)
+            ? "Maxima without an averaging time are maxima of single steps: a rigid contact gives its impulse within "
+              "one step, so they depend on the time step. Quote averaged maxima, with their averaging time.\n"
+            : "Maxima without an averaging time are maxima of single steps. Quote averaged maxima, with their "
+              "averaging time.\n";
+    if (const std::string unseen = unseen_text(summary, true); !unseen.empty()) text += unseen.substr(1) + "\n";
+    if (totals.missing > 0 && totals.done > 0) {
+        text += "Short runs finish first: until the campaign is complete, the figures are biased towards them.\n";
+    }
+    if (totals.not_steady > 0) {
+        text += fmt::format(
+            "Not steady: in {} of {} the load still had a trend in the window; the figures above include them.\n",
+            totals.not_steady, counted(totals.done, "member"));
+    }
+    for (std::size_t index = 0; index < std::min(summary.failed.size(), most_reasons); ++index) {
+        text += fmt::format("Member {} failed: {}\n", summary.failed[index].member, summary.failed[index].reason);
+    }
+    if (summary.failed.size() > most_reasons) {
+        text += fmt::format("… and {} more failed.\n", summary.failed.size() - most_reasons);
+    }
+    return text;
+}
+
+/// Whether it counts what happened in no member, such as joints that fail in a mode without a criterion. The first of
+/// several counts, whose label is not indented, is always shown.
+bool never_happened(const Summary& summary, const Quantity& quantity) {
+    return quantity.count && quantity.label.view().starts_with(' ') &&
+           std::ranges::none_of(summary.cases, [&](const CaseSummary& row) { return row.of(quantity).estimate > 0; });
+}
+
+/// Cases as rows, columns one after another.
+class CaseTable {
+  public:
+    explicit CaseTable(const Summary& summary) : summary_(summary), rows_(summary.cases.size()) {
+        results_.place = "cases";
+        results_.view = Results::View::side_by_side;
+    }
+
+    /// `value`: of a CaseSummary.
+    template <class Value>
+    void add(ResultColumn about, const Value& value) {
+        results_.columns.push_back(std::move(about));
+        for (std::size_t k = 0; k < rows_.size(); ++k) rows_[k].emplace_back(value(summary_.cases[k]));
+    }
+
+    /// The same, for people only where the interval says something of some case.
+    template <class Value>
+    void add_bracket(const std::string& key, const char* words, const Quantity& quantity, const Value& value) {
+        const bool said = quantity.shown >= Shown::in_table3 &&
+                          std::ranges::any_of(summary_.cases, [&](const CaseSummary& row) { return value(row).said; });
+        add({.key = key,
+             .words = said ? words : "",
+             .unit = unit_of(quantity),
+             .holds = ResultColumn::Holds::brackets,
+             .decimals = column_of(quantity).decimals},
+            value);
+    }
+
+    Results take() {
+        for (std::vector<Datum>& row : rows_) results_.add(std::move(row));
+        return std::move(results_);
+    }
+
+  private:
+    const Summary& summary_;
+    Results results_;
+    std::vector<std::vector<Datum>> rows_;
+};
+
+void add_counts(const Summary& summary, CaseTable& table) {
+    using Row = const CaseSummary&;
+    const bool any_cfm = std::ranges::any_of(summary.cases, [](Row row) { return !std::isnan(row.about.cfm); });
+    table.add({"name", "case"},
+              [&](Row row) { return summary.named(static_cast<std::size_t>(&row - summary.cases.data())); });
+    table.add({.key = "cfm", .words = any_cfm ? "Σ" : "", .digits = 4}, [](Row row) { return row.about.cfm; });
+    table.add({.key = "elastic_modulus_MPa", .words = "E, MPa", .digits = 4},
+              [](Row row) { return row.about.elastic_modulus / unit::megapascal; });
+    table.add({"members", "arrangements"}, [](Row row) { return row.members; });
+    table.add({"done", "  done"}, [](Row row) { return row.done; });
+    table.add({"failed_members", "  failed"}, [](Row row) { return row.failed_members; });
+    table.add({"missing_members"}, [](Row row) { return row.missing_members; });
+    table.add({"not_steady", "  not steady"}, [](Row row) { return row.not_steady; });
+}
+
+void add_quantity(const Summary& summary, const Quantity& quantity, Reference reference, CaseTable& table) {
+    using Row = const CaseSummary&;
+    const std::string key{quantity.key.view()};
+    ResultColumn about = column_of(quantity);
+    if (never_happened(summary, quantity)) about.words.clear();
+    table.add(std::move(about), [&](Row row) { return estimate_of(row, quantity); });
+    table.add_bracket(key + "_bca", "  bootstrap", quantity, [&](Row row) {
+        const CaseEstimate& known = row.of(quantity);
+        return Bracket{known.bca,
+                       row.done >= fewest_for_bca && says_something(quantity, known.estimate, known.bca, row.done)};
+    });
+    table.add_bracket(key + "_prediction", "  one further run", quantity,
+                      [&](Row row) { return one_further_run(row, quantity); });
+    if (kind_of(quantity).load)
+        table.add({key + "_standing_out"}, [&](Row row) { return row.of(quantity).standing_out; });
+    if (!reference) return;
+    const std::string words = fmt::format("  against {}, %", summary.name_of(*reference));
+    table.add(
+        {.key = key + "_difference_percent", .words = quantity.shown >= Shown::in_pairs ? words : "", .decimals = 1},
+        [&](Row row) {
+            const auto index = static_cast<std::size_t>(&row - summary.cases.data());
+            return difference_percent(summary, index, *reference, quantity);
+        });
+}
+
+Results case_table(const Summary& summary, Reference reference) {
+    CaseTable table(summary);
+    add_counts(summary, table);
+    for (const Quantity& quantity : shown_in(summary.quantities, Shown::in_summary))
+        add_quantity(summary, quantity, reference, table);
+    for (const Quantity& quantity : summary.quantities) {
+        if (!quantity.count) continue;
+        const std::string key{quantity.key.view()};
+        table.add({key + "_total"}, [&](const CaseSummary& row) {
+            const auto total = row.totals.find(key);
+            return total == row.totals.end() ? Datum(Undefined{}) : Datum(total->second);
+        });
+    }
+    for (const Condition& condition : conditions())
+        table.add({condition.key}, [&](const CaseSummary& row) { return condition.value(row.about); });
+    return table.take();
+}
+
+/// The hull of each case as its configuration has it.
+Results profiles(const Summary& summary) {
+    Results rows{.place = "profiles", .columns = program_columns("case height radius"), .in_csv = false};
+    for (std::size_t k = 0; k < summary.cases.size(); ++k)
+        for (const auto& point : summary.cases[k].about.shape.profile())
+            rows.add({summary.named(k), point.at(0), point.at(1)});
+    return rows;
+}
+
+Results about(const Summary& summary, Reference reference) {
+    Results object{.columns = program_columns("campaign complete reference"), .object = true, .in_csv = false};
+    object.add({summary.title, summary.complete(), reference ? Datum(summary.name_of(*reference)) : Absent{}});
+    return object;
+}
+
+}  // namespace
+
+Section summary_section(const Summary& summary, Reference reference) {
+    const Totals totals{summary};
+    return {.before = heading(summary, totals) + "\n",
+            .results = {about(summary, reference), case_table(summary, reference), profiles(summary)},
+            .after = notes(summary, totals)};
+}
+
+namespace {
+
+/// The first name at the top.
+std::vector<std::string> names_from_the_bottom(const Summary& summary) {
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < summary.cases.size(); ++k) names.push_back(summary.label_of(k));
+    std::ranges::reverse(names);
+    return names;
+}
+
+/// Every arrangement as a dot, a strip for each case; below them the mean and its intervals.
+Figure strips(const Evidence& evidence, const Quantity& quantity, std::string caption) {
+    const auto& cases = evidence.summary.cases;
+    const double count = static_cast<double>(cases.size());
+    std::vector<std::vector<double>> runs;
+    std::vector<double> all;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const std::vector<double>& values =
+            runs.emplace_back(evidence.sample.values(evidence.sample.done(i), quantity));
+        all.insert(all.end(), values.begin(), values.end());
+        const Estimate mean = estimate_of(cases[i], quantity);
+        const Bracket run = one_further_run(cases[i], quantity);
+        if (mean.said) all.insert(all.end(), {mean.low, mean.high});
+        if (run.said) all.insert(all.end(), {run.limits.low, run.limits.high});
+    }
+    Figure figure{.description = fmt::format("{} of every arrangement, with the mean of each case", quantity.label),
+                  .x = axis_around(std::string(quantity.label.view()), all, true, unit_of(quantity)),
+                  .y = {"", 0, count, false, names_from_the_bottom(evidence.summary)},
+                  .size = {720, 70 + 34 * count},
+                  .caption = std::move(caption)};
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const double middle = static_cast<double>(cases.size() - i) - 0.5;
+        const double below = middle - 0.28;
+        const Estimate mean = estimate_of(cases[i], quantity);
+        const Bracket run = one_further_run(cases[i], quantity);
+        if (run.said) figure.line({{run.limits.low, below}, {run.limits.high, below}}, "dashed");
+        if (mean.said) figure.line({{mean.low, below}, {mean.high, below}}, "thick");
+        figure.dot(mean.value, below, "ink", 4.5);
+        int turn = 0;  // spreads dots over the strip's height, always in the same way
+        for (const double value : runs[i])
+            figure.dot(value, middle - 0.04 + 0.08 * (turn++ * 2 % 5), colour(i) + " faint");
+    }
+    return figure;
+}
+
+}  // namespace
+
+Results averaged_loads(const Summary& summary) {
+    Results results{.columns = {{.words = "case"},
+                                {.words = "over, s", .digits = 4},
+                                estimates("", "SD", "N"),
+                                estimates("", "mean maximum", "N"),
+                                {.words = "one further run", .unit = "N", .holds = ResultColumn::Holds::brackets},
+                                estimates("", "SD maximum", "N")}};
+    for (std::size_t k = 0; k < summary.cases.size(); ++k) {
+        const CaseSummary& row = summary.cases[k];
+        for (const Quantity& maximum : summary.quantities) {
+            if (maximum.averaging == 0 || maximum.averaged != quantity("mean_maximum").averaged) continue;
+            const auto of = [&](const Quantity& every_step) {
+                return estimate_of(row, averaged_over(every_step, maximum.averaging));
+            };
+            results.add({summary.label_of(k), maximum.averaging, of(quantity("sd_load")), estimate_of(row, maximum),
+                         one_further_run(row, maximum), of(quantity("sd_maximum"))});
+        }
+    }
+    return results;
+}
+
+Section averaged_section(Evidence& evidence) {
+    Section section{.results = {averaged_loads(evidence.summary)}};
+    if (section.results.front().empty()) return {};
+    section.after = fmt::format(
+        "Surge load averaged over the time given: mean over arrangements of the segment maxima, with its 95 % "
+        "confidence and prediction intervals. The maxima below, without an averaging time, are of single steps{}.",
+        has_rigid_contacts(evidence.summary)
+            ? ": a rigid contact gives its impulse within one step, so they depend on the time step"
+            : "");
+    return section;
+}
+
+Section table3_section(Evidence& evidence) {
+    const bool papers =
+        std::ranges::any_of(evidence.campaign.cases, [](const Case& one) { return paper_row(one) != nullptr; });
+    const bool each = in_detail(evidence.campaign);  // a design of many points has figures of its own
+    return {.results = {table3(evidence.campaign, evidence.summary)},
+            .after = fmt::format("Mean over arrangements with its 95 % confidence interval; below it the 95 % "
+                                 "prediction interval of one further arrangement; –: one that would say nothing.{}",
+                                 papers ? " The paper's figures are one run each, and the experiment's maximum is one "
+                                          "value."
+                                        : ""),
+            .figures =
+                !each
+                    ? std::vector<Figure>{}
+                    : std::vector<Figure>{
+                          strips(evidence, quantity("mean_load"),
+                                 "Each dot is one arrangement. Below the dots: mean, its 95 % confidence interval "
+                                 "(thick), and the 95 % prediction interval of one further run (dashed)."),
+                          strips(evidence, quantity("mean_maximum"), "The same for the mean of the segments' maxima."),
+                          strips(evidence, quantity("failure_ratio"), "The same for the share of broken floes.")}};
+}
+
+}  // namespace floes

@@ -1,0 +1,399 @@
+#include "findings/conditions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/text.hpp"
+#include "core/units.hpp"
+#include "findings/catalogue.hpp"
+#include "findings/points.hpp"
+#include "findings/single_floes.hpp"
+#include "scenario/keys.hpp"
+#include "scenario/scenario.hpp"
+
+namespace floes {
+
+namespace {
+
+/// Ends of names and what they mean, longer ones before those that end like them.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 11> units{{{"_kg_m3", "kg/m³"},
+                                                                               {"_m_s2", "m/s²"},
+                                                                               {"_m_s", "m/s"},
+                                                                               {"_percent", "%"},
+                                                                               {"_kPa", "kPa"},
+                                                                               {"_MPa", "MPa"},
+                                                                               {"_MiB", "MiB"},
+                                                                               {"_deg", "°"},
+                                                                               {"_N", "N"},
+                                                                               {"_s", "s"},
+                                                                               {"_m", "m"}}};
+
+}  // namespace
+
+std::string KeyWords::with(const std::string& value) const {
+    return name + " " + value + (unit.empty() ? "" : " " + unit);
+}
+
+KeyWords key_words(std::string_view key) {
+    const std::size_t dot = key.find('.');
+    std::string_view name = dot == std::string_view::npos ? key : key.substr(dot + 1);
+    KeyWords words;
+    for (const auto& [end, unit] : units) {
+        if (!name.ends_with(end)) continue;
+        name.remove_suffix(end.size());
+        words.unit = unit;
+        break;
+    }
+    words.name = name == "cfm" ? "Σ" : std::string(name);
+    std::ranges::replace(words.name, '_', ' ');
+    if (words.name.starts_with("ice ")) words.name[3] = '-';  // between two bodies
+    return words;
+}
+
+namespace {
+
+// Appends "NAME: words." or, where the cases differ, "NAME: words (case, case)." for each wording in order of
+// appearance.
+void add_condition(const Summary& summary, std::string_view name,
+                   const std::function<std::string(const CaseRow&)>& words, std::vector<std::string>& lines) {
+    std::vector<std::pair<std::string, std::vector<std::string>>> wordings;
+    for (std::size_t k = 0; k < summary.cases.size(); ++k) {
+        const std::string wording = words(summary.cases[k].about);
+        auto found = std::ranges::find(wordings, wording, &decltype(wordings)::value_type::first);
+        if (found == wordings.end()) found = wordings.insert(found, {wording, {}});
+        found->second.push_back(summary.label_of(k));
+    }
+    constexpr std::size_t most_wordings = 4;
+    if (wordings.size() > most_wordings) {
+        lines.push_back(fmt::format("{}: {} different ones, as {} ({}).", name, wordings.size(), wordings.front().first,
+                                    name_list(wordings.front().second)));
+        return;
+    }
+    for (const auto& [wording, cases] : wordings) {
+        lines.push_back(wordings.size() == 1 ? fmt::format("{}: {}.", name, wording)
+                                             : fmt::format("{}: {} ({}).", name, wording, name_list(cases)));
+    }
+}
+
+/// The word of an enumerator.
+template <class Enum, std::size_t count>
+std::string_view word(const std::array<std::string_view, count>& words, Enum value) {
+    return words.at(static_cast<std::size_t>(value));
+}
+
+/// "2.5 m wide (2.0 times the hull), field 4.61 m long, between ice sheets that press with 20 N/m".
+std::string channel_words(const CaseRow& row) {
+    const double width = 2 * row.field.half_width;
+    std::string words = fmt::format("{:.4g} m wide ({:.1f} times the hull at the waterline), field {:.3g} m long, {}",
+                                    width, 0.5 * width / row.shape.waterline_radius(), row.field_length,
+                                    row.field.sides == FieldSides::open ? "open at its sides" : "between ice sheets");
+    if (row.field.confining > 0) words += fmt::format("; its sheets press with {:.4g} N/m", row.field.confining);
+    return words;
+}
+
+std::string direction_words(double speed, double direction) {
+    return fmt::format("{:.3g} m/s towards {:.0f}°", speed, direction / unit::degree);
+}
+
+/// "current 0.1 m/s towards 90°, wind 5 m/s towards 0°"; directions from the tow's, towards +z.
+std::string drift_words(const CaseRow& row) {
+    std::string words;
+    if (const double current = row.current.norm(); current > 0)
+        words = "current " + direction_words(current, std::atan2(row.current.y(), row.current.x()));
+    if (row.wind.speed > 0)
+        words += (words.empty() ? "wind " : ", wind ") + direction_words(row.wind.speed, row.wind.direction);
+    return words.empty() ? "none" : words;
+}
+
+bool has_beam_joints(const CaseRow& row) {
+    return std::isnan(row.cfm);
+}
+
+std::string joint_words(const CaseRow& row) {
+    if (!has_beam_joints(row)) return "they follow Σ";
+    return fmt::format("elastic beams, solved exactly; they fail by {}",
+                       row.joint.fails_by_stress() ? "the stress in the ice" : "moment");
+}
+
+}  // namespace
+
+std::string far_end_words(FarEnd far_end) {
+    if (far_end == FarEnd::never) return "none: ice comes from ahead as long as the run lasts";
+    return far_end == FarEnd::ice_sheet ? "an ice sheet" : "open";
+}
+
+std::string contact_words(const ContactLaw& law) {
+    std::string words;
+    const ContactPreset preset = preset_of(law);
+    if (preset != ContactPreset::own) words = fmt::format("preset {}, ", word(preset_words, preset));
+    words += law.friction == Friction::cone ? "friction in the contact plane, " : "friction in one direction, ";
+    words += law.normal == NormalLaw::rigid
+                 ? fmt::format("rigid with Γ {}", law.erp)
+                 : fmt::format("crushing at {:.4g} kPa", law.crushing_pressure / unit::kilopascal);
+    if (preset == ContactPreset::own) words += law.internal_edges ? ", internal edges act" : ", no internal edges";
+    return words;
+}
+
+bool has_rigid_contacts(const Summary& summary) {
+    return std::ranges::any_of(summary.cases,
+                               [](const CaseSummary& row) { return row.about.contact.normal == NormalLaw::rigid; });
+}
+
+std::string window_words(const Analysis& analysis) {
+    return fmt::format("{} to {} s after the tow began, in {}", analysis.steady_start,
+                       analysis.steady_start + analysis.window, counted(analysis.segments, "segment"));
+}
+
+std::string far_end_key(FarEnd far_end) {
+    if (far_end == FarEnd::never) return "never";
+    return far_end == FarEnd::ice_sheet ? "ice_sheet" : "open";
+}
+
+std::vector<std::string> condition_lines(const Summary& summary) {
+    std::vector<std::string> lines;
+    add_condition(
+        summary, "Structure wall", [](const CaseRow& row) { return row.shape.words(); }, lines);
+    if (std::ranges::all_of(summary.cases, [](const CaseSummary& row) { return row.about.field_length > 0; }))
+        add_condition(summary, "Channel", channel_words, lines);
+    add_condition(
+        summary, "Far end", [](const CaseRow& row) { return far_end_words(row.far_end); }, lines);
+    if (std::ranges::any_of(summary.cases, [](const CaseSummary& row) { return drift_words(row.about) != "none"; }))
+        add_condition(summary, "Drift", drift_words, lines);
+    if (std::ranges::any_of(summary.cases, [](const CaseSummary& row) { return has_beam_joints(row.about); })) {
+        add_condition(summary, "Joints", joint_words, lines);
+    }
+    add_condition(
+        summary, "Contacts", [](const CaseRow& row) { return contact_words(row.contact); }, lines);
+    add_condition(
+        summary, "Load measured", [](const CaseRow& row) { return window_words(row.analysis); }, lines);
+    return lines;
+}
+
+std::vector<Condition> conditions() {
+    using Row = const CaseRow&;
+    return {{"structure_wall", [](Row row) { return Datum(row.shape.words()); }},
+            {"far_end", [](Row row) { return Datum(far_end_key(row.far_end)); }},
+            {"contact_erp", [](Row row) { return Datum(row.contact.erp); }},
+            {"friction", [](Row row) { return Datum(word(friction_words, row.contact.friction)); }},
+            {"contact_law", [](Row row) { return Datum(word(normal_law_words, row.contact.normal)); }},
+            {"internal_edges", [](Row row) { return Datum(row.contact.internal_edges); }},
+            {"crushing_pressure_kPa",
+             [](Row row) {
+                 return row.contact.normal == NormalLaw::crushing
+                            ? Datum(row.contact.crushing_pressure / unit::kilopascal)
+                            : Datum(Absent{});
+             }},
+            {"steady_start", [](Row row) { return Datum(row.analysis.steady_start); }},
+            {"window", [](Row row) { return Datum(row.analysis.window); }},
+            {"segments", [](Row row) { return Datum(row.analysis.segments); }}};
+}
+
+namespace {
+
+const char* placing_words(ArrangementMethod method) {
+    switch (method) {
+        case ArrangementMethod::monte_carlo:
+            return "in equilibrium";
+        case ArrangementMethod::lattice:
+            return "on a jittered lattice";
+        case ArrangementMethod::file:
+            return "as given in a file";
+        case ArrangementMethod::traced:
+            return "as traced";
+        case ArrangementMethod::scattered:
+            break;
+    }
+    return "scattered at random";
+}
+
+template <class Of>
+std::string range_over(const Campaign& campaign, const Of& of) {
+    std::vector<double> values;
+    for (const Case& one : campaign.cases) values.push_back(of(one.scenario));
+    return range_text(values);
+}
+
+std::string placing_over(const Campaign& campaign) {
+    std::vector<std::string> words;
+    for (const Case& one : campaign.cases) {
+        const std::string own = placing_words(one.scenario.arrangement.method);
+        if (std::ranges::find(words, own) == words.end()) words.push_back(own);
+    }
+    return fmt::format("{}", fmt::join(words, " or "));
+}
+
+/// Values of a key, each with the names of its cases, in order of appearance.
+using Values = std::vector<std::pair<std::string, std::vector<std::string>>>;
+
+std::string value_of(const Key& key) {
+    const std::string text = literal(key);
+    return text.starts_with('"') ? text.substr(1, text.size() - 2) : text;
+}
+
+/// Of the keys in which cases differ. Lists and profiles are left to the conditions, which draw or name them.
+std::vector<std::pair<std::string, Values>> varied(const Campaign& campaign, const Summary& summary) {
+    std::vector<std::pair<std::string, Values>> all;
+    for (std::size_t k = 0; k < campaign.cases.size(); ++k) {
+        Scenario scenario = campaign.cases[k].scenario;
+        std::size_t place = 0;
+        for (const Key& key : describe(scenario)) {
+            if (key.derived() || key.replaced || std::holds_alternative<RowsField>(key.field)) continue;
+            if (k == 0) all.emplace_back(std::string(key.path), Values{});
+            Values& values = all.at(place++).second;
+            const std::string value = value_of(key);
+            auto found = std::ranges::find(values, value, &Values::value_type::first);
+            if (found == values.end()) found = values.insert(found, {value, {}});
+            found->second.push_back(summary.label_of(k));
+        }
+    }
+    std::erase_if(all, [](const auto& one) { return one.second.size() < 2; });
+    return all;
+}
+
+std::string variation_line(const std::string& path, const Values& values) {
+    constexpr std::size_t most = 6;
+    const KeyWords words = key_words(path);
+    std::vector<std::string> parts;
+    for (std::size_t k = 0; k < std::min(values.size(), most); ++k)
+        parts.push_back(fmt::format("{}{} ({})", values[k].first, words.unit.empty() ? "" : " " + words.unit,
+                                    name_list(values[k].second)));
+    if (values.size() > most) parts.push_back(fmt::format("and {} other values", values.size() - most));
+    return fmt::format("Varies: {} {}.", words.name, fmt::join(parts, ", "));
+}
+
+std::string design_line(const Campaign& campaign) {
+    const DesignPoints points = find_points(campaign);
+    const std::vector<KeyWords> words = axis_words(points);
+    std::vector<std::string> parts;
+    for (std::size_t axis = 0; axis < words.size(); ++axis) {
+        std::vector<double> numbers;
+        std::vector<std::string> texts;
+        for (const PointRow& row : points.rows) {
+            if (const auto* value = std::get_if<double>(&row.values[axis])) numbers.push_back(*value);
+            const std::string text = value_text(row.values[axis]);
+            if (std::ranges::find(texts, text) == texts.end()) texts.push_back(text);
+        }
+        parts.push_back(
+            words[axis].with(numbers.empty() ? fmt::format("{}", fmt::join(texts, " or ")) : range_text(numbers)));
+    }
+    return fmt::format("Varies over the {} of the design: {}.", counted(std::ssize(points.rows), "point"),
+                       fmt::join(parts, ", "));
+}
+
+}  // namespace
+
+std::string range_text(const std::vector<double>& values) {
+    const auto [least, most] = std::ranges::minmax(values);
+    return least == most ? fmt::format("{:.4g}", least) : fmt::format("{:.4g} to {:.4g}", least, most);
+}
+
+std::string field_words(const Campaign& campaign) {
+    using S = const Scenario&;
+    const std::string floes = range_over(campaign, [](S s) { return static_cast<double>(s.field.floes); });
+    return fmt::format("{} {} of {} m x {} m x {} m at {} %, {}; structure towed at {} m/s.", floes,
+                       floes == "1" ? "floe" : "floes", range_over(campaign, [](S s) { return s.floe.length; }),
+                       range_over(campaign, [](S s) { return s.floe.breadth; }),
+                       range_over(campaign, [](S s) { return s.floe.thickness; }),
+                       range_over(campaign, [](S s) { return s.field.concentration / unit::percent; }),
+                       placing_over(campaign), range_over(campaign, [](S s) { return s.structure.speed; }));
+}
+
+std::vector<std::string> variation_lines(const Campaign& campaign, const Summary& summary) {
+    constexpr std::size_t most = 8;
+    if (campaign.cases.size() < 2) return {};
+    if (campaign.design.active()) return {design_line(campaign)};
+    std::vector<std::string> lines;
+    const auto all = varied(campaign, summary);
+    for (std::size_t k = 0; k < std::min(all.size(), most); ++k)
+        lines.push_back(variation_line(all[k].first, all[k].second));
+    if (all.size() > most) lines.push_back(fmt::format("And {} further keys vary.", all.size() - most));
+    return lines;
+}
+
+namespace {
+
+constexpr std::size_t most_drawn = 12;  // hulls
+
+/// "E30, E60", for the label of one drawing among others; empty of the only one.
+std::string names_of(const std::vector<std::size_t>& cases, std::size_t drawings, const Summary& summary) {
+    if (drawings < 2) return "";
+    std::vector<std::string> names;
+    for (const std::size_t k : cases) names.push_back(summary.label_of(k));
+    return name_list(names) + ": ";
+}
+
+Figure side_view(const Scenario& scenario, const std::string& names, double widest) {
+    const Shape& shape = scenario.structure.shape;
+    const double reach = 1.6 * shape.largest_radius();
+    const double low = shape.bottom() - 0.08;
+    const double high = shape.top() + 0.08;
+    Figure figure{.description = "Section of the structure with the water's surface and the ice",
+                  .x = {names + "m", -reach, reach},
+                  .y = {"height, m", low, high},
+                  .size = to_scale(2 * reach, high - low, widest)};
+    figure.area({{-reach, low}, {reach, low}, {reach, 0}, {-reach, 0}}, "water");
+    const double draught = scenario.floe.thickness * scenario.ice.density / scenario.water.density;
+    const double freeboard = scenario.floe.thickness - draught;
+    for (const double sign : {-1.0, 1.0}) {
+        const double near = sign * (shape.waterline_ahead() + 0.02);
+        figure.area({{near, -draught}, {sign * reach, -draught}, {sign * reach, freeboard}, {near, freeboard}}, "ice");
+    }
+    for (const std::vector<Vec2>& piece : shape.side_view()) {
+        Figure::Points outline;
+        for (const Vec2& point : piece) outline.emplace_back(point.x(), point.y());
+        figure.area(std::move(outline), "structure");
+    }
+    figure.level(0, "dashed");
+    return figure;
+}
+
+/// Every hull once, with the names of its cases.
+std::vector<Figure> hulls(const Campaign& campaign, const Summary& summary) {
+    const auto groups = alike(campaign, [](const Scenario& one) -> const Shape& { return one.structure.shape; });
+    const std::size_t drawn = std::min(groups.size(), most_drawn);
+    std::vector<Figure> figures;
+    for (std::size_t k = 0; k < drawn; ++k)
+        figures.push_back(side_view(campaign.cases[groups[k].front()].scenario, names_of(groups[k], drawn, summary),
+                                    drawn == 1 ? 720 : 400));
+    const std::string thickness = [&] {
+        std::vector<double> values;
+        for (const Case& one : campaign.cases) values.push_back(one.scenario.floe.thickness);
+        return range_text(values);
+    }();
+    figures.back().caption =
+        fmt::format("The structure from abeam and the ice on the water, to scale; the ice is {} m thick{}.", thickness,
+                    thickness.find("to") == std::string::npos ? "" : ", drawn as in the first case of each");
+    if (drawn < groups.size())
+        figures.back().caption += fmt::format(" {} of {} hulls are drawn.", drawn, groups.size());
+    return figures;
+}
+
+}  // namespace
+
+Section what_was_run(Evidence& evidence) {
+    int done = 0;
+    int failed = 0;
+    int missing = 0;
+    for (const CaseSummary& row : evidence.summary.cases) {
+        done += row.done;
+        failed += row.failed_members;
+        missing += row.missing_members;
+    }
+    std::vector<Figure> figures = hulls(evidence.campaign, evidence.summary);
+    for (Figure& figure : single_floes(evidence)) figures.push_back(std::move(figure));
+    return {.before = fmt::format("{}, each over up to {}: {} done, {} set aside as failed, {} not computed.\n",
+                                  counted(std::ssize(evidence.summary.cases), "case"),
+                                  counted(evidence.campaign.arrangements, "random arrangement"),
+                                  counted(done, "simulation"), failed, missing) +
+                      field_words(evidence.campaign) + "\n",
+            .figures = std::move(figures)};
+}
+
+}  // namespace floes

@@ -1,0 +1,88 @@
+#pragma once
+// Keys of a scenario as people say them: "ice.thickness_m" is a thickness in m.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "findings/summary.hpp"
+#include "tables/data_rows.hpp"
+
+namespace floes {
+
+struct KeyWords {
+    std::string name;  ///< "thickness"
+    std::string unit;  ///< "m"; empty where the key has none
+
+    /// "thickness, m"
+    std::string heading() const { return unit.empty() ? name : name + ", " + unit; }
+    /// "thickness 0.02 m"
+    std::string with(const std::string& value) const;
+};
+
+/// `key`: the full path or a case's own key, as "cfm".
+KeyWords key_words(std::string_view key);
+
+// The conditions that decide the load together, in words: structure wall, far end and contacts. A load without them
+// means nothing.
+
+/// "an ice sheet" or "open".
+std::string far_end_words(FarEnd far_end);
+
+/// The key's value in the configuration: "ice_sheet" or "open".
+std::string far_end_key(FarEnd far_end);
+
+/// "preset paper, friction in one direction, rigid with Γ 0.2".
+std::string contact_words(const ContactLaw& law);
+
+/// "80 to 230 s after the tow began, in 3 segments".
+std::string window_words(const Analysis& analysis);
+
+/// One sentence for each condition; where cases differ, one for each value with the names of its cases.
+std::vector<std::string> condition_lines(const Summary& summary);
+
+/// A condition for programs.
+struct Condition {
+    std::string key;
+    Datum (*value)(const CaseRow& row);
+};
+
+/// Whether maxima of single steps depend on the time step in some case, because its contacts are rigid.
+bool has_rigid_contacts(const Summary& summary);
+
+/// All of them.
+std::vector<Condition> conditions();
+
+// What the cases of a campaign have in common, and what varies between them. No case speaks for the others.
+
+/// "0.02", "0.02 to 0.04": the least and the largest of the values.
+std::string range_text(const std::vector<double>& values);
+
+/// "24 floes of 0.6 m x 0.6 m x 0.02 to 0.04 m at 75 %, scattered at random; structure towed at 0.1 m/s."
+std::string field_words(const Campaign& campaign);
+
+/// A sentence for each key in which the cases differ, "Varies: thickness 0.02 m (soft), 0.03 m (stiff, open)."; of a
+/// design one for its axes. At most a handful, and then how many more.
+std::vector<std::string> variation_lines(const Campaign& campaign, const Summary& summary);
+
+/// Groups of cases that are equal in what `of` gives, in order of their first case.
+template <class Of>
+std::vector<std::vector<std::size_t>> alike(const Campaign& campaign, const Of& of) {
+    std::vector<std::vector<std::size_t>> groups;
+    for (std::size_t k = 0; k < campaign.cases.size(); ++k) {
+        const auto same = [&](const std::vector<std::size_t>& group) {
+            return of(campaign.cases[group.front()].scenario) == of(campaign.cases[k].scenario);
+        };
+        bool found = false;
+        for (std::vector<std::size_t>& group : groups) {
+            if (!same(group)) continue;
+            group.push_back(k);
+            found = true;
+            break;
+        }
+        if (!found) groups.push_back({k});
+    }
+    return groups;
+}
+
+}  // namespace floes

@@ -1,0 +1,539 @@
+#include "findings/design_load.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/error.hpp"
+#include "core/units.hpp"
+#include "findings/conditions.hpp"
+#include "findings/steady.hpp"
+#include "findings/summary.hpp"
+#include "statistics/distributions.hpp"
+#include "tables/number_text.hpp"
+
+namespace floes {
+
+CasePeaks case_peaks(const CampaignTable& table, std::size_t of_case, double time) {
+    CasePeaks made;
+    double mean = 0;
+    for (const MemberRow& row : table.members) {
+        const AveragedLoad* averaged = row.averaged_over(time);
+        if (row.case_index != static_cast<int>(of_case) || averaged == nullptr) continue;
+        made.rows.push_back({averaged->peaks, averaged->segment_maximum});
+        made.arrangements.push_back(row.arrangement);
+        made.members.push_back(static_cast<int>(&row - table.members.data()));
+        mean += row.load.mean;
+    }
+    mean /= std::max(1.0, static_cast<double>(made.rows.size()));
+    const Analysis& analysis = table.cases[of_case].analysis;
+    made.measured = {analysis.window, analysis.window / analysis.segments, analysis.peak_separation, mean};
+    return made;
+}
+
+double DesignLoadRequest::model_exposure() const {
+    return exposure / std::sqrt(scale);
+}
+
+double DesignLoadRequest::model_averaging() const {
+    return averaging / std::sqrt(scale);
+}
+
+double DesignLoadRequest::force_factor() const {
+    return scale * scale * scale;
+}
+
+double averaging_time(const CampaignTable& table, const DesignLoadRequest& request) {
+    for (const double time : table.averaging_times)
+        if (std::abs(time - request.model_averaging()) < 0.005 * time) return time;
+    std::vector<std::string> there;
+    for (const double time : table.averaging_times)
+        there.push_back(fmt::format("{:.3g}", time * std::sqrt(request.scale)));
+    throw InputError(
+        fmt::format("The members did not average the load over {:g} s{}; take one of {} s, or run them with "
+                    "another analysis.averaging_s.",
+                    request.averaging, request.scale == 1 ? "" : " at full scale", fmt::join(there, ", ")));
+}
+
+double disagreement(const DesignLoad& load) {
+    double least = load.estimates.front().quantiles.front().value;
+    double most = least;
+    for (const DesignLoadEstimate& made : load.estimates) {
+        const double value = made.quantiles.front().value;
+        if (!std::isfinite(value)) continue;
+        least = std::min(least, value);
+        most = std::max(most, value);
+    }
+    return (most - least) / load.estimates.front().quantiles.front().value;
+}
+
+namespace {
+
+/// "17", "17 and 31", "3, 17 and 31".
+std::string listed(const std::vector<int>& numbers) {
+    if (numbers.size() == 1) return fmt::format("{}", numbers.front());
+    return fmt::format("{} and {}", fmt::join(numbers.begin(), numbers.end() - 1, ", "), numbers.back());
+}
+
+}  // namespace
+
+std::string standing_out_text(const CaseDesignLoad& one) {
+    constexpr std::size_t enough = 5;  // of a kind, to say how much it varies
+    const UnlikeMembers& unlike = one.load.unlike;
+    const std::size_t count = unlike.out.size();
+    if (count == 0) return "";
+    std::vector<int> numbers;
+    for (const std::size_t row : unlike.out) numbers.push_back(one.members[row]);
+    const bool single = count == 1;
+    const std::string does = unlike.carried == 0 ? fmt::format("{} far above the others", single ? "lies" : "lie")
+                             : unlike.carried == 1
+                                 ? fmt::format("{} the highest peak", single ? "carries" : "carry")
+                                 : fmt::format("{} the {} highest peaks", single ? "carries" : "carry", unlike.carried);
+    std::string text = fmt::format(
+        "{} of {} members {}: replay {}. Both tails have {} as a kind of member whose share is uncertain; methods that "
+        "take all members as alike are left out.",
+        count, one.members.size(), does, listed(numbers), single ? "it" : "them");
+    if (count < enough)
+        text += fmt::format(" About {} arrangements would have {} of this kind.",
+                            (enough * one.members.size() + count - 1) / count, enough);
+    return text;
+}
+
+std::vector<CaseDesignLoad> find_design_loads(const CampaignTable& table, const DesignLoadRequest& request) {
+    const double time = averaging_time(table, request);
+    std::vector<CasePeaks> peaks;
+    for (std::size_t index = 0; index < table.cases.size(); ++index) peaks.push_back(case_peaks(table, index, time));
+    return find_design_loads(table, request, peaks);
+}
+
+std::vector<CaseDesignLoad> find_design_loads(const CampaignTable& table, const DesignLoadRequest& request,
+                                              const std::vector<CasePeaks>& peaks) {
+    const Exposure exposure{request.model_exposure(), request.quantiles, request.share,
+                            table.cases.size() > most_averaged_cases};
+    std::vector<CaseDesignLoad> designs;
+    const std::vector<JointTrend> trends = joint_trends(table);
+    for (std::size_t index = 0; index < table.cases.size(); ++index) {
+        CaseDesignLoad one;
+        one.case_index = index;
+        one.trend = trends[index];
+        const CasePeaks& found = peaks.at(index);
+        one.separation = found.measured.separation;
+        one.arrangements = found.arrangements;
+        one.members = found.members;
+        for (const PeakRow& row : found.rows) one.peaks.insert(one.peaks.end(), row.peaks.begin(), row.peaks.end());
+        std::ranges::sort(one.peaks, std::ranges::greater{});
+        if (one.trend.rises() && !request.rising) {
+            one.refused = true;
+            one.load.arrangements = found.rows.size();
+            one.over_shares.assign(std::size(threshold_shares), std::nan(""));
+            designs.push_back(std::move(one));
+            continue;
+        }
+        one.load = design_load(found.rows, found.measured, exposure);
+        for (const auto& quantiles : over_thresholds(found.rows, found.measured, exposure,
+                                                     {std::begin(threshold_shares), std::end(threshold_shares)}))
+            one.over_shares.push_back(quantiles.front());
+        designs.push_back(std::move(one));
+    }
+    return designs;
+}
+
+namespace {
+
+/// The difference of the first quantile between two cases over the same arrangements.
+struct Paired {
+    const CaseDesignLoad* first;
+    const CaseDesignLoad* second;
+    DesignLoadFigure difference;  ///< second - first
+};
+
+/// The interval of resampled differences about the estimate, wider by Student's t of the arrangements over that of very
+/// many: resamples of few scatter too little.
+DesignLoadFigure widened(double estimate, std::vector<double> resampled, double arrangements) {
+    if (resampled.empty()) return {estimate, {std::nan(""), std::nan("")}};
+    std::ranges::sort(resampled);
+    const double middle = quantile_of_sorted(resampled, 0.5);
+    const Limits limits = percentile_interval(std::move(resampled));
+    const double wider =
+        student_t(arrangements - 1, 0.025) / student_t(1e6, 0.025) * std::sqrt(arrangements / (arrangements - 1));
+    return {estimate, {estimate + wider * (limits.low - middle), estimate + wider * (limits.high - middle)}};
+}
+
+std::vector<Paired> pairs_of(const std::vector<CaseDesignLoad>& designs) {
+    std::vector<Paired> pairs;
+    for (std::size_t a = 0; a < designs.size(); ++a) {
+        for (std::size_t b = a + 1; b < designs.size(); ++b) {
+            const CaseDesignLoad& one = designs[a];
+            const CaseDesignLoad& other = designs[b];
+            if (!one.load.valid() || !other.load.valid() || !one.of_one_kind() || !other.of_one_kind() ||
+                one.arrangements != other.arrangements)
+                continue;
+            std::vector<double> differences;
+            for (std::size_t k = 0; k < std::min(one.load.draws.size(), other.load.draws.size()); ++k)
+                differences.push_back(other.load.draws[k].front() - one.load.draws[k].front());
+            std::erase_if(differences, [](double difference) { return !std::isfinite(difference); });
+            const auto value = [](const CaseDesignLoad& of) {
+                return of.load.estimates.front().quantiles.front().value;
+            };
+            pairs.push_back({&one, &other,
+                             widened(value(other) - value(one), std::move(differences),
+                                     static_cast<double>(one.arrangements.size()))});
+        }
+    }
+    return pairs;
+}
+
+}  // namespace
+
+namespace {
+
+Estimate shown_figure(const DesignLoadFigure& figure, double factor, bool said) {
+    return {factor * figure.value, factor * figure.interval.low, factor * figure.interval.high, said};
+}
+
+Section pairs_section(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
+                      const DesignLoadRequest& request) {
+    const std::vector<Paired> pairs = pairs_of(designs);
+    if (pairs.empty()) return {};
+    Results results{.place = "design/pairs",
+                    .columns = {{.words = "pair"}, {"first"}, {"second"}, estimates("difference", "difference", "N")},
+                    .in_csv = false};
+    for (const Paired& pair : pairs) {
+        const std::size_t first = pair.first->case_index;
+        const std::size_t second = pair.second->case_index;
+        results.add({fmt::format("{} - {}", summary.label_of(second), summary.label_of(first)), summary.name_of(first),
+                     summary.name_of(second),
+                     shown_figure(pair.difference, request.force_factor(),
+                                  pair.first->load.arrangements >= fewest_for_interval)});
+    }
+    return {.results = {std::move(results)},
+            .after = fmt::format(
+                "\nDifferences of the load exceeded with {:.3g} %, by both tails, over the same arrangements, with "
+                "members taken as alike.\n",
+                (1 - request.quantiles.front()) / unit::percent)};
+}
+
+/// A row for each case, method and figure, for programs.
+Results load_rows(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
+                  const DesignLoadRequest& request) {
+    Results results{.place = "design/loads",
+                    .columns = program_columns("case method averaging exposure_h scale figure probability"),
+                    .view = Results::View::none};
+    results.columns.push_back(estimates("load", "", "N"));
+    const Datum averaging = request.force == DesignLoadRequest::Force::load ? Datum(request.averaging) : Undefined{};
+    for (const CaseDesignLoad& design : designs)
+        for (const DesignLoadEstimate& made : design.load.estimates) {
+            const auto add = [&](const char* figure, double probability, const DesignLoadFigure& load) {
+                results.add({summary.named(design.case_index), name_of(made.method), averaging,
+                             request.exposure / unit::hour, request.scale, figure, probability,
+                             shown_figure(load, request.force_factor(), true)});
+            };
+            add("expected", std::nan(""), made.expected);
+            for (std::size_t k = 0; k < made.quantiles.size(); ++k)
+                add("quantile", request.quantiles[k], made.quantiles[k]);
+        }
+    return results;
+}
+
+/// What the loads rest on, at the scale of the campaign. What was not looked at, or could not be fitted, is not 0.
+Results basis_rows(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
+                   const DesignLoadRequest& request) {
+    Results results{.place = "design/basis",
+                    .columns = program_columns(
+                        "case arrangements refused_as_rising trend_seen trend_p change_over_window "
+                        "change_over_window_low change_over_window_high time_run exposure peak_separation peaks "
+                        "threshold pareto_scale pareto_shape weibull_origin weibull_scale weibull_shape "
+                        "weibull_weight stand_out peaks_carried unseen_share scatter alike_probability dispersion "
+                        "dispersion_p resamples resamples_without_fit"),
+                    .view = Results::View::none,
+                    .in_csv = false};
+    for (const CaseDesignLoad& design : designs) {
+        const DesignLoad& load = design.load;
+        const Change& change = design.trend.load;
+        const auto seen = [&](Datum value) { return design.refused ? Datum(Undefined{}) : value; };
+        const auto fitted = [&](Datum value) { return load.valid() ? value : Datum(Undefined{}); };
+        results.add({summary.named(design.case_index),
+                     load.arrangements,
+                     design.refused,
+                     design.trend.seen,
+                     change.p,
+                     change.over_window.estimate,
+                     change.over_window.low,
+                     change.over_window.high,
+                     seen(load.time_run),
+                     request.model_exposure(),
+                     design.separation,
+                     seen(load.peaks),
+                     seen(load.threshold),
+                     fitted(load.pareto.scale),
+                     fitted(load.pareto.shape),
+                     fitted(load.weibull.origin),
+                     fitted(load.weibull.scale),
+                     fitted(load.weibull.shape),
+                     fitted(load.weibull_weight),
+                     seen(load.unlike.out.size()),
+                     seen(load.unlike.carried),
+                     unseen_share(load.arrangements),
+                     fitted(load.scatter),
+                     fitted(load.alike),
+                     seen(load.unlike.dispersion),
+                     seen(load.unlike.dispersion_p),
+                     fitted(load.draws.size()),
+                     fitted(load.dropped)});
+    }
+    return results;
+}
+
+/// The first quantile over the share of the peaks that the tails are fitted to.
+Results threshold_rows(const Summary& summary, const std::vector<CaseDesignLoad>& designs) {
+    Results results{.place = "design/over_thresholds",
+                    .columns = program_columns("case share load"),
+                    .view = Results::View::none,
+                    .in_csv = false};
+    for (const CaseDesignLoad& design : designs)
+        for (std::size_t k = 0; k < std::size(threshold_shares); ++k)
+            results.add({summary.named(design.case_index), threshold_shares[k], design.over_shares[k]});
+    return results;
+}
+
+/// Peaks above each of them, with the rate that each tail gives, at the scale of the campaign.
+Results rate_rows(const Summary& summary, const std::vector<CaseDesignLoad>& designs) {
+    Results results{.place = "design/rates",
+                    .columns = program_columns("case load seen_per_s pareto_per_s weibull_per_s"),
+                    .view = Results::View::none,
+                    .in_csv = false};
+    const auto tail = [](const Tail& fitted, double load) {
+        return fitted.valid() && load >= fitted.threshold ? Datum(rate_above(fitted, load)) : Datum(Undefined{});
+    };
+    for (const CaseDesignLoad& design : designs)
+        for (std::size_t k = 0; k < design.peaks.size(); ++k)
+            results.add({summary.named(design.case_index), design.peaks[k],
+                         static_cast<double>(k + 1) / design.load.time_run, tail(design.load.pareto, design.peaks[k]),
+                         tail(design.load.weibull, design.peaks[k])});
+    return results;
+}
+
+/// The methods that hold for such members.
+std::span<const DesignLoadEstimate> shown(const CaseDesignLoad& one) {
+    const std::span<const DesignLoadEstimate> all = one.load.estimates;
+    return one.of_one_kind() ? all : all.first(std::min<std::size_t>(1, all.size()));
+}
+
+/// Sentences about loads that rise and members that stand out, before any figure.
+std::string doubt_lines(const Summary& summary, const std::vector<CaseDesignLoad>& designs) {
+    std::string lines;
+    for (const CaseDesignLoad& one : designs)
+        if (one.trend.rises() && !one.refused)
+            lines += fmt::format("! {}: {}: a longer exposure may see higher loads than these.\n",
+                                 summary.label_of(one.case_index), trend_text(one.trend));
+    for (const CaseDesignLoad& one : designs)
+        if (const std::string text = standing_out_text(one); !text.empty())
+            lines += fmt::format("! {}: {}\n", summary.label_of(one.case_index), text);
+    return lines;
+}
+
+/// Of a rise or fall that is sure, but too small to matter; empty if there is none.
+std::string negligible_text(const std::string& name, const JointTrend& trend) {
+    if (!trend.negligible()) return "";
+    return fmt::format("{}: {}; surely less than {:g} %, it is taken as steady.", name, trend_text(trend),
+                       negligible_change / unit::percent);
+}
+
+/// "E30: too few peaks (3 of 20) to fit; about 27 arrangements would do."
+std::string none_text(const std::string& name, const CaseDesignLoad& one, const CaseRow& about) {
+    if (one.refused)
+        return fmt::format(
+            "{}: {}, so it is not known how high it gets later. Measure later (--window auto, or run with a later "
+            "analysis.steady_start_s); --rising extrapolates as if it stayed as in the window.{}",
+            name, trend_text(one.trend), end_text(about));
+    const DesignLoad& load = one.load;
+    if (load.arrangements < fewest_members)
+        return fmt::format("{}: {} of the {} arrangements that a design load needs; 8 or more are a beginning.", name,
+                           load.arrangements, fewest_members);
+    const double more =
+        load.peaks > 0
+            ? std::ceil(static_cast<double>(fewest_peaks * load.arrangements) / static_cast<double>(load.peaks))
+            : 0;
+    return fmt::format("{}: too few peaks ({} of {}) to fit; {}.", name, load.peaks, fewest_peaks,
+                       more > static_cast<double>(load.arrangements)
+                           ? fmt::format("about {:.0f} arrangements would do", more)
+                           : std::string{"run more arrangements"});
+}
+
+std::string percent(double share) {
+    return fmt::format("{:.3g} %", share / unit::percent);
+}
+
+std::string scale_words(const DesignLoadRequest& request) {
+    if (request.scale == 1) return "";
+    return fmt::format(
+        "\nFull scale by Froude, 1 : {0:g}: lengths x {0:g}, times x {1:.3g}, loads x {2:.3g}. The strength of the ice "
+        "and "
+        "its modulus are then {0:g} times those of the campaign.\n",
+        request.scale, std::sqrt(request.scale), request.force_factor());
+}
+
+std::string design_title(const DesignLoadRequest& request) {
+    if (request.force == DesignLoadRequest::Force::k_x)
+        return fmt::format("Design mooring force: the largest k x in {:g} h", request.exposure / unit::hour);
+    if (request.force == DesignLoadRequest::Force::moorings)
+        return fmt::format("Design mooring force: the largest force of springs and lines along the tow in {:g} h",
+                           request.exposure / unit::hour);
+    return fmt::format("Design load: the largest load averaged over {:g} s in {:g} h", request.averaging,
+                       request.exposure / unit::hour);
+}
+
+/// Beside the figure that it is about; empty where the methods agree.
+std::string doubt_text(const CaseDesignLoad& one) {
+    if (!one.of_one_kind()) return "";
+    const double apart = disagreement(one.load);
+    return apart > much_disagreement ? fmt::format(" (methods differ by {:.0f} %)", apart / unit::percent) : "";
+}
+
+Section loads_section(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
+                      const DesignLoadRequest& request) {
+    Results table{.columns = {{.words = "case"}, estimates("", "expected", "N")}};
+    for (const double p : request.quantiles)
+        table.columns.push_back(estimates("", fmt::format("exceeded with {}", percent(1 - p)), "N"));
+    for (ResultColumn& column : table.columns) column.digits = 3;
+    std::vector<std::string> too_few;
+    std::vector<std::string> steadiness;
+    for (const CaseDesignLoad& one : designs) {
+        const std::string& name = summary.label_of(one.case_index);
+        const CaseRow& about = summary.cases[one.case_index].about;
+        if (std::string small = negligible_text(name, one.trend); !small.empty())
+            steadiness.push_back(std::move(small));
+        if (!one.load.valid()) {
+            too_few.push_back(none_text(name, one, about));
+            continue;
+        }
+        if (std::string steady = stationary_text(name, one.trend, about); !steady.empty())
+            steadiness.push_back(std::move(steady));
+        for (const DesignLoadEstimate& made : shown(one)) {
+            const bool first = made.method == LargestBy::both_tails;
+            std::vector<Datum> line{first ? fmt::format("{}, {}{}", name, name_of(made.method), doubt_text(one))
+                                          : fmt::format("  {}", name_of(made.method))};
+            const auto add = [&](const DesignLoadFigure& figure) {
+                const int runs = static_cast<int>(one.load.arrangements);
+                line.emplace_back(
+                    shown_figure(figure, request.force_factor(), says_something(figure.value, figure.interval, runs)));
+            };
+            add(made.expected);
+            for (const DesignLoadFigure& figure : made.quantiles) add(figure);
+            table.add(std::move(line));
+        }
+    }
+    const std::vector<Results> records{load_rows(summary, designs, request), basis_rows(summary, designs, request),
+                                       threshold_rows(summary, designs), rate_rows(summary, designs)};
+    if (too_few.size() == designs.size())
+        return {.title = design_title(request),
+                .before = fmt::format("{}\n", fmt::join(too_few, "\n")),
+                .results = records};
+    std::vector<Results> results{std::move(table)};
+    results.insert(results.end(), records.begin(), records.end());
+    std::vector<std::string> notes = std::move(too_few);
+    notes.insert(notes.end(), steadiness.begin(), steadiness.end());
+    return {
+        .title = design_title(request),
+        .results = std::move(results),
+        .after =
+            "\nBrackets: 95 %. Both tails: Pareto and Weibull tail of members that may differ, above several "
+            "thresholds; "
+            "its interval includes which of these it is. The others, by bootstrap over arrangements, take members as "
+            "alike; Gumbel and GEV: of the segment maxima. docs/design_load.md\n" +
+            scale_words(request),
+        .notes = std::move(notes)};
+}
+
+/// For people, a line for each figure.
+Results basis_table(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
+                    const DesignLoadRequest& request) {
+    Results table{.view = Results::View::side_by_side};
+    std::vector<std::vector<Datum>> rows(designs.size());
+    const auto add = [&](ResultColumn about, const auto& value) {
+        table.columns.push_back(std::move(about));
+        for (std::size_t k = 0; k < designs.size(); ++k)
+            rows[k].push_back(designs[k].load.valid() ? Datum(value(designs[k])) : Undefined{});
+    };
+    // A single tail through two kinds of member is that of neither.
+    const auto of_one_kind = [](const auto& value) {
+        return [value](const CaseDesignLoad& one) { return one.of_one_kind() ? Datum(value(one)) : Undefined{}; };
+    };
+    using Design = const CaseDesignLoad&;
+    const double times = std::sqrt(request.scale);
+    const double forces = request.force_factor();
+    table.columns.push_back({.words = "what it rests on"});
+    for (std::size_t k = 0; k < designs.size(); ++k) rows[k].emplace_back(summary.label_of(designs[k].case_index));
+    add({.words = "arrangements"}, [](Design one) { return one.load.arrangements; });
+    add({.words = "time run, h", .digits = 3}, [&](Design one) { return one.load.time_run * times / unit::hour; });
+    add({.words = "exposure / time run", .digits = 2},
+        [&](Design one) { return request.model_exposure() / one.load.time_run; });
+    add({.words = "members that stand out"}, [](Design one) { return one.load.unlike.out.size(); });
+    add({.words = "a kind of member may be unseen, up to", .unit = "share", .decimals = 0},
+        [](Design one) { return unseen_share(one.load.arrangements); });
+    add({.words = "the others' scales differ by (SD)", .unit = "share", .decimals = 0},
+        [](Design one) { return one.load.scatter; });
+    add({.words = "peaks above the threshold a member, variance / mean", .decimals = 2},
+        [](Design one) { return one.load.unlike.dispersion; });
+    add({.words = "  p, if members are alike", .digits = 3}, [](Design one) { return one.load.unlike.dispersion_p; });
+    add({.words = "not steady"}, [&](Design one) { return summary.cases[one.case_index].not_steady; });
+    add({.words = "peaks at least apart, s", .digits = 3}, [&](Design one) { return one.separation * times; });
+    add({.words = "threshold", .unit = "N", .digits = 3}, [&](Design one) { return forces * one.load.threshold; });
+    add({.words = "peaks above"}, [](Design one) { return one.load.peaks; });
+    add({.words = "ξ of the Pareto tail", .decimals = 2},
+        of_one_kind([](Design one) { return one.load.pareto.shape; }));
+    add({.words = "c of the Weibull tail", .decimals = 2},
+        of_one_kind([](Design one) { return one.load.weibull.shape; }));
+    add({.words = "weight of the Weibull tail", .decimals = 2}, [](Design one) { return one.load.weibull_weight; });
+    for (std::size_t k = 0; k < std::size(threshold_shares); ++k)
+        add({.words = fmt::format("with the highest {} of the peaks", percent(threshold_shares[k])),
+             .unit = "N",
+             .digits = 3},
+            of_one_kind([&, k](Design one) { return forces * one.over_shares[k]; }));
+    add({.words = "methods differ by", .unit = "share", .decimals = 0},
+        of_one_kind([](Design one) { return disagreement(one.load); }));
+    add({.words = "resamples without a fit"},
+        [](Design one) { return fmt::format("{} of {}", one.load.dropped, one.load.draws.size()); });
+    add({.words = "more arrangements for half the interval"}, [](Design one) { return 3 * one.load.arrangements; });
+    for (std::vector<Datum>& row : rows) table.add(std::move(row));
+    return table;
+}
+
+Section basis_section(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
+                      const DesignLoadRequest& request) {
+    if (std::ranges::none_of(designs, [](const CaseDesignLoad& one) { return one.load.valid(); })) return {};
+    return {
+        .results = {basis_table(summary, designs, request)},
+        .after = fmt::format(
+            "\nEach tail is fitted to the highest {} of the peaks; both tails average over more and fewer. A kind "
+            "of member as rare as \"unseen, up to\" is missing from one sample of this size in twenty, and then from "
+            "the loads. ξ below 0: the load is bounded; above "
+            "0: its tail is heavy. c: 1 exponential, 2 Gaussian. The load with other shares of the "
+            "peaks, and the methods' difference, are of the load exceeded with {}.\n",
+            percent(request.share), percent(1 - request.quantiles.front()))};
+}
+
+}  // namespace
+
+Units design_units(const std::vector<CaseDesignLoad>& designs, const DesignLoadRequest& request) {
+    double largest = 0;
+    for (const CaseDesignLoad& design : designs)
+        for (const DesignLoadEstimate& made : shown(design))
+            for (const DesignLoadFigure& figure : made.quantiles)
+                if (figure.value > largest) largest = figure.value;
+    return Units(largest * request.force_factor());
+}
+
+std::vector<Section> design_load_sections(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
+                                          const DesignLoadRequest& request) {
+    const std::string conditions = fmt::format("{}", fmt::join(condition_lines(summary), "\n"));
+    return {{.before = fmt::format("{}Campaign {}.\n{}\n", doubt_lines(summary, designs), summary.title, conditions)},
+            loads_section(summary, designs, request),
+            basis_section(summary, designs, request),
+            pairs_section(summary, designs, request)};
+}
+
+}  // namespace floes

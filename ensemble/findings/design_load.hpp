@@ -1,0 +1,98 @@
+#pragma once
+// The averaged loads of a case's members, as tails are fitted to them.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "campaign_file/campaign_table.hpp"
+#include "core/units.hpp"
+#include "findings/steady.hpp"
+#include "findings/summary.hpp"
+#include "inference/design_load.hpp"
+#include "tables/section.hpp"
+#include "tables/units.hpp"
+
+namespace floes {
+
+struct CasePeaks {
+    std::vector<PeakRow> rows;
+    std::vector<int> arrangements;  ///< of the rows, in their order
+    std::vector<int> members;       ///< the same
+    Measured measured;
+};
+
+/// Of the done members that averaged their load over `time`, s.
+CasePeaks case_peaks(const CampaignTable& table, std::size_t of_case, double time);
+
+// The design load of each case: the largest averaged load in an exposure, by every method, and what it rests on.
+
+/// What is asked for, at full scale. Froude: times and speeds grow with the square root of the scale, forces with its
+/// cube.
+struct DesignLoadRequest {
+    /// Of which the peaks are: the load, the mooring force k x that stored loads make, or that of the simulation.
+    enum class Force { load, k_x, moorings };
+
+    double exposure = 3 * unit::hour;    ///< s
+    std::vector<double> quantiles{0.9};  ///< probabilities of not being exceeded, each in (0, 1)
+    double averaging = 1;                ///< s, that the load is averaged over
+    double scale = 1;                    ///< length at full scale / length in the campaign
+    bool rising = false;                 ///< extrapolate a load that still rises in the measured window
+    double share = 0.25;                 ///< of the peaks, the highest, that the tails are fitted to
+    Force force = Force::load;
+
+    double model_exposure() const;   ///< s
+    double model_averaging() const;  ///< s
+    double force_factor() const;     ///< load at full scale / load in the campaign
+};
+
+struct CaseDesignLoad {
+    std::size_t case_index = 0;
+    double separation = 0;          ///< s, between peaks
+    std::vector<int> arrangements;  ///< of the rows, in their order
+    std::vector<int> members;       ///< the same
+    std::vector<double> peaks;      ///< of all rows, falling, N
+    DesignLoad load;                ///< at the scale of the campaign; not valid if refused
+    JointTrend trend;
+    bool refused = false;  ///< the load rises, and nobody asked for it to be extrapolated
+    /// Whether all members are of one kind, which the other methods and pairs take for granted.
+    bool of_one_kind() const { return load.unlike.out.empty(); }
+
+    std::vector<double> over_shares;  ///< the first quantile with each of threshold_shares of the peaks
+};
+
+/// "2 of 50 members carry the 14 highest peaks: replay 17 and 31.", and what follows from it; empty if none stands out.
+std::string standing_out_text(const CaseDesignLoad& one);
+
+/// How far the methods lie apart, relative to the load by both tails; of the first quantile. `load` is valid.
+double disagreement(const DesignLoad& load);
+
+/// A disagreement that is said beside the load.
+inline constexpr double much_disagreement = 0.25;
+
+/// Shares of the peaks for which the first quantile is shown, to defend the threshold.
+inline constexpr double threshold_shares[]{0.5, 0.35, 0.25, 0.15, 0.1};
+
+/// The campaign's own averaging time that the request means, s at the campaign's scale. Throws InputError if there is
+/// none.
+double averaging_time(const CampaignTable& table, const DesignLoadRequest& request);
+
+/// One for each case. Throws InputError if the members did not average over that time.
+std::vector<CaseDesignLoad> find_design_loads(const CampaignTable& table, const DesignLoadRequest& request);
+
+/// The same of other peaks, one for each case.
+std::vector<CaseDesignLoad> find_design_loads(const CampaignTable& table, const DesignLoadRequest& request,
+                                              const std::vector<CasePeaks>& peaks);
+
+// The design loads of a campaign as output.
+
+/// That suit these loads at full scale.
+Units design_units(const std::vector<CaseDesignLoad>& designs, const DesignLoadRequest& request);
+
+/// The loads, what they rest on, and the differences between cases with the same arrangements whose members are of one
+/// kind. For programs "design/loads" at full scale, and at the scale of the campaign "design/basis",
+/// "design/over_thresholds" and "design/rates".
+std::vector<Section> design_load_sections(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
+                                          const DesignLoadRequest& request);
+
+}  // namespace floes

@@ -1,0 +1,299 @@
+#include "findings/extremes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "core/units.hpp"
+#include "findings/summary.hpp"
+#include "tables/number_text.hpp"
+
+namespace floes {
+
+namespace {
+
+std::array<const FittedExtreme*, 2> fits_of(const CaseExtremes& one) {
+    return {&one.gumbel, &one.gev};
+}
+
+std::string hours(double seconds) {
+    return seconds < unit::hour ? fmt::format("{:.3g} min", seconds / 60)
+                                : fmt::format("{:.3g} h", seconds / unit::hour);
+}
+
+Estimate with(double value, const Limits& limits) {
+    return {value, limits.low, limits.high};
+}
+
+/// A level; its interval is said where the bootstrap says more than that nothing is known.
+Estimate shown_level(const ReturnLevel& level) {
+    Estimate shown = with(level.level, level.interval);
+    shown.said = says_something(level.level, level.interval, fewest_for_interval);
+    return shown;
+}
+
+/// Columns for people, then those for programs.
+Results empty_fits() {
+    Results results{.place = "extremes",
+                    .columns = {{.words = "segment maxima"},
+                                {.words = "location", .unit = "N"},
+                                {.words = "scale", .unit = "N"},
+                                {.words = "ξ", .decimals = 2},
+                                {.words = "p A²", .p = true}}};
+    for (const double period : return_periods)
+        results.columns.push_back(estimates("", fmt::format("1 in {:g}", period), "N"));
+    results.columns = std::move(results.columns) + program_columns("case distribution segment maxima");
+    for (const char* key : {"location", "scale", "shape"}) results.columns.push_back(estimates(key, ""));
+    results.columns =
+        std::move(results.columns) + program_columns(
+                                         "log_likelihood anderson_darling anderson_darling_p kolmogorov_smirnov "
+                                         "kolmogorov_smirnov_p");
+    for (const double period : return_periods)
+        results.columns.push_back(estimates(fmt::format("level_{:g}", period), ""));
+    return results;
+}
+
+void add_fit(const Summary& summary, const CaseExtremes& extremes, const FittedExtreme& fitted, Results& results) {
+    constexpr double edge = 0.99;  // of the shapes that are looked at
+    const bool gev = &fitted == &extremes.gev;
+    const bool degenerate = gev && std::abs(fitted.fit.shape) > edge;
+    const auto shown = [&](Datum value) { return degenerate ? Datum(Undefined{}) : value; };
+    std::vector<Datum> row{fmt::format("  {}{}", name_of(fitted.kind), degenerate ? ": no fit" : ""),
+                           shown(fitted.fit.location), shown(fitted.fit.scale),
+                           gev ? shown(fitted.fit.shape) : Datum(Absent{}), shown(fitted.goodness.anderson_darling_p)};
+    const auto add_levels = [&](const auto& cell_of) {
+        for (std::size_t k = 0; k < std::size(return_periods); ++k)
+            row.push_back(k < fitted.levels.size() ? cell_of(fitted.levels[k]) : Datum(Undefined{}));
+    };
+    add_levels([&](const ReturnLevel& level) { return shown(shown_level(level)); });
+    row.insert(row.end(), {summary.named(extremes.case_index), name_of(fitted.kind), extremes.segment, extremes.maxima,
+                           with(fitted.fit.location, fitted.location), with(fitted.fit.scale, fitted.scale),
+                           with(fitted.fit.shape, fitted.shape), fitted.fit.log_likelihood,
+                           fitted.goodness.found.anderson_darling, fitted.goodness.anderson_darling_p,
+                           fitted.goodness.found.kolmogorov_smirnov, fitted.goodness.kolmogorov_smirnov_p});
+    add_levels([](const ReturnLevel& level) { return Datum(with(level.level, level.interval)); });
+    const bool valid = extremes.gumbel.fit.valid();
+    results.add(std::move(row), valid ? Results::For::everybody : Results::For::programs);
+}
+
+Results fit_results(const Summary& summary, const std::vector<CaseExtremes>& all) {
+    Results results = empty_fits();
+    for (const CaseExtremes& extremes : all) {
+        results.add_heading(fmt::format(
+            "{}, {} maxima{}", summary.label_of(extremes.case_index), extremes.maxima,
+            extremes.gumbel.fit.valid() ? "" : fmt::format(": too few to fit ({} or more)", fewest_maxima)));
+        for (const FittedExtreme* fitted : fits_of(extremes)) add_fit(summary, extremes, *fitted, results);
+    }
+    return results;
+}
+
+/// What the number of tests does to chance.
+std::string chance_text(const std::vector<CaseExtremes>& extremes) {
+    std::size_t tests = 0;
+    for (const CaseExtremes& one : extremes) tests += one.gumbel.fit.valid() ? fits_of(one).size() : 0;
+    if (tests < 2) return "";
+    return fmt::format(" p A² stands here {} times; of fits that are right one in twenty is below 0.05.", tests);
+}
+
+}  // namespace
+
+std::vector<CaseExtremes> find_extremes(const CampaignTable& table) {
+    std::vector<CaseExtremes> all;
+    for (std::size_t index = 0; index < table.cases.size(); ++index) {
+        std::vector<std::vector<double>> maxima;
+        std::vector<double> pooled;
+        for (const MemberRow& row : table.members) {
+            if (row.case_index != static_cast<int>(index) || !row.done()) continue;
+            maxima.push_back(row.load.segment_maximum);
+            pooled.insert(pooled.end(), row.load.segment_maximum.begin(), row.load.segment_maximum.end());
+        }
+        const Analysis& analysis = table.cases[index].analysis;
+        CaseExtremes found;
+        found.case_index = index;
+        found.segment = analysis.window / analysis.segments;
+        found.maxima = pooled.size();
+        found.gumbel = fit_extremes(maxima, ExtremeKind::gumbel, return_periods);
+        found.gev = fit_extremes(maxima, ExtremeKind::gev, return_periods);
+        found.exceedance = exceedance_curve(std::move(pooled));
+        all.push_back(std::move(found));
+    }
+    return all;
+}
+
+const char* name_of(ExtremeKind kind) {
+    return kind == ExtremeKind::gumbel ? "Gumbel" : "GEV";
+}
+
+Section extremes_section(const Summary& summary, const std::vector<CaseExtremes>& extremes) {
+    Section section{.title = "Extremes",
+                    .results = {fit_results(summary, extremes)},
+                    .figures = {exceedance_figure(summary, extremes)}};
+    const auto fitted =
+        std::ranges::find_if(extremes, [](const CaseExtremes& of_case) { return of_case.gumbel.fit.valid(); });
+    if (fitted == extremes.end()) {
+        section.before = fmt::format("Too few segment maxima to fit in every case; {} would do.\n", fewest_maxima);
+        section.results.front().view = Results::View::none;
+        return section;
+    }
+    section.after = fmt::format(
+        "\nMaximum likelihood; 1 in N: the load that one segment in N exceeds (a segment: {:g} s; 1 in 1000: once in "
+        "{}), interval by bootstrap over arrangements. ξ: shape, below 0 with an upper bound. p A²: Anderson-Darling; "
+        "small: poor fit of the distribution.\nFor exposures longer than the one simulated, a return level is an "
+        "extrapolation.{}\n",
+        fitted->segment, hours(1000 * fitted->segment), chance_text(extremes));
+    return section;
+}
+
+Section exceedance_section(const Summary& summary, const std::vector<CaseExtremes>& extremes) {
+    Results results{.place = "exceedance",
+                    .columns = program_columns("case load empirical gumbel gev"),
+                    .view = Results::View::none};
+    const auto beyond = [](const ExtremeFit& fit, double load) {
+        return fit.valid() ? Datum(1 - extreme_cdf(fit, load)) : Datum(Undefined{});
+    };
+    for (const CaseExtremes& of_case : extremes)
+        for (const ExceedancePoint& point : of_case.exceedance)
+            results.add({summary.named(of_case.case_index), point.load, point.probability,
+                         beyond(of_case.gumbel.fit, point.load), beyond(of_case.gev.fit, point.load)});
+    return {.results = {std::move(results)}};
+}
+
+Figure exceedance_figure(const Summary& summary, const std::vector<CaseExtremes>& extremes) {
+    std::vector<double> loads;
+    double least = 1;
+    for (const CaseExtremes& one : extremes) {
+        for (const ExceedancePoint& point : one.exceedance) {
+            loads.push_back(point.load);
+            least = std::min(least, point.probability);
+        }
+    }
+    const double floor = least / 20;
+    Axis x = axis_around("largest load of a segment", loads, true, "N");
+    x.high *= 1.4;
+    Figure figure{.description = "Probability that a segment's largest load exceeds a load",
+                  .x = x,
+                  .y = {"probability of exceedance", floor, 1, true},
+                  .size = {720, 380},
+                  .legend = case_legend(summary),
+                  .caption =
+                      "Dots: maxima of all segments, of single steps, which are no design loads. Lines: Gumbel, "
+                      "dashed: GEV, fitted by maximum likelihood."};
+    for (std::size_t i = 0; i < extremes.size(); ++i) {
+        const CaseExtremes& one = extremes[i];
+        for (const ExceedancePoint& point : one.exceedance) figure.dot(point.load, point.probability, colour(i), 2.5);
+        for (const FittedExtreme* fitted : {&one.gumbel, &one.gev}) {
+            if (!fitted->fit.valid()) continue;
+            Figure::Points curve;
+            for (int step = 0; step <= 200; ++step) {
+                const double load = x.low + (x.high - x.low) * step / 200;
+                const double probability = 1 - extreme_cdf(fitted->fit, load);
+                if (probability >= floor && probability < 1) curve.emplace_back(load, probability);
+            }
+            figure.line(std::move(curve), colour(i) + (fitted == &one.gumbel ? "" : " dashed"));
+        }
+    }
+    return figure;
+}
+
+namespace {
+
+constexpr double minute = 60;  // s
+
+/// None where no load came above any level.
+std::vector<Figure> levels_figures(const Summary& summary, const std::vector<LevelRow>& rows) {
+    std::vector<double> loads;
+    double least = 1;
+    for (const LevelRow& row : rows) {
+        loads.push_back(row.level);
+        if (row.time_above.estimate > 0) least = std::min(least, row.time_above.estimate);
+    }
+    if (least == 1) return {};
+    const double floor = least / 3;
+    Figure figure{.description = "Share of the time with a surge load above a level",
+                  .x = axis_around("surge load", loads, true, "N"),
+                  .y = {"share of the time", floor, 1, true},
+                  .size = {720, 340},
+                  .legend = case_legend(summary),
+                  .caption =
+                      "Share of the time in the window with a surge load above the levels that the members "
+                      "counted at every step: mean over arrangements with its 95 % interval."};
+    const std::size_t cases = summary.cases.size();
+    for (std::size_t i = 0; i < cases; ++i) {
+        // A small offset puts the intervals of one level side by side.
+        const double aside =
+            0.006 * (figure.x.high - figure.x.low) * (static_cast<double>(i) - 0.5 * static_cast<double>(cases - 1));
+        Figure::Points curve;
+        for (const LevelRow& row : rows) {
+            if (row.case_index != i || !(row.time_above.estimate > 0)) continue;
+            const double at = row.level + aside;
+            curve.emplace_back(at, row.time_above.estimate);
+            figure.line({{at, std::max(floor, row.time_above.low)}, {at, row.time_above.high}}, colour(i) + " thin");
+            figure.dot(at, row.time_above.estimate, colour(i), 3);
+        }
+        figure.line(std::move(curve), colour(i));
+    }
+    return {std::move(figure)};
+}
+
+}  // namespace
+
+std::vector<LevelRow> find_levels(const CampaignTable& table) {
+    std::vector<LevelRow> rows;
+    for (std::size_t index = 0; index < table.cases.size(); ++index) {
+        const CaseRow& about = table.cases[index];
+        for (std::size_t level = 0; level < table.levels.size(); ++level) {
+            std::vector<double> shares;
+            std::vector<double> rates;
+            for (const MemberRow& member : table.members) {
+                if (member.case_index != static_cast<int>(index) || std::isnan(member.steps_above[level])) continue;
+                shares.push_back(member.steps_above[level] / about.window_steps());
+                rates.push_back(member.upcrossings[level] / about.analysis.window);
+            }
+            if (shares.empty()) continue;
+            rows.push_back({index, table.levels[level], static_cast<int>(shares.size()),
+                            clipped(mean_interval(shares), 0, 1),
+                            clipped(mean_interval(rates), 0, std::numeric_limits<double>::infinity())});
+        }
+    }
+    return rows;
+}
+
+Section levels_section(const Summary& summary, const std::vector<LevelRow>& rows) {
+    ResultColumn time_above = estimates("time_above", "time above", "share");
+    time_above.decimals = 3;
+    ResultColumn rises = estimates("", "rises per minute");
+    rises.decimals = 2;
+    Results results{.place = "load_levels",
+                    .columns = {{"case", "case"},
+                                {.key = "level", .words = "load", .unit = "N", .digits = 4},
+                                {"runs", "runs"},
+                                std::move(time_above),
+                                std::move(rises),
+                                estimates("upcrossings_per_s", "")}};
+    for (const LevelRow& row : rows) {
+        const auto shown = [](const Interval& mean, double factor) {
+            return Estimate{factor * mean.estimate, factor * mean.low, factor * mean.high};
+        };
+        results.add({summary.named(row.case_index), row.level, row.runs, shown(row.time_above, 1),
+                     shown(row.upcrossings, minute), shown(row.upcrossings, 1)});
+    }
+    if (rows.empty()) {
+        results.in_csv = false;
+        return {.before =
+                    "Load levels: no member counted any (analysis.exceedance_levels_N). For the exceedance curve of "
+                    "the segment maxima use --format csv or json.\n",
+                .results = {std::move(results)}};
+    }
+    return {.title = "Load levels",
+            .results = {std::move(results)},
+            .after =
+                "\nTime above: share of the window with a surge load above the level; rises: how often the load "
+                "rises through it.\nCounted in each member at every time step; mean over arrangements with its "
+                "95 % interval (t).\n",
+            .figures = levels_figures(summary, rows)};
+}
+
+}  // namespace floes

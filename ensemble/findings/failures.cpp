@@ -1,0 +1,366 @@
+#include "findings/failures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "core/units.hpp"
+#include "findings/catalogue.hpp"
+#include "ice/failure_mode.hpp"
+#include "ice/floe_grid.hpp"
+#include "scenario/floes.hpp"
+#include "tables/number_text.hpp"
+
+namespace floes {
+
+namespace {
+
+struct Stroke {
+    const char* style;
+    const char* words;
+};
+
+/// Of each mode, the same in every report.
+constexpr std::array<Stroke, failure_mode_names.size()> strokes{{{"", "solid line"},
+                                                                 {" dashed", "dashed"},
+                                                                 {" dotted", "dotted"},
+                                                                 {" thin", "thin"},
+                                                                 {" thin dashed", "thin dashed"},
+                                                                 {" thin dotted", "thin dotted"}}};
+
+/// Failures so far over time, as steps up to `end`; `runs` of them are averaged.
+Figure::Points steps_of(std::vector<double> times, double end, int runs) {
+    std::ranges::sort(times);
+    Figure::Points points{{0, 0}};
+    for (std::size_t k = 0; k < times.size(); ++k) {
+        points.emplace_back(times[k], points.back().second);
+        points.emplace_back(times[k], static_cast<double>(k + 1) / runs);
+    }
+    points.emplace_back(end, points.back().second);
+    return points;
+}
+
+/// "bending", "in-plane bending"; `mode` as in BreakRow.
+std::string mode_name(int mode) {
+    return mode == static_cast<int>(FailureMode::in_plane_bending)
+               ? "in-plane bending"
+               : failure_mode_names.at(static_cast<std::size_t>(mode));
+}
+
+/// How often the joints failed in one floe of one member of a case, 0 to 1.
+struct CaseFailures {
+    std::string name;
+    FloeShape floe;
+    int floes;
+    FloeGrid grid;
+    std::vector<GridJoint> joints;
+    std::vector<double> of_joint;
+    std::map<int, double> of_mode;  ///< sum over the joints
+    double total = 0;
+};
+
+/// None where floes differ in shape: their joints are not the same.
+std::optional<CaseFailures> failures_of(Evidence& evidence, std::size_t of_case) {
+    const FloeSet floes = floes_of(evidence.campaign.cases[of_case].scenario);
+    if (floes.shapes.size() != 1 || floes.shapes.front().is_polygon()) return std::nullopt;
+    const CaseSummary& row = evidence.summary.cases[of_case];
+    const FloeShape& floe = floes.shapes.front();
+    CaseFailures found{
+        evidence.summary.label_of(of_case), floe, static_cast<int>(floes.size()), grid_of(floe), {}, {}, {}};
+    found.joints = joint_order(found.grid);
+    found.of_joint.resize(found.joints.size(), 0.0);
+    const double share = 1.0 / row.done / found.floes;
+    for (const BreakRow& one : breaks_of(evidence)) {
+        const MemberRow& member = evidence.table.members[static_cast<std::size_t>(one.member)];
+        if (member.case_index != static_cast<int>(of_case)) continue;
+        found.of_joint.at(static_cast<std::size_t>(one.joint)) += share;
+        found.of_mode[one.mode] += share;
+        found.total += share;
+    }
+    return found;
+}
+
+/// "soft: 5.2 joints failed in a member: bending 97 %, shear 3 %.", the most frequent mode first.
+std::string sentence(const CaseFailures& found) {
+    std::vector<std::pair<double, int>> sorted;
+    for (const auto& [mode, share] : found.of_mode) sorted.emplace_back(share, mode);
+    std::ranges::sort(sorted, std::ranges::greater{});
+    std::string words;
+    for (const auto& [share, mode] : sorted)
+        words += fmt::format("{}{} {:.0f} %", words.empty() ? "" : ", ", mode_name(mode),
+                             share / found.total / unit::percent);
+    return fmt::format("{}: {:.1f} joints failed in a member: {}.", found.name, found.total * found.floes, words);
+}
+
+/// The floe with each joint in the shade of how often it failed; `largest` is the darkest.
+Figure panel(const CaseFailures& found, double largest) {
+    constexpr std::size_t most_numbers = 40;  // joints; more have no room for them
+    constexpr double widest = 188;            // three panels stand side by side
+    const FloeShape& floe = found.floe;
+    const double half_length = 0.55 * floe.length;
+    const double half_breadth = 0.55 * floe.breadth;
+    const double scale = widest / 2 / std::max(half_length, half_breadth);
+    const double side = found.grid.element;
+    Figure figure{
+        .description = fmt::format("Case {}: how often each joint of a floe failed", found.name),
+        .x = {fmt::format("{}: along the floe, m", found.name), -half_length, half_length, false, {}, floe.length / 2},
+        .y = {"across, m", -half_breadth, half_breadth, false, {}, floe.breadth / 2},
+        .size = {std::max(268.0, 80 + 2 * scale * half_length), 74 + 2 * scale * half_breadth},
+        .heat_scale = fmt::format("up to {:.1f} %", largest / unit::percent)};
+    for (int element = 0; element < found.grid.elements(); ++element) {
+        const Vec3 at = found.grid.centre(element);
+        figure.cell(at.x() - 0.39 * side, at.z() - 0.39 * side, 0.78 * side, 0.78 * side, 1, "ice");
+    }
+    for (std::size_t k = 0; k < found.joints.size(); ++k) {
+        const Vec3 at = found.grid.pivot(found.joints[k]);
+        const bool along = found.joints[k].axis == JointAxis::x;
+        const double x = (along ? 0.22 : 0.78) * side;
+        const double z = (along ? 0.78 : 0.22) * side;
+        figure.cell(at.x() - x / 2, at.z() - z / 2, x, z, found.of_joint[k] / largest, "heat");
+        if (found.joints.size() <= most_numbers)
+            figure.text(at.x(), at.z() - 0.03 * side, fmt::format("{:.1f}", found.of_joint[k] / unit::percent),
+                        "middle", "key");
+    }
+    return figure;
+}
+
+}  // namespace
+
+Section failures_section(Evidence& evidence) {
+    const auto& cases = evidence.summary.cases;
+    std::map<int, std::map<std::size_t, std::vector<double>>> times;  // by mode and case
+    for (const BreakRow& row : breaks_of(evidence)) {
+        const MemberRow& member = evidence.table.members[static_cast<std::size_t>(row.member)];
+        times[row.mode][static_cast<std::size_t>(member.case_index)].push_back(row.time);
+    }
+    if (times.empty()) return {.before = "No joint failed in any member.\n"};
+    Figure figure{.description = "Failed joints over time by mode, mean over arrangements",
+                  .x = {"time since the tow began, s", 0, 1},
+                  .legend = case_legend(evidence.summary),
+                  .caption = "Failed joints so far, mean over arrangements"};
+    for (const CaseSummary& row : cases)
+        figure.x.high = std::max(figure.x.high, row.about.analysis.steady_start + row.about.analysis.window);
+    std::vector<double> counts{1};
+    for (auto& [mode, of_cases] : times) {
+        const Stroke& stroke = strokes.at(static_cast<std::size_t>(mode));
+        for (auto& [of_case, failed] : of_cases) {
+            counts.push_back(static_cast<double>(failed.size()) / cases[of_case].done);
+            figure.line(steps_of(std::move(failed), figure.x.high, cases[of_case].done),
+                        colour(of_case) + stroke.style);
+        }
+        figure.caption += times.size() == 1 ? fmt::format("; all failed in {}", mode_name(mode))
+                                            : fmt::format("{} {} {}", mode == times.begin()->first ? ":" : ",",
+                                                          stroke.words, mode_name(mode));
+    }
+    figure.caption += ".";
+    figure.y = axis_around("failed joints per run", counts, true);
+    return {.figures = {std::move(figure)}};
+}
+
+Section joint_failures_section(Evidence& evidence) {
+    std::vector<CaseFailures> cases;
+    double largest = 0;
+    for (const std::size_t k : drawn_cases(evidence.summary)) {
+        std::optional<CaseFailures> found = failures_of(evidence, k);
+        if (!found) continue;
+        cases.push_back(std::move(*found));
+        for (const double share : cases.back().of_joint) largest = std::max(largest, share);
+    }
+    Section section;
+    if (largest == 0) return section;
+    for (const CaseFailures& found : cases) {
+        section.figures.push_back(panel(found, largest));
+        if (found.total > 0) section.notes.push_back(sentence(found));
+    }
+    section.figures.back().caption =
+        "How often each joint failed, % of all floes of all members; floes lie at every angle to the tow. All cases "
+        "have the same colours." +
+        undrawn_text(evidence.summary);
+    return section;
+}
+
+namespace {
+
+constexpr double finest = 1e-9;  // m²
+
+double side_of(long long area) {
+    return std::sqrt(finest * static_cast<double>(area));
+}
+
+std::vector<double> areas_of(const FloeSet& floes) {
+    std::vector<double> areas;
+    for (std::size_t i = 0; i < floes.size(); ++i) areas.push_back(floes.shape(i).area());
+    return areas;
+}
+
+/// Of each member; drawn again where outlines differ from one arrangement to the next.
+FloeAreas floe_areas(const Campaign& campaign) {
+    std::vector<std::vector<double>> of_cases;
+    for (const Case& one : campaign.cases) of_cases.push_back(areas_of(floes_of(one.scenario)));
+    return [&campaign, of_cases](int member) {
+        const MemberKey key = member_key(campaign, member);
+        const auto of_case = static_cast<std::size_t>(key.case_index);
+        const Scenario& scenario = campaign.cases[of_case].scenario;
+        if (!scenario.shapes.any()) return of_cases[of_case];
+        return areas_of(floes_of(
+            scenario, {arrangement_seed(campaign, key.case_index), static_cast<std::uint32_t>(key.arrangement)}));
+    };
+}
+
+/// Moves the ice of one floe, whose pieces these are, from whole to pieces. `floes`: areas of all, one of them its own.
+void break_up(SizesOfCase& sizes, std::span<const PieceRow> pieces, std::span<const double> floes) {
+    double together = 0;
+    for (const PieceRow& piece : pieces) {
+        together += piece.area;
+        sizes.after.add(piece.area);
+    }
+    const double whole = *std::ranges::min_element(floes, {}, [&](double area) { return std::abs(area - together); });
+    sizes.after.add(whole, -1);
+    sizes.in_pieces += whole;
+    ++sizes.split;
+    sizes.pieces += static_cast<double>(pieces.size());
+}
+
+Figure sizes_figure(const Summary& summary, const std::vector<SizesOfCase>& cases) {
+    std::vector<double> sides;
+    for (const SizesOfCase& one : cases)
+        for (const auto& [side, share] : one.before.steps()) sides.push_back(side);
+    Figure figure{.description = "Share of the ice in floes and pieces of at most a size",
+                  .x = axis_around("size D, side of the square with the same area, m", sides, true),
+                  .y = {"share of the area", 0, 1},
+                  .size = {720, 320},
+                  .legend = case_legend(summary),
+                  .caption = "Sizes of the ice at the end of the run; dashed: of the floes at its start."};
+    for (const SizesOfCase& one : cases) {
+        for (const auto& [sizes, style] : {std::pair(&one.before, " dashed"), std::pair(&one.after, "")}) {
+            Figure::Points points{{figure.x.low, 0}};
+            for (const auto& [side, share] : sizes->steps()) {
+                points.emplace_back(side, points.back().second);
+                points.emplace_back(side, share);
+            }
+            points.emplace_back(figure.x.high, points.back().second);
+            figure.line(std::move(points), colour(one.case_index) + style);
+        }
+    }
+    return figure;
+}
+
+}  // namespace
+
+void IceSizes::add(double area, double share) {
+    const auto key = std::llround(area / finest);
+    Sum& sum = by_area_[key];
+    sum.count += share;
+    sum.area += share * finest * static_cast<double>(key);
+    if (!(sum.count > 0)) by_area_.erase(key);
+}
+
+double IceSizes::area() const {
+    double sum = 0;
+    for (const auto& [key, of] : by_area_) sum += of.area;
+    return sum;
+}
+
+double IceSizes::count() const {
+    double sum = 0;
+    for (const auto& [key, of] : by_area_) sum += of.count;
+    return sum;
+}
+
+double IceSizes::quantile(double share) const {
+    const double wanted = share * area();
+    double below = 0;
+    for (const auto& [key, of] : by_area_) {
+        below += of.area;
+        if (below >= wanted) return side_of(key);
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+std::vector<std::pair<double, double>> IceSizes::steps() const {
+    const double all = area();
+    double below = 0;
+    std::vector<std::pair<double, double>> found;
+    for (const auto& [key, of] : by_area_) {
+        below += of.area;
+        found.emplace_back(side_of(key), below / all);
+    }
+    return found;
+}
+
+std::vector<SizesOfCase> find_piece_sizes(const CampaignTable& table, std::span<const PieceRow> pieces,
+                                          const FloeAreas& floes) {
+    std::vector<SizesOfCase> cases(table.cases.size());
+    for (std::size_t k = 0; k < cases.size(); ++k) cases[k].case_index = k;
+    for (int number = 0; number < static_cast<int>(table.members.size()); ++number) {
+        const MemberRow& member = table.members[static_cast<std::size_t>(number)];
+        if (!member.done()) continue;
+        SizesOfCase& sizes = cases[static_cast<std::size_t>(member.case_index)];
+        ++sizes.runs;
+        const std::vector<double> areas = floes(number);
+        // Every part of a field without end has floes of the same sizes. Files before 1.13 do not count them.
+        const double parts = member.floes_entered > 0 ? member.floes_entered / static_cast<double>(areas.size()) : 1.0;
+        for (const double area : areas) {
+            sizes.before.add(area, parts);
+            sizes.after.add(area, parts);
+        }
+        const auto own = std::ranges::equal_range(pieces, number, {}, &PieceRow::member);
+        for (auto first = own.begin(); first != own.end();) {
+            const auto end = std::ranges::upper_bound(first, own.end(), first->floe, {}, &PieceRow::floe);
+            break_up(sizes, {first, end}, areas);
+            first = end;
+        }
+    }
+    std::erase_if(cases, [](const SizesOfCase& one) { return one.runs == 0; });
+    for (SizesOfCase& one : cases) {
+        one.pieces = one.split > 0 ? one.pieces / one.split : std::numeric_limits<double>::quiet_NaN();
+        one.split /= one.runs;
+        one.in_pieces /= one.before.area();
+    }
+    return cases;
+}
+
+Section piece_sizes_section(Evidence& evidence) {
+    const std::vector<PieceRow>& pieces = pieces_of(evidence);
+    if (pieces.empty())
+        return {.missing = "Sizes of the ice: as at the start, or not kept; no floe is known to be in pieces.\n"};
+    const std::vector<SizesOfCase> cases = find_piece_sizes(evidence.table, pieces, floe_areas(evidence.campaign));
+    using Row = const SizesOfCase&;
+    DataRows records = make_rows<SizesOfCase>(
+        "ice_sizes", cases,
+        {{"case", [&](Row row) { return evidence.summary.name_of(row.case_index); }},
+         {"runs", &SizesOfCase::runs},
+         {Names{"floes_cracked_through", "floes_cracked_through"}, &SizesOfCase::split},
+         {Names{"pieces_of_one", "pieces_of_one"}, &SizesOfCase::pieces},
+         {Names{"area_in_pieces", "area_in_pieces"}, &SizesOfCase::in_pieces},
+         {Names{"before_d10_m", "before_m/d10"}, [](Row row) { return row.before.quantile(0.1); }},
+         {Names{"before_d50_m", "before_m/d50"}, [](Row row) { return row.before.quantile(0.5); }},
+         {Names{"before_d90_m", "before_m/d90"}, [](Row row) { return row.before.quantile(0.9); }},
+         {Names{"after_d10_m", "after_m/d10"}, [](Row row) { return row.after.quantile(0.1); }},
+         {Names{"after_d50_m", "after_m/d50"}, [](Row row) { return row.after.quantile(0.5); }},
+         {Names{"after_d90_m", "after_m/d90"}, [](Row row) { return row.after.quantile(0.9); }}});
+    Table table{{"case", "runs", "cracked through", "pieces each", "area, %", "D at start, m", "D at end, m"}};
+    const auto three = [](const IceSizes& of) {
+        return fmt::format("{}, {}, {}", fixed(of.quantile(0.1), 2), fixed(of.quantile(0.5), 2),
+                           fixed(of.quantile(0.9), 2));
+    };
+    for (Row row : cases)
+        table.push_back({evidence.summary.label_of(row.case_index), fmt::format("{}", row.runs), fixed(row.split, 1),
+                         fixed(row.pieces, 1), fixed(row.in_pieces / unit::percent, 1), three(row.before),
+                         three(row.after)});
+    return {.title = "Sizes of the ice",
+            .table = std::move(table),
+            .after =
+                "\nCracked through: floes in more than one piece, and the share of the area in their pieces. D: side "
+                "of the square with the same area; three values, below which a tenth, half and nine tenths "
+                "of the area are: of the floes as they came, and of floes and pieces at the end. Mean over members.\n",
+            .records = {std::move(records)},
+            .figures = {sizes_figure(evidence.summary, cases)}};
+}
+
+}  // namespace floes

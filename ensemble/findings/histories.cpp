@@ -1,0 +1,176 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "campaign_file/read.hpp"
+#include "core/units.hpp"
+#include "findings/catalogue.hpp"
+#include "scenario/floes.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr std::size_t drawn_columns = 700;
+
+struct DrawnHistory {
+    std::size_t case_index = 0;
+    Figure::Points points;  ///< s after the tow began, N
+};
+
+/// The smallest and the largest value of each column, in order of time, so that peaks are kept.
+Figure::Points thinned(const SurgeHistory& history) {
+    Figure::Points points;
+    const std::size_t width = std::max<std::size_t>(1, history.surge.size() / drawn_columns);
+    for (std::size_t first = 0; first < history.surge.size(); first += width) {
+        const auto column = history.surge.subspan(first, std::min(width, history.surge.size() - first));
+        const auto [low, high] = std::ranges::minmax_element(column);
+        const auto [early, late] = std::minmax(low, high);
+        for (const auto& value : {early, late})
+            points.emplace_back(history.step * static_cast<double>(first + 1 + (value - column.begin())), *value);
+    }
+    return points;
+}
+
+/// The first arrangement that is done in every case; -1 if there is none.
+int common_arrangement(const CampaignTable& table) {
+    std::vector<std::size_t> done;
+    for (const MemberRow& member : table.members) {
+        const auto row = static_cast<std::size_t>(member.arrangement);
+        if (row >= done.size()) done.resize(row + 1);
+        done[row] += member.done() ? 1 : 0;
+    }
+    const auto found = std::ranges::find(done, table.cases.size());
+    return found == done.end() ? -1 : static_cast<int>(found - done.begin());
+}
+
+/// The next larger of 1, 2 and 5 times a power of ten.
+double round_above(double value) {
+    const double power = std::pow(10.0, std::floor(std::log10(value)));
+    for (const double digit : {1.0, 2.0, 5.0})
+        if (digit * power >= value) return digit * power;
+    return 10 * power;
+}
+
+Figure history_figure(const Summary& summary, std::vector<DrawnHistory> histories) {
+    double largest = 0;
+    double end = 0;
+    for (const DrawnHistory& history : histories) {
+        for (const auto& [time, load] : history.points) {
+            largest = std::max(largest, load);
+            end = std::max(end, time);
+        }
+    }
+    const double shift = largest > 0 ? round_above(0.7 * largest) : 1;
+    const double count = static_cast<double>(histories.size());
+    Figure figure{.description = "Surge load over time, one curve for each case",
+                  .x = {count > 1 ? fmt::format("time since the tow began, s; each case shifted by {:g} N", shift)
+                                  : std::string{"time since the tow began, s"},
+                        0, std::max(end, 1e-3)},
+                  .y = {"surge load, N", 0, shift * (count - 1) + std::max(1.05 * largest, 0.6 * shift)},
+                  .size = {720, 160 + 90 * count}};
+    double base = 0;
+    for (DrawnHistory& history : histories) {
+        for (auto& [time, load] : history.points) load += base;
+        const CaseRow& about = summary.cases[history.case_index].about;
+        figure.line(std::move(history.points), colour(history.case_index) + " thin");
+        figure.text(end * 0.01, base + 0.45 * shift, summary.label_of(history.case_index), "start",
+                    "key " + colour(history.case_index));
+        figure.upright(about.analysis.steady_start, "dashed");
+        base += shift;
+    }
+    return figure;
+}
+
+}  // namespace
+
+Section histories_section(Evidence& evidence) {
+    std::vector<DrawnHistory> histories;
+    const int arrangement = common_arrangement(evidence.table);
+    const std::vector<std::size_t> drawn = drawn_cases(evidence.summary);
+    for_each_history(evidence.file, [&](const SurgeHistory& history) {
+        const MemberRow& member = evidence.table.members[static_cast<std::size_t>(history.member)];
+        if (member.arrangement == arrangement && std::ranges::count(drawn, static_cast<std::size_t>(member.case_index)))
+            histories.push_back({static_cast<std::size_t>(member.case_index), thinned(history)});
+    });
+    if (histories.empty())
+        return {.before = "No figure: the file has no load histories of an arrangement that is done in every case.\n"};
+    Figure figure = history_figure(evidence.summary, std::move(histories));
+    figure.caption = std::string(evidence.summary.cases.size() > 1 ? "One arrangement, every case, shifted upwards"
+                                                                   : "One arrangement") +
+                     " (the paper's Fig. 6). Dashed: start of the analysis window." + undrawn_text(evidence.summary);
+    if (std::ranges::any_of(evidence.table.cases, [](const CaseRow& one) { return one.analysis.history_stride > 1; }))
+        figure.caption += " The file holds means over several steps, whose peaks are lower than the measured ones.";
+    return {.figures = {std::move(figure)}};
+}
+
+namespace {
+
+Figure::Points corners(const PlanarPose& pose, const FloeShape& floe) {
+    Figure::Points points;
+    const double c = std::cos(pose.yaw);
+    const double s = std::sin(pose.yaw);
+    for (const Corner& own : floe.outline)
+        points.emplace_back(pose.x + c * own.x + s * own.z, pose.z - s * own.x + c * own.z);
+    if (floe.is_polygon()) return points;
+    for (const auto& [a, b] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
+        const double along = a * floe.length / 2;
+        const double across = b * floe.breadth / 2;
+        points.emplace_back(pose.x + c * along + s * across, pose.z - s * along + c * across);
+    }
+    return points;
+}
+
+Figure plan_view(const Scenario& scenario, const FloeSet& floes, const std::vector<PlanarPose>& poses,
+                 const std::set<int>& broken) {
+    const Field& field = scenario.field;
+    const double radius = scenario.structure.shape.largest_radius();
+    const double low = std::min(scenario.structure.start - radius, field.begin) - 0.3;
+    const double high = scenario.field_end() + std::min(field.sheet_width, 0.5);
+    const double inner = field.half_width;
+    const double half = inner + std::min(field.sheet_width, 0.5);
+    Figure figure{.description = "The floes at the start, from above; floes that broke are marked",
+                  .x = {"along the tow, m", low, high},
+                  .y = {"across, m", -half, half},
+                  .size = to_scale(high - low, 2 * half, 720)};
+    for (const double sign : {-1.0, 1.0})
+        figure.area(
+            {{field.begin, sign * inner}, {high, sign * inner}, {high, sign * half}, {field.begin, sign * half}},
+            "sheet");
+    if (field.far_end == FarEnd::ice_sheet)
+        figure.area({{scenario.field_end(), -inner}, {high, -inner}, {high, inner}, {scenario.field_end(), inner}},
+                    "sheet");
+    for (std::size_t i = 0; i < poses.size(); ++i)
+        figure.area(corners(poses[i], floes.shape(i)), broken.contains(static_cast<int>(i)) ? "ice broken" : "ice");
+    for (const std::vector<Vec2>& piece : scenario.structure.shape.waterlines()) {
+        Figure::Points outline;
+        for (const Vec2& point : piece) outline.emplace_back(scenario.structure.start + point.x(), point.y());
+        figure.area(std::move(outline), "structure");
+    }
+    return figure;
+}
+
+}  // namespace
+
+Section largest_load_section(Evidence& evidence) {
+    const std::optional<int> number = most_loaded_member(evidence);
+    if (!number || evidence.pictured) return {};
+    const MemberRow& member = evidence.table.members[static_cast<std::size_t>(*number)];
+    const auto of_case = static_cast<std::size_t>(member.case_index);
+    std::set<int> broken;
+    for (const BreakRow& row : breaks_of(evidence))
+        if (row.member == *number) broken.insert(row.floe);
+    const Scenario& scenario = evidence.campaign.cases[of_case].scenario;
+    const FloeSet floes =
+        floes_of(scenario, {arrangement_seed(evidence.campaign, member.case_index),
+                            static_cast<std::uint32_t>(member_key(evidence.campaign, *number).arrangement)});
+    Figure figure = plan_view(scenario, floes, read_poses(evidence.file, *number), broken);
+    figure.caption = fmt::format(
+        "Member {}, case {}: largest load {:.1f} N, mean {:.1f} N, {:.1f} % of the floes broke (marked).", *number,
+        evidence.summary.name_of(of_case), member.load.maximum, member.load.mean, member.failure_ratio / unit::percent);
+    return {.notes = {"To watch it: " + replay_command(evidence, *number)}, .figures = {std::move(figure)}};
+}
+
+}  // namespace floes

@@ -1,0 +1,326 @@
+// Structures that gave way in the simulation: the line of each case.
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "campaign_file/read.hpp"
+#include "core/error.hpp"
+#include "core/units.hpp"
+#include "findings/estimates.hpp"
+#include "findings/moored_cases.hpp"
+#include "findings/summary.hpp"
+#include "statistics/load_statistics.hpp"
+#include "tables/number_text.hpp"
+
+namespace floes {
+
+namespace {
+
+std::vector<double> values_of(const Evidence& evidence, std::size_t of_case, std::string_view key) {
+    return evidence.sample.values(evidence.sample.done(of_case), *find_quantity(key));
+}
+
+/// Of a case; not known where a run has none: no lines, no tension; no thrusters, no thrust.
+Estimate mean_of_runs(const Evidence& evidence, std::size_t of_case, std::string_view key) {
+    const std::vector<double> values = values_of(evidence, of_case, key);
+    if (std::ranges::any_of(values, [](double value) { return std::isnan(value); })) return {};
+    return estimate(mean_interval(values), static_cast<int>(values.size()));
+}
+
+double sum_of(const std::vector<double>& values) {
+    double sum = 0;
+    for (const double value : values)
+        if (std::isfinite(value)) sum += value;
+    return sum;
+}
+
+/// Whether some run of a structure that gives way has the quantity.
+bool anywhere(const Evidence& evidence, std::string_view key) {
+    for (std::size_t index = 0; index < evidence.campaign.cases.size(); ++index)
+        if (evidence.campaign.cases[index].scenario.moorings.give_way() &&
+            std::isfinite(mean_of_runs(evidence, index, key).value))
+            return true;
+    return false;
+}
+
+Results run_results(const Evidence& evidence) {
+    const bool lines = anywhere(evidence, "largest_line_tension");
+    const bool thrusters = anywhere(evidence, "largest_surge_thrust");
+    const auto if_any = [](bool any, const char* words) { return any ? words : ""; };
+    Results results{
+        .place = "moored/simulated",
+        .columns = {{"case", "gives way"},
+                    {"runs", "runs"},
+                    estimates("mean_load", "mean load", "N"),
+                    estimates("mean_offset", "mean offset, m"),
+                    estimates("sd_offset", "SD of offset, m"),
+                    estimates("mean_force", "", "N"),
+                    estimates("largest_force", "largest mooring force of a segment", "N"),
+                    {"largest_yaw"},
+                    {.words = "largest yaw, °", .decimals = 1},
+                    {.key = "velocity_ratio", .words = "rms velocity / drift", .decimals = 3},
+                    estimates("largest_tension", if_any(lines, "largest tension of a line"), "N"),
+                    {.key = "broken_lines", .words = if_any(lines, "lines broken"), .decimals = 0},
+                    estimates("largest_thrust", if_any(thrusters, "largest thrust in surge"), "N"),
+                    estimates("thrust_at_limit", if_any(thrusters, "time at the limit of thrust"), "share")}};
+    for (std::size_t index = 0; index < evidence.campaign.cases.size(); ++index) {
+        const Scenario& scenario = evidence.campaign.cases[index].scenario;
+        if (!scenario.moorings.give_way() || evidence.sample.done(index).empty()) continue;
+        const auto mean = [&](std::string_view key) { return mean_of_runs(evidence, index, key); };
+        const std::vector<double> yaw = values_of(evidence, index, "largest_yaw");
+        double squares = 0;
+        const std::vector<double> speeds = values_of(evidence, index, "rms_surge_velocity");
+        for (const double speed : speeds) squares += speed * speed;
+        results.add({evidence.summary.named(index), yaw.size(), mean("mean_load"), mean("mean_surge_offset"),
+                     mean("sd_surge_offset"), mean("mean_surge_mooring"), mean("mean_maximum_surge_mooring"),
+                     std::ranges::max(yaw), std::ranges::max(yaw) / unit::degree,
+                     std::sqrt(squares / static_cast<double>(speeds.size())) / scenario.structure.speed,
+                     mean("largest_line_tension"), sum_of(values_of(evidence, index, "broken_lines")),
+                     mean("largest_surge_thrust"), mean("thrust_at_limit")});
+    }
+    return results;
+}
+
+}  // namespace
+
+std::optional<Section> moored_runs_section(const Evidence& evidence) {
+    Results results = run_results(evidence);
+    if (results.empty()) return {};
+    return Section{
+        .title = "Structures that give way in the simulation",
+        .results = {std::move(results)},
+        .after =
+            "\nOffset along the surge load from where the moorings would have the structure, and what springs and "
+            "lines bear of that load. Largest of a segment: mean over segments and arrangements; tension: mean "
+            "over arrangements of the largest of any line; thrust likewise, and the share of the window in which "
+            "thrusters are at a limit in any direction; brackets: 95 % (t). docs/moored.md\n"};
+}
+
+namespace {
+
+constexpr std::size_t periods_shown = 16;
+
+/// Largest k x over the largest averaged load at one natural period.
+struct Point {
+    std::size_t case_index;
+    double period;  ///< s at full scale
+    Interval amplification;
+};
+
+/// A hull of this natural period, s at full scale; its stiffness does not matter to the ratio.
+MooredRequest hull_of(double period, double damping_ratio, double averaging, double scale) {
+    const double omega = 2 * std::numbers::pi / period;
+    return {{1, 1 / (omega * omega), damping_ratio}, scale, averaging};
+}
+
+struct PeriodRange {
+    double low = HUGE_VAL;
+    double high = 0;
+};
+
+/// Of every case, at full scale: from the shortest period that its histories have to the longest that its window has.
+PeriodRange range_of(const Evidence& evidence, double scale) {
+    PeriodRange range;
+    const double to_full = std::sqrt(scale);
+    for (const CaseRow& one : evidence.table.cases) {
+        const double step = one.time_step * one.analysis.history_stride;
+        range.low = std::min(range.low, to_full * fewest_values * step * 1.001);
+        range.high = std::max(range.high, to_full * one.analysis.window / fewest_periods * 0.999);
+    }
+    return range;
+}
+
+std::vector<double> periods_in(const PeriodRange& range) {
+    std::vector<double> periods;
+    for (std::size_t k = 0; k < periods_shown; ++k)
+        periods.push_back(range.low * std::pow(range.high / range.low, static_cast<double>(k) / (periods_shown - 1.0)));
+    return periods;
+}
+
+/// Of one case.
+struct Ratios {
+    double step = 0;
+    double first_load = HUGE_VAL;              ///< s, the earliest
+    std::vector<std::vector<double>> of_hull;  ///< of each member
+};
+
+std::vector<Point> points_of(const Evidence& evidence, const std::vector<MooredRequest>& hulls) {
+    const std::vector<std::size_t> drawn = drawn_cases(evidence.summary);
+    std::map<std::size_t, Ratios> found;
+    for_each_history(evidence.file, [&](const SurgeHistory& history) {
+        const MemberRow& member = evidence.table.members[static_cast<std::size_t>(history.member)];
+        const auto index = static_cast<std::size_t>(member.case_index);
+        if (std::ranges::find(drawn, index) == drawn.end() ||
+            evidence.campaign.cases[index].scenario.moorings.give_way())
+            return;
+        Ratios& one = found[index];
+        one.step = history.step;
+        one.of_hull.resize(hulls.size());
+        for (std::size_t k = 0; k < hulls.size(); ++k) {
+            const MooredRun run =
+                moored_run(history.surge, history.step, evidence.table.cases[index].analysis, hulls[k]);
+            one.first_load = std::min(one.first_load, run.first_load);
+            if (run.load.mean_maximum > 0) one.of_hull[k].push_back(run.amplification());
+        }
+    });
+    std::vector<Point> points;
+    for (const auto& [index, one] : found)
+        for (std::size_t k = 0; k < hulls.size(); ++k) {
+            const Analysis& analysis = evidence.table.cases[index].analysis;
+            if (!one.of_hull[k].empty() && moored_refusal(analysis, one.step, one.first_load, hulls[k]).empty())
+                points.push_back({index, hulls[k].hull.period(), mean_interval(one.of_hull[k])});
+        }
+    return points;
+}
+
+Figure figure_of(const Evidence& evidence, const std::vector<Point>& points, const std::string& caption) {
+    std::vector<double> heights{1};
+    std::map<std::size_t, Figure::Points> curves;
+    PeriodRange range;
+    for (const Point& point : points) {
+        heights.push_back(point.amplification.estimate);
+        curves[point.case_index].emplace_back(point.period, point.amplification.estimate);
+        range = {std::min(range.low, point.period), std::max(range.high, point.period)};
+    }
+    Figure figure{.description = "Largest mooring force over largest load, over the natural period",
+                  .x = {"natural period, s", range.low, range.high, true},
+                  .y = axis_around("largest k x / largest load", heights, true),
+                  .legend = case_legend(evidence.summary),
+                  .caption = caption + undrawn_text(evidence.summary)};
+    figure.level(1, "dashed");
+    for (auto& [index, curve] : curves) {
+        for (const Point& point : points)
+            if (point.case_index == index && std::isfinite(point.amplification.low))
+                figure.line({{point.period, point.amplification.low}, {point.period, point.amplification.high}},
+                            colour(index) + " thin");
+        figure.line(std::move(curve), colour(index));
+    }
+    if (evidence.moored) figure.upright(evidence.moored->hull.period(), "dotted");
+    return figure;
+}
+
+/// Points at equal periods stand together.
+Results spectrum_rows(const Summary& summary, const std::vector<Point>& points, double damping_ratio) {
+    ResultColumn amplification = estimates("amplification", "largest k x / largest load");
+    amplification.decimals = 2;
+    Results results{.place = "moored/spectrum",
+                    .columns = {{"case", "case"},
+                                {.key = "period", .words = "natural period, s", .digits = 3},
+                                {"damping_ratio"},
+                                std::move(amplification)},
+                    .view = Results::View::none};
+    for (const Point& point : points)
+        results.add({summary.named(point.case_index), point.period, damping_ratio,
+                     Estimate{point.amplification.estimate, point.amplification.low, point.amplification.high}});
+    return results;
+}
+
+}  // namespace
+
+Section moored_spectrum(const Evidence& evidence, double damping_ratio, double averaging, double scale) {
+    const PeriodRange range = range_of(evidence, scale);
+    std::vector<MooredRequest> hulls;
+    if (range.low < range.high)
+        for (const double period : periods_in(range)) hulls.push_back(hull_of(period, damping_ratio, averaging, scale));
+    const std::vector<Point> points = points_of(evidence, hulls);
+    if (points.empty())
+        return {.missing =
+                    "Moored hull: unknown, because the file keeps no load histories (analysis.history_steps), or "
+                    "their run-up and window are too short for any natural period.\n"};
+    const std::string caption = fmt::format(
+        "Largest mooring force k x over the largest load averaged over {:g} s, for hulls of any natural period "
+        "with {:g} % of the critical damping: what moorings make of these loads.",
+        averaging, damping_ratio / unit::percent);
+    Results rows = spectrum_rows(evidence.summary, points, damping_ratio);
+    Results shown = pivot(rows, "period", "case", {"amplification"});
+    return {.title = "Response spectrum",
+            .results = {std::move(shown), std::move(rows)},
+            .after = "\n" + caption + undrawn_text(evidence.summary) + "\n",
+            .figures = {figure_of(evidence, points, "Dashed: the moorings feel the load as it is.")}};
+}
+
+// The force of springs and lines of structures that gave way in the simulation, as tails are fitted to it.
+
+namespace {
+
+/// Peaks nearer than a natural period, or than the time in which the hull's own damping lets a swing fall to 1/e, are
+/// one event, as of a hull that stored loads move. Without damping of its own only the ice lets it fade.
+double separation_of(const Analysis& analysis, const Moorings& moorings) {
+    const double period = moorings.periods()[0];
+    const double fade = moorings.damping > 0 ? period / (2 * std::numbers::pi * moorings.damping) : 0;
+    return std::max({analysis.peak_separation, period, fade});
+}
+
+bool by_thrusters_alone(const Case& one) {
+    return one.scenario.moorings.give_way() && one.scenario.moorings.stiffness()[0] == 0;
+}
+
+}  // namespace
+
+std::vector<CasePeaks> simulated_mooring_peaks(const Evidence& evidence) {
+    const CampaignTable& table = evidence.table;
+    std::vector<CasePeaks> all(table.cases.size());
+    for (std::size_t index = 0; index < all.size(); ++index) {
+        const Analysis& analysis = table.cases[index].analysis;
+        all[index].measured = {analysis.window, analysis.window / analysis.segments,
+                               separation_of(analysis, evidence.campaign.cases[index].scenario.moorings), 0};
+    }
+    for_each_mooring_history(evidence.file, [&](const SurgeHistory& history) {
+        const MemberRow& member = table.members[static_cast<std::size_t>(history.member)];
+        const auto index = static_cast<std::size_t>(member.case_index);
+        const Analysis& analysis = table.cases[index].analysis;
+        const double period = evidence.campaign.cases[index].scenario.moorings.periods()[0];
+        if (const std::string words = period_refusal(analysis, history.step, period, 1); !words.empty())
+            throw InputError(fmt::format("Design mooring force: {}: {}.", evidence.summary.label_of(index), words));
+        const auto window = static_cast<std::size_t>(std::llround(analysis.window / history.step));
+        const std::span<const double> force = history.surge.last(std::min(window, history.surge.size()));
+        CasePeaks& made = all[index];
+        const AveragedLoad as_it_is = averaged_load(force, {.time_step = history.step,
+                                                            .segments = analysis.segments,
+                                                            .times = std::span(&history.step, 1),
+                                                            .peak_separation = made.measured.separation})
+                                          .front();
+        made.rows.push_back({as_it_is.peaks, as_it_is.segment_maximum});
+        made.arrangements.push_back(member.arrangement);
+        made.members.push_back(history.member);
+        made.measured.mean += mean_of(force);
+    });
+    if (std::ranges::all_of(all, [](const CasePeaks& one) { return one.rows.empty(); }))
+        throw InputError(
+            "The file has no histories of mooring forces: they are of structures that give way in the simulation, "
+            "which moorings.mass_t makes them do, with analysis.history_steps of 1 or more. --mooring-kN-m, --mass-t "
+            "and --damping-percent move a hull by the stored loads of a fixed one.");
+    for (CasePeaks& one : all)
+        if (!one.rows.empty()) one.measured.mean /= static_cast<double>(one.rows.size());
+    return all;
+}
+
+std::string mooring_notes(const Evidence& evidence) {
+    const Quantity& broken = *find_quantity("broken_lines");
+    std::string text;
+    for (std::size_t index = 0; index < evidence.table.cases.size(); ++index) {
+        const std::string label = evidence.summary.label_of(index);
+        if (by_thrusters_alone(evidence.campaign.cases[index]))
+            text += fmt::format(
+                "! {}: held by thrusters alone, so there is no mooring force; summarize --parts moored has their "
+                "thrust "
+                "and the time at its limit.\n",
+                label);
+        const Members& members = evidence.sample.done(index);
+        const auto count =
+            std::ranges::count_if(evidence.sample.values(members, broken), [](double lines) { return lines > 0; });
+        if (count > 0)
+            text += fmt::format(
+                "! {}: lines broke in {} of {} members: their force is limited by that of what was left, and no design "
+                "force of lines that hold.\n",
+                label, count, members.size());
+    }
+    return text;
+}
+
+}  // namespace floes

@@ -1,0 +1,336 @@
+#include "findings/pairs.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <ranges>
+
+#include "core/text.hpp"
+#include "core/units.hpp"
+#include "findings/estimates.hpp"
+
+namespace floes {
+namespace {
+
+constexpr std::size_t fewest_shared = 2;
+
+/// Done members of two cases that began from the same floes, beside each other.
+struct SharedMembers {
+    std::size_t first;
+    std::size_t second;
+    std::vector<std::pair<std::size_t, std::size_t>> members = {};
+};
+
+SharedMembers shared(const Sample& sample, std::size_t first, std::size_t second) {
+    SharedMembers pair{first, second};
+    const auto arrangement = [&](std::size_t member) { return sample.arrangement_of(member); };
+    const Members& others = sample.done(second);
+    for (const std::size_t member : sample.done(first)) {
+        const auto partner = std::ranges::lower_bound(others, arrangement(member), {}, arrangement);
+        if (partner != others.end() && arrangement(*partner) == arrangement(member))
+            pair.members.emplace_back(member, *partner);
+    }
+    return pair;
+}
+
+std::vector<SharedMembers> find_pairs(const Sample& sample, const PairOptions& options) {
+    const std::optional<std::size_t> reference = options.reference;
+    std::vector<SharedMembers> pairs;
+    for (std::size_t a = 0; a < sample.cases(); ++a) {
+        for (std::size_t b = a + 1; b < sample.cases(); ++b) {
+            if (!options.others && reference != a && reference != b) continue;
+            SharedMembers pair = reference == b ? shared(sample, b, a) : shared(sample, a, b);
+            if (pair.members.size() >= fewest_shared) pairs.push_back(std::move(pair));
+        }
+    }
+    return pairs;
+}
+
+PairRow compare(const Sample& sample, const SharedMembers& pair, const Quantity& quantity, const PairOptions& options) {
+    std::vector<double> first;
+    std::vector<double> second;
+    std::vector<int> arrangements;
+    for (const auto& [member, partner] : pair.members) {
+        const double before = sample.value(member, quantity);
+        const double after = sample.value(partner, quantity);
+        if (std::isnan(before) || std::isnan(after)) continue;  // an older version did not measure it
+        first.push_back(before);
+        second.push_back(after);
+        arrangements.push_back(sample.arrangement_of(member));
+    }
+    PairRow row{.quantity = quantity, .first = pair.first, .second = pair.second};
+    row.found = compare_paired(first, second);
+    for (const std::vector<std::size_t>* side : {&row.found.apart.above, &row.found.apart.below})
+        for (const std::size_t k : *side) row.apart.push_back(arrangements[k]);
+    std::ranges::sort(row.apart);
+    row.first_mean = std::accumulate(first.begin(), first.end(), 0.0) / static_cast<double>(first.size());
+    const auto needed = [&](double difference) {
+        return arrangements_to_resolve(difference, row.found.sd, 0.95, options.power);
+    };
+    row.to_resolve_observed = needed(row.found.difference);
+    row.to_resolve_wished = needed(options.resolve * row.first_mean);
+    return row;
+}
+
+std::size_t all_pairs(const Summary& summary) {
+    return summary.cases.size() * (summary.cases.size() - 1) / 2;
+}
+
+/// Each pair has a row for each quantity.
+std::size_t pairs_in(const std::vector<PairRow>& rows) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(rows, [&](const PairRow& row) { return row.quantity.key == rows.front().quantity.key; }));
+}
+
+std::string pair_label(const Summary& summary, const PairRow& row) {
+    return fmt::format("{} - {}", summary.label_of(row.second), summary.label_of(row.first));
+}
+
+std::vector<ResultColumn> pair_columns(const PairOptions& options) {
+    using Holds = ResultColumn::Holds;
+    return program_columns("quantity first second") +
+           std::vector<ResultColumn>{{.words = "pair"},
+                                     {"arrangements", "n"},
+                                     estimates("difference", "difference", ""),
+                                     {.words = "of first", .unit = "share", .decimals = 0},
+                                     {.key = "t_p_holm", .words = "p t", .p = true},
+                                     {.key = "wilcoxon_p_holm", .words = "p Wilcoxon", .p = true},
+                                     {.key = "variance_saved", .words = "reduction", .unit = "share", .decimals = 0},
+                                     {.words = "n needed"},
+                                     {.words = fmt::format("n for {:g} %", options.resolve / unit::percent)},
+                                     {.key = "t_interval", .holds = Holds::brackets},
+                                     {.key = "bca", .holds = Holds::brackets}} +
+           program_columns(
+               "first_mean apart sd t t_p rank_sum wilcoxon_p wilcoxon_exact power arrangements_for_observed "
+               "resolve arrangements_for_resolve");
+}
+
+Results pair_results(const Summary& summary, const std::vector<PairRow>& rows, const PairOptions& options) {
+    Results results{.place = "pairs", .columns = pair_columns(options)};
+    const auto needed = [](int count) { return count == 0 ? Datum(Undefined{}) : Datum(count); };
+    const auto shown = [&](int count) { return count < 1'000'000 ? needed(count) : Datum(">10⁶"); };
+    ShortText last;
+    for (const PairRow& row : rows) {
+        const PairedComparison& found = row.found;
+        const auto whom = row.quantity.shown >= Shown::in_headlines ? Results::For::everybody : Results::For::on_page;
+        if (!(row.quantity.key == last))
+            results.add_heading(std::string{row.quantity.label.view()}, whom, unit_of(row.quantity));
+        last = row.quantity.key;
+        const Bracket student{found.t_interval};
+        const Bracket bca{found.bca};
+        results.add({row.quantity.key.view(),
+                     summary.name_of(row.first),
+                     summary.name_of(row.second),
+                     "  " + pair_label(summary, row),
+                     found.arrangements,
+                     row.difference(),
+                     found.difference / row.first_mean,
+                     row.t_p_holm,
+                     row.wilcoxon_p_holm,
+                     found.variance_saved,
+                     shown(row.to_resolve_observed),
+                     shown(row.to_resolve_wished),
+                     student,
+                     bca,
+                     row.first_mean,
+                     row.apart.size(),
+                     found.sd,
+                     found.t,
+                     found.t_p,
+                     found.rank_sum,
+                     found.wilcoxon_p,
+                     found.wilcoxon_exact,
+                     options.power,
+                     needed(row.to_resolve_observed),
+                     options.resolve,
+                     needed(row.to_resolve_wished)},
+                    whom);
+    }
+    return results;
+}
+
+Figure differences(const Summary& summary, const std::vector<PairRow>& rows, const Quantity& quantity,
+                   std::string caption) {
+    std::vector<Strip> strips;
+    for (const PairRow& row : rows)
+        if (row.quantity.key == quantity.key) strips.push_back({pair_label(summary, row), row.difference()});
+    Figure figure =
+        strips_figure(strips, fmt::format("difference of {} within an arrangement, 95 % interval", quantity.label),
+                      unit_of(quantity));
+    figure.description = fmt::format("Paired differences of {}", quantity.label);
+    figure.caption = std::move(caption);
+    return figure;
+}
+
+/// How many p values there are, and what that does to chance.
+std::string chance_text(const std::vector<PairRow>& rows) {
+    constexpr double level = 0.05;
+    const std::size_t pairs = pairs_in(rows);
+    const std::size_t quantities = rows.size() / pairs;
+    if (rows.size() < 2) return "";
+    return fmt::format(
+        "Looked at: {} in {}, with two tests each. Where nothing differs, an adjusted p of a quantity is below {:g} "
+        "in 5 of 100 campaigns by chance{}.\n",
+        quantities == 1 ? std::string{"one quantity"} : fmt::format("{} quantities", quantities),
+        counted(static_cast<int>(pairs), "pair"), level,
+        quantities == 1
+            ? std::string{}
+            : fmt::format(", one of any quantity in up to {:.0f} (fewer, the more they go together): name the "
+                          "quantity before you look",
+                          100 * (1 - std::pow(1 - level, static_cast<double>(quantities)))));
+}
+
+/// What pairing did for the mean load, over the pairs: the reduction of variance r counts as 1 / (1 - r) times as many
+/// arrangements. With equal scatter in both cases r is their correlation, whose interval is Fisher's.
+std::string pairing_text(const std::vector<PairRow>& rows) {
+    constexpr int fewest = 4;
+    std::vector<const PairedComparison*> known;
+    for (const PairRow& row : rows)
+        if (row.quantity.key == quantity("mean_load").key && std::isfinite(row.found.variance_saved) &&
+            row.found.arrangements >= fewest)
+            known.push_back(&row.found);
+    if (known.empty()) return "";
+    std::ranges::sort(known, {}, [](const PairedComparison* pair) { return pair->variance_saved; });
+    const PairedComparison& middle = *known[known.size() / 2];
+    const double z = std::atanh(std::clamp(middle.variance_saved, -1 + 1e-12, 1 - 1e-12));
+    const double half = 1.959963984540054 / std::sqrt(middle.arrangements - 3);
+    const auto percent = [](double share) { return std::round(share / unit::percent) + 0.0; };  // no "-0"
+    const std::string interval = fmt::format("{:.0f} % (95 %: {:.0f} % to {:.0f} %{})", percent(middle.variance_saved),
+                                             percent(std::tanh(z - half)), percent(std::tanh(z + half)),
+                                             known.size() > 1 ? ", of the middle pair" : "");
+    return middle.variance_saved > 0
+               ? fmt::format(
+                     "Pairing took {} of the variance of differences of the mean load, as {:.2g} times as many "
+                     "arrangements would have.\n",
+                     interval, 1 / std::max(1e-3, 1 - middle.variance_saved))
+               : fmt::format("Pairing bought nothing for the mean load: reduction {}.\n", interval);
+}
+
+/// Differences that lie far from the others of their pair; the first few.
+std::string apart_text(const Summary& summary, const std::vector<PairRow>& rows) {
+    constexpr std::size_t most = 3;
+    std::vector<std::string> lines;
+    std::size_t all = 0;
+    for (const PairRow& row : rows)
+        if (!row.apart.empty() && ++all <= most)
+            lines.push_back(fmt::format("{}, {}: {} of {} (arrangement {})", row.quantity.label,
+                                        pair_label(summary, row), row.apart.size(), row.found.arrangements,
+                                        fmt::join(row.apart, ", ")));
+    if (lines.empty()) return "";
+    return fmt::format(
+        "Differences far from the others: {}{}. Their intervals count such arrangements as a kind of their own, whose "
+        "share is uncertain; p t does not.",
+        fmt::join(lines, "; "), all > most ? fmt::format("; and {} more", all - most) : "");
+}
+
+std::string notes(const std::vector<PairRow>& rows, const PairOptions& options) {
+    const std::size_t pairs = pairs_in(rows);
+    return fmt::format(
+        "\nBrackets: 95 % interval. p: two-sided, paired t test and Wilcoxon signed-rank test, Holm-adjusted over the "
+        "{} of a quantity.\nReduction: share of the variance of the difference that pairing removes. n needed: "
+        "arrangements needed to find a true difference as large as the observed one, or of {:g} % of the first case, "
+        "with a probability of {:g} %.\n{}{}The other quantities of Table 3: --format csv --parts pairs.\n",
+        pairs == 1 ? std::string{"one pair"} : fmt::format("{} pairs", pairs), options.resolve / unit::percent,
+        options.power / unit::percent, chance_text(rows), pairing_text(rows));
+}
+
+}  // namespace
+
+Estimate PairRow::difference() const {
+    return {found.difference, found.interval.low, found.interval.high, found.arrangements >= fewest_for_interval};
+}
+
+std::vector<PairRow> compare_pairs(const Evidence& evidence, const PairOptions& options) {
+    const std::vector<SharedMembers> pairs = find_pairs(evidence.sample, options);
+    std::vector<PairRow> all;
+    for (const Quantity& quantity : shown_in(evidence.summary.quantities, Shown::in_pairs)) {
+        const std::size_t first = all.size();
+        std::vector<double> t_p;
+        std::vector<double> wilcoxon_p;
+        for (const SharedMembers& pair : pairs) {
+            const PairRow& row = all.emplace_back(compare(evidence.sample, pair, quantity, options));
+            t_p.push_back(row.found.t_p);
+            wilcoxon_p.push_back(row.found.wilcoxon_p);
+        }
+        t_p = holm(t_p);
+        wilcoxon_p = holm(wilcoxon_p);
+        for (std::size_t k = 0; k < pairs.size(); ++k) {
+            all[first + k].t_p_holm = t_p[k];
+            all[first + k].wilcoxon_p_holm = wilcoxon_p[k];
+        }
+    }
+    return all;
+}
+
+std::vector<PairRow> compare_with(const Evidence& evidence, std::size_t reference, const Quantity& quantity,
+                                  std::size_t most) {
+    std::vector<PairRow> all;
+    for (const SharedMembers& pair : find_pairs(evidence.sample, {.reference = reference, .others = false})) {
+        if (pair.second >= most) continue;
+        PairRow& row = all.emplace_back(compare(evidence.sample, pair, quantity, {}));
+        row.t_p_holm = row.found.t_p;
+        row.wilcoxon_p_holm = row.found.wilcoxon_p;
+    }
+    return all;
+}
+
+std::string left_out_text(const Summary& summary, const std::vector<PairRow>& rows, const PairOptions& options) {
+    const std::size_t all = options.others ? all_pairs(summary) : summary.cases.size() - 1;
+    const std::size_t left_out = all - pairs_in(rows);
+    if (left_out == 0) return "";
+    return fmt::format(
+        "{} not compared: a pair needs two arrangements that are done in both cases and begin with the same floes, "
+        "and {} fewer (campaign.common_arrangements = false, or different field geometries).",
+        left_out == all ? (all == 1 ? "The pair is" : "Pairs are") : fmt::format("{} of {} pairs are", left_out, all),
+        left_out == 1 ? "it has" : "they have");
+}
+
+std::string unasked_text(const Summary& summary) {
+    return fmt::format(
+        "The {} pairs of the design's {} points are compared where they are asked for: floes summarize --parts pairs.",
+        all_pairs(summary), summary.cases.size());
+}
+
+Section pairs_section(const Summary& summary, const std::vector<PairRow>& rows, const PairOptions& options) {
+    Section section{.results = {pair_results(summary, rows, options)}};
+    const std::string left_out = left_out_text(summary, rows, options);
+    if (rows.empty()) {
+        section.before = summary.cases.size() < 2 ? "Pairs: there is only one case.\n" : left_out + "\n";
+        return section;
+    }
+    section.title = "Pairs over the same arrangements";
+    section.after = notes(rows, options);
+    if (!left_out.empty()) section.notes.push_back(left_out);
+    if (std::string apart = apart_text(summary, rows); !apart.empty()) section.notes.push_back(std::move(apart));
+    section.figures = {
+        differences(summary, rows, quantity("mean_load"), "Mean load: differences within an arrangement."),
+        differences(summary, rows, quantity("mean_maximum"), "Mean maximum load: differences within an arrangement.")};
+    return section;
+}
+
+Figure strips_figure(std::span<const Strip> strips, const std::string& words, const std::string& unit) {
+    Figure figure;
+    std::vector<std::string> labels;  // from the bottom
+    std::vector<double> values{0};
+    for (const auto& [label, value] : strips | std::views::reverse) {
+        const double at = static_cast<double>(labels.size()) + 0.5;
+        figure.dot(value.value, at, "ink", 4.5);
+        values.push_back(value.value);
+        if (value.said && std::isfinite(value.high)) {
+            figure.line({{value.low, at}, {value.high, at}}, "thick");
+            values.insert(values.end(), {value.low, value.high});
+        }
+        labels.push_back(label);
+    }
+    const double count = static_cast<double>(labels.size());
+    figure.size = {720, 70 + 34 * count};
+    figure.x = axis_around(words, values, false, unit);
+    figure.y = {"", 0, count, false, std::move(labels)};
+    figure.upright(0, "dashed");
+    return figure;
+}
+
+}  // namespace floes

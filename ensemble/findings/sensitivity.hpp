@@ -1,0 +1,72 @@
+#pragma once
+// What decides the load: how strongly the statistics of a case depend on the axes of the campaign's design, and where
+// the scatter of single runs comes from: from their arrangements, or from what differs between runs of one.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "campaign/campaign.hpp"
+#include "inference/linear_fit.hpp"
+#include "inference/sobol_indices.hpp"
+#include "member/quantity.hpp"
+#include "tables/section.hpp"
+
+namespace floes {
+
+struct Evidence;
+struct SteadyReport;
+
+/// Sensitivity of one quantity of one [[case]] that was run at the points of the design.
+struct SensitivityRow {
+    Quantity quantity{};
+    std::string base;                     ///< name of the [[case]]; empty if there is none
+    int points = 0;                       ///< with a done member
+    int base_points = 0;                  ///< complete base points, used for the indices
+    std::optional<SobolIndices> indices;  ///< of the means over arrangements; only for Saltelli's points
+    std::optional<LinearFit> fit;         ///< slopes in the unit of the quantity, per half axis
+
+    /// What the fitted plane changes from one end of an axis to the other; limits from two arrangements say nothing.
+    Estimate change(std::size_t axis) const;
+};
+
+/// An axis with its ends, coordinates -1 and 1.
+struct SensitivityAxis {
+    std::string key;
+    double from = 0;  ///< in the key's unit
+    double to = 0;
+    AxisScale scale = AxisScale::linear;
+};
+
+struct Sensitivity {
+    std::vector<SensitivityAxis> axes;
+    std::vector<SensitivityRow> rows;  ///< by [[case]], then by quantity
+    std::vector<std::string> notes;    ///< sentences on what could not be computed, and why
+};
+
+/// Indices and planes for mean, SD, mean maximum and failure ratio. If at least two arrangements have every point, each
+/// is fitted separately and the slopes are averaged; otherwise the plane is fitted to the means of the points. A member
+/// that is not done excludes its arrangement from the separate fits and its base point from the indices.
+Sensitivity find_sensitivity(const Evidence& evidence);
+
+/// Whether pairs and extremes are shown by default: not for a design of many cases. Its axes say more, and the pairs
+/// would be too many to read and slow to compute.
+bool in_detail(const Campaign& campaign);
+
+/// The changes and indices with their notes: a record for each quantity and axis.
+Section sensitivity_section(const Sensitivity& found);
+
+/// "Thickness from 0.02 to 0.04 m changes the mean load by +5.4 N (+2.1 to +8.7)." Of a row with a fit, for the mean
+/// load; the range is left out where it says nothing.
+std::string change_sentence(const Sensitivity& found, const SensitivityRow& row, std::size_t axis, const Units& units);
+
+/// Mean load, largest load and broken floes over the largest group of cases that begin from the same arrangements,
+/// relative to each case's mean, over the arrangements that every case of the group has done: sd_over_mean, the share
+/// of its variance that the arrangement explains, and the share that windows of finite length alone would give (NaN:
+/// unknown). `steady` has the effective samples of members with histories; without, the mean load's share of time is
+/// unknown. No rows without two cases over three arrangements.
+Results find_scatter(const Evidence& evidence, const SteadyReport& steady);
+
+Section scatter_section(Results scatter);
+
+}  // namespace floes

@@ -1,0 +1,298 @@
+#include "findings/steady.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "campaign_file/read.hpp"
+#include "core/error.hpp"
+#include "core/units.hpp"
+#include "findings/catalogue.hpp"
+#include "findings/summary.hpp"
+#include "inference/bootstrap.hpp"
+#include "statistics/load_statistics.hpp"
+#include "statistics/steady_state.hpp"
+#include "tables/number_text.hpp"
+
+namespace floes {
+
+std::vector<JointTrend> joint_trends(const CampaignTable& table) {
+    std::vector<std::vector<MemberTrend>> cases(table.cases.size());
+    for (std::size_t index = 0; index < table.cases.size(); ++index)
+        for (const MemberRow* row : done_members(table, index))
+            cases[index].push_back(member_trend(*row, table.cases[index].analysis.window));
+    return joint_trends(cases);
+}
+
+std::string stationary_text(const std::string& name, const JointTrend& trend, const CaseRow& about) {
+    if (trend.significant || !std::isfinite(trend.load.p)) return "";
+    const Interval& change = trend.load.over_window;
+    const double open = std::max(std::abs(change.low), std::abs(change.high)) / std::abs(trend.mean);
+    const bool known = open <= much_left_open;
+    const bool endless = about.far_end == FarEnd::never;
+    const std::string verdict =
+        known ? endless ? "stationary, and ice comes as long as the run lasts" : "no trend within this window"
+              : "not shown to be stationary: few members, or a short window";
+    const std::string beyond = endless ? ""
+                               : about.far_end == FarEnd::ice_sheet
+                                   ? " The field ends at an ice sheet, so a longer exposure is taken as one such "
+                                     "passage after another."
+                                   : " The field ends in open water, so a longer exposure is taken as one such passage "
+                                     "after another.";
+    return fmt::format(
+        "{}: {}. Slopes of {} members, Student's t: the load changes by {:+.2g} % [{:+.2g}, {:+.2g}] of its mean over "
+        "the measured window of {:g} s (p = {:.2g}){}.{}",
+        name, verdict, trend.members, change.estimate / trend.mean / unit::percent,
+        change.low / trend.mean / unit::percent, change.high / trend.mean / unit::percent, about.analysis.window,
+        trend.load.p,
+        std::isfinite(trend.maxima.p)
+            ? fmt::format("; its segment maxima, the last less the first: p = {:.2g}", trend.maxima.p)
+            : "",
+        beyond);
+}
+
+std::string end_text(const CaseRow& about) {
+    if (about.far_end == FarEnd::never) return "";
+    if (about.far_end == FarEnd::open) return " The field ends in open water; field.far_end = \"never\" has no end.";
+    return " The tow comes nearer to the ice sheet at the field's end; field.far_end = \"never\" has no end.";
+}
+
+namespace {
+
+double median(std::vector<double> values) {
+    std::erase_if(values, [](double value) { return !std::isfinite(value); });
+    if (values.empty()) return std::nan("");
+    std::ranges::sort(values);
+    return quantile_of_sorted(values, 0.5);
+}
+
+/// Number of history values in a batch of at least correlation_batch steps.
+std::size_t batch_of(const Analysis& analysis) {
+    const auto stride = static_cast<std::size_t>(analysis.history_stride);
+    return (correlation_batch + stride - 1) / stride;
+}
+
+constexpr double trend_level = 0.01;  // p of a trend over members below which the load is not steady
+
+/// The histories of a case, of each member in equal parts, and their sum.
+struct Histories {
+    std::vector<double> sum;
+    std::vector<std::vector<double>> parts;
+    double step = 0;
+
+    void add(const SurgeHistory& history) {
+        step = history.step;
+        sum.resize(std::max(sum.size(), history.surge.size()));
+        for (std::size_t i = 0; i < history.surge.size(); ++i) sum[i] += history.surge[i];
+        if (history.surge.size() >= steady_batches) parts.push_back(part_means(history.surge, steady_batches));
+    }
+
+    /// Whether the members' loads have a trend together from that part on.
+    bool trend_from(std::size_t first) const {
+        std::vector<double> changes;
+        double mean = 0;
+        for (const std::vector<double>& one : parts) {
+            const std::span<const double> rest = std::span(one).subspan(first);
+            changes.push_back(change_over(rest));
+            mean += mean_of(rest) / static_cast<double>(parts.size());
+        }
+        const Change change = change_of(changes);
+        return change.p < trend_level && matters(change, mean);
+    }
+
+    /// MSER's start, or the first part after it from which there is no trend.
+    std::optional<double> start() const {
+        const auto by_mean = steady_start(sum);  // of the sum as of the mean
+        if (!by_mean || parts.empty())
+            return by_mean ? std::optional(static_cast<double>(*by_mean) * step) : std::nullopt;
+        const double part = static_cast<double>(sum.size()) / static_cast<double>(steady_batches);
+        const auto first = static_cast<std::size_t>(std::ceil(static_cast<double>(*by_mean) / part - 1e-9));
+        if (!trend_from(first)) return static_cast<double>(*by_mean) * step;
+        for (std::size_t k = first + 1; k < steady_batches / 2; ++k)
+            if (!trend_from(k)) return static_cast<double>(k) * part * step;
+        return {};
+    }
+
+    /// The slope of a straight line through the values, times their number.
+    static double change_over(std::span<const double> values) {
+        const double count = static_cast<double>(values.size()), middle = (count - 1) / 2;
+        double product = 0, squares = 0;
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            const double at = static_cast<double>(k) - middle;
+            product += at * values[k];
+            squares += at * at;
+        }
+        return product / squares * count;
+    }
+};
+
+CaseSteady case_steady(const CampaignTable& table, std::size_t index, const std::vector<MemberSteady>& members,
+                       const Histories& histories) {
+    CaseSteady found;
+    found.start = histories.start();
+    std::vector<double> starts;
+    std::vector<double> times;
+    std::vector<double> effective;
+    for (const MemberSteady& member : members) {
+        if (table.members[static_cast<std::size_t>(member.member)].case_index != static_cast<int>(index)) continue;
+        if (member.start) starts.push_back(*member.start);
+        found.without_start += member.start ? 0 : 1;
+        times.push_back(member.decorrelation_time);
+        effective.push_back(member.effective_samples);
+    }
+    if (!starts.empty()) found.median_start = median(starts);
+    found.median_decorrelation_time = median(times);
+    found.median_effective_samples = median(effective);
+    return found;
+}
+
+}  // namespace
+
+SteadyReport find_steady(const CampaignFile& file, const CampaignTable& table) {
+    SteadyReport report;
+    std::vector<Histories> histories(table.cases.size());
+    for_each_history(file, [&](const SurgeHistory& history) {
+        const auto of_case =
+            static_cast<std::size_t>(table.members.at(static_cast<std::size_t>(history.member)).case_index);
+        histories.at(of_case).add(history);
+        MemberSteady member{history.member, {}, 0, 0};
+        const Analysis& analysis = table.cases[of_case].analysis;
+        if (const auto start = steady_start(history.surge)) member.start = static_cast<double>(*start) * history.step;
+        std::optional<double> variance;  // of single steps: means over several steps underestimate it
+        const double sd = table.members[static_cast<std::size_t>(history.member)].load.sd;
+        if (analysis.history_stride > 1) variance = sd * sd;
+        const Autocorrelation found =
+            autocorrelation(in_window(history, analysis), history.step, batch_of(analysis), variance);
+        member.decorrelation_time = found.time;
+        member.effective_samples = found.effective_samples;
+        report.members.push_back(member);
+    });
+    for (std::size_t index = 0; index < table.cases.size(); ++index) {
+        report.cases.push_back(case_steady(table, index, report.members, histories[index]));
+    }
+    return report;
+}
+
+CampaignTable with_automatic_window(const CampaignFile& file, CampaignTable table, const SteadyReport& steady) {
+    if (steady.members.empty())
+        throw InputError("--window auto measures the loads anew, and the file has no load histories to do it from.");
+    std::vector<Analysis> windows;
+    for (std::size_t index = 0; index < table.cases.size(); ++index) {
+        Analysis& analysis = windows.emplace_back(table.cases[index].analysis);
+        const double end = analysis.steady_start + analysis.window;
+        const double segment = analysis.window / analysis.segments;
+        if (!steady.cases[index].start) continue;
+        // The tolerance keeps a segment that would be lost by rounding.
+        const int segments = static_cast<int>(std::floor((end - *steady.cases[index].start) / segment + 1e-9));
+        if (segments < 1) continue;
+        analysis.steady_start = end - segments * segment;
+        analysis.window = segments * segment;
+        analysis.segments = segments;
+    }
+    return measured_anew(file, std::move(table), windows);
+}
+
+Section steady_section(const Summary& summary, const CampaignTable& table, const SteadyReport& steady) {
+    const auto or_undefined = [](const std::optional<double>& value) { return value ? Datum(*value) : Undefined{}; };
+    const auto case_of = [&](const CaseSteady& one) {
+        return summary.name_of(static_cast<std::size_t>(&one - steady.cases.data()));
+    };
+    const auto case_of_member = [&](const MemberSteady& one) {
+        return summary.name_of(
+            static_cast<std::size_t>(table.members.at(static_cast<std::size_t>(one.member)).case_index));
+    };
+    Section section;
+    section.records = {
+        json_only(make_rows<CaseSteady>(
+            "steady/cases", steady.cases,
+            {{"case", case_of},
+             {"steady_start_s", [=](const CaseSteady& one) { return or_undefined(one.start); }},
+             {"median_member_start_s", [=](const CaseSteady& one) { return or_undefined(one.median_start); }},
+             {"members_without_start", &CaseSteady::without_start},
+             {"median_decorrelation_time_s", &CaseSteady::median_decorrelation_time},
+             {"median_effective_samples", &CaseSteady::median_effective_samples}})),
+        make_rows<MemberSteady>("steady/members", steady.members,
+                                {{"member", &MemberSteady::member},
+                                 {Names{"case", ""}, case_of_member},
+                                 {"steady_start_s", [=](const MemberSteady& one) { return or_undefined(one.start); }},
+                                 {"decorrelation_time_s", &MemberSteady::decorrelation_time},
+                                 {"effective_samples", &MemberSteady::effective_samples}})};
+    if (steady.members.empty()) {
+        section.missing = "Steady state: unknown, because the file has no load histories (/history/surge_load).\n";
+        return section;
+    }
+    const auto seconds = [](const std::optional<double>& time) { return time ? fixed(*time, 1) : "none"; };
+    section.title = "Steady state";
+    section.table = {{"case", "window from, s", "steady from, s", "single runs, s", "without", "decorrelation, s",
+                      "effective samples"}};
+    for (const CaseSteady& one : steady.cases) {
+        const CaseRow& about = summary.cases[static_cast<std::size_t>(&one - steady.cases.data())].about;
+        section.table.push_back({summary.label_of(static_cast<std::size_t>(&one - steady.cases.data())),
+                                 fixed(about.analysis.steady_start, 1), seconds(one.start), seconds(one.median_start),
+                                 fmt::format("{}", one.without_start), fixed(one.median_decorrelation_time, 2),
+                                 fixed(one.median_effective_samples, 0)});
+    }
+    section.after =
+        "\nSteady from: MSER of the mean history of the case, or later, where the load of the members has no trend to "
+        "the "
+        "end; none: not in the first half. Single runs: median over its members' own histories; "
+        "without: members in which no steady part was found. Decorrelation: duration of load that counts as one "
+        "independent value; effective samples: of the window. Both are medians over the members.\n";
+    return section;
+}
+
+namespace {
+
+/// The interval of two arrangements is too wide to draw.
+constexpr std::size_t fewest_drawn = 3;
+
+struct Curve {
+    std::size_t of_case;
+    Figure::Points mean;
+    Figure::Points low;
+    Figure::Points high;
+};
+
+}  // namespace
+
+Section convergence_section(Evidence& evidence) {
+    Figure figure{.description = "Mean load over the number of arrangements, with its interval",
+                  .x = {"arrangements", 0, 2},
+                  .legend = case_legend(evidence.summary),
+                  .caption = "Mean load of the first n arrangements with its 95 % interval."};
+    std::vector<double> drawn;
+    std::vector<Curve> curves;
+    for (std::size_t i = 0; i < evidence.table.cases.size(); ++i) {
+        Figure::Points mean;
+        Figure::Points low;
+        Figure::Points high;
+        std::vector<double> so_far;
+        for (const MemberRow* member : done_members(evidence.table, i)) {
+            so_far.push_back(member->load.mean);
+            if (so_far.size() < fewest_drawn) continue;
+            const double n = static_cast<double>(so_far.size());
+            const Interval interval = mean_interval(so_far);
+            mean.emplace_back(n, interval.estimate);
+            low.emplace_back(n, interval.low);
+            high.emplace_back(n, interval.high);
+            drawn.push_back(interval.estimate);
+            if (says_something(interval.estimate, {interval.low, interval.high}, static_cast<int>(so_far.size())))
+                drawn.insert(drawn.end(), {interval.low, interval.high});
+            figure.x.high = std::max(figure.x.high, n);
+        }
+        curves.push_back({i, std::move(mean), std::move(low), std::move(high)});
+    }
+    figure.x.high *= 1.02;
+    figure.y = axis_around("mean load, N", drawn, true);
+    for (Curve& curve : curves) {
+        // Of the first few the interval may be far wider than anything else: it ends at the figure's edge.
+        for (Figure::Points* limit : {&curve.low, &curve.high})
+            for (auto& [n, load] : *limit) load = std::clamp(load, figure.y.low, figure.y.high);
+        figure.band(std::move(curve.low), curve.high, colour(curve.of_case) + " veil");
+        figure.line(std::move(curve.mean), colour(curve.of_case));
+    }
+    return {.figures = {std::move(figure)}};
+}
+
+}  // namespace floes

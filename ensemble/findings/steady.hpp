@@ -1,0 +1,68 @@
+#pragma once
+// Whether loads rise or fall through the measured window: the test of inference/joint_trend.hpp on a campaign's
+// members.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "campaign_file/campaign_file.hpp"
+#include "findings/summary.hpp"
+#include "inference/joint_trend.hpp"
+
+namespace floes {
+
+/// Of each case, in their order.
+std::vector<JointTrend> joint_trends(const CampaignTable& table);
+
+// Whether the load of a case is stationary, in words: what an extrapolation beyond the run rests on.
+
+/// Changes over the window that the test cannot rule out, relative to the mean load, above which it says little.
+inline constexpr double much_left_open = 0.25;
+
+/// Of a load without a significant trend: by which test, what change the members leave open, and what the ice ahead
+/// lets one conclude. Empty where nobody can tell, and where a trend is significant.
+std::string stationary_text(const std::string& name, const JointTrend& trend, const CaseRow& about);
+
+/// Of a load that rises in a field with an end: what would end it. Empty in a field without end.
+std::string end_text(const CaseRow& about);
+
+// When the load of each case became steady, found from its histories, and the statistics in that window.
+
+struct MemberSteady {
+    int member = 0;
+    std::optional<double> start;    ///< s after the tow began, by MSER; none: no steady part found
+    double decorrelation_time = 0;  ///< s, in the window of the case
+    double effective_samples = 0;   ///< of that window
+};
+
+struct CaseSteady {
+    /// s: by MSER of the mean over the members' histories, and not before their load, member by member, no longer has a
+    /// trend from there to the end (joint_trend.hpp). None: in no half of the run.
+    std::optional<double> start;
+    std::optional<double> median_start;    ///< s, of the members that have one
+    int without_start = 0;                 ///< members without a start
+    double median_decorrelation_time = 0;  ///< s
+    double median_effective_samples = 0;
+};
+
+struct SteadyReport {
+    std::vector<CaseSteady> cases;
+    std::vector<MemberSteady> members;  ///< those with a history
+};
+
+/// Reads the histories of the file that `table` was read from. Without histories the report has no members, and its
+/// cases have no start.
+SteadyReport find_steady(const CampaignFile& file, const CampaignTable& table);
+
+/// The table with the load statistics of every done member recomputed. The window is as many whole segments, each as
+/// long as before, as fit between the start found for the case and the end of the run, counted from the end. A case
+/// without a start, or in which no segment fits, keeps its window. The failure ratio and everything else that is not a
+/// load stay unchanged. Throws InputError if there are no histories or if they are thinned, since maxima and deviations
+/// need every step.
+CampaignTable with_automatic_window(const CampaignFile& file, CampaignTable table, const SteadyReport& steady);
+
+/// Text has a row for each case, JSON a record for each case and each member, CSV a line for each member.
+Section steady_section(const Summary& summary, const CampaignTable& table, const SteadyReport& steady);
+
+}  // namespace floes

@@ -1,0 +1,178 @@
+#include "hdf5/dataset.hpp"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <numeric>
+
+#include <fmt/format.h>
+#include <hdf5_hl.h>
+
+#include "hdf5/handle.hpp"
+
+namespace floes::hdf5 {
+
+namespace {
+
+constexpr unsigned creation_order = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
+
+}  // namespace
+
+Handle creation_properties(hid_t kind) {
+    Handle properties(H5Pcreate(kind), H5Pclose, "H5Pcreate", "creation properties");
+    check(H5Pset_obj_track_times(properties.id(), false), "H5Pset_obj_track_times", "creation properties");
+    check(H5Pset_attr_creation_order(properties.id(), creation_order), "H5Pset_attr_creation_order", "properties");
+    if (kind != H5P_DATASET_CREATE)
+        check(H5Pset_link_creation_order(properties.id(), creation_order), "H5Pset_link_creation_order", "properties");
+    return properties;
+}
+
+Handle compressed_properties(std::span<const hsize_t> chunk, unsigned level, const std::string& name) {
+    Handle properties = creation_properties(H5P_DATASET_CREATE);
+    check(H5Pset_chunk(properties.id(), static_cast<int>(chunk.size()), chunk.data()), "H5Pset_chunk", name);
+    check(H5Pset_shuffle(properties.id()), "H5Pset_shuffle", name);
+    check(H5Pset_deflate(properties.id(), level), "H5Pset_deflate", name);
+    check(H5Pset_fletcher32(properties.id()), "H5Pset_fletcher32", name);
+    return properties;
+}
+
+hsize_t rows_in_a_chunk(std::span<const hsize_t> sizes, std::size_t value_bytes, hsize_t most_in_a_chunk) {
+    const hsize_t row = std::accumulate(sizes.begin() + 1, sizes.end(), hsize_t{value_bytes}, std::multiplies{});
+    return std::clamp<hsize_t>(most_in_a_chunk / std::max<hsize_t>(row, 1), 1, std::max<hsize_t>(sizes[0], 1));
+}
+
+Handle checked_properties(std::span<const hsize_t> sizes, std::size_t value_bytes, const std::string& name,
+                          hsize_t most_in_a_chunk) {
+    Handle properties = creation_properties(H5P_DATASET_CREATE);
+    if (sizes.empty() || std::ranges::find(sizes, hsize_t{0}) != sizes.end()) return properties;
+    std::vector<hsize_t> chunk(sizes.begin(), sizes.end());
+    chunk[0] = rows_in_a_chunk(sizes, value_bytes, most_in_a_chunk);
+    check(H5Pset_chunk(properties.id(), static_cast<int>(chunk.size()), chunk.data()), "H5Pset_chunk", name);
+    check(H5Pset_fletcher32(properties.id()), "H5Pset_fletcher32", name);
+    return properties;
+}
+
+Handle create_dataset(hid_t parent, const Label& label, hid_t type, const Handle& space, const Handle& properties,
+                      hid_t access) {
+    Handle dataset(H5Dcreate2(parent, label.name.c_str(), type, space.id(), H5P_DEFAULT, properties.id(), access),
+                   H5Dclose, "H5Dcreate", label.name);
+    write_attribute(dataset.id(), "units", label.unit);
+    write_attribute(dataset.id(), "long_name", label.long_name);
+    return dataset;
+}
+
+void write_flags(const Handle& dataset, const Flags& flags) {
+    write_attribute(dataset.id(), "flag_values", flags.values);
+    write_attribute(dataset.id(), "flag_meanings", flags.meanings);
+}
+
+Handle select_rows(const Handle& space, std::span<const hsize_t> sizes, hsize_t begin, hsize_t rows,
+                   const std::string& name) {
+    std::vector<hsize_t> first(sizes.size(), 0);
+    std::vector<hsize_t> count(sizes.begin(), sizes.end());
+    first[0] = begin;
+    count[0] = rows;
+    check(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr),
+          "H5Sselect_hyperslab", name);
+    return simple_space(count);
+}
+
+std::vector<hsize_t> sizes_of(const Dimensions& dimensions) {
+    std::vector<hsize_t> sizes;
+    for (const Scale& scale : dimensions) sizes.push_back(scale.size());
+    return sizes;
+}
+
+void attach(const Handle& dataset, const Dimensions& dimensions, unsigned first, const std::string& name) {
+    for (unsigned k = 0; k < dimensions.size(); ++k)
+        check(H5DSattach_scale(dataset.id(), dimensions[k].get().id(), first + k), "H5DSattach_scale", name);
+}
+
+namespace {
+
+constexpr hssize_t most_values = 1 << 16;  // an attribute of floes has a few
+
+Handle open_attribute(hid_t object, const std::string& name) {
+    const std::string about = fmt::format("the attribute {}", name);
+    return Handle(check_read(H5Aopen(object, name.c_str(), H5P_DEFAULT), object, about), H5Aclose, "H5Aopen", about);
+}
+
+std::size_t count_of(const Handle& attribute, const std::string& name) {
+    const Handle space(check_read(H5Aget_space(attribute.id()), attribute.id(), name), H5Sclose, "H5Aget_space", name);
+    const hssize_t count = check_read(H5Sget_simple_extent_npoints(space.id()), attribute.id(), name);
+    if (count > most_values) refuse_damaged(attribute.id(), fmt::format("the attribute {} is too large", name));
+    return static_cast<std::size_t>(count);
+}
+
+}  // namespace
+
+Handle simple_space(std::span<const hsize_t> sizes) {
+    if (sizes.empty()) return Handle(H5Screate(H5S_SCALAR), H5Sclose, "H5Screate", "a single value");
+    return Handle(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr), H5Sclose, "H5Screate_simple",
+                  "values");
+}
+
+void write_attribute_of(hid_t object, const std::string& name, std::span<const hsize_t> sizes, hid_t stored,
+                        hid_t native, const void* value) {
+    const Handle space = simple_space(sizes);
+    const Handle attribute(H5Acreate2(object, name.c_str(), stored, space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                           "H5Acreate", name);
+    check(H5Awrite(attribute.id(), native, value), "H5Awrite", name);
+}
+
+void write_attribute(hid_t object, const std::string& name, const std::string& value) {
+    const Handle type = text_type();
+    const char* text = value.c_str();
+    write_attribute_of(object, name, {}, type.id(), type.id(), &text);
+}
+
+void write_attribute(hid_t object, const std::string& name, double value) {
+    write_attribute_of(object, name, {}, stored_type<double>(), native_type<double>(), &value);
+}
+
+void write_attribute(hid_t object, const std::string& name, std::uint64_t value) {
+    write_attribute_of(object, name, {}, stored_type<std::uint64_t>(), native_type<std::uint64_t>(), &value);
+}
+
+void write_attribute(hid_t object, const std::string& name, std::span<const std::int8_t> values) {
+    const std::array<hsize_t, 1> sizes{values.size()};
+    write_attribute_of(object, name, sizes, stored_type<std::int8_t>(), native_type<std::int8_t>(), values.data());
+}
+
+void write_attribute(hid_t object, const std::string& name, std::span<const std::int32_t> values) {
+    const std::array<hsize_t, 1> sizes{values.size()};
+    write_attribute_of(object, name, sizes, stored_type<std::int32_t>(), native_type<std::int32_t>(), values.data());
+}
+
+bool has_attribute(hid_t object, const std::string& name) {
+    return check_read(H5Aexists(object, name.c_str()), object, fmt::format("the attribute {}", name)) > 0;
+}
+
+std::string read_text_attribute(hid_t object, const std::string& name) {
+    const Handle attribute = open_attribute(object, name);
+    if (count_of(attribute, name) != 1) refuse_damaged(object, fmt::format("the attribute {} is no single text", name));
+    const Handle space(H5Aget_space(attribute.id()), H5Sclose, "H5Aget_space", name);
+    const Handle type = text_type();
+    char* text = nullptr;
+    check_read(H5Aread(attribute.id(), type.id(), &text), object, fmt::format("the attribute {}", name));
+    std::string value = text != nullptr ? text : "";
+    H5Dvlen_reclaim(type.id(), space.id(), H5P_DEFAULT, &text);
+    return value;
+}
+
+std::vector<std::int32_t> read_int_attribute(hid_t object, const std::string& name) {
+    const Handle attribute = open_attribute(object, name);
+    std::vector<std::int32_t> values(count_of(attribute, name));
+    check_read(H5Aread(attribute.id(), native_type<std::int32_t>(), values.data()), object,
+               fmt::format("the attribute {}", name));
+    return values;
+}
+
+std::vector<std::string> attribute_names(hid_t object) {
+    return names_in_order<H5A_info_t>([object](auto* visit, void* names) {
+        hsize_t at = 0;
+        check_read(H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_NATIVE, &at, visit, names), object, "its attributes");
+    });
+}
+
+}  // namespace floes::hdf5

@@ -1,0 +1,320 @@
+#include "hdf5/read.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "hdf5/dataset.hpp"
+#include "hdf5/digest.hpp"
+#include "hdf5/handle.hpp"
+#include "hdf5/pages.hpp"
+
+namespace floes::hdf5 {
+
+namespace {
+
+constexpr hsize_t most_from_a_byte = 1032;             // the largest factor of deflate
+constexpr hsize_t most_unwritten = hsize_t{1} << 26;   // bytes; rows never written take no space
+constexpr hsize_t most_in_a_chunk = hsize_t{1} << 28;  // bytes; a row of ten million steps is smaller
+
+/// Bytes of one chunk, for which HDF5 allocates memory; 0 for a dataset without chunks.
+hsize_t chunk_bytes(const Handle& dataset, const StoredShape& shape) {
+    const Handle properties(H5Dget_create_plist(dataset.id()), H5Pclose, "H5Dget_create_plist", "a dataset");
+    if (H5Pget_layout(properties.id()) != H5D_CHUNKED) return 0;
+    std::vector<hsize_t> chunk(shape.sizes.size());
+    if (H5Pget_chunk(properties.id(), static_cast<int>(chunk.size()), chunk.data()) < 0) return most_in_a_chunk + 1;
+    hsize_t bytes = shape.value_bytes;
+    for (const hsize_t size : chunk)
+        if (__builtin_mul_overflow(bytes, size, &bytes)) return most_in_a_chunk + 1;
+    return bytes;
+}
+
+/// Sets the counts; false if they overflow.
+bool count(StoredShape& shape) {
+    hsize_t bytes = shape.value_bytes;
+    for (std::size_t k = 0; k < shape.sizes.size(); ++k) {
+        if (k > 0 && __builtin_mul_overflow(shape.row_values, shape.sizes[k], &shape.row_values)) return false;
+        if (__builtin_mul_overflow(shape.count, shape.sizes[k], &shape.count)) return false;
+        if (__builtin_mul_overflow(bytes, shape.sizes[k], &bytes)) return false;
+    }
+    return true;
+}
+
+bool is_possible(const Handle& dataset, StoredShape& shape, Portion portion) {
+    if (shape.value_bytes == 0 || !count(shape)) return false;
+    const hsize_t chunk = chunk_bytes(dataset, shape);
+    const hsize_t stored = H5Dget_storage_size(dataset.id());
+    const hsize_t bytes = shape.count * shape.value_bytes;
+    if (chunk > most_in_a_chunk) return false;
+    if (chunk == 0 && stored > 0)
+        return shape.is_text ? bytes <= stored : bytes == stored;  // texts are stored elsewhere
+    const hsize_t wanted = portion == Portion::whole ? bytes : shape.row_values * shape.value_bytes;
+    return wanted <= most_unwritten || wanted / most_from_a_byte <= stored;
+}
+
+}  // namespace
+
+Handle open_dataset(hid_t parent, const std::string& name) {
+    return Handle(check_read(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), parent, name), H5Dclose, "H5Dopen", name);
+}
+
+Handle stored_space(const Handle& dataset, const std::string& name) {
+    return Handle(check_read(H5Dget_space(dataset.id()), dataset.id(), name), H5Sclose, "H5Dget_space", name);
+}
+
+Handle stored_type(const Handle& dataset, const std::string& name) {
+    return Handle(check_read(H5Dget_type(dataset.id()), dataset.id(), name), H5Tclose, "H5Dget_type", name);
+}
+
+StoredShape shape_of(const Handle& dataset, const std::string& name, Portion portion) {
+    const hid_t id = dataset.id();
+    const Handle space = stored_space(dataset, name);
+    const Handle type = stored_type(dataset, name);
+    StoredShape shape;
+    shape.sizes.resize(static_cast<std::size_t>(check_read(H5Sget_simple_extent_ndims(space.id()), id, name)));
+    check_read(H5Sget_simple_extent_dims(space.id(), shape.sizes.data(), nullptr), id, name);
+    shape.is_text = H5Tget_class(type.id()) == H5T_STRING;
+    shape.value_bytes = H5Tget_size(type.id());
+    if (!is_possible(dataset, shape, portion))
+        refuse_damaged(id, fmt::format("{} is said to be larger than what is stored of it", name));
+    return shape;
+}
+
+std::vector<std::string> texts_of(const Handle& dataset, const std::string& name) {
+    const hid_t id = dataset.id();
+    const Handle space = stored_space(dataset, name);
+    const Handle type = text_type();
+    std::vector<char*> pointers(shape_of(dataset, name, Portion::whole).count, nullptr);
+    check_read(H5Dread(id, type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()), id, name);
+    std::vector<std::string> texts;
+    for (const char* text : pointers) texts.emplace_back(text != nullptr ? text : "");
+    H5Dvlen_reclaim(type.id(), space.id(), H5P_DEFAULT, pointers.data());
+    return texts;
+}
+
+namespace {
+
+constexpr const char* provenance_group = "/provenance";
+constexpr int most_deep = 8;  // floes has groups at the root only; links of a damaged file may form a ring
+constexpr std::size_t most_objects = 10000;
+
+/// Attributes of the root that are left out: who wrote the file, and the digest itself.
+constexpr std::array not_contents{"software", "softwareVersion", contents_attribute};
+
+Handle open_object(hid_t file, const std::string& path) {
+    return Handle(check_read(H5Oopen(file, path.c_str(), H5P_DEFAULT), file, path), H5Oclose, "H5Oopen", path);
+}
+
+std::vector<std::string> link_names(hid_t group, const std::string& path) {
+    return names_in_order<H5L_info_t>([&](auto* visit, void* names) {
+        check_read(H5Literate(group, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, visit, names), group, path);
+    });
+}
+
+void visit_readable(hid_t file, const std::string& path, int depth, Paths& found);
+
+void visit(hid_t file, const std::string& path, int depth, Paths& found) {
+    try {
+        visit_readable(file, path, depth, found);
+    } catch (const DamagedFile&) {
+        found.unreadable.push_back(path);
+    }
+}
+
+void visit_readable(hid_t file, const std::string& path, int depth, Paths& found) {
+    if (depth > most_deep || found.groups.size() + found.datasets.size() > most_objects)
+        refuse_damaged(file, fmt::format("{} has more in it than floes writes", path));
+    const Handle object = open_object(file, path);
+    if (H5Iget_type(object.id()) == H5I_DATASET) return found.datasets.push_back(path);
+    if (H5Iget_type(object.id()) != H5I_GROUP) return;
+    found.groups.push_back(path);
+    for (const std::string& name : link_names(object.id(), path))
+        visit(file, path == "/" ? path + name : path + "/" + name, depth + 1, found);
+}
+
+void add_attribute(hid_t object, const std::string& name, StreamingDigest& digest) {
+    const Handle attribute(check_read(H5Aopen(object, name.c_str(), H5P_DEFAULT), object, name), H5Aclose, "H5Aopen",
+                           name);
+    const Handle type(check_read(H5Aget_type(attribute.id()), object, name), H5Tclose, "H5Aget_type", name);
+    const H5T_class_t of = H5Tget_class(type.id());
+    if (of == H5T_STRING && H5Tis_variable_str(type.id()) > 0) {
+        digest.add_text(name);
+        digest.add_text(read_text_attribute(object, name));
+    } else if (of == H5T_STRING || of == H5T_INTEGER || of == H5T_FLOAT) {
+        std::vector<std::byte> values(H5Aget_storage_size(attribute.id()));
+        check_read(H5Aread(attribute.id(), type.id(), values.data()), object, name);
+        digest.add_text(name);
+        digest.add_text({reinterpret_cast<const char*>(values.data()), values.size()});
+    }  // the others are references between datasets and their scales
+}
+
+bool is_provenance(const std::string& path) {
+    return path == provenance_group || path.starts_with(fmt::format("{}/", provenance_group));
+}
+
+}  // namespace
+
+Paths paths_of(hid_t file) {
+    Paths found;
+    visit(file, "/", 0, found);
+    return found;
+}
+
+ContentsDigests contents_digests(hid_t file) {
+    const Paths paths = paths_of(file);
+    if (!paths.unreadable.empty()) refuse_damaged(file, fmt::format("{} cannot be read", paths.unreadable.front()));
+    StreamingDigest contents;
+    StreamingDigest provenance;
+    for (const std::vector<std::string>* all : {&paths.groups, &paths.datasets}) {
+        for (const std::string& path : *all) {
+            StreamingDigest& digest = is_provenance(path) ? provenance : contents;
+            digest.add_text(path);
+            const Handle object = open_object(file, path);
+            for (const std::string& name : attribute_names(object.id())) {
+                const bool of_root = path == "/" && std::ranges::find(not_contents, name) != not_contents.end();
+                const bool itself = path == provenance_group && name == digest_attribute;
+                if (!of_root && !itself) add_attribute(object.id(), name, digest);
+            }
+        }
+    }
+    const bool has_provenance = std::ranges::any_of(paths.groups, is_provenance);
+    return {contents.hex(), has_provenance ? provenance.hex() : ""};
+}
+
+void write_contents_digests(hid_t file) {
+    const ContentsDigests digests = contents_digests(file);
+    if (!digests.provenance.empty())
+        write_attribute(open_object(file, provenance_group).id(), digest_attribute, digests.provenance);
+    write_attribute(open_object(file, "/").id(), contents_attribute, digests.contents);
+}
+
+ContentsDigests read_contents_digests(hid_t file) {
+    const auto text = [&](const char* path, const char* name) -> std::string {
+        if (path != std::string("/") && check_read(H5Lexists(file, path, H5P_DEFAULT), file, path) == 0) return "";
+        const Handle object = open_object(file, path);
+        return has_attribute(object.id(), name) ? read_text_attribute(object.id(), name) : "";
+    };
+    return {text("/", contents_attribute), text(provenance_group, digest_attribute)};
+}
+
+namespace {
+
+constexpr std::size_t most_values_at_once = std::size_t{1} << 26;  // half a gigabyte of doubles
+
+/// Whether the layout of the file gives every dataset a digest.
+bool has_digests(hid_t parent) {
+    const Handle root(check_read(H5Oopen(parent, "/", H5P_DEFAULT), parent, "its root"), H5Oclose, "H5Oopen", "/");
+    return has_attribute(root.id(), contents_attribute);
+}
+
+/// The digest of a dataset; files of older layouts have none. Read it before values from damaged pages are passed on:
+/// the digest is a text in a heap, and HDF5 crashes if that is damaged.
+std::optional<StoredDigest> stored_digest(hid_t parent, const Handle& dataset, const std::string& name) {
+    std::optional<StoredDigest> stored = read_digest(dataset.id());
+    if (!stored && has_digests(parent)) refuse_damaged(parent, fmt::format("{} has lost its digest", name));
+    return stored;
+}
+
+/// Compares the stored digest with that of the values that `add` adds.
+template <class Add>
+void compare(const Handle& dataset, const std::string& name, const std::optional<StoredDigest>& stored,
+             const Add& add) {
+    if (!stored) return;
+    DatasetDigest digest(stored->kind);
+    add(digest);
+    check_digest(dataset.id(), name, *stored, digest.finish(dataset.id()));
+}
+
+}  // namespace
+
+Handle open_for_reading(const std::filesystem::path& path) {
+    if (!std::filesystem::exists(path)) throw InputError(fmt::format("there is no file {}.", path.string()));
+    if (H5Fis_hdf5(path.c_str()) <= 0)
+        throw InputError(fmt::format("{} is not an HDF5 file; give the .h5 that floes run wrote.", path.string()));
+    const Handle access = access_without_locks();
+    std::optional<CheckedPages> pages = CheckedPages::open(path);
+    if (pages) {
+        read_by_pages(access, pages);
+    } else {
+        try_out(path);
+    }
+    const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id());
+    if (file < 0) throw DamagedFile(path.string(), fmt::format("HDF5 cannot open it ({})", last_reason()));
+    return Handle(file, H5Fclose, "H5Fopen", path.string());
+}
+
+bool exists(hid_t parent, const std::string& name) {
+    for (std::size_t end = 0; end != std::string::npos;) {  // HDF5 wants each group on the path to exist
+        end = name.find('/', end + 1);
+        if (check_read(H5Lexists(parent, name.substr(0, end).c_str(), H5P_DEFAULT), parent, name) == 0) return false;
+    }
+    return true;
+}
+
+template <class Value>
+std::vector<Value> read_values(hid_t parent, const std::string& name) {
+    const Handle dataset = open_dataset(parent, name);
+    const StoredShape shape = shape_of(dataset, name, Portion::whole);
+    std::vector<Value> values(shape.count);
+    if (shape.is_text) refuse_damaged(parent, fmt::format("{} has texts where numbers belong", name));
+    const std::optional<StoredDigest> stored = stored_digest(parent, dataset, name);
+    const PassedValues until_compared(dataset.id());
+    check_read(H5Dread(dataset.id(), native_type<Value>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), parent, name);
+    compare(dataset, name, stored, [&](DatasetDigest& digest) {
+        if (H5Tequal(stored_type(dataset, name).id(), stored_type<Value>()) <= 0)
+            refuse_damaged(parent, fmt::format("{} has another type", name));
+        digest.add<Value>(values, shape.row_values);
+    });
+    return values;
+}
+template std::vector<double> read_values<double>(hid_t, const std::string&);
+template std::vector<std::int32_t> read_values<std::int32_t>(hid_t, const std::string&);
+template std::vector<std::int8_t> read_values<std::int8_t>(hid_t, const std::string&);
+
+template <class Value>
+RowReader<Value>::RowReader(hid_t parent, const std::string& name)
+    : name_(name), dataset_(open_dataset(parent, name)), space_(stored_space(dataset_, name)) {
+    const StoredShape shape = shape_of(dataset_, name, Portion::row);
+    if (shape.sizes.empty()) refuse_damaged(parent, fmt::format("{} has no rows", name));
+    sizes_ = shape.sizes;
+    width_ = shape.row_values;
+}
+
+template <class Value>
+std::span<const Value> RowReader<Value>::read(std::size_t row, std::size_t rows) {
+    if (row > sizes_[0] || rows > sizes_[0] - row)
+        refuse_damaged(dataset_.id(), fmt::format("{} ends before row {}", name_, row + rows));
+    std::vector<hsize_t> first(sizes_.size(), 0);
+    std::vector<hsize_t> count = sizes_;
+    first[0] = row;
+    count[0] = rows;
+    const hsize_t length = rows * width_;
+    if (length > most_values_at_once)
+        refuse_damaged(dataset_.id(), fmt::format("{} rows of {} are too many", rows, name_));
+    values_.resize(length);
+    if (length == 0) return values_;
+    check_read(H5Sselect_hyperslab(space_.id(), H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr),
+               dataset_.id(), name_);
+    const Handle memory = simple_space(std::span(&length, 1));
+    check_read(H5Dread(dataset_.id(), native_type<Value>(), memory.id(), space_.id(), H5P_DEFAULT, values_.data()),
+               dataset_.id(), fmt::format("row {} of {}", row, name_));
+    return values_;
+}
+template class RowReader<double>;
+template class RowReader<float>;
+template class RowReader<std::int32_t>;
+
+std::vector<std::string> read_texts(hid_t parent, const std::string& name) {
+    const Handle dataset = open_dataset(parent, name);
+    std::vector<std::string> texts = texts_of(dataset, name);
+    compare(dataset, name, stored_digest(parent, dataset, name),
+            [&](DatasetDigest& digest) { digest.add(std::span<const std::string>(texts)); });
+    for (const std::string& text : texts)
+        if (!is_utf8(text)) refuse_damaged(parent, fmt::format("a text of {} is not UTF-8", name));
+    return texts;
+}
+
+}  // namespace floes::hdf5

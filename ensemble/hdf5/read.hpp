@@ -1,0 +1,114 @@
+#pragma once
+// What can be read of a dataset before its digest is compared: its sizes, as far as they are plausible, and texts. Only
+// for files inside this module.
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "hdf5/dataset.hpp"
+#include "hdf5/digest.hpp"
+#include "hdf5/handle.hpp"
+
+namespace floes::hdf5 {
+
+/// Opens a dataset for reading; `name` may be a path. Throws RunError if it does not exist.
+Handle open_dataset(hid_t parent, const std::string& name);
+
+/// Its dataspace and its type in the file. Throw RunError if they cannot be read.
+Handle stored_space(const Handle& dataset, const std::string& name);
+Handle stored_type(const Handle& dataset, const std::string& name);
+
+struct StoredShape {
+    std::vector<hsize_t> sizes;
+    hsize_t count = 1;       ///< of the values
+    hsize_t row_values = 1;  ///< values of one row
+    std::size_t value_bytes = 0;
+    bool is_text = false;
+
+    hsize_t rows() const { return sizes.empty() ? 1 : sizes.front(); }
+};
+
+/// How much of a dataset will be in memory at once.
+enum class Portion { whole, row };
+
+/// Throws RunError if the sizes are larger than the file can hold, so that no memory is allocated for a damaged size.
+StoredShape shape_of(const Handle& dataset, const std::string& name, Portion portion);
+
+/// All texts of a dataset. Throws RunError if they cannot be read.
+std::vector<std::string> texts_of(const Handle& dataset, const std::string& name);
+
+// The contents of a whole file: the paths of all datasets, and one digest over them. Only for sources of modules with
+// HDF5 files of their own.
+
+/// Paths of all groups, or of all datasets, from the root on ("/members/status"), each group's in alphabetical order.
+struct Paths {
+    std::vector<std::string> groups;  ///< the root "/" is the first
+    std::vector<std::string> datasets;
+    std::vector<std::string> unreadable;  ///< of both kinds; only a search for damage continues with these
+};
+Paths paths_of(hid_t file);
+
+/// The digest over everything except how the file was made: for each group and dataset outside /provenance the path and
+/// all attributes that are text or numbers, which include the digest of the dataset. Two files of the same members have
+/// the same. `provenance`: the digest over /provenance; empty if there is none.
+struct ContentsDigests {
+    std::string contents;
+    std::string provenance;
+    friend bool operator==(const ContentsDigests&, const ContentsDigests&) = default;
+};
+ContentsDigests contents_digests(hid_t file);
+
+/// Writes both digests, as attributes of the root and of /provenance. Call it last.
+void write_contents_digests(hid_t file);
+
+/// The digests that the file has; empty if there are none.
+ContentsDigests read_contents_digests(hid_t file);
+
+// Reading named datasets and attributes of an HDF5 file. Only for sources of modules with HDF5 files of their own.
+
+/// Opens an HDF5 file for reading. Throws InputError if the file does not exist or is not an HDF5 file.
+Handle open_for_reading(const std::filesystem::path& path);
+
+/// Whether an object of that name exists; `name` may be a path.
+bool exists(hid_t parent, const std::string& name);
+
+/// All values of a dataset, row-major; `name` may be a path. Throws RunError if it does not exist or does not match its
+/// digest.
+template <class Value>
+std::vector<Value> read_values(hid_t parent, const std::string& name);
+extern template std::vector<double> read_values<double>(hid_t, const std::string&);
+extern template std::vector<std::int32_t> read_values<std::int32_t>(hid_t, const std::string&);
+extern template std::vector<std::int8_t> read_values<std::int8_t>(hid_t, const std::string&);
+
+/// A dataset that is read a few rows at a time. Value: double, float or int32. HDF5 verifies the checksum of each
+/// chunk; the digest covers all rows and is not compared.
+template <class Value>
+class RowReader {
+  public:
+    /// `name` may be a path. Throws RunError if there is no such dataset.
+    RowReader(hid_t parent, const std::string& name);
+    /// Values of one row.
+    std::size_t width() const { return width_; }
+    std::size_t rows() const { return static_cast<std::size_t>(sizes_.at(0)); }
+    /// The values of `count` rows from `row` on, row-major; valid until the next call. Throws RunError past the end.
+    std::span<const Value> read(std::size_t row, std::size_t count = 1);
+
+  private:
+    std::string name_;
+    Handle dataset_;
+    Handle space_;
+    std::vector<hsize_t> sizes_;
+    std::size_t width_;
+    std::vector<Value> values_;
+};
+extern template class RowReader<double>;
+extern template class RowReader<float>;
+extern template class RowReader<std::int32_t>;
+
+/// The same for texts, which are UTF-8.
+std::vector<std::string> read_texts(hid_t parent, const std::string& name);
+
+}  // namespace floes::hdf5

@@ -1,0 +1,102 @@
+#pragma once
+// Distributions of segment maxima: fits, goodness of fit, and loads for longer exposure.
+//
+// z = (x - location) / scale.
+//   Gumbel:  F(x) = exp(-exp(-z))
+//   GEV:     F(x) = exp(-(1 + ξ z)^(-1/ξ)), 1 + ξ z > 0; ξ = 0 is Gumbel, ξ < 0 has an upper bound, ξ > 0 a heavy tail.
+// scipy: gumbel_r(location, scale), genextreme(c = -ξ, location, scale).
+// fit_maxima.cpp has the fits and their goodness of fit, extremes.cpp the distributions.
+// S. Coles, An Introduction to Statistical Modeling of Extreme Values, Springer 2001, chapter 3.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "inference/bootstrap.hpp"
+
+namespace floes {
+
+/// A fitted distribution of maxima; Gumbel has shape 0. All NaN if it could not be fitted.
+struct ExtremeFit {
+    double location = 0;  ///< unit of the maxima
+    double scale = 0;     ///< the same, > 0
+    double shape = 0;     ///< ξ
+    double log_likelihood = 0;
+
+    bool valid() const { return scale > 0; }
+};
+
+enum class ExtremeKind { gumbel, gev };
+
+/// Fewest maxima that are fitted.
+inline constexpr std::size_t fewest_maxima = 10;
+
+/// From L-moments: J. R. M. Hosking, J. R. Stat. Soc. B 52 (1990) 105-124; the shape by the approximation of J. R. M.
+/// Hosking, J. R. Wallis and E. F. Wood, Technometrics 27 (1985) 251-261. Invalid if all `maxima` are equal.
+ExtremeFit fit_by_l_moments(std::span<const double> maxima, ExtremeKind kind);
+
+/// Maximum likelihood, started from L-moments: Gumbel's scale is the root of its likelihood equation, GEV's three
+/// parameters are found by the Nelder-Mead simplex of NLopt with -1 < ξ < 1 (below -1 the likelihood has no maximum).
+/// Invalid for fewer than `fewest_maxima` or if all are equal. `start`: another starting point, for resamples.
+ExtremeFit fit_maxima(std::span<const double> maxima, ExtremeKind kind, const ExtremeFit* start = nullptr);
+
+/// log likelihood of the maxima; -∞ where one lies outside the distribution's range.
+double log_likelihood(const ExtremeFit& fit, std::span<const double> maxima);
+
+double extreme_cdf(const ExtremeFit& fit, double x);
+/// 0 < p < 1.
+double extreme_quantile(const ExtremeFit& fit, double p);
+
+/// The maximum that one segment in `segments` exceeds on average: the quantile at 1 - 1/segments; `segments` > 1.
+double return_level(const ExtremeFit& fit, double segments);
+
+/// Distances between the fit and the data: Anderson-Darling A², which weighs the tails, and Kolmogorov-Smirnov D.
+struct Distances {
+    double anderson_darling;
+    double kolmogorov_smirnov;
+};
+Distances distances(const ExtremeFit& fit, std::span<const double> maxima);
+
+/// Share of `samples` samples, drawn from the fit and refitted, that lie at least as far from their fit as the data
+/// from theirs (parametric bootstrap). A small value means a poor fit. Treats the maxima as independent.
+struct GoodnessOfFit {
+    Distances found;
+    double anderson_darling_p;
+    double kolmogorov_smirnov_p;
+};
+GoodnessOfFit goodness_of_fit(const ExtremeFit& fit, ExtremeKind kind, std::span<const double> maxima, int samples = 0);
+
+/// Empirical probability that a segment's maximum exceeds a load: of n sorted maxima the i-th largest is exceeded with
+/// probability i / (n + 1) (Weibull's plotting position).
+struct ExceedancePoint {
+    double load;
+    double probability;
+};
+std::vector<ExceedancePoint> exceedance_curve(std::vector<double> maxima);
+
+// Uncertainty of a fit of maxima. Segments of one member are not independent, so arrangements are resampled, each with
+// all its segments, and the distribution is refitted.
+
+struct ReturnLevel {
+    double segments = 0;  ///< on average one segment in this many exceeds the level
+    double level = 0;     ///< unit of the maxima
+    Limits interval{};    ///< 95 %, percentile bootstrap over arrangements
+};
+
+/// A fit with its 95 % intervals.
+struct FittedExtreme {
+    ExtremeKind kind = ExtremeKind::gumbel;
+    ExtremeFit fit;
+    Limits location{};
+    Limits scale{};
+    Limits shape{};  ///< [0, 0] for Gumbel
+    GoodnessOfFit goodness{};
+    std::vector<ReturnLevel> levels;
+};
+
+/// Fits the maxima of all arrangements together. `maxima`: for each arrangement the maxima of its segments; `segments`:
+/// the return periods of the levels, each above 1. Everything is NaN if there are too few maxima.
+FittedExtreme fit_extremes(std::span<const std::vector<double>> maxima, ExtremeKind kind,
+                           std::span<const double> segments);
+
+}  // namespace floes

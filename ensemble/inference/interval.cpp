@@ -1,0 +1,333 @@
+#include "inference/interval.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+#include <fmt/format.h>
+#include <boost/random/gamma_distribution.hpp>
+#include <boost/random/normal_distribution.hpp>
+#include <boost/random/uniform_01.hpp>
+
+#include "core/error.hpp"
+#include "core/random.hpp"
+#include "inference/bootstrap.hpp"
+#include "statistics/distributions.hpp"
+#include "statistics/load_statistics.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+Interval mean_interval(std::span<const double> values, double confidence) {
+    if (!(confidence > 0 && confidence < 1)) {
+        throw InputError(fmt::format("The confidence is {}; it must lie between 0 and 1, such as 0.95.", confidence));
+    }
+    double sum = 0;
+    for (const double value : values) {
+        if (!std::isfinite(value)) {
+            throw InputError(
+                fmt::format("A mean over {} members includes the value {}; leave out members without a result.",
+                            values.size(), value));
+        }
+        sum += value;
+    }
+    if (values.empty()) return {undefined, undefined, undefined, undefined, undefined};
+    const double count = static_cast<double>(values.size());
+    const double mean = sum / count;
+    if (values.size() == 1) return {mean, undefined, undefined, undefined, undefined};
+
+    double squares = 0;
+    for (const double value : values) squares += (value - mean) * (value - mean);
+    const double sd = std::sqrt(squares / (count - 1));
+    const double t = student_t(count - 1, (1 - confidence) / 2);
+    const double of_mean = t * sd / std::sqrt(count);
+    const double of_run = t * sd * std::sqrt(1 + 1 / count);
+    return {mean, mean - of_mean, mean + of_mean, mean - of_run, mean + of_run};
+}
+
+Interval positive_interval(std::span<const double> values, double confidence) {
+    Interval interval = mean_interval(values, confidence);
+    if (std::ranges::any_of(values, [](double value) { return value <= 0; })) return interval;
+    std::vector<double> logarithms(values.size());
+    std::ranges::transform(values, logarithms.begin(), [](double value) { return std::log(value); });
+    const Interval logarithmic = mean_interval(logarithms, confidence);
+    interval.prediction_low = std::exp(logarithmic.prediction_low);
+    interval.prediction_high = std::exp(logarithmic.prediction_high);
+    return interval;
+}
+
+Interval clipped(const Interval& interval, double least, double most) {
+    // NaN stays NaN, because both comparisons are false.
+    const auto cut = [&](double value) { return value < least ? least : value > most ? most : value; };
+    return {cut(interval.estimate), cut(interval.low), cut(interval.high), cut(interval.prediction_low),
+            cut(interval.prediction_high)};
+}
+
+namespace {
+
+constexpr double level = 0.01;   // of all tests whether any member stands out
+constexpr double chance = 0.05;  // that a kind of member is not seen
+
+/// Mean logarithm of the highest third; 0 and below count as nothing.
+double height_of(std::span<const double> falling) {
+    const std::size_t third = std::min(falling.size(), std::max<std::size_t>(3, (falling.size() + 2) / 3));
+    double sum = 0;
+    for (std::size_t k = 0; k < third; ++k) sum += std::log(std::max(falling[k], 1e-12));
+    return sum / static_cast<double>(third);
+}
+
+struct Height {
+    double value;
+    std::size_t row;
+};
+
+enum class Tails { upper, both };
+
+/// Of falling values, how far the highest, or the farthest, is from the mean of all, in their SD: Rosner's R.
+struct Departure {
+    double value;
+    bool highest;  ///< else the lowest
+};
+Departure departure(std::span<const Height> falling, Tails tails) {
+    const double count = static_cast<double>(falling.size());
+    double mean = 0, squares = 0;
+    for (const Height& one : falling) mean += one.value / count;
+    for (const Height& one : falling) squares += (one.value - mean) * (one.value - mean);
+    const double sd = std::sqrt(squares / (count - 1));
+    const double up = falling.front().value - mean, down = mean - falling.back().value;
+    const bool highest = tails == Tails::upper || up >= down;
+    return {sd > 0 ? (highest ? up : down) / sd : 0, highest};
+}
+
+/// What the departure of the highest, or farthest, of `count` normal values is below with 99 %.
+double usual_departure(double count, Tails tails) {
+    const double t = student_t(count - 2, level / (tails == Tails::both ? 2 * count : count));
+    return (count - 1) * t / std::sqrt((count - 2 + t * t) * count);
+}
+
+/// Of heights in any order.
+std::vector<std::size_t> standing_out(std::vector<Height> heights, Tails tails = Tails::upper) {
+    std::ranges::stable_sort(heights, [](const Height& a, const Height& b) { return a.value > b.value; });
+    if (heights.size() < fewest_to_stand_out) return {};
+    std::span<const Height> left = heights;
+    std::vector<std::size_t> rows;  // in the order in which they are taken away
+    std::size_t count = 0;
+    const std::size_t most = heights.size() / 4;
+    const double least = usual_departure(static_cast<double>(heights.size() - most), tails);  // it grows with the count
+    for (std::size_t k = 0; k < most; ++k) {
+        const Departure found = departure(left, tails);
+        rows.push_back((found.highest ? left.front() : left.back()).row);
+        if (found.value > least && found.value > usual_departure(static_cast<double>(left.size()), tails))
+            count = k + 1;
+        left = found.highest ? left.subspan(1) : left.first(left.size() - 1);
+    }
+    rows.resize(count);
+    std::ranges::sort(rows);
+    return rows;
+}
+
+std::vector<Height> heights_of(std::span<const double> values) {
+    std::vector<Height> heights;
+    for (std::size_t row = 0; row < values.size(); ++row) heights.push_back({values[row], row});
+    return heights;
+}
+
+/// The highest peaks of all that are those of these rows.
+std::size_t carried_by(MemberPeakSpans peaks, const std::vector<std::size_t>& rows) {
+    double highest_other = -1;
+    for (std::size_t row = 0; row < peaks.size(); ++row)
+        if (!peaks[row].empty() && !std::ranges::binary_search(rows, row))
+            highest_other = std::max(highest_other, peaks[row].front());
+    std::size_t count = 0;
+    for (const std::size_t row : rows)
+        count += static_cast<std::size_t>(
+            std::ranges::count_if(peaks[row], [&](double peak) { return peak > highest_other; }));
+    return count;
+}
+
+}  // namespace
+
+UnlikeMembers unlike_members(MemberPeakSpans peaks, double share) {
+    UnlikeMembers found;
+    std::vector<Height> heights;
+    for (std::size_t row = 0; row < peaks.size(); ++row)
+        if (!peaks[row].empty()) heights.push_back({height_of(peaks[row]), row});
+    found.out = standing_out(std::move(heights));
+    if (!found.out.empty()) found.carried = carried_by(peaks, found.out);
+    std::vector<double> all;
+    for (std::size_t row = 0; row < peaks.size(); ++row)
+        if (!std::ranges::binary_search(found.out, row)) all.insert(all.end(), peaks[row].begin(), peaks[row].end());
+    const double members = static_cast<double>(peaks.size() - found.out.size());
+    if (all.empty() || members < 2) return found;
+    std::ranges::sort(all);
+    const double threshold = quantile_of_sorted(all, 1 - share);
+    double sum = 0, squares = 0;
+    for (std::size_t row = 0; row < peaks.size(); ++row) {
+        if (std::ranges::binary_search(found.out, row)) continue;
+        const auto count =
+            static_cast<double>(std::ranges::count_if(peaks[row], [&](double peak) { return peak > threshold; }));
+        sum += count;
+        squares += count * count;
+    }
+    if (sum == 0) return found;
+    const double mean = sum / members;
+    found.dispersion = (squares / members - mean * mean) * members / (members - 1) / mean;
+    found.dispersion_p = chi_squared_above(std::max(0.0, (members - 1) * found.dispersion), members - 1);
+    return found;
+}
+
+std::vector<std::size_t> rows_standing_out(std::span<const double> values) {
+    return standing_out(heights_of(values));
+}
+
+std::vector<std::size_t> rows_standing_apart(std::span<const double> values) {
+    return standing_out(heights_of(values), Tails::both);
+}
+
+double unseen_share(std::size_t members) {
+    return 1 - std::pow(chance, 1 / static_cast<double>(std::max<std::size_t>(members, 1)));
+}
+
+int members_to_see(double share) {
+    return std::max(1, static_cast<int>(std::ceil(std::log(chance) / std::log1p(-share))));
+}
+
+namespace {
+
+constexpr int draws = 4000;
+constexpr std::uint32_t own_draws = 0x6d6978;  // none that a bootstrap uses
+constexpr double jeffreys = 0.5;
+constexpr double usual_scatter = 0.3;  // of the logarithm, of members of a kind
+constexpr double worth = 2;            // members
+constexpr double largest_log = 50;     // of a distance that a draw may have, over those seen
+
+/// A sample's mean, sample SD and size.
+struct Moments {
+    double mean = 0;
+    double sd = 0;
+    double count = 0;
+
+    explicit Moments(std::span<const double> values)
+        : mean(mean_of(values)), count(static_cast<double>(values.size())) {
+        if (count > 1) sd = population_sd(values, mean) * std::sqrt(count / (count - 1));
+    }
+    double freedom() const { return std::max(1.0, count - 1); }
+};
+
+/// 32 random bits a call, as Boost's distributions take them.
+class Bits {
+  public:
+    using result_type = std::uint32_t;
+    explicit Bits(std::size_t number) : random_{0, own_draws, StreamId::bootstrap, number} {}
+    static constexpr result_type min() { return 0; }
+    static constexpr result_type max() { return 0xffffffffu; }
+    result_type operator()() { return static_cast<result_type>(random_.uniform() * 0x1p32); }
+
+  private:
+    RandomStream random_;
+};
+
+/// Draws of what is not known of the kinds.
+class Draws {
+  public:
+    explicit Draws(std::size_t number) : bits_(number) {}
+
+    double normal() { return normal_(bits_); }
+    double gamma(double shape) { return boost::random::gamma_distribution<>{shape}(bits_); }
+    double chi_squared(double freedom) { return 2 * gamma(freedom / 2); }
+    double student(double freedom) {
+        const double z = normal();
+        return z / std::sqrt(chi_squared(freedom) / freedom);
+    }
+    double uniform() { return boost::random::uniform_01<>{}(bits_); }
+
+  private:
+    Bits bits_;
+    boost::random::normal_distribution<> normal_;
+};
+
+std::vector<double> logarithms(std::span<const double> values) {
+    std::vector<double> logs;
+    for (const double value : values) logs.push_back(std::log(value));
+    return logs;
+}
+
+std::vector<double> of_rows(std::span<const double> values, std::span<const std::size_t> rows) {
+    std::vector<double> chosen;
+    for (const std::size_t row : rows) chosen.push_back(values[row]);
+    return chosen;
+}
+
+}  // namespace
+
+Apart apart(std::span<const double> values, Sides sides) {
+    if (values.size() > most_tested) return {};
+    if (sides == Sides::both) {
+        Apart found;
+        if (values.empty()) return found;
+        std::vector<double> rising(values.begin(), values.end());
+        std::ranges::sort(rising);
+        const double middle = quantile_of_sorted(rising, 0.5);
+        for (const std::size_t row : rows_standing_apart(values))
+            (values[row] > middle ? found.above : found.below).push_back(row);
+        return found;
+    }
+    if (std::ranges::any_of(values, [](double value) { return !(value > 0); })) return {};
+    return {rows_standing_out(logarithms(values)), {}};
+}
+
+Interval mixed_interval(std::span<const double> values, const Interval& plain, const Apart& apart, Sides sides,
+                        double confidence) {
+    if (apart.count() == 0) return plain;
+    std::vector<double> usual, distances;
+    for (std::size_t row = 0; row < values.size(); ++row)
+        if (!std::ranges::binary_search(apart.above, row) && !std::ranges::binary_search(apart.below, row))
+            usual.push_back(values[row]);
+    const Moments of_usual(usual);
+    for (const std::vector<std::size_t>* side : {&apart.above, &apart.below})
+        for (const double value : of_rows(values, *side)) distances.push_back(std::abs(value - of_usual.mean));
+    const Moments far(logarithms(distances));
+    const double squares = worth * usual_scatter * usual_scatter + (far.count - 1) * far.sd * far.sd;
+
+    Draws draw(values.size());
+    std::vector<double> means, further;
+    const Moments usual_logs(sides == Sides::above ? logarithms(usual) : std::vector<double>{0});
+    for (int k = 0; k < draws; ++k) {
+        const double above = draw.gamma(static_cast<double>(apart.above.size()) + jeffreys);
+        const double below =
+            sides == Sides::both ? draw.gamma(static_cast<double>(apart.below.size()) + jeffreys) : 0.0;
+        const double others = draw.gamma(of_usual.count + jeffreys);
+        const double all = above + below + others;
+        const double variance = squares / draw.chi_squared(worth + far.count - 1);
+        const double mean = of_usual.mean + of_usual.sd / std::sqrt(of_usual.count) * draw.student(of_usual.freedom());
+        const double moved = std::clamp(std::sqrt(variance / far.count) * draw.normal(), -largest_log, largest_log);
+        means.push_back(mean + (above - below) / all * std::exp(far.mean + moved));
+        if (sides == Sides::both) continue;
+        const double one = draw.normal();
+        further.push_back(draw.uniform() < above / all
+                              ? of_usual.mean +
+                                    std::exp(far.mean + moved + std::min(largest_log, std::sqrt(variance) * one))
+                              : std::exp(usual_logs.mean + usual_logs.sd * std::sqrt(1 + 1 / usual_logs.count) *
+                                                               draw.student(usual_logs.freedom())));
+    }
+    const Limits limits = percentile_interval(std::move(means), confidence);
+    Interval mixed = plain;
+    mixed.low = std::min(limits.low, plain.estimate);
+    mixed.high = std::max(limits.high, plain.estimate);
+    if (!further.empty()) {
+        const Limits next = percentile_interval(std::move(further), confidence);
+        mixed.prediction_low = next.low;
+        mixed.prediction_high = next.high;
+    }
+    return mixed;
+}
+
+}  // namespace floes

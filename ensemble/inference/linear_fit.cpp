@@ -1,0 +1,205 @@
+#include "inference/linear_fit.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Dense>
+
+#include "core/error.hpp"
+#include "statistics/distributions.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
+using Decomposition = Eigen::ColPivHouseholderQR<Eigen::MatrixXd>;
+
+/// A column of ones, then the coordinates.
+Eigen::MatrixXd model(const PointCoordinates& points) {
+    const auto axes = static_cast<Eigen::Index>(points.empty() ? 0 : points.front().size());
+    Eigen::MatrixXd matrix(static_cast<Eigen::Index>(points.size()), axes + 1);
+    for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
+        const std::vector<double>& point = points[static_cast<std::size_t>(row)];
+        matrix(row, 0) = 1;
+        for (Eigen::Index axis = 0; axis < axes; ++axis)
+            matrix(row, axis + 1) = point.at(static_cast<std::size_t>(axis));
+    }
+    return matrix;
+}
+
+bool solvable(const Eigen::MatrixXd& matrix) {
+    return matrix.rows() > matrix.cols() && matrix.allFinite() && Decomposition(matrix).rank() == matrix.cols();
+}
+
+Eigen::MatrixXd checked_model(const PointCoordinates& points) {
+    Eigen::MatrixXd matrix = model(points);
+    if (!solvable(matrix))
+        throw InputError("A plane needs more points than axes + 1, and no axis that depends on the others.");
+    return matrix;
+}
+
+Eigen::VectorXd checked_values(std::span<const double> values, Eigen::Index points) {
+    const Eigen::VectorXd vector =
+        Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+    if (vector.size() != points || !vector.allFinite())
+        throw InputError("A plane needs one finite value for each point.");
+    return vector;
+}
+
+double r_squared(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& values, const Eigen::VectorXd& coefficients) {
+    const double total = (values.array() - values.mean()).square().sum();
+    return total > 0 ? 1 - (values - matrix * coefficients).squaredNorm() / total : undefined;
+}
+
+}  // namespace
+
+bool can_fit(const PointCoordinates& points) {
+    return solvable(model(points));
+}
+
+LinearFit fit_repetitions(const PointCoordinates& points, std::span<const std::vector<double>> repetitions) {
+    if (repetitions.size() < 2) throw InputError("An interval over repetitions needs at least two.");
+    const Eigen::MatrixXd matrix = checked_model(points);
+    const Decomposition decomposition(matrix);
+    const auto count = static_cast<Eigen::Index>(repetitions.size());
+    Eigen::MatrixXd values(matrix.rows(), count);
+    for (Eigen::Index r = 0; r < count; ++r)
+        values.col(r) = checked_values(repetitions[static_cast<std::size_t>(r)], matrix.rows());
+    const Eigen::MatrixXd coefficients = decomposition.solve(values);
+    LinearFit fit;
+    fit.repetitions = static_cast<int>(count);
+    fit.centre = coefficients.row(0).mean();
+    for (Eigen::Index axis = 1; axis < matrix.cols(); ++axis) {
+        const Eigen::VectorXd slopes = coefficients.row(axis);
+        const Interval interval = mean_interval({slopes.data(), static_cast<std::size_t>(count)});
+        fit.slopes.push_back({interval.estimate, interval.low, interval.high});
+    }
+    fit.r_squared = r_squared(matrix, values.rowwise().mean(), coefficients.rowwise().mean());
+    return fit;
+}
+
+LinearFit fit_points(const PointCoordinates& points, std::span<const double> values) {
+    const Eigen::MatrixXd matrix = checked_model(points);
+    const Eigen::VectorXd vector = checked_values(values, matrix.rows());
+    const Decomposition decomposition(matrix);
+    const Eigen::VectorXd coefficients = decomposition.solve(vector);
+    // (XᵀX)⁻¹ = P R⁻¹ R⁻ᵀ Pᵀ, so its diagonal is the squared norms of the rows of P R⁻¹.
+    const Eigen::Index columns = matrix.cols();
+    const Eigen::MatrixXd inverse = decomposition.matrixR().topRows(columns).triangularView<Eigen::Upper>().solve(
+        Eigen::MatrixXd::Identity(columns, columns));
+    const Eigen::VectorXd norms = (decomposition.colsPermutation() * inverse).rowwise().norm();
+    const double freedom = static_cast<double>(matrix.rows() - columns);
+    const double residual = std::sqrt((vector - matrix * coefficients).squaredNorm() / freedom);
+    const double t = student_t(freedom, (1 - 0.95) / 2);
+    LinearFit fit;
+    fit.centre = coefficients(0);
+    for (Eigen::Index axis = 1; axis < columns; ++axis) {
+        const double half = t * residual * norms(axis);
+        fit.slopes.push_back({coefficients(axis), coefficients(axis) - half, coefficients(axis) + half});
+    }
+    fit.r_squared = r_squared(matrix, vector, coefficients);
+    return fit;
+}
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Rows with the columns that vary in both samples.
+struct Samples {
+    MatrixXd known;
+    MatrixXd population;
+};
+
+MatrixXd matrix(const Covariates& rows) {
+    MatrixXd made(static_cast<Index>(rows.size()), static_cast<Index>(rows.empty() ? 0 : rows.front().size()));
+    for (Index row = 0; row < made.rows(); ++row)
+        for (Index column = 0; column < made.cols(); ++column)
+            made(row, column) = rows[static_cast<std::size_t>(row)].at(static_cast<std::size_t>(column));
+    return made;
+}
+
+Samples varying(const Covariates& known, const Covariates& population) {
+    const MatrixXd one = matrix(known);
+    const MatrixXd other = matrix(population);
+    Samples kept{MatrixXd(one.rows(), 0), MatrixXd(other.rows(), 0)};
+    for (Index column = 0; column < one.cols(); ++column) {
+        const bool finite = one.col(column).allFinite() && other.col(column).allFinite();
+        if (!finite || one.col(column).minCoeff() == one.col(column).maxCoeff()) continue;
+        kept.known.conservativeResize(Eigen::NoChange, kept.known.cols() + 1);
+        kept.population.conservativeResize(Eigen::NoChange, kept.population.cols() + 1);
+        kept.known.rightCols(1) = one.col(column);
+        kept.population.rightCols(1) = other.col(column);
+    }
+    return kept;
+}
+
+MatrixXd centred(const MatrixXd& rows) {
+    return rows.rowwise() - rows.colwise().mean();
+}
+
+/// A plane through the values over centred covariates.
+struct FittedPlane {
+    VectorXd slopes;
+    MatrixXd inverse;     ///< of X'X
+    double residual = 0;  ///< sum of squares
+    double left_out = 0;  ///< R² of predictions of each value from the others
+};
+
+FittedPlane fit(const VectorXd& values, const MatrixXd& covariates) {
+    const MatrixXd x = centred(covariates);
+    const double count = static_cast<double>(values.size());
+    const VectorXd y = values.array() - values.mean();
+    FittedPlane plane;
+    plane.inverse = (x.transpose() * x).inverse();
+    plane.slopes = plane.inverse * x.transpose() * y;
+    const VectorXd errors = y - x * plane.slopes;
+    plane.residual = errors.squaredNorm();
+    double predicted = 0;
+    double total = 0;
+    for (Index row = 0; row < values.size(); ++row) {
+        const double leverage = 1 / count + (x.row(row) * plane.inverse * x.row(row).transpose()).value();
+        predicted += std::pow(errors(row) / (1 - leverage), 2);
+        total += std::pow(y(row) / (1 - 1 / count), 2);
+    }
+    plane.left_out = 1 - predicted / total;
+    return plane;
+}
+
+}  // namespace
+
+ControlledMean controlled_mean(std::span<const double> values, const Covariates& known, const Covariates& population) {
+    ControlledMean result{.plain = mean_interval(values), .corrected = {}};
+    result.corrected = result.plain;
+    const Samples samples = varying(known, population);
+    const Index count = static_cast<Index>(values.size());
+    const double freedom = static_cast<double>(count - 1 - samples.known.cols());
+    if (samples.known.cols() == 0 || freedom < 2 || values.size() < fewest_controlled || population.size() < 2)
+        return result;
+    const VectorXd y = Eigen::Map<const VectorXd>(values.data(), count);
+    const FittedPlane plane = fit(y, samples.known);
+    result.left_out = plane.left_out;
+    if (!(plane.left_out > 0)) return result;
+    const VectorXd shift = (samples.population.colwise().mean() - samples.known.colwise().mean()).transpose();
+    const MatrixXd spread = centred(samples.population);
+    const double drawn = static_cast<double>(population.size());
+    const double of_population = (spread * plane.slopes).squaredNorm() / (drawn - 1) / drawn;
+    const double variance = plane.residual / freedom *
+                                (1 / static_cast<double>(count) + (shift.transpose() * plane.inverse * shift).value()) +
+                            of_population;
+    const double half = student_t(freedom, 0.025) * std::sqrt(variance);
+    const double plain_half = 0.5 * (result.plain.high - result.plain.low);
+    if (!(half < plain_half)) return result;
+    result.used = true;
+    result.corrected.estimate += plane.slopes.dot(shift);
+    result.corrected.low = result.corrected.estimate - half;
+    result.corrected.high = result.corrected.estimate + half;
+    result.saved = static_cast<double>(count) * (std::pow(plain_half / half, 2) - 1);
+    return result;
+}
+
+}  // namespace floes

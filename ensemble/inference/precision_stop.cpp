@@ -1,0 +1,323 @@
+// Which means, or differences of means, the stop rule is about.
+
+#include "inference/precision_stop.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "inference/interval.hpp"
+#include "member/quantity.hpp"
+#include "statistics/distributions.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
+Exposure exposure_of(const Campaign& campaign) {
+    const StopRule& stop = campaign.stop;
+    Exposure exposure{.time = stop.exposure, .probabilities = {}, .quick = campaign.cases.size() > most_averaged_cases};
+    exposure.expected = stop.quantile == 0;
+    if (!exposure.expected) exposure.probabilities.push_back(stop.quantile);
+    return exposure;
+}
+
+}  // namespace
+
+LoadPrecision::LoadPrecision(const Campaign& campaign, std::vector<bool> watched)
+    : exposure_(exposure_of(campaign)),
+      averaging_(campaign.stop.averaging),
+      of_expected_(campaign.stop.quantile == 0),
+      half_width_(undefined) {
+    for (std::size_t k = 0; k < campaign.cases.size(); ++k)
+        cases_.push_back({.name = campaign.cases[k].name,
+                          .analysis = campaign.cases[k].scenario.analysis,
+                          .watched = watched.at(k)});
+}
+
+std::optional<MemberLoad> LoadPrecision::member_load(std::size_t case_index, const MemberOutputs& outputs) const {
+    const auto averaged = std::ranges::find(outputs.averaged, averaging_, &AveragedLoad::time);
+    if (averaged == outputs.averaged.end()) return {};
+    return MemberLoad{{averaged->peaks, averaged->segment_maximum},
+                      member_trend(outputs, cases_.at(case_index).analysis.window)};
+}
+
+void LoadPrecision::add(std::size_t case_index, MemberLoad member) {
+    OneCase& one = cases_.at(case_index);
+    one.rows.push_back(std::move(member.peaks));
+    one.trends.push_back(member.trend);
+}
+
+void LoadPrecision::judge() {
+    std::vector<std::vector<MemberTrend>> members;
+    for (const OneCase& one : cases_) members.push_back(one.trends);
+    const std::vector<JointTrend> trends = joint_trends(members);
+    half_width_ = 0;
+    obstacle_.clear();
+    for (std::size_t k = 0; k < cases_.size() && std::isfinite(half_width_); ++k)
+        if (cases_[k].watched) half_width_ = std::max(half_width_of(cases_[k], trends[k]), half_width_);
+}
+
+double LoadPrecision::half_width_of(const OneCase& one, const JointTrend& trend) {
+    if (trend.rises()) {
+        obstacle_ = fmt::format("case {}: {}, so it has no design load", one.name, trend_text(trend));
+        return undefined;
+    }
+    const Measured measured{one.analysis.window, one.analysis.window / one.analysis.segments,
+                            one.analysis.peak_separation, trend.mean};
+    const DesignLoad load = load_by_both_tails(one.rows, measured, exposure_);
+    if (!load.valid()) {
+        obstacle_ = fmt::format("case {}: {} members with {} peaks above the threshold are too few for a tail",
+                                one.name, one.rows.size(), load.peaks);
+        return undefined;
+    }
+    const DesignLoadEstimate& made = load.estimates.front();
+    const DesignLoadFigure& figure = of_expected_ ? made.expected : made.quantiles.front();
+    const double longer = std::max(figure.interval.high - figure.value, figure.value - figure.interval.low);
+    const double half_width = longer / std::abs(figure.value);
+    if (!std::isfinite(half_width)) obstacle_ = fmt::format("case {}: its expected largest load is infinite", one.name);
+    return half_width;
+}
+
+namespace {
+
+constexpr double normal_half = 1.959963984540054;  // lower bound of t: a target missed with this is missed with t
+
+constexpr int fewest_by_default = 20;  // with fewer, the scatter is itself uncertain
+
+// A kind of member in such a share decides a design load, however wide an interval may be.
+constexpr double seen_for_a_design_load = 0.05;
+
+// How the judgements of a design load follow one another, see the header.
+constexpr double of_the_needed = 0.5;
+constexpr double least_growth = 1.1;
+constexpr double most_growth = 1.4;
+
+int minimum_of(const StopRule& rule) {
+    return rule.minimum > 0 ? rule.minimum
+                            : std::max(fewest_by_default, members_to_see(PrecisionStop::share_seen(rule)));
+}
+
+std::vector<std::string> names_of(const Campaign& campaign) {
+    std::vector<std::string> names;
+    for (const Case& one : campaign.cases) names.push_back(one.name);
+    return names;
+}
+
+}  // namespace
+
+PrecisionStop::PrecisionStop(const StopRule& rule, const std::vector<std::string>& cases,
+                             const std::vector<int>& groups)
+    : rule_(rule), minimum_(minimum_of(rule)), cases_(cases.size()), targets_(targets_of(rule, cases, groups)) {}
+
+PrecisionStop::PrecisionStop(const Campaign& campaign)
+    : PrecisionStop(campaign.stop, names_of(campaign), sharing_groups(campaign)) {
+    if (!rule_.of_design_load()) return;
+    std::vector<bool> watched(cases_, false);
+    for (const Target& target : targets_) watched[static_cast<std::size_t>(target.case_index)] = true;
+    loads_.emplace(campaign, std::move(watched));
+    next_ = end_of_batch(std::min(minimum_, fewest_by_default));
+}
+
+double PrecisionStop::share_seen(const StopRule& rule) {
+    return rule.of_design_load() ? std::min(rule.half_width, seen_for_a_design_load) : rule.half_width;
+}
+
+/// Where the member's value goes; nullptr where it is known or no longer wanted.
+PrecisionStop::Waiting* PrecisionStop::place_for(int arrangement, int case_index) {
+    if (met_ || arrangement < arrangements_) return nullptr;
+    Waiting& row = waiting_[arrangement];
+    row.values.resize(cases_, undefined);
+    row.loads.resize(cases_);
+    row.known.resize(cases_, false);
+    const auto place = static_cast<std::size_t>(case_index);
+    if (row.known[place]) return nullptr;
+    row.known[place] = true;
+    return &row;
+}
+
+void PrecisionStop::put(int arrangement, int case_index, double value) {
+    Waiting* row = place_for(arrangement, case_index);
+    if (row == nullptr) return;
+    row->values[static_cast<std::size_t>(case_index)] = value;
+    take_leading();
+}
+
+void PrecisionStop::put_member(int arrangement, int case_index, const MemberOutputs* outputs) {
+    if (!loads_) {
+        put(arrangement, case_index, outputs == nullptr ? undefined : any_quantity(rule_.of)->of(*outputs));
+        return;
+    }
+    Waiting* row = place_for(arrangement, case_index);
+    if (row == nullptr) return;
+    const auto place = static_cast<std::size_t>(case_index);
+    if (outputs != nullptr) row->loads[place] = loads_->member_load(place, *outputs);
+    take_leading();
+}
+
+/// Takes the arrangements that are whole and follow those taken.
+void PrecisionStop::take_leading() {
+    const auto whole = [](const Waiting& one) { return std::ranges::find(one.known, false) == one.known.end(); };
+    while (!met_ && !waiting_.empty() && waiting_.begin()->first == arrangements_ && whole(waiting_.begin()->second)) {
+        Waiting row = std::move(waiting_.begin()->second);
+        waiting_.erase(waiting_.begin());
+        if (loads_)
+            take_loads(std::move(row.loads));
+        else
+            take(row.values);
+    }
+}
+
+void PrecisionStop::take_loads(std::vector<std::optional<MemberLoad>> loads) {
+    for (std::size_t k = 0; k < loads.size(); ++k)
+        if (loads[k]) loads_->add(k, std::move(*loads[k]));
+    ++arrangements_;
+    if (arrangements_ < next_) return;
+    look();
+    const bool holds = arrangements_ >= minimum_ && loads_->half_width() <= rule_.half_width;
+    if (!holds) held_from_ = 0;
+    if (holds && held_from_ == 0) held_from_ = arrangements_;
+    met_ = holds && arrangements_ - held_from_ >= rule_.look_ahead;
+    next_ = next_judgement(holds);
+}
+
+void PrecisionStop::look() {
+    if (!loads_ || judged_ == arrangements_) return;
+    judged_ = arrangements_;
+    loads_->judge();
+}
+
+/// The first end of a batch at or after so many arrangements.
+int PrecisionStop::end_of_batch(double arrangements) const {
+    return static_cast<int>(std::ceil(arrangements / rule_.batch)) * rule_.batch;
+}
+
+int PrecisionStop::next_judgement(bool holds) const {
+    if (holds) return end_of_batch(std::max(arrangements_ + 1, held_from_ + rule_.look_ahead));
+    const double missed = loads_->half_width() / rule_.half_width;
+    const double factor =
+        std::isfinite(missed) ? std::clamp(of_the_needed * missed * missed, least_growth, most_growth) : least_growth;
+    constexpr double most = 1e6;  // arrangements of a campaign
+    const double next = std::min(factor * arrangements_, most);
+    return end_of_batch(arrangements_ < minimum_ ? std::min<double>(next, minimum_) : next);
+}
+
+void PrecisionStop::take(const std::vector<double>& values) {
+    for (Target& target : targets_) target.add(values);
+    ++arrangements_;
+    if (arrangements_ < minimum_) return;
+    const bool holds = std::ranges::all_of(targets_, [&](const Target& target) {
+        if (target.count < 2) return false;
+        const double by_normal = normal_half * std::sqrt(target.squares / (target.count - 1) / target.count);
+        return by_normal <= rule_.half_width * std::abs(target.base_mean) && target.by_student() <= rule_.half_width &&
+               target.half_width_over_mean() <= rule_.half_width;
+    });
+    held_for_ = holds ? held_for_ + 1 : 0;
+    met_ = held_for_ > rule_.look_ahead;
+}
+
+double PrecisionStop::achieved() const {
+    if (loads_) return loads_->half_width();
+    double largest = 0;
+    for (const Target& target : targets_) {
+        const double one = target.half_width_over_mean();
+        if (std::isnan(one)) return undefined;
+        largest = std::max(largest, one);
+    }
+    return largest;
+}
+
+void PrecisionStop::Target::add(const std::vector<double>& values) {
+    const double own = values[static_cast<std::size_t>(case_index)];
+    const double base = minus ? values[static_cast<std::size_t>(*minus)] : own;
+    const double value = minus ? own - base : own;
+    if (std::isnan(value)) return;
+    ++count;
+    const double before = value - mean;
+    mean += before / count;
+    squares += before * (value - mean);
+    base_mean += (base - base_mean) / count;
+    taken.push_back(value);
+}
+
+double PrecisionStop::Target::by_student() const {
+    if (count < 2) return undefined;
+    return student_t(count - 1, 0.025) * std::sqrt(squares / (count - 1) / count) / std::abs(base_mean);
+}
+
+double PrecisionStop::Target::half_width_over_mean() const {
+    const Sides sides = minus ? Sides::both : Sides::above;
+    const Apart found = apart(taken, sides);
+    if (found.count() == 0) return by_student();
+    const Interval mixed = mixed_interval(taken, mean_interval(taken), found, sides);
+    return std::max(mixed.high - mean, mean - mixed.low) / std::abs(base_mean);
+}
+
+namespace {
+
+int index_of(const std::string& name, const std::vector<std::string>& cases, const char* key) {
+    const auto found = std::ranges::find(cases, name);
+    if (found == cases.end()) {
+        throw InputError(
+            fmt::format("stop.{} names the case '{}', but the cases are {}.", key, name, name_list(cases)));
+    }
+    return static_cast<int>(found - cases.begin());
+}
+
+}  // namespace
+
+std::vector<PrecisionStop::Target> PrecisionStop::targets_of(const StopRule& rule,
+                                                             const std::vector<std::string>& cases,
+                                                             const std::vector<int>& groups) {
+    std::vector<Target> targets;
+    const int count = static_cast<int>(cases.size());
+    const auto share = [&](int one, int other) {
+        return groups.empty() || groups.at(static_cast<std::size_t>(one)) == groups.at(static_cast<std::size_t>(other));
+    };
+    const auto no_pair = [&](const std::string& which) {
+        return InputError(
+            fmt::format("stop.contrast = \"{}\" asks for a paired difference, but {} do not share their arrangements: "
+                        "cases can be paired if their fields have the same geometry and "
+                        "campaign.common_arrangements is true.",
+                        rule.contrast, which));
+    };
+    if (rule.case_name == "all") {
+        for (int one = 0; one < count; ++one) targets.push_back({.case_index = one, .minus = {}});
+    } else if (rule.case_name != "none") {
+        targets.push_back({.case_index = index_of(rule.case_name, cases, "case"), .minus = {}});
+    }
+    if (rule.contrast == "all") {
+        for (int one = 0; one < count; ++one) {
+            for (int other = one + 1; other < count; ++other) {
+                if (share(one, other)) targets.push_back({.case_index = other, .minus = one});
+            }
+        }
+        const bool any = std::ranges::any_of(targets, [](const Target& target) { return target.minus.has_value(); });
+        if (count > 1 && !any) throw no_pair("all cases");
+    } else if (rule.contrast != "none") {
+        const std::size_t minus = rule.contrast.find(" - ");
+        if (minus == std::string::npos) {
+            throw InputError(fmt::format(
+                "stop.contrast = \"{}\" is not a contrast; write \"none\", \"all\", or two cases as in \"{} - {}\".",
+                rule.contrast, cases.back(), cases.front()));
+        }
+        const int second = index_of(rule.contrast.substr(0, minus), cases, "contrast");
+        const int first = index_of(rule.contrast.substr(minus + 3), cases, "contrast");
+        if (!share(first, second)) throw no_pair("these two");
+        targets.push_back({.case_index = second, .minus = first});
+    }
+    if (targets.empty()) {
+        throw InputError(
+            "stop.half_width_percent is given without stop.case or stop.contrast, which say what it applies to; write "
+            "stop.case = \"all\".");
+    }
+    return targets;
+}
+
+}  // namespace floes

@@ -1,0 +1,464 @@
+#include "inference/tails.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include <boost/math/tools/minima.hpp>
+
+#include "core/random.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+constexpr double lowest_pareto_shape = -0.5;
+constexpr double highest_pareto_shape = 1;
+constexpr double highest_weibull_shape = 8;
+constexpr double lowest_weibull_shape = 0.2;
+constexpr double small_shape = 1e-9;
+constexpr int bits = 24;  // of a parameter's logarithm; its error by chance is far larger
+
+/// Place of the least cost between `low` and `high`: the best of a grid, then Brent's method round it.
+template <class Cost>
+double least(Cost cost, double low, double high) {
+    constexpr int grid = 24;
+    const auto place = [&](int k) { return low + (high - low) * k / grid; };
+    int best = 0;
+    double lowest = std::numeric_limits<double>::infinity();
+    for (int k = 0; k <= grid; ++k) {
+        if (const double found = cost(place(k)); found < lowest) {
+            lowest = found;
+            best = k;
+        }
+    }
+    return boost::math::tools::brent_find_minima(cost, place(std::max(best - 1, 0)), place(std::min(best + 1, grid)),
+                                                 bits)
+        .first;
+}
+
+struct Fitted {
+    double scale;
+    double shape;
+    double cost;  ///< - log likelihood
+};
+
+/// Peaks above the threshold.
+struct Excesses {
+    std::span<const double> values;
+    std::span<const double> weights;
+    double count = 0;  ///< sum of the weights
+
+    /// Mean of a function of the excess.
+    template <class Function>
+    double mean(Function function) const {
+        double sum = 0;
+        for (std::size_t k = 0; k < values.size(); ++k) sum += weights[k] * function(values[k]);
+        return sum / count;
+    }
+};
+
+/// Where a rising function has a value: the end that is nearer, if it lies outside.
+template <class Function>
+double place_of(double value, Function rising, double low, double high) {
+    for (int k = 0; k < 60; ++k) {
+        const double middle = 0.5 * (low + high);
+        (rising(middle) < value ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+/// The likeliest scale where the shape is given, and below 0: a largest excess is possible.
+Fitted fit_pareto_scale(const Excesses& excesses, double shape, double largest) {
+    const auto cost = [&](double log_scale) {
+        const double slope = shape / std::exp(log_scale);
+        return excesses.count *
+               (log_scale + (1 + 1 / shape) * excesses.mean([&](double excess) { return std::log1p(slope * excess); }));
+    };
+    const double least_scale = std::log(-shape * largest) + small_shape;
+    const double best = least(cost, least_scale, least_scale + std::log(100));
+    return {std::exp(best), shape, cost(best)};
+}
+
+/// Grimshaw's profile (Technometrics 35 (1993) 185-191): given θ = ξ/σ the likeliest ξ is the mean of log(1 + θ e),
+/// which rises with θ. The search is over w with θ = (e^w - 1) / largest excess, so w = 0 is the exponential.
+Fitted fit_pareto(const Excesses& excesses) {
+    const double largest = std::ranges::max(excesses.values);
+    const double mean = excesses.mean([](double excess) { return excess; });
+    const auto theta_at = [&](double w) { return std::expm1(w) / largest; };
+    const auto shape_at = [&](double w) {
+        return excesses.mean([theta = theta_at(w)](double excess) { return std::log1p(theta * excess); });
+    };
+    const auto at = [&](double w) -> Fitted {
+        const double shape = shape_at(w);
+        if (std::abs(shape) < small_shape) return {mean, 0, excesses.count * (std::log(mean) + 1)};
+        const double scale = shape / theta_at(w);
+        return {scale, shape, excesses.count * (std::log(scale) + shape + 1)};
+    };
+    const double low = place_of(lowest_pareto_shape, shape_at, -30, 0);
+    const double high = place_of(highest_pareto_shape, shape_at, 0, 30);
+    const Fitted found = at(least([&](double w) { return at(w).cost; }, low, high));
+    constexpr double near = 1e-6;
+    if (found.shape > lowest_pareto_shape + near) return found;
+    // On the profile ξ is the likeliest for its θ; at the bound it is not, and the scale is to be found by itself.
+    return fit_pareto_scale(excesses, lowest_pareto_shape, largest);
+}
+
+/// Given c the likeliest a^c is the mean of (d + e)^c - d^c, where d = u - b.
+Fitted fit_weibull(const Excesses& excesses, double above_origin) {
+    const double logs = excesses.mean([&](double excess) { return std::log(above_origin + excess); });
+    const auto at = [&](double log_shape) -> Fitted {
+        const double shape = std::exp(log_shape);
+        const double mean = excesses.mean([&](double excess) { return std::pow(above_origin + excess, shape); }) -
+                            std::pow(above_origin, shape);
+        return {std::pow(mean, 1 / shape), shape,
+                excesses.count * (std::log(mean) - log_shape + 1 - (shape - 1) * logs)};
+    };
+    const double best = least([&](double log_shape) { return at(log_shape).cost; }, std::log(lowest_weibull_shape),
+                              std::log(highest_weibull_shape));
+    return at(best);
+}
+
+}  // namespace
+
+Tail fit_tail(TailKind kind, std::span<const double> excesses, std::span<const double> weights, double threshold,
+              double origin, double time) {
+    const Excesses peaks{excesses, weights, std::accumulate(weights.begin(), weights.end(), 0.0)};
+    Tail tail{.kind = kind,
+              .threshold = threshold,
+              .rate = peaks.count / time,
+              .origin = origin,
+              .scale = undefined,
+              .shape = undefined,
+              .log_likelihood = undefined};
+    if (excesses.size() < fewest_peaks || std::ranges::min(excesses) == std::ranges::max(excesses)) return tail;
+    const Fitted found = kind == TailKind::pareto ? fit_pareto(peaks) : fit_weibull(peaks, threshold - origin);
+    if (!std::isfinite(found.cost)) return tail;
+    tail.scale = found.scale;
+    tail.shape = found.shape;
+    tail.log_likelihood = -found.cost;
+    return tail;
+}
+
+double rate_above(const Tail& tail, double x) {
+    const double excess = x - tail.threshold;
+    if (excess <= 0) return tail.rate;
+    if (tail.kind == TailKind::weibull)
+        return tail.rate * std::exp(std::pow((tail.threshold - tail.origin) / tail.scale, tail.shape) -
+                                    std::pow((x - tail.origin) / tail.scale, tail.shape));
+    if (std::abs(tail.shape) < small_shape) return tail.rate * std::exp(-excess / tail.scale);
+    return tail.rate * std::pow(std::max(0.0, 1 + tail.shape * excess / tail.scale), -1 / tail.shape);
+}
+
+double level_at(const Tail& tail, double rate) {
+    const double rarer = std::log(tail.rate / rate);
+    if (rarer <= 0) return tail.threshold;
+    if (tail.kind == TailKind::weibull)
+        return tail.origin +
+               tail.scale *
+                   std::pow(std::pow((tail.threshold - tail.origin) / tail.scale, tail.shape) + rarer, 1 / tail.shape);
+    if (std::abs(tail.shape) < small_shape) return tail.threshold + tail.scale * rarer;
+    return tail.threshold + tail.scale / tail.shape * std::expm1(tail.shape * rarer);
+}
+
+double quantile_of_largest(const Tail& tail, double exposure, double p) {
+    return level_at(tail, -std::log(p) / exposure);
+}
+
+// The integral of the quantile over p, with p = exp(-e^t): the trapezoid rule is exact to many digits for it.
+double expected_largest(const Tail& tail, double exposure) {
+    constexpr double step = 0.125;
+    constexpr double first = -34;  // the largest is beyond with probability e^first
+    constexpr int count = 304;     // to t = 4, where p is e^-54
+    double sum = 0;
+    for (int k = 0; k < count; ++k) {
+        const double t = first + step * k;
+        const double y = std::exp(t);
+        sum += level_at(tail, y / exposure) * y * std::exp(-y) * step;
+    }
+    return sum;
+}
+
+namespace {
+
+constexpr double shape_sd = 0.3;
+constexpr double lowest_shape = -0.8;
+constexpr double highest_shape = 0.7;
+constexpr double log_weibull_middle = 0.34657359;  // √2
+constexpr double log_weibull_sd = 0.5;
+constexpr double scatter_sd = 0.3;
+constexpr double small = 1e-6;
+constexpr double impossible = -std::numeric_limits<double>::infinity();
+
+struct Node {
+    double at;  ///< standard normal
+    double share;
+};
+
+/// The standard normal distribution in equal steps.
+constexpr int node_count = 11;
+std::array<Node, node_count> make_nodes() {
+    std::array<Node, node_count> nodes{};
+    double sum = 0;
+    for (int k = 0; k < node_count; ++k) {
+        const double at = 0.6 * (k - node_count / 2);
+        nodes[static_cast<std::size_t>(k)] = {at, std::exp(-at * at / 2)};
+        sum += std::exp(-at * at / 2);
+    }
+    for (Node& node : nodes) node.share /= sum;
+    return nodes;
+}
+const std::array<Node, node_count> nodes = make_nodes();
+
+/// H(y) and log of its derivative; infinite beyond an upper bound, or below where the tail begins.
+struct Hazard {
+    double sum;
+    double log_now;
+};
+
+Hazard hazard_at(const UnlikeTail& tail, double y) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    if (tail.kind == TailKind::weibull) {
+        const double d = tail.threshold - tail.origin;
+        const double grown = 1 + y / d;
+        if (grown <= 0) return {-d / (tail.shape * tail.scale), impossible};
+        const double log_grown = std::log(grown);
+        return {d / (tail.shape * tail.scale) * std::expm1(tail.shape * log_grown),
+                (tail.shape - 1) * log_grown - std::log(tail.scale)};
+    }
+    const double slope = tail.shape / tail.scale;
+    if (std::abs(tail.shape) < small) return {y / tail.scale, -std::log(tail.scale)};
+    const double grown = 1 + slope * y;
+    if (grown <= 0) return {tail.shape < 0 ? infinite : -infinite, impossible};
+    const double log_grown = std::log(grown);
+    return {log_grown / tail.shape, -log_grown - std::log(tail.scale)};
+}
+
+double rate_of(const UnlikeTail& tail, double x, double s) {
+    return tail.rate * std::exp(-hazard_at(tail, x / s - tail.threshold).sum);
+}
+
+/// Log likelihood of a member's peaks given its scale, per event of unit weight.
+double log_likelihood_given(const UnlikeTail& tail, const TailData& data, const MemberPeaks& member, double s) {
+    double sum = -data.window * rate_of(tail, member.stands_out ? data.out_threshold : data.threshold, s);
+    const double each = std::log(tail.rate / s);
+    for (std::size_t k = 0; k < member.peaks.size(); ++k) {
+        const Hazard hazard = hazard_at(tail, member.peaks[k] / s - tail.threshold);
+        sum += member.weights[k] * (each - hazard.sum + hazard.log_now);
+    }
+    return std::isnan(sum) ? impossible : sum;
+}
+
+/// Log of the mean over the member's scale.
+double log_likelihood(const UnlikeTail& tail, const TailData& data, const MemberPeaks& member, double part) {
+    const double middle = member.stands_out ? tail.out_factor : 1;
+    const double scatter = member.stands_out ? tail.out_scatter : tail.scatter;
+    if (scatter == 0) return part * log_likelihood_given(tail, data, member, middle);
+    std::array<double, node_count> logs{};
+    for (std::size_t k = 0; k < node_count; ++k)
+        logs[k] = part * log_likelihood_given(tail, data, member, middle * std::exp(scatter * nodes[k].at));
+    const double most = *std::ranges::max_element(logs);
+    if (!std::isfinite(most)) return impossible;
+    double sum = 0;
+    for (std::size_t k = 0; k < node_count; ++k) sum += nodes[k].share * std::exp(logs[k] - most);
+    return most + std::log(sum);
+}
+
+double log_prior(const UnlikeTail& tail, std::span<const double> at) {
+    const auto normal = [](double value, double sd) { return -0.5 * value * value / (sd * sd) - std::log(sd); };
+    double sum = normal(at[3], scatter_sd);
+    if (at.size() > 4) sum += normal(at[5], scatter_sd);
+    if (tail.kind == TailKind::weibull) return sum + normal(std::log(tail.shape) - log_weibull_middle, log_weibull_sd);
+    if (tail.shape < lowest_shape || tail.shape > highest_shape) return impossible;
+    return sum + normal(tail.shape, shape_sd);
+}
+
+/// log R, log σ, shape, SD of log s; then for a class that stands out the log of its factor, and its SD.
+UnlikeTail tail_of(TailKind kind, const TailData& data, std::span<const double> at) {
+    UnlikeTail tail{.kind = kind, .threshold = data.threshold, .origin = data.origin};
+    tail.rate = std::exp(at[0]);
+    tail.scale = std::exp(at[1]);
+    tail.shape = kind == TailKind::weibull ? std::exp(at[2]) : at[2];
+    tail.scatter = std::max(at[3], 0.0);
+    if (at.size() > 4) {
+        tail.out_factor = std::exp(at[4]);
+        tail.out_scatter = std::max(at[5], 0.0);
+    }
+    return tail;
+}
+
+/// What is seen of a class.
+struct Seen {
+    double events = 0;
+    double squares = 0;  ///< of the weights
+    double excess = 0;   ///< sum
+    double members = 0;
+
+    Seen(const TailData& data, bool out) {
+        for (const MemberPeaks& member : data.members) {
+            if (member.stands_out != out) continue;
+            ++members;
+            for (std::size_t k = 0; k < member.peaks.size(); ++k) {
+                events += member.weights[k];
+                squares += member.weights[k] * member.weights[k];
+                excess += member.weights[k] * (member.peaks[k] - (out ? data.out_threshold : data.threshold));
+            }
+        }
+    }
+};
+
+/// Gamma with shape k >= 1/2 and scale 1: G. Marsaglia and W. W. Tsang, ACM TOMS 26 (2000) 363-372.
+double gamma(RandomStream& random, double k) {
+    if (k < 1) return gamma(random, k + 1) * std::pow(1 - random.uniform(), 1 / k);
+    const double d = k - 1.0 / 3;
+    const double c = 1 / std::sqrt(9 * d);
+    while (true) {
+        const double z = std::sqrt(-2 * std::log(1 - random.uniform())) * std::cos(2 * M_PI * random.uniform());
+        const double v = std::pow(1 + c * z, 3);
+        if (v > 0 && std::log(1 - random.uniform()) < 0.5 * z * z + d - d * v + d * std::log(v)) return d * v;
+    }
+}
+
+}  // namespace
+
+UnlikeTails draw_tails(TailKind kind, const TailData& data, const WalkOptions& options) {
+    const Seen usual(data, false);
+    const Seen out(data, true);
+    UnlikeTails made;
+    if (usual.events <= 0 || usual.excess <= 0 || (out.members > 0 && out.events <= 0)) return made;
+    // Weights count hidden events as if they had been seen; the likelihood is flattened by as much.
+    const double part = (usual.events + out.events) / (usual.squares + out.squares);
+    const auto density = [&](std::span<const double> at) {
+        const UnlikeTail tail = tail_of(kind, data, at);
+        double sum = log_prior(tail, at);
+        for (const MemberPeaks& member : data.members) {
+            if (!std::isfinite(sum)) return impossible;
+            sum += log_likelihood(tail, data, member, part);
+        }
+        return sum;
+    };
+    const double few = 1 / std::sqrt(usual.events);
+    std::vector<double> start{std::log(usual.events / (usual.members * data.window)),
+                              std::log(usual.excess / usual.events), kind == TailKind::weibull ? 0.1 : 0.0, 0.1};
+    std::vector<double> sizes{few, few, few, 0.1};
+    if (out.members > 0) {
+        start.insert(start.end(), {std::log(data.out_threshold / data.threshold), 0.2});
+        sizes.insert(sizes.end(), {0.1, 0.2});
+    }
+    const Walk walk = walk_at_random(density, start, sizes, options);
+    RandomStream random{33, options.draw, StreamId::bootstrap, 1};
+    for (const std::vector<double>& at : walk.draws) {
+        UnlikeTail& tail = made.draws.emplace_back(tail_of(kind, data, at));
+        if (out.members == 0) continue;
+        const double one = gamma(random, out.members + 0.5);
+        tail.out_share = one / (one + gamma(random, usual.members + 0.5));
+    }
+    made.log_evidence = walk.log_evidence;
+    return made;
+}
+
+namespace {
+
+/// Log of the probability that a member's largest peak stays below x, where that is nearly impossible.
+double log_hardly_below(const UnlikeTail& tail, double window, double x) {
+    std::vector<double> logs;
+    const auto add = [&](double share, double middle, double scatter) {
+        for (const Node& node : nodes)
+            logs.push_back(std::log(share * node.share) -
+                           window * rate_of(tail, x, middle * std::exp(scatter * node.at)));
+    };
+    add(1 - tail.out_share, 1, tail.scatter);
+    if (tail.out_share > 0) add(tail.out_share, tail.out_factor, tail.out_scatter);
+    const double most = *std::ranges::max_element(logs);
+    if (!std::isfinite(most)) return impossible;
+    double sum = 0;
+    for (const double one : logs) sum += std::exp(one - most);
+    return most + std::log(sum);
+}
+
+}  // namespace
+
+double log_below(const UnlikeTail& tail, double window, double members, double x) {
+    constexpr double nearly_all = 1 - 1e-12;
+    const auto above = [&](double middle, double scatter) {
+        if (scatter == 0) return -std::expm1(-window * rate_of(tail, x, middle));
+        double sum = 0;
+        for (const Node& node : nodes)
+            sum -= node.share * std::expm1(-window * rate_of(tail, x, middle * std::exp(scatter * node.at)));
+        return sum;
+    };
+    double sum = (1 - tail.out_share) * above(1, tail.scatter);
+    if (tail.out_share > 0) sum += tail.out_share * above(tail.out_factor, tail.out_scatter);
+    return members * (sum < nearly_all ? std::log1p(-sum) : log_hardly_below(tail, window, x));
+}
+
+double largest_at(const UnlikeTail& tail, double window, double members, double log_p) {
+    double low = tail.threshold;
+    double high = 2 * low;
+    for (int k = 0; k < 60 && log_below(tail, window, members, high) < log_p; ++k) {
+        low = high;
+        high *= 2;
+    }
+    for (int k = 0; k < 24; ++k) {
+        const double middle = 0.5 * (low + high);
+        (log_below(tail, window, members, middle) < log_p ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+// The integral of the quantile over p, with p = exp(-e^t), as expected_largest() does.
+double mean_largest(const UnlikeTail& tail, double window, double members) {
+    constexpr double step = 0.75;
+    double sum = 0;
+    for (int k = 0; k < 25; ++k) {
+        const double y = std::exp(step * k - 15);
+        sum += largest_at(tail, window, members, -y) * y * std::exp(-y) * step;
+    }
+    return sum;
+}
+
+namespace {
+
+constexpr double step = 1e-3;  // of u
+constexpr std::size_t last = 3000;
+
+struct Table {
+    std::array<double, last + 1> kept{};  ///< θ
+    std::array<double, last + 1> seen{};  ///< θ'
+};
+
+double exponent_slope(double v) {
+    return v < 1e-8 ? 1 : -std::expm1(-v) / v;
+}
+
+/// By the trapezoid rule, whose error here is below 1e-7.
+Table tabulated() {
+    Table table;
+    double exponent = 0;
+    table.seen[0] = 1;
+    for (std::size_t k = 1; k <= last; ++k) {
+        const double u = step * static_cast<double>(k);
+        exponent += 0.5 * step * (exponent_slope(u - step) + exponent_slope(u));
+        table.seen[k] = std::exp(-2 * exponent);
+        table.kept[k] = table.kept[k - 1] + 0.5 * step * (table.seen[k - 1] + table.seen[k]);
+    }
+    return table;
+}
+
+}  // namespace
+
+double events_per_peak(double kept) {
+    static const Table table = tabulated();
+    const auto above = std::ranges::upper_bound(table.kept, kept);
+    if (above == table.kept.begin()) return 1;
+    if (above == table.kept.end()) return 1 / table.seen.back();
+    const auto k = static_cast<std::size_t>(above - table.kept.begin());
+    const double part = (kept - table.kept[k - 1]) / (table.kept[k] - table.kept[k - 1]);
+    return 1 / (table.seen[k - 1] + part * (table.seen[k] - table.seen[k - 1]));
+}
+
+}  // namespace floes

@@ -1,0 +1,54 @@
+#pragma once
+// CSV as lines of cells. For this module only.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "keys/document.hpp"
+
+namespace floes {
+
+struct CsvLine {
+    int number = 0;                  ///< in the text, from 1
+    std::vector<std::string> cells;  ///< without quotes and outer blanks
+};
+
+/// The lines with anything in them (RFC 4180, also with bare line feeds, and with a byte order mark before). A quoted
+/// cell ends on its line. Throws InputError for a quote that does not end.
+std::vector<CsvLine> csv_lines(std::string_view text, const std::string& file);
+
+/// A cell as a number if it is one, else as text.
+Value number_or_words(const std::string& cell);
+
+// The regimes of a year: which ice comes by, for how many hours.
+
+struct Regime {
+    std::string name;
+    double time = 0;            ///< s in a year, above 0, at full scale
+    std::string case_name;      ///< of the campaign; of a design, with values, its [[case]]; may be empty then
+    std::vector<Entry> values;  ///< of a design's axes: path and number; empty: it is the case itself
+    std::string where;          ///< "year.toml:12"
+};
+
+/// Hours of a year with its share of a leap day.
+inline constexpr double year_hours = 8766;
+
+/// Reads the [[regime]] tables of a TOML text; `file` names it in messages.
+///
+///     [[regime]]
+///     name = "thin, slow"
+///     hours_per_year = 300
+///     case = "thin"                # a case of the campaign file; or, where it has a design, values of its axes:
+///     ice.thickness_m = 0.5
+///
+/// Regimes of 0 hours are left out. Throws InputError, one sentence, for other keys (naming the nearest), a regime
+/// without hours, or with neither case nor values, two regimes of one name or one place, more hours than a year has,
+/// and a text without regimes.
+std::vector<Regime> read_regimes(std::string_view text, const std::string& file);
+
+/// The same of a scatter diagram, CSV (RFC 4180): a header line with the columns hours_per_year, and case or axes, and
+/// perhaps regime (the name; otherwise made of the others); then a line for each regime. Empty cells are not given.
+std::vector<Regime> read_regime_table(std::string_view text, const std::string& file);
+
+}  // namespace floes

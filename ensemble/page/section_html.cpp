@@ -1,0 +1,110 @@
+#include "page/section_html.hpp"
+
+#include <sstream>
+
+#include "page/plot.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr std::size_t most_open_rows = 40;
+
+/// A paragraph for each block of lines.
+std::string paragraphs(const std::string& text) {
+    std::istringstream lines(text);
+    std::string html;
+    std::string block;
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.empty()) {
+            block += (block.empty() ? "" : " ") + line;
+        } else if (!block.empty()) {
+            html += paragraph(std::exchange(block, ""));
+        }
+    }
+    return block.empty() ? html : html + paragraph(block);
+}
+
+std::string closed_table(const std::string& title, const Table& table) {
+    return fmt::format("<details><summary>{}</summary>{}</details>\n", html_escaped(title), html_table(table));
+}
+
+std::string open_table(const Table& table) {
+    if (table.empty()) return "";
+    return table.size() > most_open_rows ? closed_table(fmt::format("{} rows", table.size() - 1), table)
+                                         : html_table(table);
+}
+
+/// The results, and below them the rows that are closed at first.
+std::string results_html(const Results& results, const Units& units) {
+    Table further;
+    for (const Results::For whom : {Results::For::folded, Results::For::on_page}) {
+        const Table rows = shown_table(results, units, whom);
+        further.insert(further.end(), further.empty() ? rows.begin() : rows.begin() + (rows.empty() ? 0 : 1),
+                       rows.end());
+    }
+    return open_table(shown_table(results, units)) + (further.empty() ? "" : closed_table("Further rows", further));
+}
+
+std::string tables_html(const Section& told, const Units& units) {
+    std::string html;
+    for (const Results& one : told.results) html += results_html(one, units);
+    html += open_table(told.table);
+    if (told.folded.empty() && told.on_page.empty()) return html;
+    Table further{told.table.front()};
+    for (const Table* rows : {&told.folded, &told.on_page}) further.insert(further.end(), rows->begin(), rows->end());
+    return html + closed_table("Further rows", further);
+}
+
+/// Figures without a caption stand beside the next one.
+std::string figures_html(const std::vector<Figure>& figures, const Units& units) {
+    std::string html;
+    std::vector<std::string> beside;
+    for (const Figure& one : figures) {
+        beside.push_back(svg(one, units));
+        if (one.caption.empty() && &one != &figures.back()) continue;
+        html += beside.size() == 1 ? figure(beside.front(), one.caption) : panels(beside, one.caption);
+        beside.clear();
+    }
+    return html;
+}
+
+}  // namespace
+
+std::string section_html(const Section& told, std::string_view heading, const Units& units) {
+    std::string html;
+    if (!heading.starts_with(told.title)) html = fmt::format("<h3>{}</h3>\n", html_escaped(told.title));
+    html += paragraphs(told.before) + tables_html(told, units);
+    if (!told.after.empty()) html += note(told.after);
+    if (!told.notes.empty()) html += listed(told.notes);
+    return html + paragraphs(told.missing) + figures_html(told.figures, units);
+}
+
+std::string answer_html(const std::string& heading, const CampaignAnswer& answer) {
+    std::string body;
+    for (const std::string& one : answer.warnings)
+        body += fmt::format("<p class=\"warning\">{}</p>\n", html_escaped(one));
+    const std::size_t before = body.size();
+    for (const std::string& one : answer.loads) body += fmt::format("<p class=\"answer\">{}</p>\n", html_escaped(one));
+    if (body.size() == before) body += paragraph("No member is done yet.");
+    return section(heading, body + "<h3>What it rests on</h3>\n" + listed(answer.basis) +
+                                "<h3>What would change it</h3>\n" + listed(answer.changes));
+}
+
+std::string sections_page(const std::string& title, std::span<const Section> sections, const std::string& command,
+                          const Units& units) {
+    std::string body = fmt::format("<h1>{}</h1>\n", html_escaped(title));
+    for (const Section& one : sections) body += section_html(one, title, units);
+    body += section("How it was computed", fmt::format("<pre>{}</pre>\n", html_escaped(command)));
+    return html_page(title, "", body);
+}
+
+std::string figure_file(const Figure& figure, const Units& units) {
+    std::string drawn = svg(figure, units);
+    const std::size_t end = drawn.find('>') + 1;
+    drawn.insert(end, fmt::format("<style>{}</style>", page_style));
+    drawn.insert(drawn.find(' '), " xmlns=\"http://www.w3.org/2000/svg\"");
+    return drawn;
+}
+
+}  // namespace floes

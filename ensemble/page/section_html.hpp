@@ -1,0 +1,118 @@
+#pragma once
+// The style sheet of the report: light and dark, screen and print. Cases have the colours of Okabe and Ito, which are
+// safe for colour-blind readers. For this module only.
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "findings/answer.hpp"
+#include "tables/section.hpp"
+#include "tables/table.hpp"
+
+namespace floes {
+
+inline constexpr const char* page_style = R"(
+:root{color-scheme:light dark;--ink:#1b1f24;--soft:#57606a;--ground:#fff;--grid:#e4e7ea;--ice:#d7e6f2;--water:#e8f1f8;
+--c0:#0072b2;--c1:#d55e00;--c2:#009e73;--c3:#cc79a7;--c4:#b58900;--c5:#56b4e9}
+@media(prefers-color-scheme:dark){:root{--ink:#e6e9ec;--soft:#9aa4ae;--ground:#14181c;--grid:#2b3239;--ice:#31485c;
+--water:#1b2935;--c0:#4ba3dc;--c1:#f08a4b;--c2:#3cc79d;--c3:#e3a3c4;--c4:#d9b13b;--c5:#8fd0f5}}
+body{font:16px/1.5 system-ui,sans-serif;color:var(--ink);background:var(--ground);max-width:76rem;margin:2rem auto;
+padding:0 1rem}p,ul,h1,h2,h3,figcaption{max-width:52rem}
+h1{font-size:1.7rem;line-height:1.2}h2{font-size:1.2rem;margin-top:2.4rem;border-bottom:1px solid var(--grid)}
+h3{font-size:1rem;margin-bottom:.2rem}ul{margin-top:.2rem;padding-left:1.2rem}.answer{font-weight:600}
+.warning{border-left:.3rem solid var(--c1);padding-left:.6rem;margin:.4rem 0}
+.appendix{margin-top:3rem;font-size:1.4rem}
+figure{margin:1rem 0}figcaption,.note{color:var(--soft);font-size:.9rem}
+img,svg{max-width:100%;height:auto;font:12px system-ui,sans-serif}
+svg text{fill:var(--ink)}svg .label{fill:var(--soft)}svg .grid{stroke:var(--grid);fill:none}
+svg .frame{stroke:var(--soft);fill:none}svg .line{fill:none;stroke:var(--ink);stroke-width:1.5}
+svg .thin{stroke-width:.6}svg .thick{stroke-width:3}svg .dashed{stroke-dasharray:6 4}svg .dotted{stroke-dasharray:1.5 3}
+svg .dot{fill:var(--ink)}svg .faint{fill-opacity:.45}svg .area{stroke:none}svg .veil{fill-opacity:.15}
+svg .ice{fill:var(--ice);stroke:var(--soft);stroke-width:.6}svg .sheet{fill:var(--soft);fill-opacity:.35}
+svg .broken{fill:var(--c1);fill-opacity:.7}svg .water{fill:var(--water)}
+svg .structure{fill:var(--c4);stroke:var(--ink);stroke-width:.8}
+svg .line.c0{stroke:var(--c0)}svg .line.c1{stroke:var(--c1)}svg .line.c2{stroke:var(--c2)}
+svg .line.c3{stroke:var(--c3)}svg .line.c4{stroke:var(--c4)}svg .line.c5{stroke:var(--c5)}
+svg .dot.c0,svg .area.c0,svg text.c0{fill:var(--c0)}svg .dot.c1,svg .area.c1,svg text.c1{fill:var(--c1)}
+svg .dot.c2,svg .area.c2,svg text.c2{fill:var(--c2)}svg .dot.c3,svg .area.c3,svg text.c3{fill:var(--c3)}
+svg .dot.c4,svg .area.c4,svg text.c4{fill:var(--c4)}svg .dot.c5,svg .area.c5,svg text.c5{fill:var(--c5)}
+svg .key{font-weight:600}svg .heat{fill:var(--c1);shape-rendering:crispEdges}svg .cold{fill:var(--c0);shape-rendering:crispEdges}
+svg .mild{fill:var(--c2);shape-rendering:crispEdges}svg .void{fill:var(--grid)}svg .small{font-size:10px}
+.bar{display:inline-flex;width:9rem;height:.7rem;background:var(--grid)}.bar i{background:var(--c2)}.bar .bad{background:var(--c1)}
+.panels{display:flex;flex-wrap:wrap;gap:.6rem}
+table{border-collapse:collapse;font-size:.88rem;font-variant-numeric:tabular-nums}
+.wide{overflow-x:auto}th,td{padding:.2rem .45rem;text-align:right;border-bottom:1px solid var(--grid);vertical-align:top}
+th:first-child,td:first-child{text-align:left}td small{color:var(--soft)}td{white-space:nowrap}td.words{white-space:normal;text-align:left}
+pre{overflow-x:auto;background:var(--water);padding:.7rem;font-size:.8rem}code{font-size:.9em}
+@media(max-width:600px){figure{overflow-x:auto}figure>svg{max-width:none;min-width:560px}}
+@media print{html{font-size:11px}body{font-size:1rem;margin:0;max-width:none}:root{--ink:#000;--ground:#fff}
+p,ul,h1,h2,h3,figcaption{max-width:none}h1,h2,h3,summary{break-after:avoid}figure,tr,.panels svg{break-inside:avoid}p,li{orphans:3;widows:3}
+h2{margin-top:1.2rem}figure{margin:.5rem 0}figure img{max-height:8cm;width:auto}figure svg{max-width:13cm}.panels svg{max-width:6cm}
+figure figcaption{break-before:avoid}table{font-size:.62rem}th,td{padding:.1rem .3rem}.wide{overflow-x:visible}}
+)";
+
+// The parts of a page. For this module only.
+
+inline std::string section(const std::string& title, const std::string& body) {
+    return fmt::format("<section><h2>{}</h2>\n{}</section>\n", html_escaped(title), body);
+}
+
+/// Nothing without a picture.
+inline std::string figure(const std::string& svg, const std::string& caption) {
+    if (svg.empty()) return "";
+    return fmt::format("<figure>\n{}<figcaption>{}</figcaption></figure>\n", svg, html_escaped(caption));
+}
+
+/// Pictures side by side, as many as there is room for.
+inline std::string panels(const std::vector<std::string>& svgs, const std::string& caption) {
+    std::string all;
+    for (const std::string& one : svgs) all += one;
+    return all.empty() ? "" : figure("<div class=\"panels\">\n" + all + "</div>\n", caption);
+}
+
+inline std::string paragraph(const std::string& text) {
+    return fmt::format("<p>{}</p>\n", html_escaped(text));
+}
+
+inline std::string note(const std::string& text) {
+    return fmt::format("<p class=\"note\">{}</p>\n", html_escaped(text));
+}
+
+inline std::string listed(const std::vector<std::string>& sentences) {
+    std::string items;
+    for (const std::string& one : sentences) items += fmt::format("<li>{}</li>\n", html_escaped(one));
+    return "<ul>\n" + items + "</ul>\n";
+}
+
+/// A whole page: no scripts, no external resources. `head`: further elements of its head.
+inline std::string html_page(const std::string& title, const std::string& head, const std::string& body) {
+    return fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n{}"
+        "<link rel=\"icon\" href=\"data:,\">\n<title>{}</title>\n<style>{}</style></head>\n<body>\n{}</body></html>\n",
+        head, html_escaped(title), page_style, body);
+}
+
+// A section as HTML, as tables/section writes it as text. For this module only.
+
+/// Title, words, table, notes and figures, for below the heading `heading`; the title is left out if that begins with
+/// it. Tables of many rows are closed at first. Empty for a section without anything for people.
+std::string section_html(const Section& told, std::string_view heading, const Units& units = {});
+
+/// The answer as a section of a page.
+std::string answer_html(const std::string& heading, const CampaignAnswer& answer);
+
+// Sections as one self-contained HTML page, and one figure as a file of its own.
+
+/// No scripts, no external resources, for light and dark screens and for print. `command`: that makes the page.
+std::string sections_page(const std::string& title, std::span<const Section> sections, const std::string& command,
+                          const Units& units = {});
+
+/// An SVG file with the styles of the pages.
+std::string figure_file(const Figure& figure, const Units& units = {});
+
+}  // namespace floes

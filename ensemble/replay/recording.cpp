@@ -1,0 +1,589 @@
+// What a recording says of the run as a whole.
+
+#include "replay/recording.hpp"
+
+#include <fcntl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "campaign/read.hpp"
+#include "core/error.hpp"
+#include "hdf5/columns.hpp"
+#include "hdf5/handle.hpp"
+#include "hdf5/pages.hpp"
+#include "hdf5/read.hpp"
+#include "replay/frame_series.hpp"
+#include "store/file_calls.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr double most_elements = 1e6;  // of a floe; a damaged number is not to ask for all memory
+
+/// Of a field without end, which the file has.
+FloeSet read_own_floes(hid_t file, const Scenario& scenario) {
+    const auto length = hdf5::read_values<double>(file, "floes/length");
+    const std::size_t count = length.size();
+    const auto breadth = hdf5::read_column<double>(file, "floes/breadth", count);
+    const auto thickness = hdf5::read_column<double>(file, "floes/thickness", count);
+    const auto element = hdf5::read_column<double>(file, "floes/element", count);
+    std::vector<double> x;
+    std::vector<double> z;
+    std::size_t corners = 0;
+    if (hdf5::exists(file, "floes/corner_x")) {
+        x = hdf5::read_table<double>(file, "floes/corner_x", count, corners);
+        z = hdf5::read_column<double>(file, "floes/corner_z", x.size());
+    }
+    std::vector<SingleFloe> floes;
+    for (std::size_t i = 0; i < count; ++i) {
+        FloeShape shape{length[i], breadth[i], thickness[i], element[i]};
+        for (std::size_t k = corners * i; k < corners * (i + 1) && !std::isnan(x[k]); ++k)
+            shape.outline.push_back({x[k], z[k]});
+        const double elements = shape.element > 0 ? shape.length * shape.breadth / (shape.element * shape.element) : 0;
+        if (!(elements >= 0.5 && elements < most_elements) || !(shape.thickness > 0))
+            hdf5::refuse_damaged(file, fmt::format("floes has a floe {} that there cannot be", i));
+        floes.push_back({{}, std::move(shape), scenario.material()});
+    }
+    return gathered(floes);
+}
+
+void check_floes(hid_t file, const FloeSet& floes, const std::vector<std::int32_t>& floe) {
+    const IceLayout layout(floes);
+    if (!std::ranges::equal(floe, layout.elements, {}, {}, &IceLayout::LaidElement::floe))
+        hdf5::refuse_damaged(file, "ice/floe has other elements than its floes");
+}
+
+/// The floes of the scenario, as many as the file has. `floe`: of each element.
+FloeSet read_floes(hid_t file, const Scenario& scenario, const Draw& draw, const std::vector<std::int32_t>& floe) {
+    FloeSet floes = floes_of(scenario, draw);
+    const std::size_t count = floe.empty() || floe.back() < 0 ? 0 : static_cast<std::size_t>(floe.back()) + 1;
+    if (!floes_may_differ(scenario) && count <= floe.size()) floes = floes_at(scenario, std::vector<PlanarPose>(count));
+    check_floes(file, floes, floe);
+    return floes;
+}
+
+}  // namespace
+
+RecordingSubject read_subject(hid_t file) {
+    RecordingSubject subject;
+    subject.campaign = hdf5::read_text_attribute(file, "campaign");
+    subject.fingerprint = hdf5::read_text_attribute(file, "fingerprint");
+    subject.case_name = hdf5::read_text_attribute(file, "case");
+    subject.member = hdf5::read_int_attribute(file, "member").at(0);
+    subject.arrangement = hdf5::read_int_attribute(file, "arrangement").at(0);
+    subject.configuration = hdf5::read_text(file, "configuration");
+    const Campaign campaign = read_campaign({subject.configuration, "its configuration", {}}, nullptr);
+    subject.scenario = campaign.cases.at(0).scenario;
+    const Draw draw{arrangement_seed(campaign, 0), static_cast<std::uint32_t>(subject.arrangement)};
+    const auto floe = hdf5::read_values<std::int32_t>(file, "ice/floe");
+    if (!subject.scenario.field.endless()) {
+        subject.floes = read_floes(file, subject.scenario, draw, floe);
+        return subject;
+    }
+    subject.floes = read_own_floes(file, subject.scenario);
+    check_floes(file, subject.floes, floe);
+    const auto way = hdf5::read_values<double>(file, "frames/structure");
+    if (!way.empty()) subject.way = {std::ranges::min(way), std::ranges::max(way)};
+    return subject;
+}
+
+RecordingOutcome read_outcome(hid_t file, const IceLayout& layout) {
+    RecordingOutcome outcome;
+    outcome.history.surge = hdf5::read_values<double>(file, "history/surge_load");
+    const std::size_t steps = outcome.history.surge.size();
+    outcome.history.sway = hdf5::read_column<double>(file, "history/sway_load", steps);
+    outcome.history.heave = hdf5::read_column<double>(file, "history/heave_load", steps);
+    const std::size_t joints = layout.joints.size();
+    const auto time = hdf5::read_column<double>(file, "joints/failure_time", joints);
+    const auto last_mode = static_cast<std::int8_t>(std::size(failure_mode_names) - 1);
+    const auto mode = hdf5::read_numbers<std::int8_t>(file, "joints/failure_mode", joints, -1, last_mode);
+    for (std::size_t k = 0; k < joints; ++k) {
+        if (std::isnan(time[k])) continue;
+        if (mode[k] < 0) hdf5::refuse_damaged(file, "joints/failure_mode has no mode for a joint that failed");
+        const std::size_t floe = layout.floe_of_joint(k);
+        outcome.breaks.push_back({time[k], static_cast<int>(floe), static_cast<int>(k - layout.first_joint[floe]),
+                                  static_cast<FailureMode>(mode[k])});
+    }
+    std::ranges::stable_sort(outcome.breaks, {}, &BreakEvent::time);
+    return outcome;
+}
+
+namespace {
+
+Vec3 vector_at(std::span<const float> values, std::size_t index) {
+    return {values[3 * index], values[3 * index + 1], values[3 * index + 2]};
+}
+
+}  // namespace
+
+bool is_recording(const std::filesystem::path& path) {
+    const hdf5::QuietErrors quiet;
+    try {
+        return hdf5::is_of_kind(hdf5::open_for_reading(path).id(), recording_kind);
+    } catch (const InputError&) {
+        return false;  // no such file, or no HDF5 file
+    }
+}
+
+class Recording::File {
+  public:
+    explicit File(const std::filesystem::path& path)
+        : file_(opened(path)),
+          subject(read_subject(file_.id())),
+          layout(subject.floes),
+          elements_(file_.id(), hdf5::exists(file_.id(), "states") ? "states/" : "frames/"),
+          contacts_(file_.id()) {
+        times = hdf5::read_values<double>(file_.id(), "time");
+        outcome = read_outcome(file_.id(), layout);
+        step_ = hdf5::read_values<std::int32_t>(file_.id(), "frames/step");
+        structure_ = hdf5::read_values<double>(file_.id(), "frames/structure");
+        across_ = read_unless_old("frames/structure_z");
+        yaw_ = read_unless_old("frames/structure_yaw");
+        surge_ = hdf5::read_values<double>(file_.id(), "frames/surge_load");
+        sway_ = hdf5::read_values<double>(file_.id(), "frames/sway_load");
+        heave_ = hdf5::read_values<double>(file_.id(), "frames/heave_load");
+        first_contact_ = hdf5::read_values<std::int32_t>(file_.id(), "frames/first_contact");
+        contact_count_ = hdf5::read_values<std::int32_t>(file_.id(), "frames/contacts");
+        if (subject.scenario.field.endless()) states_.emplace(file_.id());
+        if (hdf5::exists(file_.id(), "frames/line_tension")) lines_.emplace(file_.id());
+        if (times.empty()) throw InputError(fmt::format("{} has no frames.", path.string()));
+        check_sizes();
+    }
+
+    PlanarPose structure(std::size_t number) const {
+        return {structure_.at(number), across_.at(number), yaw_.at(number)};
+    }
+
+    std::vector<FrameLine> lines(std::size_t number) {
+        std::vector<FrameLine> held;
+        if (!lines_) return held;
+        const std::span<const float> fairlead = lines_->fairlead.read(number);
+        const std::span<const float> anchor = lines_->anchor.read(number);
+        const std::span<const float> tension = lines_->tension.read(number);
+        for (std::size_t k = 0; k < tension.size(); ++k) {
+            if (std::isnan(tension[k])) continue;
+            held.push_back({static_cast<int>(k), vector_at(fairlead, k), vector_at(anchor, k), tension[k]});
+        }
+        return held;
+    }
+
+    void read(std::size_t number, Frame& frame) {
+        frame.step = step_.at(number);
+        frame.time = times.at(number);
+        frame.structure = structure(number);
+        frame.load = {-surge_.at(number), heave_.at(number), sway_.at(number)};
+        read_elements(number, frame);
+        read_contacts(number, frame);
+        frame.lines = lines(number);
+    }
+
+  private:
+    hdf5::QuietErrors quiet_;
+    hdf5::Handle file_;
+
+  public:
+    const RecordingSubject subject;
+    const IceLayout layout;
+    RecordingOutcome outcome;
+    std::vector<double> times;
+
+  private:
+    struct Elements {
+        Elements(hid_t file, const std::string& group)
+            : position(file, group + "position"),
+              orientation(file, group + "orientation"),
+              velocity(file, group + "velocity"),
+              utilisation(file, group + "utilisation"),
+              piece(file, group + "piece") {}
+        hdf5::RowReader<float> position;
+        hdf5::RowReader<float> orientation;
+        hdf5::RowReader<float> velocity;
+        hdf5::RowReader<float> utilisation;
+        hdf5::RowReader<std::int32_t> piece;
+    };
+
+    /// Of a field without end: which rows of the elements are of a frame.
+    struct States {
+        explicit States(hid_t file)
+            : first(hdf5::read_values<std::int32_t>(file, "frames/first_state")),
+              count(hdf5::read_values<std::int32_t>(file, "frames/states")),
+              element(file, "states/element") {}
+        std::vector<std::int32_t> first;
+        std::vector<std::int32_t> count;
+        hdf5::RowReader<std::int32_t> element;
+    };
+
+    struct Contacts {
+        explicit Contacts(hid_t file)
+            : element(file, "contacts/element"),
+              other(file, "contacts/other"),
+              point(file, "contacts/point"),
+              normal(file, "contacts/normal_force"),
+              friction(file, "contacts/friction_force") {}
+        hdf5::RowReader<std::int32_t> element;
+        hdf5::RowReader<std::int32_t> other;
+        hdf5::RowReader<float> point;
+        hdf5::RowReader<float> normal;
+        hdf5::RowReader<float> friction;
+    };
+
+    struct Lines {
+        explicit Lines(hid_t file)
+            : fairlead(file, "frames/line_fairlead"),
+              anchor(file, "frames/line_anchor"),
+              tension(file, "frames/line_tension") {}
+        hdf5::RowReader<float> fairlead;
+        hdf5::RowReader<float> anchor;
+        hdf5::RowReader<float> tension;
+    };
+
+    static hdf5::Handle opened(const std::filesystem::path& path) {
+        hdf5::Handle file = hdf5::open_for_reading(path);
+        hdf5::check_kind(file.id(), recording_kind, path);
+        return file;
+    }
+
+    /// Zeros where the recording is of a version in which structures went straight on only.
+    std::vector<double> read_unless_old(const std::string& name) const {
+        if (!hdf5::exists(file_.id(), name)) return std::vector<double>(times.size(), 0.0);
+        return hdf5::read_values<double>(file_.id(), name);
+    }
+
+    void check_sizes() const {
+        if (lines_) {
+            const std::size_t lines = lines_->tension.width();
+            hdf5::check_count(file_.id(), "frames/line_tension", lines, subject.scenario.moorings.lines.size());
+            hdf5::check_count(file_.id(), "frames/line_fairlead", lines_->fairlead.width(), 3 * lines);
+            hdf5::check_count(file_.id(), "frames/line_anchor", lines_->anchor.width(), 3 * lines);
+        }
+        const std::size_t count = states_ ? 1 : layout.elements.size();
+        if (states_) {
+            hdf5::check_count(file_.id(), "frames/first_state", states_->first.size(), times.size());
+            hdf5::check_count(file_.id(), "frames/states", states_->count.size(), times.size());
+        }
+        hdf5::check_count(file_.id(), "frames/position", elements_.position.width(), 3 * count);
+        hdf5::check_count(file_.id(), "frames/orientation", elements_.orientation.width(), 4 * count);
+        hdf5::check_count(file_.id(), "frames/velocity", elements_.velocity.width(), 3 * count);
+        hdf5::check_count(file_.id(), "frames/utilisation", elements_.utilisation.width(), count);
+        hdf5::check_count(file_.id(), "frames/piece", elements_.piece.width(), count);
+        for (const hdf5::RowReader<float>* one : {&contacts_.point, &contacts_.normal, &contacts_.friction})
+            hdf5::check_count(file_.id(), "a vector of contacts", one->width(), 3);
+        for (const std::size_t found : {step_.size(), structure_.size(), across_.size(), yaw_.size(), surge_.size(),
+                                        sway_.size(), heave_.size(), first_contact_.size(), contact_count_.size()})
+            hdf5::check_count(file_.id(), "a number of frames", found, times.size());
+    }
+
+    void read_elements(std::size_t number, Frame& frame) {
+        std::size_t row = number;
+        std::size_t rows = 1;
+        frame.ids.clear();
+        if (states_) {
+            row = static_cast<std::size_t>(states_->first[number]);
+            rows = static_cast<std::size_t>(states_->count[number]);
+            for (const std::int32_t id : states_->element.read(row, rows)) {
+                if (id < 0 || static_cast<std::size_t>(id) >= layout.elements.size())
+                    hdf5::refuse_damaged(file_.id(), fmt::format("states/element has the value {}", id));
+                frame.ids.push_back(id);
+            }
+        }
+        const std::span<const float> position = elements_.position.read(row, rows);
+        const std::span<const float> orientation = elements_.orientation.read(row, rows);
+        const std::span<const float> velocity = elements_.velocity.read(row, rows);
+        frame.elements.resize(states_ ? rows : layout.elements.size());
+        for (std::size_t k = 0; k < frame.elements.size(); ++k) {
+            const float* q = &orientation[4 * k];
+            frame.elements[k] = {.position = vector_at(position, k),
+                                 .rotation = Quat(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix(),
+                                 .velocity = vector_at(velocity, k)};
+        }
+        const std::span<const float> utilisation = elements_.utilisation.read(row, rows);
+        const std::span<const std::int32_t> pieces = elements_.piece.read(row, rows);
+        frame.utilisation.assign(utilisation.begin(), utilisation.end());
+        frame.pieces.assign(pieces.begin(), pieces.end());
+    }
+
+    void read_contacts(std::size_t number, Frame& frame) {
+        const auto first = static_cast<std::size_t>(first_contact_.at(number));
+        const auto count = static_cast<std::size_t>(contact_count_.at(number));
+        const std::span<const std::int32_t> element = contacts_.element.read(first, count);
+        const std::span<const std::int32_t> other = contacts_.other.read(first, count);
+        const std::span<const float> point = contacts_.point.read(first, count);
+        const std::span<const float> normal = contacts_.normal.read(first, count);
+        const std::span<const float> friction = contacts_.friction.read(first, count);
+        frame.contacts.clear();
+        for (std::size_t k = 0; k < count; ++k) {
+            frame.contacts.push_back(
+                {element[k], other[k], vector_at(point, k), vector_at(normal, k), vector_at(friction, k)});
+        }
+    }
+
+    Elements elements_;
+    Contacts contacts_;
+    std::optional<States> states_;  ///< of a field without end
+    std::optional<Lines> lines_;    ///< of a structure with mooring lines
+    std::vector<std::int32_t> step_;
+    std::vector<double> structure_;
+    std::vector<double> across_;
+    std::vector<double> yaw_;
+    std::vector<double> surge_;
+    std::vector<double> sway_;
+    std::vector<double> heave_;
+    std::vector<std::int32_t> first_contact_;
+    std::vector<std::int32_t> contact_count_;
+};
+
+Recording::Recording(const std::filesystem::path& path) : file_(std::make_unique<File>(path)) {}
+Recording::~Recording() = default;
+
+const RecordingSubject& Recording::subject() const {
+    return file_->subject;
+}
+
+const RecordingOutcome& Recording::outcome() const {
+    return file_->outcome;
+}
+
+const IceLayout& Recording::layout() const {
+    return file_->layout;
+}
+
+int Recording::frames() const {
+    return static_cast<int>(file_->times.size());
+}
+
+double Recording::time(int frame) const {
+    return file_->times.at(static_cast<std::size_t>(frame));
+}
+
+int Recording::nearest(double time) const {
+    const auto nearest =
+        std::ranges::min_element(file_->times, {}, [time](double one) { return std::abs(one - time); });
+    return static_cast<int>(nearest - file_->times.begin());
+}
+
+PlanarPose Recording::structure(int frame) const {
+    return file_->structure(static_cast<std::size_t>(frame));
+}
+
+std::vector<FrameLine> Recording::lines(int frame) const {
+    return file_->lines(static_cast<std::size_t>(frame));
+}
+
+void Recording::read(int number, Frame& frame) const {
+    file_->read(static_cast<std::size_t>(number), frame);
+}
+
+Frame Recording::read(int number) const {
+    Frame frame;
+    read(number, frame);
+    return frame;
+}
+
+namespace {
+
+using hdf5::Handle;
+using hdf5::Scale;
+
+Scale words_scale(hid_t parent, const char* name, const char* long_name, const std::vector<std::string>& words) {
+    return hdf5::write_scale(parent, {name, "1", long_name}, words);
+}
+
+void write_root(hid_t file, const RecordingSubject& subject) {
+    const auto write_number = [file](const char* name, std::int32_t value) {
+        hdf5::write_attribute(file, name, std::span<const std::int32_t>(&value, 1));
+    };
+    hdf5::write_kind(file, recording_kind,
+                     fmt::format("{}: member {}, case {}, arrangement {}", subject.campaign, subject.member,
+                                 subject.case_name, subject.arrangement));
+    hdf5::write_attribute(file, "campaign", subject.campaign);
+    hdf5::write_attribute(file, "fingerprint", subject.fingerprint);
+    hdf5::write_attribute(file, "case", subject.case_name);
+    write_number("member", subject.member);
+    write_number("arrangement", subject.arrangement);
+    hdf5::write_attribute(file, "time_step", subject.scenario.general.time_step);
+}
+
+void write_structure(hid_t file, const Shape& shape) {
+    const Handle group = hdf5::create_group(file, "structure");
+    const std::vector<std::vector<double>> rows = shape.profile();
+    if (rows.empty()) return;  // the configuration has its sizes or pieces
+    const Scale point =
+        hdf5::write_index_scale(group.id(), "profile_point", "point of the profile, from the bottom up", rows.size());
+    for (std::size_t k = 0; k < Shape::columns.size(); ++k) {
+        std::vector<double> column;
+        for (const std::vector<double>& row : rows) column.push_back(row[k]);
+        const ShapeColumn& about = Shape::columns[k];
+        hdf5::write_values(group.id(), {std::string(about.name), std::string(about.unit), std::string(about.text)},
+                           {point}, column);
+    }
+}
+
+void write_sheets(hid_t file, const std::vector<IceSheet>& all, const Scale& coordinate) {
+    const Handle group = hdf5::create_group(file, "ice_sheets");
+    const Scale sheet = hdf5::write_index_scale(group.id(), "sheet", "fixed box of ice along the channel", all.size());
+    std::vector<double> centres;
+    std::vector<double> sides;
+    for (const IceSheet& one : all) {
+        const Vec3 whole = 2 * one.half_extents;
+        centres.insert(centres.end(), one.centre.begin(), one.centre.end());
+        sides.insert(sides.end(), whole.begin(), whole.end());
+    }
+    hdf5::write_values(group.id(), {"centre", "m", "middle of each sheet"}, {sheet, coordinate}, centres);
+    hdf5::write_values(group.id(), {"sides", "m", "length of its sides"}, {sheet, coordinate}, sides);
+}
+
+void write_history(hid_t file, const LoadHistory& history, double time_step) {
+    std::vector<double> end;
+    for (std::size_t k = 0; k < history.surge.size(); ++k) end.push_back(static_cast<double>(k + 1) * time_step);
+    const Handle group = hdf5::create_group(file, "history");
+    const Scale step = hdf5::write_scale(file, {"step_end", "s", "end of each time step"}, end);
+    hdf5::write_values(group.id(), {"surge_load", "N", "positive against the tow"}, {step}, history.surge);
+    hdf5::write_values(group.id(), {"sway_load", "N", "positive towards +z"}, {step}, history.sway);
+    hdf5::write_values(group.id(), {"heave_load", "N", "positive up"}, {step}, history.heave);
+}
+
+/// None of a field without end, whose elements are known at the end.
+std::optional<Scale> elements_known(hid_t file, const RecordingSubject& subject) {
+    if (subject.scenario.field.endless()) return {};
+    return element_scale(file, IceLayout(subject.floes));
+}
+
+std::optional<Scale> line_scale(hid_t file, const Scenario& scenario) {
+    const std::size_t lines = scenario.moorings.give_way() ? scenario.moorings.lines.size() : 0;
+    if (lines == 0) return {};
+    return hdf5::write_index_scale(file, "mooring_line", "mooring line, in the order of moorings.lines", lines);
+}
+
+}  // namespace
+
+class RecordingWriter::File {
+  public:
+    File(std::filesystem::path path, const RecordingSubject& subject)
+        : path_(std::move(path)), aside_(path_.string() + ".tmp"), subject_(subject) {
+        file_.emplace(hdf5::create_file(aside_));
+        open_.emplace(file_->id(), subject_);
+    }
+    File(const File&) = delete;
+    File& operator=(const File&) = delete;
+    ~File() {
+        if (file_) drop();
+    }
+
+    void add(const Frame& frame) {
+        const double x = frame.structure.x;
+        subject_.way = any_ ? Vec2(std::min(subject_.way.x(), x), std::max(subject_.way.y(), x)) : Vec2(x, x);
+        any_ = true;
+        open_->series.add(frame);
+    }
+
+    void finish(const RecordingOutcome& outcome, const FloeRoll& roll) {
+        if (subject_.scenario.field.endless()) {
+            subject_.floes = roll.floes();
+            write_floes(file_->id(), subject_.floes, roll.numbers());
+        }
+        const IceLayout layout(subject_.floes);
+        RecordScales& scales = open_->scales;
+        if (!scales.element) scales.element.emplace(element_scale(file_->id(), layout));
+        write_ice(file_->id(), subject_.scenario.floe, layout, scales);
+        write_sheets(file_->id(), subject_.channel().sheets, scales.coordinate);
+        write_joints(file_->id(), layout, outcome.breaks);
+        write_history(file_->id(), outcome.history, subject_.scenario.general.time_step);
+        open_->series.finish();
+        hdf5::write_contents_digests(file_->id());
+        open_.reset();  // only then does closing the file write everything
+        file_->close("H5Fclose", path_.string());
+        file_.reset();
+        hdf5::append_page_digests(aside_);
+        sync_data(open_file(aside_, O_RDWR), aside_);
+        rename_into_place(aside_, path_);
+    }
+
+  private:
+    struct Open {
+        Open(hid_t file, const RecordingSubject& subject)
+            : scales{words_scale(file, "coordinate", "axis of a vector", {"x", "y", "z"}),
+                     words_scale(file, "quaternion", "part of a quaternion", {"w", "x", "y", "z"}),
+                     elements_known(file, subject), line_scale(file, subject.scenario)},
+              series(file, scales) {
+            write_root(file, subject);
+            hdf5::write_text(file, {"configuration", "1", "the member's case as a campaign, TOML"},
+                             subject.configuration);
+            write_structure(file, subject.scenario.structure.shape);
+        }
+        RecordScales scales;
+        FrameSeries series;
+    };
+
+    void drop() {
+        open_.reset();
+        file_.reset();
+        std::error_code ignored;
+        std::filesystem::remove(aside_, ignored);
+    }
+
+    std::filesystem::path path_;
+    std::filesystem::path aside_;
+    RecordingSubject subject_;
+    bool any_ = false;
+    hdf5::QuietErrors quiet_;
+    std::optional<Handle> file_;
+    std::optional<Open> open_;
+};
+
+RecordingWriter::RecordingWriter(const std::filesystem::path& path, const RecordingSubject& subject)
+    : file_(std::make_unique<File>(path, subject)) {}
+RecordingWriter::~RecordingWriter() = default;
+
+void RecordingWriter::add(const Frame& frame) {
+    file_->add(frame);
+}
+
+void RecordingWriter::finish(const RecordingOutcome& outcome) {
+    file_->finish(outcome, {});
+}
+
+void RecordingWriter::finish(const RecordingOutcome& outcome, const FloeRoll& roll) {
+    file_->finish(outcome, roll);
+}
+
+std::vector<std::uint8_t> broken_floes(const std::vector<BreakEvent>& breaks, int floes, double time) {
+    std::vector<std::uint8_t> broken(static_cast<std::size_t>(floes), 0);
+    for (const BreakEvent& event : breaks) {
+        if (event.time > time) break;
+        broken[static_cast<std::size_t>(event.floe)] = 1;
+    }
+    return broken;
+}
+
+Channel RecordingSubject::channel() const {
+    Channel channel = make_channel(scenario, floes);
+    if (!scenario.field.endless()) return channel;
+    channel.begin = std::max(channel.begin, way.x() - seen_behind());
+    channel.end = way.y() + seen_ahead();
+    for (IceSheet& sheet : channel.sheets) {
+        sheet.centre.x() = 0.5 * (channel.begin + channel.end);
+        sheet.half_extents.x() = 0.5 * (channel.end - channel.begin);
+    }
+    return channel;
+}
+
+double RecordingSubject::seen_ahead() const {
+    return scenario.window_ahead() + largest_side(floes);
+}
+
+double RecordingSubject::seen_behind() const {
+    return scenario.window_behind() + largest_side(floes);
+}
+
+}  // namespace floes

@@ -1,0 +1,107 @@
+#pragma once
+// What says that an HDF5 file is a recording.
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hdf5/handle.hpp"
+#include "ice/failure_mode.hpp"
+#include "ice/ice_field.hpp"
+#include "replay/frame_series.hpp"
+#include "scenario/floes.hpp"
+#include "scenario/scenario.hpp"
+#include "simulation/frame.hpp"
+#include "simulation/histories.hpp"
+#include "simulation/sheets.hpp"
+
+namespace floes {
+
+inline constexpr hdf5::FileKind recording_kind{"floes replay", {1, 4}, 4, "recording of floes replay"};
+
+// The recording of a replayed member: frames of all that there is to see, on what they stand, and the whole load
+// history. A file of its own in HDF5, described in docs/replay.md. Written and read a frame at a time: a long run is
+// larger than the memory.
+
+/// Whether the file is there and is a recording, whatever its version.
+bool is_recording(const std::filesystem::path& path);
+
+/// What does not change during a run.
+struct RecordingSubject {
+    std::string campaign;       ///< title
+    std::string fingerprint;    ///< of the campaign
+    std::string configuration;  ///< TOML that gives the campaign again
+    std::string case_name;
+    int member = 0;
+    int arrangement = 0;
+    Scenario scenario;  ///< of the member's case
+    FloeSet floes;      ///< of the member; where they lie, frames tell. Of a field without end: those that frames show
+    Vec2 way = Vec2::Zero();  ///< least and largest x of the structure in the frames, of a field without end, m
+
+    /// Of a field without end what stands beside the ice that frames show: its sides are too long for any picture.
+    Channel channel() const;
+    /// How far ahead of the structure's axis, and behind it, a field without end is to be seen, m.
+    double seen_ahead() const;
+    double seen_behind() const;
+};
+
+/// What is known only at the end of a run.
+struct RecordingOutcome {
+    LoadHistory history;             ///< of every step
+    std::vector<BreakEvent> breaks;  ///< in order of time
+};
+
+/// Of each floe, whether a joint of it has failed by `time`, s: 1 or 0. `breaks`: in order of time.
+std::vector<std::uint8_t> broken_floes(const std::vector<BreakEvent>& breaks, int floes, double time);
+
+/// Writes a recording beside its place and renames it when it is finished; a recording that is not leaves nothing.
+class RecordingWriter {
+  public:
+    /// Throws RunError naming the call that failed, as the others do.
+    RecordingWriter(const std::filesystem::path& path, const RecordingSubject& subject);
+    ~RecordingWriter();
+
+    void add(const Frame& frame);
+    void finish(const RecordingOutcome& outcome);
+    /// Of a field without end, whose frames and breaks are in the numbers of `roll`.
+    void finish(const RecordingOutcome& outcome, const FloeRoll& roll);
+
+  private:
+    class File;
+    std::unique_ptr<File> file_;
+};
+
+class Recording {
+  public:
+    /// Throws InputError when there is no such file, it is no recording, or its major version is not this program's.
+    explicit Recording(const std::filesystem::path& path);
+    ~Recording();
+
+    const RecordingSubject& subject() const;
+    const RecordingOutcome& outcome() const;
+    const IceLayout& layout() const;
+
+    int frames() const;
+    double time(int frame) const;  ///< s
+    PlanarPose structure(int frame) const;
+    std::vector<FrameLine> lines(int frame) const;  ///< mooring lines that hold
+    /// The frame whose time is nearest to `time`, s.
+    int nearest(double time) const;
+    /// Refills `frame` with frame `number`, as single precision keeps it; element angular velocities are not kept.
+    void read(int number, Frame& frame) const;
+    Frame read(int number) const;
+
+  private:
+    class File;
+    std::unique_ptr<File> file_;
+};
+
+// What a recording has once, read: its subject and its outcome. For this module only.
+
+/// Both throw InputError for files that are damaged.
+RecordingSubject read_subject(hid_t file);
+RecordingOutcome read_outcome(hid_t file, const IceLayout& layout);
+
+}  // namespace floes

@@ -1,0 +1,268 @@
+#include "replay/replay_member.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "campaign/identity.hpp"
+#include "campaign/write.hpp"
+#include "campaign_file/read.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "member/quantity.hpp"
+#include "member/run_member.hpp"
+
+namespace floes {
+
+namespace {
+
+bool same_bits(double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (std::isnan(a) && std::isnan(b));
+}
+
+void compare_quantities(const MemberRow& stored, const MemberResult& now, std::vector<std::string>& found) {
+    for (const Quantity& one : quantities) {
+        const double there = one.of(stored);
+        if (std::isnan(there) && one.since > 0) continue;  // older files do not have it
+        const double here = one.of(now);
+        if (!same_bits(there, here))
+            found.push_back(fmt::format("{} is {:.17g} in the file and {:.17g} now.", one.key, there, here));
+    }
+}
+
+void compare_histories(const CampaignFile& file, int member, const MemberResult& now, std::vector<std::string>& found) {
+    with_history(file, member, [&](const SurgeHistory& stored) {
+        const std::vector<double>& surge = now.history.surge;
+        const auto [there, here] = std::ranges::mismatch(stored.surge, surge, same_bits);
+        if (there == stored.surge.end() && here == surge.end()) return;
+        found.push_back(fmt::format("the surge load differs from t = {:.2f} s on.",
+                                    stored.step * static_cast<double>(here - surge.begin() + 1)));
+    });
+}
+
+void compare_breaks(const CampaignFile& file, int member, const MemberResult& now, std::vector<std::string>& found) {
+    std::vector<BreakRow> stored = read_breaks(file);
+    std::erase_if(stored, [&](const BreakRow& row) { return row.member != member; });
+    const bool same = std::ranges::equal(stored, now.breaks, [](const BreakRow& there, const BreakEvent& here) {
+        return same_bits(there.time, here.time) && there.floe == here.floe && there.mode == static_cast<int>(here.mode);
+    });
+    if (same) return;
+    found.push_back(fmt::format("{} failed in the file and {} now, or others did.",
+                                counted(static_cast<int>(stored.size()), "joint"), now.breaks.size()));
+}
+
+/// Adds the last step of a run to a history of its own, which is kept whole where the member's is thinned.
+void add_last(const LoadHistory& of_run, LoadHistory& history) {
+    for (const auto one : load_histories) (history.*one).push_back((of_run.*one).back());
+}
+
+/// A campaign of the one case, whose Σ and E are what the file says they were found to be.
+Campaign with_case(const Campaign& whole, int case_index, const CaseRow& stored) {
+    Campaign campaign = whole;
+    Case one = whole.cases.at(static_cast<std::size_t>(case_index));
+    if (one.pairing == Pairing::find_cfm) one.scenario.joint.cfm = stored.cfm;
+    if (one.pairing == Pairing::find_modulus) one.scenario.ice.elastic_modulus = stored.elastic_modulus;
+    one.pairing = Pairing::settled;
+    one.base.clear();
+    one.point = -1;
+    campaign.cases = {std::move(one)};
+    campaign.design = {};
+    campaign.stop = {};
+    return campaign;
+}
+
+}  // namespace
+
+FrameSteps frame_steps(const FrameTimes& times, const Scenario& scenario) {
+    const double step = scenario.general.time_step;
+    const double end = step * scenario.step_count();
+    if (!(times.from <= times.to) || times.to < 0 || times.from > end + step / 2)
+        throw InputError(
+            fmt::format("There are no frames from {:g} s to {:g} s: the run goes from 0 s to {:g} s; give --from and "
+                        "--to within it.",
+                        times.from, times.to, end));
+    const auto nearest = [&](double time) { return static_cast<int>(std::llround(std::clamp(time, 0.0, end) / step)); };
+    FrameSteps steps{nearest(times.from), nearest(times.to), std::max(1, nearest(times.every))};
+    const int through = nearest(times.through);
+    if (through >= steps.first && through <= steps.last) steps.first += (through - steps.first) % steps.stride;
+    return steps;
+}
+
+ReplaySubject replay_subject(const CampaignFile& file, const CampaignTable& table, int member) {
+    const Campaign& campaign = file.campaign();
+    if (member < 0 || member >= static_cast<int>(table.members.size()))
+        throw InputError(fmt::format("{} has no member {}: its members are 0 to {}.", file.path().string(), member,
+                                     static_cast<int>(table.members.size()) - 1));
+    const MemberKey key = member_key(campaign, member);
+    const auto row = static_cast<std::size_t>(key.case_index);
+    ReplaySubject subject;
+    subject.file = file.path();
+    subject.stored = table.members[static_cast<std::size_t>(member)];
+    subject.seed = arrangement_seed(campaign, key.case_index);
+    const Campaign one = with_case(campaign, key.case_index, table.cases.at(row));
+    subject.about = {
+        .campaign = campaign.name,
+        .fingerprint = fingerprint(campaign),
+        .configuration = write_campaign(one),
+        .case_name = campaign.cases[row].name,
+        .member = member,
+        .arrangement = key.arrangement,
+        .scenario = one.cases.front().scenario,
+        .floes = floes_of(one.cases.front().scenario, {subject.seed, static_cast<std::uint32_t>(key.arrangement)})};
+    return subject;
+}
+
+double time_of_largest_load(const ReplaySubject& subject) {
+    double time = std::numeric_limits<double>::quiet_NaN();
+    with_history(subject.file, subject.about.member, [&](const SurgeHistory& history) {
+        const std::span<const double> window = in_window(history, subject.about.scenario.analysis);
+        if (window.empty()) return;
+        const auto largest = std::ranges::max_element(window);
+        const auto before = history.surge.size() - window.size();
+        time = history.step * static_cast<double>(before + static_cast<std::size_t>(largest - window.begin()) + 1);
+    });
+    return time;
+}
+
+std::vector<std::string> differences(const ReplaySubject& subject, const MemberResult& result) {
+    std::vector<std::string> found;
+    const bool failed = result.status == MemberStatus::failed;
+    if (subject.stored.status == RowStatus::missing) return {"the file does not have the member yet."};
+    if (failed != (subject.stored.status == RowStatus::failed)) {
+        return {fmt::format("the member {} in the file and {} now.", failed ? "ended" : "failed",
+                            failed ? "fails: " + result.reason : "ends")};
+    }
+    if (failed) return {};
+    compare_quantities(subject.stored, result, found);
+    const CampaignFile file(subject.file);
+    compare_histories(file, subject.about.member, result, found);
+    compare_breaks(file, subject.about.member, result, found);
+    return found;
+}
+
+MemberResult replay(const ReplaySubject& subject, const FrameSteps& steps, const std::filesystem::path& path,
+                    const std::stop_token& stop, const ReplayProgress& progress) {
+    const RecordingSubject& about = subject.about;
+    RecordingWriter recording(path, about);
+    const bool endless = about.scenario.field.endless();
+    FloeRoll roll;
+    Frame frame;
+    LoadHistory history;
+    const Watcher watch = [&](const Simulation& run) {
+        if (steps.has(run.steps())) {
+            run.read_frame(frame);
+            if (endless) roll.enter(run, frame);
+            recording.add(frame);
+        }
+        if (run.steps() > 0) add_last(run.loads(), history);
+        if (progress) progress(run.time());
+    };
+    MemberResult result =
+        run_member(about.scenario, subject.seed, static_cast<std::uint32_t>(about.arrangement), stop, watch);
+    recording.finish({std::move(history), endless ? roll.breaks(result.breaks) : result.breaks}, roll);
+    return result;
+}
+
+KeyFrames key_frames(const ReplaySubject& subject, const std::stop_token& stop) {
+    const Scenario& scenario = subject.about.scenario;
+    const bool endless = scenario.field.endless();
+    KeyFrames kept;
+    FloeRoll begun;  // of the start alone: what a load shows that another exceeds is not kept
+    FloeRoll roll;
+    const auto read = [&](const Simulation& run, Frame& frame) {
+        run.read_frame(frame);
+        if (endless) roll.enter(run, frame);
+    };
+    double largest = -std::numeric_limits<double>::infinity();
+    const Watcher watch = [&](const Simulation& run) {
+        if (run.steps() == 0) {
+            read(run, kept.start);
+            begun = roll;
+            return;
+        }
+        add_last(run.loads(), kept.history);
+        const double load = run.loads().surge.back();
+        if (run.steps() > scenario.first_window_step() && load > largest) {
+            largest = load;
+            roll = begun;
+            read(run, kept.worst);
+        }
+        if (run.steps() == scenario.step_count()) read(run, kept.end);
+    };
+    kept.result =
+        run_member(scenario, subject.seed, static_cast<std::uint32_t>(subject.about.arrangement), stop, watch);
+    kept.about = subject.about;
+    kept.breaks = endless ? roll.breaks(kept.result.breaks) : kept.result.breaks;
+    if (!endless) return kept;
+    kept.about.floes = roll.floes();
+    const std::array way{kept.start.structure.x, kept.worst.structure.x, kept.end.structure.x};
+    kept.about.way = {std::ranges::min(way), std::ranges::max(way)};
+    return kept;
+}
+
+namespace {
+
+constexpr double round_worst = 10;  // s of frames before and after the largest load
+constexpr double long_span = 60;    // s; of longer ones fewer frames are kept
+constexpr double short_every = 0.1;
+constexpr double long_every = 0.25;
+
+}  // namespace
+
+int chosen_member(const CampaignTable& table, const MemberChoice& choice) {
+    if (choice.number) return *choice.number;
+    const auto cases = static_cast<int>(table.cases.size());
+    const int arrangements = static_cast<int>(table.members.size()) / std::max(cases, 1);
+    const auto named = std::ranges::find(table.cases, choice.case_name, &CaseRow::name);
+    if (!choice.case_name.empty() && named == table.cases.end()) {
+        std::vector<std::string> names;
+        for (const CaseRow& one : table.cases) names.push_back(one.name);
+        throw InputError(
+            fmt::format("There is no case {}; the cases are {}.", choice.case_name, fmt::join(names, ", ")));
+    }
+    if (choice.arrangement.value_or(0) >= arrangements)
+        throw InputError(fmt::format("There is no arrangement {}; the arrangements are 0 to {}.", *choice.arrangement,
+                                     arrangements - 1));
+    const bool any_case = choice.case_name.empty();
+    const auto case_index = static_cast<int>(named - table.cases.begin());
+    if (choice.worst) {
+        const std::optional<int> worst = member_with_largest_load(table, [&](const MemberRow& row) {
+            const auto number = static_cast<int>(&row - table.members.data());
+            return (any_case || row.case_index == case_index) &&
+                   (!choice.arrangement || number / cases == *choice.arrangement);
+        });
+        if (!worst) throw InputError("None of these members is done, so none has a largest load yet.");
+        return *worst;
+    }
+    if ((any_case && cases > 1) || (!choice.arrangement && arrangements > 1))
+        throw InputError(
+            "Which member? Give its number, --case and --arrangement, or --worst for the one with the largest load.");
+    return choice.arrangement.value_or(0) * cases + (any_case ? 0 : case_index);
+}
+
+FrameTimes chosen_times(const ReplaySubject& subject, const TimeChoice& choice) {
+    const Scenario& scenario = subject.about.scenario;
+    const double end = scenario.general.time_step * scenario.step_count();
+    FrameTimes times{.from = 0, .to = end, .every = 0, .through = 0};
+    if (choice.worst) {
+        times.through = time_of_largest_load(subject);
+        if (std::isnan(times.through))
+            throw InputError(fmt::format(
+                "{} keeps no load history of member {} (analysis.history_steps = 0), so it does not say when "
+                "its largest load came; give --from and --to instead of --worst.",
+                subject.file.string(), subject.about.member));
+        times.from = std::max(0.0, times.through - round_worst);
+        times.to = std::min(end, times.through + round_worst);
+    }
+    times.from = choice.from.value_or(times.from);
+    times.to = choice.to.value_or(times.to);
+    times.every = choice.every.value_or(times.to - times.from > long_span ? long_every : short_every);
+    return times;
+}
+
+}  // namespace floes

@@ -1,0 +1,71 @@
+#pragma once
+// Limits of one attempt at a member, and reasons for attempts without a result. If possible, a reason depends on the
+// member alone, because it is stored in the campaign file.
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+#include "campaign/campaign.hpp"
+#include "member/result.hpp"
+
+namespace floes {
+
+struct AttemptLimits {
+    double deadline = 0;  ///< s of wall clock; 0: none
+    std::uint64_t memory =
+        0;              ///< bytes beyond those at process start; 0: no limit. Enforced only in isolated processes.
+    double grace = 60;  ///< s in which a member that polls every step must react to a stop
+};
+
+AttemptLimits limits_of(const RunRules& rules);
+
+/// How the process of a member ended, as seen by its helper.
+struct Ending {
+    int wait_status = 0;            ///< of waitpid()
+    bool at_deadline = false;       ///< the helper killed it at its deadline
+    std::uint64_t peak_memory = 0;  ///< largest resident set, bytes
+};
+
+/// "The process of the member was killed by SIGSEGV (Segmentation fault)."
+std::string reason_of(const Ending& ending, const AttemptLimits& limits);
+
+std::string deadline_reason(const AttemptLimits& limits);
+std::string memory_reason(const AttemptLimits& limits);
+
+// The function that computes a member. It is an argument of the driver, so that tests can pass fast, slow or broken
+// members.
+
+/// (campaign, member number, stop): the result, a pure function of the first two. Called from many threads at once. An
+/// exception means that the member failed; its what() is the reason. After a stop request the function must throw soon,
+/// and the exception means that the member was abandoned and is to be run again.
+using MemberFunction = std::function<MemberResult(const Campaign&, int number, std::stop_token)>;
+
+/// The MemberFunction of real campaigns: run_member() on the scenario of the member's case, with the seed and the
+/// number of its arrangement.
+MemberResult compute_member(const Campaign& campaign, int number, std::stop_token stop);
+
+// One attempt at a member in this process.
+
+/// How an attempt ended. No result: abandoned on request, to be run again later.
+struct Attempted {
+    std::optional<MemberResult> result;
+    std::uint64_t peak_memory = 0;  ///< of the process that computed it, bytes
+};
+
+/// The result of a member that failed for `reason`.
+MemberResult failed_result(std::string reason);
+
+/// Returns the result if it is a failed one or if its statistics are numbers. Throws MemberFailure otherwise: NaN must
+/// not pass as a measured value.
+MemberResult checked(MemberResult result);
+
+/// Computes the member. An exception or a missed deadline gives a failed result with the reason; a stop before the
+/// result gives none. The deadline requests a stop that the member must poll. A member that still runs limits.grace
+/// after it cannot be ended in this process: `stuck` is then called, once, from another thread.
+Attempted attempt_here(const MemberFunction& compute, const Campaign& campaign, int number, const AttemptLimits& limits,
+                       std::stop_token stop, const std::function<void()>& stuck);
+
+}  // namespace floes

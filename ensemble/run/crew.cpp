@@ -1,0 +1,137 @@
+#include "run/crew.hpp"
+
+#include "campaign/identity.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "store/session.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr unsigned slots_for_the_owner = 0;  // the owner only waits
+
+}  // namespace
+
+Scribe::Scribe(const Campaign& campaign, int rank) : campaign_(campaign), rank_(rank), host_(host_name()) {
+    for (int i = 0; i < static_cast<int>(campaign.cases.size()); ++i) {
+        case_keys_.push_back(case_fingerprint(campaign, i));
+    }
+}
+
+MemberRecord Scribe::record(Outcome outcome) const {
+    const MemberKey key = member_key(campaign_, outcome.assignment.number);
+    MemberRecord record;
+    record.case_key = case_keys_[static_cast<std::size_t>(key.case_index)];
+    record.arrangement = key.arrangement;
+    record.attempt = outcome.assignment.attempt;
+    record.rank = rank_;
+    record.host = host_;
+    record.peak_memory = outcome.peak_memory;
+    record.result = std::move(*outcome.result);
+    record.arrays = std::move(outcome.arrays);
+    return record;
+}
+
+Crew::Crew(const Campaign& campaign, CrewSetup setup)
+    : campaign_(campaign),
+      setup_(std::move(setup)),
+      limits_(limits_of(campaign.run)),
+      limit_(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(setup_.threads) + 1),
+      arena_(setup_.threads, slots_for_the_owner) {
+    if (setup_.helper != nullptr) setup_.helper->prepare(campaign);
+}
+
+Crew::~Crew() {
+    stop_.request_stop();
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return unfinished_ == 0; });
+}
+
+void Crew::begin(Assignment assignment) {
+    ++held_;
+    {
+        const std::lock_guard lock(mutex_);
+        waiting_.push_back(assignment);
+        ++unfinished_;
+    }
+    // The thread sanitizer cannot see how TBB hands over a task, so the task carries no data that could race.
+    arena_.enqueue([this]() __attribute__((no_sanitize("thread"))) { execute_next(); });
+}
+
+void Crew::execute_next() {
+    std::unique_lock lock(mutex_);
+    const Assignment assignment = waiting_.front();
+    waiting_.pop_front();
+    lock.unlock();
+    Outcome outcome = execute(assignment);
+    lock.lock();  // until the last touch of *this
+    outcomes_.push_back(std::move(outcome));
+    --unfinished_;
+    changed_.notify_all();
+}
+
+Outcome Crew::execute(Assignment assignment) {
+    if (stop_.stop_requested()) return {assignment, std::nullopt, 0};
+    const auto begin = std::chrono::steady_clock::now();
+    Attempted made = attempt(assignment);
+    if (!made.result) return {assignment, std::nullopt, made.peak_memory};
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    made.result->wall_time = taken.count();
+    PackedArrays arrays = take_arrays(*made.result);
+    return {assignment, std::move(made.result), made.peak_memory, std::move(arrays)};
+}
+
+Attempted Crew::attempt(Assignment assignment) {
+    const bool apart = assignment.apart || campaign_.run.isolation == Isolation::process;
+    if (setup_.helper != nullptr && apart) {
+        try {
+            return setup_.helper->run(assignment.number, limits_, stop_.get_token());
+        } catch (const HelperLost& lost) {
+            give_up({lost.what(), false});
+            return {};
+        }
+    }
+    const auto stuck = [this, assignment] {
+        give_up({fmt::format("Member {} is {:.0f} s past its deadline and cannot be ended in this process.",
+                             assignment.number, limits_.grace),
+                 true});
+    };
+    return attempt_here(setup_.compute, campaign_, assignment.number, limits_, stop_.get_token(), stuck);
+}
+
+void Crew::give_up(CrewTrouble trouble) {
+    stop_.request_stop();
+    const std::lock_guard lock(mutex_);
+    if (!trouble_) trouble_ = std::move(trouble);
+    changed_.notify_all();
+}
+
+std::optional<CrewTrouble> Crew::trouble() const {
+    const std::lock_guard lock(mutex_);
+    return trouble_;
+}
+
+void Crew::abandon() {
+    stop_.request_stop();
+}
+
+std::vector<Outcome> Crew::take() {
+    std::vector<Outcome> taken;
+    {
+        const std::lock_guard lock(mutex_);
+        taken.swap(outcomes_);
+    }
+    held_ -= static_cast<int>(taken.size());
+    return taken;
+}
+
+void Crew::wait(std::chrono::microseconds longest) {
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, longest, [this] { return !outcomes_.empty(); });
+}
+
+}  // namespace floes

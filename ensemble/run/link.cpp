@@ -1,0 +1,259 @@
+#define OMPI_SKIP_MPICXX 1
+#define MPICH_SKIP_MPICXX 1
+#include <mpi.h>
+
+#include "run/link.hpp"
+
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <climits>
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <iterator>
+#include <set>
+#include <string_view>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+
+namespace floes {
+
+LocalLink::LocalLink() : topology_(make_topology(std::array<CoreMask, 1>{affinity_of_this_process()}, 0)) {}
+
+void LocalLink::send(int to, Tag tag, std::vector<std::byte> bytes) {
+    if (to != 0) throw RunError(fmt::format("There is no rank {}: this process is alone.", to));
+    waiting_.push_back({0, tag, std::move(bytes)});
+}
+
+std::optional<Message> LocalLink::poll() {
+    if (waiting_.empty()) return std::nullopt;
+    Message message = std::move(waiting_.front());
+    waiting_.pop_front();
+    return message;
+}
+
+namespace {
+
+constexpr std::size_t most_receives_at_once = 256;  // bounds the master's memory if many ranks answer at once
+constexpr std::chrono::seconds longest_parting{10};
+constexpr unsigned longest_finalize = 60;  // s
+
+/// Throws naming the call that failed.
+void check(int code, const char* call) {
+    if (code == MPI_SUCCESS) return;
+    char text[MPI_MAX_ERROR_STRING] = "";
+    int length = 0;
+    MPI_Error_string(code, text, &length);
+    throw RunError(fmt::format("MPI failed in {}: {}.", call, text));
+}
+
+#define FLOES_MPI(call) check(call, #call)
+
+// Open MPI catches crashes to print a stack trace, which allocates memory. After a crash inside malloc the handler
+// deadlocks, and the whole run with it. So the signal handlers from before MPI are restored.
+class CrashSignals {
+  public:
+    CrashSignals() {
+        each([](int signal, struct sigaction& former) { ::sigaction(signal, nullptr, &former); });
+    }
+    ~CrashSignals() {
+        each([](int signal, struct sigaction& former) { ::sigaction(signal, &former, nullptr); });
+    }
+    CrashSignals(const CrashSignals&) = delete;
+    CrashSignals& operator=(const CrashSignals&) = delete;
+
+  private:
+    template <class Use>
+    void each(const Use& use) {
+        for (std::size_t i = 0; i < signals.size(); ++i) use(signals[i], former_[i]);
+    }
+
+    static constexpr std::array signals{SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV};
+    std::array<struct sigaction, signals.size()> former_{};
+};
+
+// MPI starts together. If a rank dies meanwhile and mpirun lets the others go on (--enable-recovery), they wait for it
+// forever.
+class StartDeadline {
+  public:
+    explicit StartDeadline(unsigned seconds) {
+        struct sigaction action {};
+        action.sa_handler = [](int) {
+            constexpr std::string_view text =
+                "floes: MPI did not start in time; another rank was lost while it did. Start the run again, with "
+                "--resume.\n";
+            [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
+            ::_exit(1);
+        };
+        ::sigaction(SIGALRM, &action, &former_);
+        ::alarm(seconds);
+    }
+    ~StartDeadline() {
+        ::alarm(0);
+        ::sigaction(SIGALRM, &former_, nullptr);
+    }
+    StartDeadline(const StartDeadline&) = delete;
+    StartDeadline& operator=(const StartDeadline&) = delete;
+
+  private:
+    struct sigaction former_ {};
+};
+
+std::vector<CoreMask> masks_of(MPI_Comm node) {
+    int ranks = 0;
+    FLOES_MPI(MPI_Comm_size(node, &ranks));
+    const CoreMask own = affinity_of_this_process();
+    std::vector<CoreMask> masks(static_cast<std::size_t>(ranks));
+    FLOES_MPI(MPI_Allgather(own.data(), sizeof own, MPI_BYTE, masks.data(), sizeof own, MPI_BYTE, node));
+    return masks;
+}
+
+Topology find_topology() {
+    MPI_Comm node = MPI_COMM_NULL;
+    FLOES_MPI(MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node));
+    int place = 0;
+    FLOES_MPI(MPI_Comm_rank(node, &place));
+    const Topology topology = make_topology(masks_of(node), static_cast<std::size_t>(place));
+    FLOES_MPI(MPI_Comm_free(&node));
+    return topology;
+}
+
+}  // namespace
+
+struct MpiLink::Transfer {
+    Message message;  // `from` is the other rank, in both directions
+    MPI_Request request = MPI_REQUEST_NULL;
+
+    bool complete() {
+        int done = 0;
+        FLOES_MPI(MPI_Test(&request, &done, MPI_STATUS_IGNORE));
+        return done != 0;
+    }
+};
+
+MpiLink::MpiLink(unsigned longest_start) : exceptions_(std::uncaught_exceptions()) {
+    const StartDeadline deadline(longest_start);
+    int provided = MPI_THREAD_SINGLE;
+    {
+        const CrashSignals former;
+        FLOES_MPI(MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided));
+    }
+    if (provided < MPI_THREAD_FUNNELED) {
+        throw RunError("This MPI library does not let a rank have threads (MPI_THREAD_FUNNELED); floes needs that.");
+    }
+    FLOES_MPI(MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN));
+    FLOES_MPI(MPI_Comm_rank(MPI_COMM_WORLD, &rank_));
+    FLOES_MPI(MPI_Comm_size(MPI_COMM_WORLD, &size_));
+    topology_ = find_topology();
+}
+
+MpiLink::~MpiLink() {
+    if (std::uncaught_exceptions() > exceptions_) return;
+    const auto deadline = std::chrono::steady_clock::now() + longest_parting;
+    try {
+        while (!outgoing_.empty() && std::chrono::steady_clock::now() < deadline) {
+            forget_sent();
+            std::this_thread::sleep_for(std::chrono::microseconds(200));
+        }
+    } catch (const RunError&) {
+        return;  // MPI itself failed: MPI_Finalize would hang
+    }
+    if (!outgoing_.empty() || !abandoned_.empty()) return;
+    // MPI_Finalize waits for every rank, and one may be suspended. All results are sent and stored, so SIGALRM may end
+    // it.
+    ::alarm(longest_finalize);
+    MPI_Finalize();
+    ::alarm(0);
+}
+
+void MpiLink::send(int to, Tag tag, std::vector<std::byte> bytes) {
+    if (bytes.size() > INT_MAX) throw RunError(fmt::format("A message of {} bytes is too long for MPI.", bytes.size()));
+    if (abandoned_.contains(to)) return;
+    Transfer& transfer = outgoing_.emplace_back(Transfer{{to, tag, std::move(bytes)}, MPI_REQUEST_NULL});
+    const auto& payload = transfer.message.bytes;
+    FLOES_MPI(MPI_Isend(payload.data(), static_cast<int>(payload.size()), MPI_BYTE, to, static_cast<int>(tag),
+                        MPI_COMM_WORLD, &transfer.request));
+}
+
+void MpiLink::abandon(int rank) {
+    abandoned_.insert(rank);
+    // A transfer to that rank may never complete, and its buffer belongs to MPI until it does.
+    std::list<Transfer>::iterator next;
+    for (auto it = outgoing_.begin(); it != outgoing_.end(); it = next) {
+        next = std::next(it);
+        if (it->message.from == rank) stranded_.splice(stranded_.end(), outgoing_, it);
+    }
+}
+
+std::optional<Message> MpiLink::poll() {
+    forget_sent();
+    begin_receiving();
+    return take_arrived();
+}
+
+void MpiLink::forget_sent() {
+    std::erase_if(outgoing_, [](Transfer& transfer) { return transfer.complete(); });
+}
+
+void MpiLink::begin_receiving() {
+    while (incoming_.size() < most_receives_at_once) {
+        int found = 0;
+        MPI_Message matched = MPI_MESSAGE_NULL;
+        MPI_Status status;
+        FLOES_MPI(MPI_Improbe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &found, &matched, &status));
+        if (found == 0) return;
+        int size = 0;
+        FLOES_MPI(MPI_Get_count(&status, MPI_BYTE, &size));
+        Transfer& transfer = incoming_.emplace_back(
+            Transfer{{status.MPI_SOURCE, static_cast<Tag>(status.MPI_TAG), {}}, MPI_REQUEST_NULL});
+        transfer.message.bytes.resize(static_cast<std::size_t>(size));
+        FLOES_MPI(MPI_Imrecv(transfer.message.bytes.data(), size, MPI_BYTE, &matched, &transfer.request));
+    }
+}
+
+std::optional<Message> MpiLink::take_arrived() {
+    std::set<int> waiting_for;  // a message never overtakes an earlier one of its sender
+    for (auto it = incoming_.begin(); it != incoming_.end(); ++it) {
+        const int from = it->message.from;
+        if (waiting_for.contains(from)) continue;
+        if (!it->complete()) {
+            waiting_for.insert(from);
+            continue;
+        }
+        Message message = std::move(it->message);
+        incoming_.erase(it);
+        return message;
+    }
+    return std::nullopt;
+}
+
+std::string library_version() {
+    char text[MPI_MAX_LIBRARY_VERSION_STRING] = "";
+    int length = 0;
+    MPI_Get_library_version(text, &length);
+    const std::string version(text);
+    return version.substr(0, version.find_first_of(",\n"));
+}
+
+}  // namespace floes
+namespace floes {
+
+bool started_by_mpi() {
+    for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"}) {
+        if (std::getenv(name) != nullptr) return true;
+    }
+    return false;
+}
+
+std::unique_ptr<Link> open_link(unsigned longest_start) {
+    if (started_by_mpi()) return std::make_unique<MpiLink>(longest_start);
+    return std::make_unique<LocalLink>();
+}
+
+}  // namespace floes

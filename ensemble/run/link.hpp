@@ -1,0 +1,142 @@
+#pragma once
+// The link between ranks: whole messages, in order for each sender. LocalLink serves a single process, MpiLink uses
+// MPI.
+//
+//     std::unique_ptr<Link> link = open_link();  // wire/open_link.hpp
+//     link->send(0, Tag::hello, bytes);
+//     while (std::optional<Message> message = link->poll()) …
+
+#include <cstddef>
+#include <deque>
+#include <list>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "run/topology.hpp"
+
+namespace floes {
+
+/// All kinds of messages between ranks. Their contents: driver/messages.hpp.
+enum class Tag : int {
+    // master -> worker
+    campaign = 1,  ///< the resolved configuration; the first message a worker gets
+    assign = 2,    ///< compute this member
+    dismiss = 3,   ///< abandon all members and say farewell
+    leave = 4,     ///< the run is over; end with this exit status
+    part = 5,      ///< ranks are lost: when told to leave, wait for no other rank; see Link::abandon()
+    // worker -> master
+    hello = 11,         ///< the campaign's fingerprint as read by the worker, and its cores
+    answer = 12,        ///< a finished member
+    farewell = 13,      ///< every answer of this worker has been sent
+    stop_request = 14,  ///< the worker received a signal to stop
+    trouble = 15,       ///< the worker cannot continue; a sentence
+    // both directions
+    alive = 21,  ///< a sign of life
+};
+
+struct Message {
+    int from = 0;  ///< rank
+    Tag tag = Tag::hello;
+    std::vector<std::byte> bytes;
+};
+
+class Link {
+  public:
+    Link() = default;
+    Link(const Link&) = delete;
+    Link& operator=(const Link&) = delete;
+    virtual ~Link() = default;
+
+    virtual int rank() const = 0;  ///< of this process, from 0
+    virtual int size() const = 0;  ///< number of ranks, at least 1
+    virtual const Topology& topology() const = 0;
+
+    /// Sends to a rank (also to itself). Returns at once; the link owns the bytes until they are sent. Messages make
+    /// progress only in calls of poll(). Throws RunError if the message cannot be sent.
+    virtual void send(int to, Tag tag, std::vector<std::byte> bytes) = 0;
+
+    /// The next message that has fully arrived; empty if there is none. Never waits.
+    virtual std::optional<Message> poll() = 0;
+
+    /// To be called when the rank is lost or leaves without this one. Nothing more is sent to it, and this process does
+    /// not wait for it at its own end.
+    virtual void abandon(int rank) = 0;
+
+    /// True while a transfer is in progress, so that polling again soon is worthwhile.
+    virtual bool moving() const = 0;
+};
+
+// The link of a single process: messages to itself.
+
+class LocalLink final : public Link {
+  public:
+    LocalLink();
+
+    int rank() const override { return 0; }
+    int size() const override { return 1; }
+    const Topology& topology() const override { return topology_; }
+    void send(int to, Tag tag, std::vector<std::byte> bytes) override;
+    std::optional<Message> poll() override;
+    void abandon(int) override {}  // there are no other ranks
+    bool moving() const override { return !waiting_.empty(); }
+
+  private:
+    Topology topology_;
+    std::deque<Message> waiting_;
+};
+
+// The link over MPI. Its constructor starts MPI and its destructor ends MPI, so a process can have only one, ever, and
+// must use it from the thread that made it.
+
+class MpiLink final : public Link {
+  public:
+    /// Collective over all ranks. Throws RunError if MPI cannot be started. Where the ranks have not all started within
+    /// `longest_start` s, this process says so and ends with status 1.
+    explicit MpiLink(unsigned longest_start);
+
+    /// Waits (asleep, for a limited time) until all messages are sent, then ends MPI. During an exception MPI_Finalize
+    /// is not called, because the other ranks may never reach it: mpirun then sees an improper exit and ends them all,
+    /// instead of waiting without end. It is not called either if a rank was abandoned. If a rank hangs in it for a
+    /// minute, SIGALRM ends this process.
+    ~MpiLink() override;
+
+    int rank() const override { return rank_; }
+    int size() const override { return size_; }
+    const Topology& topology() const override { return topology_; }
+    void send(int to, Tag tag, std::vector<std::byte> bytes) override;
+    std::optional<Message> poll() override;
+    void abandon(int rank) override;
+    bool moving() const override { return !outgoing_.empty() || !incoming_.empty(); }
+
+  private:
+    struct Transfer;
+
+    void forget_sent();
+    void begin_receiving();
+    std::optional<Message> take_arrived();
+
+    int rank_ = 0;
+    int size_ = 1;
+    int exceptions_ = 0;  // active at construction
+    Topology topology_;
+    std::set<int> abandoned_;
+    std::list<Transfer> outgoing_;
+    std::list<Transfer> stranded_;  // sent to ranks that were abandoned later
+    std::list<Transfer> incoming_;  // in the order in which they were matched
+};
+
+/// Name and version of the MPI library, e.g. "Open MPI v4.1.4". Needs no MPI to be started.
+std::string library_version();
+
+// The link that matches how this process was started.
+
+/// True if mpirun or srun started this process as one of its ranks. Reads only the environment.
+bool started_by_mpi();
+
+/// MPI under mpirun or srun, otherwise local without starting MPI. `longest_start`, s: MpiLink.
+std::unique_ptr<Link> open_link(unsigned longest_start = 600);
+
+}  // namespace floes

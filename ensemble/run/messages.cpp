@@ -1,0 +1,110 @@
+#include "run/messages.hpp"
+
+#include "core/error.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr std::size_t assignment_bytes = 4 + 4 + 1;
+constexpr std::size_t least_answer_bytes = 4 + 8;
+
+/// What `read` takes of a whole message.
+template <class Read>
+auto whole(const Bytes& bytes, const Read& read) {
+    ByteReader reader(bytes);
+    auto message = read(reader);
+    if (reader.left() != 0) throw RunError("a message is longer than what it says; another version of floes sent it");
+    return message;
+}
+
+}  // namespace
+
+Bytes encode(const Hello& hello) {
+    ByteWriter writer;
+    writer.i32(hello.cores);
+    writer.text(hello.host);
+    writer.text(hello.fingerprint);
+    writer.i32(hello.pid);
+    return writer.take();
+}
+
+Bytes encode(const std::vector<Assignment>& assignments) {
+    ByteWriter writer;
+    writer.u64(assignments.size());
+    for (const Assignment& assignment : assignments) {
+        writer.i32(assignment.number);
+        writer.i32(assignment.attempt);
+        writer.u8(assignment.apart ? 1 : 0);
+    }
+    return writer.take();
+}
+
+Bytes encode(const std::vector<Answer>& answers) {
+    ByteWriter writer;
+    writer.u64(answers.size());
+    for (const Answer& answer : answers) {
+        writer.i32(answer.number);
+        writer.blob(encode(answer.record));
+    }
+    return writer.take();
+}
+
+Bytes encode_status(int exit_status) {
+    ByteWriter writer;
+    writer.i32(exit_status);
+    return writer.take();
+}
+
+Bytes encode_text(std::string_view text) {
+    ByteWriter writer;
+    writer.text(text);
+    return writer.take();
+}
+
+Hello decode_hello(const Bytes& bytes) {
+    return whole(bytes, [](ByteReader& reader) {
+        Hello hello;
+        hello.cores = reader.i32();
+        hello.host = reader.text();
+        hello.fingerprint = reader.text();
+        hello.pid = reader.i32();
+        return hello;
+    });
+}
+
+std::vector<Assignment> decode_assignments(const Bytes& bytes) {
+    return whole(bytes, [](ByteReader& reader) {
+        std::vector<Assignment> assignments(reader.count(assignment_bytes));
+        for (Assignment& assignment : assignments) {
+            assignment.number = reader.i32();
+            assignment.attempt = reader.i32();
+            const std::uint8_t apart = reader.u8();
+            if (apart > 1) throw RunError("an assignment is neither apart nor not; another version of floes sent it");
+            assignment.apart = apart == 1;
+        }
+        return assignments;
+    });
+}
+
+std::vector<Answer> decode_answers(const Bytes& bytes) {
+    return whole(bytes, [](ByteReader& reader) {
+        const std::size_t count = reader.count(least_answer_bytes);
+        std::vector<Answer> answers;  // grows with what is there: an answer is far larger than its fewest bytes
+        while (answers.size() < count) {
+            const int number = reader.i32();
+            answers.push_back({number, decode_member_record(reader.blob())});
+        }
+        return answers;
+    });
+}
+
+int decode_status(const Bytes& bytes) {
+    return whole(bytes, [](ByteReader& reader) { return reader.i32(); });
+}
+
+std::string decode_text(const Bytes& bytes) {
+    return whole(bytes, [](ByteReader& reader) { return reader.text(); });
+}
+
+}  // namespace floes

@@ -1,0 +1,228 @@
+#include "run/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "campaign_file/read.hpp"
+#include "core/error.hpp"
+#include "core/random.hpp"
+#include "core/text.hpp"
+#include "run/simulate.hpp"
+#include "store/journal.hpp"
+#include "store/member_record.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+MeasuredRun of_journal(const std::filesystem::path& journal, const std::filesystem::path& campaign_file) {
+    const JournalContents contents = read_journal(journal);
+    MeasuredRun run{read_stored_campaign(contents, journal), {}, 0};
+    for (const std::optional<std::size_t>& record : match_records(run.campaign, contents.members)) {
+        const bool done = record && contents.members[*record].done();
+        run.wall_time.push_back(done ? contents.members[*record].wall_time : nan);
+    }
+    // During a run the file is older than the journal.
+    const bool complete = !contents.sessions.empty() && !contents.sessions.back().ended.empty();
+    if (complete && std::filesystem::exists(campaign_file)) {
+        run.file_per_record_byte = static_cast<double>(std::filesystem::file_size(campaign_file)) /
+                                   static_cast<double>(std::filesystem::file_size(journal));
+    }
+    return run;
+}
+
+MeasuredRun of_campaign_file(const std::filesystem::path& path) {
+    const CampaignFile file(path);
+    const CampaignTable table = read_campaign_file(file);
+    MeasuredRun run{file.campaign(), read_wall_times(file), 0};
+    for (std::size_t k = 0; k < run.wall_time.size(); ++k)
+        if (table.members.at(k).status != RowStatus::done) run.wall_time[k] = nan;
+    return run;
+}
+
+}  // namespace
+
+MeasuredRun read_measured_run(const std::filesystem::path& campaign_file) {
+    const std::filesystem::path journal = journal_path(campaign_file);
+    if (std::filesystem::exists(journal)) return of_journal(journal, campaign_file);
+    if (std::filesystem::exists(campaign_file)) return of_campaign_file(campaign_file);
+    throw InputError(fmt::format("there is neither {} nor its journal {}. Give the output file of floes run.",
+                                 campaign_file.string(), journal.string()));
+}
+
+namespace {
+
+constexpr double peaks_a_separation = 0.57;  // declustered peaks; of the members of configs/table3.toml
+
+constexpr int cores_of_a_node = 64;
+
+/// That many numbers of which none compresses well.
+std::vector<double> numbers(std::size_t count) {
+    std::vector<double> made(count);
+    for (std::size_t k = 0; k < count; ++k) made[k] = std::sin(static_cast<double>(k + 1));
+    return made;
+}
+
+/// Size of a done member's record without its history, from a record with as many numbers.
+double record_bytes(const Scenario& scenario) {
+    MemberRecord record;
+    record.case_key = std::string(32, '0');
+    record.host = "node0000";
+    const Analysis& analysis = scenario.analysis;
+    record.result.load.segment_maximum = numbers(static_cast<std::size_t>(analysis.segments));
+    record.result.levels.resize(analysis.exceedance_levels.size());
+    record.result.averaged.resize(scenario.averaging_times().size());
+    const double peaks = peaks_a_separation * analysis.window / analysis.peak_separation;
+    for (AveragedLoad& one : record.result.averaged) {
+        one.segment_maximum = record.result.load.segment_maximum;
+        one.peaks = numbers(static_cast<std::size_t>(std::lround(peaks)));
+    }
+    for (const double number : numbers(static_cast<std::size_t>(scenario.field.floes)))
+        record.result.arrangement.push_back({number, 2 * number, 3 * number});
+    record.result.load_map = {numbers(LoadMap::heights * LoadMap::angles), numbers(LoadMap::heights * LoadMap::angles),
+                              numbers(LoadMap::parts)};
+    return static_cast<double>(encode(record).size());
+}
+
+/// Sizes of its three rows of numbers, packed.
+struct HistoryBytes {
+    double all = 0;
+    double deflated = 0;  ///< the compressed part; small sets are left uncompressed
+
+    HistoryBytes(const Analysis& analysis, int steps) {
+        if (!analysis.keep_history) return;
+        const int numbers = steps / analysis.history_stride;
+        all = 3.0 * numbers * measured_member_costs().history_bytes;
+        if (PackedNumbers{static_cast<std::uint64_t>(numbers), {}}.deflated()) deflated = all;
+    }
+};
+
+/// Two independent uniform numbers in (0, 1) for a member.
+std::array<double, 2> draw(const Campaign& campaign, int number) {
+    const PhiloxKey key{static_cast<std::uint32_t>(campaign.seed), static_cast<std::uint32_t>(campaign.seed >> 32)};
+    const PhiloxCounter words = philox({static_cast<std::uint32_t>(number), 0, 0, 0}, key);
+    return {(words[0] + 0.5) * 0x1p-32, (words[1] + 0.5) * 0x1p-32};
+}
+
+/// Log-normal, of mean 1.
+double scatter(const std::array<double, 2>& uniform, double variation) {
+    const double sigma = std::sqrt(std::log1p(variation * variation));
+    const double normal = std::sqrt(-2 * std::log(uniform[0])) * std::cos(2 * std::numbers::pi * uniform[1]);
+    return std::exp(sigma * normal - sigma * sigma / 2);
+}
+
+/// `file_of`: size of a record in the campaign file from the bytes of its history and its other bytes.
+std::vector<SimulatedMember> members_of(const Campaign& campaign,
+                                        const std::function<double(double history, double others)>& file_of) {
+    std::vector<HistoryBytes> histories;
+    std::vector<double> others;
+    std::vector<double> costs;
+    for (const Case& one : campaign.cases) {
+        histories.emplace_back(one.scenario.analysis, one.scenario.step_count());
+        others.push_back(record_bytes(one.scenario));
+        costs.push_back(expected_cost(campaign, static_cast<int>(costs.size())));  // of the case's first member
+    }
+    std::vector<SimulatedMember> members;
+    members.reserve(static_cast<std::size_t>(member_count(campaign)));
+    for (int number = 0; number < member_count(campaign); ++number) {
+        const auto k = static_cast<std::size_t>(member_key(campaign, number).case_index);
+        members.push_back({.expected_cost = costs[k],
+                           .record_bytes = histories[k].all + others[k],
+                           .file_bytes = file_of(histories[k].all, others[k]),
+                           .packed_bytes = histories[k].deflated});
+    }
+    return members;
+}
+
+/// Used without a measured run.
+double usual_file_bytes(double history, double others) {
+    return history + measured_member_costs().file_per_record_byte * others;
+}
+
+/// Measured seconds per unit of expected cost, for each case of the run and for all its members.
+struct MeasuredRates {
+    std::vector<std::vector<double>> of_case;
+    std::vector<double> of_all;
+};
+
+MeasuredRates rates_of(const MeasuredRun& run) {
+    MeasuredRates rates{std::vector<std::vector<double>>(run.campaign.cases.size()), {}};
+    for (std::size_t k = 0; k < run.wall_time.size(); ++k) {
+        if (std::isnan(run.wall_time[k])) continue;
+        const int number = static_cast<int>(k);
+        const double rate = run.wall_time[k] / expected_cost(run.campaign, number);
+        rates.of_case[static_cast<std::size_t>(member_key(run.campaign, number).case_index)].push_back(rate);
+        rates.of_all.push_back(rate);
+    }
+    return rates;
+}
+
+/// The rates from which members of a case draw.
+const std::vector<double>& rates_for(const Case& one, const MeasuredRun& run, const MeasuredRates& rates) {
+    const auto same = std::ranges::find(run.campaign.cases, one.name, &Case::name);
+    if (same == run.campaign.cases.end()) return rates.of_all;
+    const auto& own = rates.of_case[static_cast<std::size_t>(same - run.campaign.cases.begin())];
+    return own.empty() ? rates.of_all : own;
+}
+
+}  // namespace
+
+PlannedMembers expected_members(const Campaign& campaign) {
+    const MemberCosts costs = measured_member_costs();
+    PlannedMembers planned{members_of(campaign, usual_file_bytes), costs.source};
+    for (std::size_t k = 0; k < planned.members.size(); ++k) {
+        const int number = static_cast<int>(k);
+        const auto case_index = static_cast<std::size_t>(member_key(campaign, number).case_index);
+        const bool lanes = campaign.cases[case_index].scenario.general.solver != SolverKind::stock;
+        SimulatedMember& member = planned.members[k];
+        member.run_time = member.expected_cost * (lanes ? costs.lanes_per_unit : costs.stock_per_unit) *
+                          scatter(draw(campaign, number), costs.variation);
+    }
+    return planned;
+}
+
+PlannedMembers measured_members(const Campaign& campaign, const MeasuredRun& run) {
+    const MeasuredRates rates = rates_of(run);
+    if (rates.of_all.empty()) throw InputError(fmt::format("no member of {} is done yet.", run.campaign.name));
+    const double ratio = run.file_per_record_byte;
+    const auto as_measured = [ratio](double history, double others) { return ratio * (history + others); };
+    PlannedMembers planned{
+        ratio > 0 ? members_of(campaign, as_measured) : members_of(campaign, usual_file_bytes),
+        fmt::format("{} of {}", counted(std::ssize(rates.of_all), "measured member"), run.campaign.name)};
+    std::vector<const std::vector<double>*> of_case;
+    for (const Case& one : campaign.cases) of_case.push_back(&rates_for(one, run, rates));
+    for (std::size_t k = 0; k < planned.members.size(); ++k) {
+        const int number = static_cast<int>(k);
+        const std::vector<double>& from = *of_case[static_cast<std::size_t>(member_key(campaign, number).case_index)];
+        const auto chosen = static_cast<std::size_t>(draw(campaign, number)[0] * static_cast<double>(from.size()));
+        planned.members[k].run_time = planned.members[k].expected_cost * from[chosen];
+    }
+    return planned;
+}
+
+void set_record_bytes(PlannedMembers& planned, double bytes) {
+    for (SimulatedMember& member : planned.members) {
+        member.file_bytes *= bytes / member.record_bytes;
+        member.packed_bytes *= bytes / member.record_bytes;
+        member.record_bytes = bytes;
+    }
+}
+
+int usual_ranks(int cores) {
+    return (cores + cores_of_a_node - 1) / cores_of_a_node;
+}
+
+PlanRow plan_row(std::span<const SimulatedMember> members, int cores, int ranks, const DriverCosts& costs) {
+    return {cores, ranks, simulate(members, machine_of(cores, ranks), costs),
+            costs.memory_per_member * static_cast<double>(members.size())};
+}
+
+}  // namespace floes

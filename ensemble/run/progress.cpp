@@ -1,0 +1,158 @@
+#include "run/progress.hpp"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <ctime>
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "core/text.hpp"
+#include "store/session.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr std::chrono::milliseconds live_interval{500};
+constexpr std::chrono::milliseconds plain_interval{60'000};
+constexpr const char* erase_line = "\r\033[K";
+
+}  // namespace
+
+double ProgressState::time_left() const {
+    if (finished_cost <= 0 || elapsed <= 0) return -1;
+    return remaining_cost / (finished_cost / elapsed);
+}
+
+std::string rate_text(double per_second) {
+    if (per_second >= 1) return fmt::format("{:.1f} members/s", per_second);
+    if (per_second * 60 >= 1) return fmt::format("{:.1f} members/min", per_second * 60);
+    return fmt::format("{:.1f} members/h", per_second * 3600);
+}
+
+std::string progress_text(const ProgressState& state) {
+    std::string text =
+        fmt::format("{} of {} done, {} failed, {} running", state.done, state.total, state.failed, state.running);
+    if (state.finished_now > 0 && state.elapsed > 0) {
+        text += ", " + rate_text(state.finished_now / state.elapsed);
+    }
+    if (state.half_width_target > 0) {
+        if (std::isfinite(state.half_width)) {
+            text += fmt::format(", half-width {:.1f} % after {}, target {:g} %", 100 * state.half_width,
+                                counted(state.in_order, "arrangement"), 100 * state.half_width_target);
+        } else if (!state.obstacle.empty()) {
+            text += fmt::format(", half-width not known after {} ({}), target {:g} %",
+                                counted(state.in_order, "arrangement"), state.obstacle, 100 * state.half_width_target);
+        }
+        return text;
+    }
+    if (state.remaining_cost > 0 && state.time_left() >= 0) text += ", " + duration_text(state.time_left()) + " left";
+    return text;
+}
+
+Progress::~Progress() {
+    if (line_is_open_) out_ << '\n' << std::flush;
+}
+
+void Progress::say(const std::string& text) {
+    out_ << fmt::format("{}floes: {}\n", line_is_open_ ? erase_line : "", text) << std::flush;
+    line_is_open_ = false;
+    if (style_ == Style::live) shown_ = false;  // redraws the live line at the next call
+}
+
+void Progress::show(const ProgressState& state, Time now) {
+    const int tenth = state.total > 0 ? 10 * (state.done + state.failed) / state.total : 10;
+    const bool due = !shown_ || now - last_time_ >= (style_ == Style::live ? live_interval : plain_interval) ||
+                     (style_ == Style::plain && tenth > last_tenth_);
+    if (!due) return;
+    shown_ = true;
+    last_time_ = now;
+    last_tenth_ = tenth;
+    write(state);
+}
+
+void Progress::show_last(const ProgressState& state) {
+    if (style_ == Style::live || progress_text(state) != last_text_) write(state);
+}
+
+void Progress::write(const ProgressState& state) {
+    last_text_ = progress_text(state);
+    if (style_ == Style::live) {
+        out_ << erase_line + ("floes: " + last_text_) << std::flush;
+        line_is_open_ = true;
+    } else {
+        out_ << "floes: " + last_text_ + "\n" << std::flush;
+    }
+}
+
+Progress::Style style_of_standard_error() {
+    return ::isatty(STDERR_FILENO) == 1 ? Progress::Style::live : Progress::Style::plain;
+}
+
+namespace {
+
+constexpr double longest_silence = 60;  // s; heartbeats come every few seconds, but publishing may delay one
+
+}  // namespace
+
+std::filesystem::path heartbeat_path(const std::filesystem::path& campaign_file) {
+    return std::filesystem::path(campaign_file).replace_extension(".alive");
+}
+
+void write_heartbeat(const std::filesystem::path& path, Heartbeat heartbeat) {
+    const std::filesystem::path aside = path.string() + ".tmp";
+    std::ofstream out(aside, std::ios::trunc);
+    out << fmt::format("host {}\nprocess {}\ntime {}\n", host_name(), ::getpid(), std::time(nullptr));
+    out << fmt::format("elapsed {}\nfinished {}\nfinished_cost {}\nremaining_cost {}\n", heartbeat.elapsed,
+                       heartbeat.finished, heartbeat.finished_cost, heartbeat.remaining_cost);
+    for (const Heartbeat::UnderWay& one : heartbeat.under_way)
+        out << fmt::format("member {} {} {}\n", one.number, one.attempt, one.seconds);
+    out.close();
+    std::error_code ignored;
+    if (out) {
+        std::filesystem::rename(aside, path, ignored);
+    } else {
+        std::filesystem::remove(aside, ignored);
+    }
+}
+
+std::optional<Heartbeat> read_heartbeat(const std::filesystem::path& path) {
+    std::ifstream in(path);
+    Heartbeat heartbeat;
+    for (std::string line; std::getline(in, line);) {
+        std::istringstream words(line);
+        std::string name;
+        words >> name;
+        if (name == "host") words >> heartbeat.host;
+        if (name == "process") words >> heartbeat.process;
+        if (name == "time") words >> heartbeat.time;
+        if (name == "elapsed") words >> heartbeat.elapsed;
+        if (name == "finished") words >> heartbeat.finished;
+        if (name == "finished_cost") words >> heartbeat.finished_cost;
+        if (name == "remaining_cost") words >> heartbeat.remaining_cost;
+        if (name == "member") {
+            Heartbeat::UnderWay& one = heartbeat.under_way.emplace_back();
+            words >> one.number >> one.attempt >> one.seconds;
+        }
+        if (words.fail()) return {};
+    }
+    if (heartbeat.host.empty() || heartbeat.process <= 0) return {};
+    return heartbeat;
+}
+
+double age_of(const Heartbeat& heartbeat) {
+    return static_cast<double>(std::time(nullptr) - heartbeat.time);
+}
+
+bool is_stale(const Heartbeat& heartbeat) {
+    const bool gone =
+        heartbeat.host == host_name() && ::kill(static_cast<pid_t>(heartbeat.process), 0) != 0 && errno == ESRCH;
+    return gone || age_of(heartbeat) > longest_silence;
+}
+
+}  // namespace floes

@@ -1,0 +1,171 @@
+#include "run/recorder.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "campaign/identity.hpp"
+#include "campaign_file/publish.hpp"
+#include "core/error.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr std::chrono::milliseconds sync_interval{900};
+constexpr std::chrono::seconds heartbeat_interval{5};
+constexpr int least_work_per_publishing = 20;
+
+}  // namespace
+
+UpkeepTimer::UpkeepTimer(Time begin, std::chrono::seconds publish_every)
+    : publish_every_(publish_every),
+      last_sync_(begin),
+      next_heartbeat_(begin),
+      next_publishing_(begin + publish_every) {}
+
+void UpkeepTimer::kept() {
+    unsynced_ = true;
+    unpublished_ = true;
+}
+
+bool UpkeepTimer::sync_is_due(Time now) const {
+    return now - last_sync_ >= sync_interval;
+}
+
+void UpkeepTimer::synced(Time now) {
+    unsynced_ = false;
+    last_sync_ = now;
+}
+
+void UpkeepTimer::heartbeat_written(Time now) {
+    next_heartbeat_ = now + heartbeat_interval;
+}
+
+void UpkeepTimer::published(Time begin, Time end, bool success) {
+    if (success) unpublished_ = false;
+    next_publishing_ = end + std::max<Time::duration>(publish_every_, least_work_per_publishing * (end - begin));
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+/// Opens the journal of the campaign file after checking that nothing is overwritten or mixed up by accident.
+Journal open(const Campaign& campaign, const Recorder::Places& places) {
+    stop_rule_of(campaign, places.part);  // refuses an invalid rule before a file is created
+    Recorder::check(places);
+    Journal opened = open_journal(journal_path(places.campaign_file), campaign, places.existing);
+    if (places.existing == Existing::replace) fs::remove(places.campaign_file);
+    return opened;
+}
+
+}  // namespace
+
+void Recorder::check(const Places& places) {
+    const fs::path journal = journal_path(places.campaign_file);
+    const std::string file = places.campaign_file.string();
+    const bool has_file = fs::exists(places.campaign_file);
+    const bool has_journal = fs::exists(journal);
+    if (places.existing == Existing::refuse && (has_file || has_journal)) {
+        throw InputError(
+            fmt::format("{} exists already: --resume continues it, --overwrite starts afresh and replaces it, "
+                        "-o names another file.",
+                        has_file ? file : journal.string()));
+    }
+    if (places.existing == Existing::resume && has_file && !has_journal) {
+        throw InputError(
+            fmt::format("{} exists but its journal {} does not, so it cannot be resumed: "
+                        "--overwrite starts afresh and replaces it, -o names another file.",
+                        file, journal.string()));
+    }
+    const fs::path folder = journal.has_parent_path() ? journal.parent_path() : fs::path(".");
+    if (!has_journal && ::access(folder.c_str(), W_OK) != 0)
+        throw InputError(fmt::format("{} cannot be written: {}. The folder must exist and permit it.", journal.string(),
+                                     std::strerror(errno)));
+}
+
+Recorder::Recorder(const Campaign& campaign, Places places)
+    : places_(std::move(places)),
+      journal_(open(campaign, places_)),
+      tally_(campaign,
+             take_inventory(campaign, journal_.members(), journal_.attempts(), places_.part, places_.retry_failed),
+             Clock::now()),
+      timer_(Clock::now(), places_.publish_every) {}
+
+std::vector<std::string> Recorder::begin(Session session) {
+    const Inventory& found = tally_.found();
+    std::vector<std::string> changes;
+    if (found.reused() > 0 && !journal_.sessions().empty())
+        changes = changed_software(journal_.sessions().back(), session);
+    for (const CalibrationRecord& calibration : places_.calibrations) journal_.append(calibration);
+    session.reused = found.reused();
+    session.retried = found.retried;
+    journal_.begin_session(session);
+    return changes;
+}
+
+void Recorder::started(int number, int attempt) {
+    journal_.started(tally_.identity_of(number), attempt);
+    tally_.started(number, attempt, Clock::now());
+}
+
+void Recorder::keep(const MemberRecord& record) {
+    journal_.append(record);
+    tally_.kept(record);
+    timer_.kept();
+}
+
+std::string Recorder::tend(Time now) {
+    journal_.hand_over();
+    if (timer_.sync_is_due(now)) sync();
+    if (timer_.heartbeat_is_due(now)) {
+        write_heartbeat(heartbeat_path(places_.campaign_file), tally_.heartbeat(now));
+        timer_.heartbeat_written(now);
+    }
+    if (!timer_.publishing_is_due(now)) return {};
+    std::string trouble;
+    try {
+        publish_now();
+    } catch (const RunError& error) {
+        trouble = error.what();
+    }
+    timer_.published(now, Clock::now(), trouble.empty());
+    return trouble;
+}
+
+void Recorder::sync() {
+    if (timer_.is_unsynced()) journal_.sync();
+    timer_.synced(Clock::now());
+}
+
+void Recorder::give_up() noexcept {
+    try {
+        std::error_code ignored;
+        fs::remove(heartbeat_path(places_.campaign_file), ignored);
+        journal_.end_session("failed");
+    } catch (const std::exception&) {
+        // The original error is the one to report.
+    }
+}
+
+void Recorder::finish(const std::string& outcome) {
+    sync();
+    journal_.end_session(outcome);
+    publish_now();
+    std::error_code ignored;
+    fs::remove(heartbeat_path(places_.campaign_file), ignored);
+}
+
+void Recorder::publish_now() {
+    publish(places_.campaign_file, tally_.published(), journal_.members(), journal_.sessions(),
+            journal_.calibrations());
+}
+
+}  // namespace floes

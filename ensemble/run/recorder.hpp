@@ -1,0 +1,112 @@
+#pragma once
+// When to sync the journal, write the heartbeat and publish the campaign file: a state machine that is given the time
+// and reads no clock.
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "run/inventory.hpp"
+#include "store/journal.hpp"
+
+namespace floes {
+
+class UpkeepTimer {
+  public:
+    using Time = std::chrono::steady_clock::time_point;
+
+    /// `publish_every`: minimum time between two publications.
+    UpkeepTimer(Time begin, std::chrono::seconds publish_every);
+
+    /// Notes that the journal has a new result, not yet on the disk or in the campaign file.
+    void kept();
+
+    /// True every 0.9 s: "within a second", with a margin for the disk.
+    bool sync_is_due(Time now) const;
+    /// The journal has something that is not on the disk yet.
+    bool is_unsynced() const { return unsynced_; }
+    void synced(Time now);
+
+    /// True at the beginning, then every 5 s.
+    bool heartbeat_is_due(Time now) const { return now >= next_heartbeat_; }
+    void heartbeat_written(Time now);
+
+    /// True if the campaign file lacks a result and publishing is due.
+    bool publishing_is_due(Time now) const { return unpublished_ && now >= next_publishing_; }
+    /// Publishing took from `begin` to `end`. The next one, also after a failure, is delayed so that publishing takes
+    /// at most a twentieth of the time.
+    void published(Time begin, Time end, bool success);
+
+  private:
+    std::chrono::seconds publish_every_;
+    Time last_sync_;
+    Time next_heartbeat_;
+    Time next_publishing_;
+    bool unsynced_ = false;
+    bool unpublished_ = false;
+};
+
+// Keeps the results of a campaign: in the journal at once, on the disk within a second, in the campaign file from time
+// to time and at the end. Writes a heartbeat every few seconds.
+
+class Recorder {
+  public:
+    using Time = std::chrono::steady_clock::time_point;
+
+    struct Places {
+        std::filesystem::path campaign_file;
+        Existing existing = Existing::refuse;
+        std::chrono::seconds publish_every{300};
+        std::vector<CalibrationRecord> calibrations = {};  ///< that gave cases their Σ, stored with the members
+        CampaignPart part = {};                            ///< what to compute; default: the whole campaign
+        bool retry_failed = false;  ///< give members set aside before the full number of attempts again
+    };
+
+    /// Throws InputError if the files exist and `existing` does not allow it.
+    static void check(const Places& places);
+
+    /// Opens the journal and takes its inventory. `campaign` must outlive the recorder. Throws InputError as check()
+    /// and take_inventory() do, and if the journal belongs to another campaign or another run is writing it.
+    Recorder(const Campaign& campaign, Places places);
+
+    const Tally& tally() const { return tally_; }
+    const Journal& journal() const { return journal_; }
+
+    /// Notes that a session begins now. Returns what has changed since the previous session, see changed_software();
+    /// empty if there are no earlier members.
+    std::vector<std::string> begin(Session session);
+
+    /// Notes that an attempt at the member begins, so that a later session can see if it never ended.
+    void started(int number, int attempt);
+
+    /// Keeps a result. It reaches the disk within a second.
+    void keep(const MemberRecord& record);
+
+    /// On return, everything noted and kept so far survives the end of this process, whatever its cause.
+    void hand_over() { journal_.hand_over(); }
+
+    /// To be called often: syncs the journal to the disk and publishes when due. Returns a sentence if publishing
+    /// failed; nothing is lost then, because the journal has all results.
+    std::string tend(Time now);
+
+    /// Syncs the journal to the disk now.
+    void sync();
+
+    /// Ends the session as far as possible after an error. Otherwise the running members would count as lost with their
+    /// process.
+    void give_up() noexcept;
+
+    /// Ends the session and publishes. Throws RunError if that fails.
+    void finish(const std::string& outcome);
+
+  private:
+    void publish_now();
+
+    Places places_;
+    Journal journal_;
+    Tally tally_;
+    UpkeepTimer timer_;
+};
+
+}  // namespace floes

@@ -1,0 +1,75 @@
+#pragma once
+// SIGINT, SIGTERM, SIGHUP and SIGUSR1 as a request to stop. The first signal is stored to be queried. A second one ends
+// the process immediately with the exit status "stopped and resumable", which the journal makes true at any moment.
+
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <optional>
+#include <string_view>
+
+namespace floes {
+
+/// Exit status of a run that was stopped on request and can be resumed.
+inline constexpr int exit_stopped = 85;
+
+inline constexpr std::array stop_signals{SIGINT, SIGTERM, SIGHUP, SIGUSR1};
+
+/// Catches the signals during its lifetime; at most one in a process.
+class StopSignals {
+  public:
+    StopSignals();
+    StopSignals(const StopSignals&) = delete;
+    StopSignals& operator=(const StopSignals&) = delete;
+    ~StopSignals();
+
+    /// The first signal; 0 if none was received.
+    int received() const;
+
+  private:
+    std::array<struct sigaction, stop_signals.size()> former_{};
+};
+
+/// During its lifetime the first of these signals ends the process with exit_stopped: for work that leaves nothing to
+/// publish. At most one in a process, and not together with StopSignals.
+class LeaveOnSignals {
+  public:
+    LeaveOnSignals();
+    LeaveOnSignals(const LeaveOnSignals&) = delete;
+    LeaveOnSignals& operator=(const LeaveOnSignals&) = delete;
+    ~LeaveOnSignals();
+
+  private:
+    std::array<struct sigaction, stop_signals.size()> former_{};
+};
+
+/// Nobody may be left to read what a run prints, as behind `| head` or after a lost connection. It goes on then: from
+/// now on such a write fails, and ends nothing.
+void outlive_readers();
+
+/// "SIGTERM" and so on.
+const char* signal_name(int signal);
+
+// The time left in the batch job: queried once, counted down on a monotonic clock.
+
+/// Seconds from the output of `squeue -o %L`: [days-][[hours:]minutes:]seconds. Empty for words such as UNLIMITED.
+std::optional<double> parse_time_left(std::string_view text);
+
+/// `asked` seconds if positive, otherwise the time left according to Slurm inside a job, otherwise empty.
+std::optional<double> find_time_left(double asked);
+
+class Walltime {
+  public:
+    using Time = std::chrono::steady_clock::time_point;
+
+    /// `seconds_left` from `now` on; empty: no limit. A tenth of it, at most a minute, is reserved for publishing.
+    explicit Walltime(std::optional<double> seconds_left = {}, Time now = std::chrono::steady_clock::now());
+
+    /// Seconds left for computing; not positive when it is time to stop; empty if there is no limit.
+    std::optional<double> left(Time now) const;
+
+  private:
+    std::optional<Time> end_;
+};
+
+}  // namespace floes

@@ -1,0 +1,195 @@
+#include "run/worker.hpp"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "campaign/identity.hpp"
+#include "campaign/read.hpp"
+#include "core/error.hpp"
+#include "run/messages.hpp"
+#include "run/signals.hpp"
+#include "run/worker.hpp"
+#include "store/session.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr int master = 0;
+constexpr std::size_t most_held_back = 256;  // answers; bounds the size of a message
+
+std::string no_file(const std::string& path) {
+    throw InputError(fmt::format("The campaign that the master sent refers to the file {}.", path));
+}
+
+/// The next message, asleep until it comes.
+Message wait_for_message(Link& link) {
+    Pause pause = pause_between_polls(link.size());
+    while (true) {
+        if (auto message = link.poll()) return std::move(*message);
+        std::this_thread::sleep_for(pause.next());
+    }
+}
+
+/// A worker between hello and leave.
+class Worker {
+  public:
+    Worker(Link& link, const Campaign& campaign, const CrewSetup& setup, const SilenceLimits& patience,
+           const StopSignals& signals)
+        : link_(link), patience_(patience), signals_(signals), scribe_(campaign, link.rank()), crew_(campaign, setup) {
+        link_.send(master, Tag::hello, encode(Hello{setup.threads, host_name(), fingerprint(campaign), ::getpid()}));
+    }
+
+    int run() {
+        while (!exit_status_) {
+            if (advance()) pause_.something_happened();
+            crew_.wait(pause_.next());
+        }
+        return *exit_status_;
+    }
+
+  private:
+    /// Does all pending work. True if there was any.
+    bool advance() {
+        bool something = link_.moving();
+        while (const auto message = link_.poll()) {
+            silence_.heard(master);
+            obey(*message);
+            something = true;
+        }
+        for (Outcome& outcome : crew_.take()) {
+            if (outcome.result) note_answer(std::move(outcome));
+            something = true;
+        }
+        send_answers();
+        if (const auto trouble = crew_.trouble(); trouble && !dismissed_) give_up(*trouble);
+        if (dismissed_ && !said_farewell_ && crew_.held() == 0) {
+            link_.send(master, Tag::farewell, {});
+            said_farewell_ = true;
+        }
+        if (signals_.received() != 0 && !passed_signal_) {
+            link_.send(master, Tag::stop_request, {});
+            passed_signal_ = true;
+        }
+        watch_master();
+        return something;
+    }
+
+    void watch_master() {
+        silence_.listened(std::chrono::steady_clock::now());
+        if (silence_.total() < next_sign_) return;
+        next_sign_ = silence_.total() + patience_.sign_of_life;
+        link_.send(master, Tag::alive, {});
+        if (silence_.of(master) < patience_.with_the_master) return;
+        fmt::print(stderr,
+                   "floes: rank {} leaves, because the master has been silent for {:.0f} s; continue with --resume\n",
+                   link_.rank(), silence_.of(master));
+        link_.abandon(master);
+        exit_status_ = 1;
+    }
+
+    void obey(const Message& message) {
+        switch (message.tag) {
+            case Tag::assign:
+                for (const Assignment& assignment : decode_assignments(message.bytes)) crew_.begin(assignment);
+                return;
+            case Tag::dismiss:
+                crew_.abandon();
+                dismissed_ = true;
+                return;
+            case Tag::alive:
+                return;
+            case Tag::part:
+                ranks_are_missing_ = true;
+                return;
+            case Tag::leave:
+                if (ranks_are_missing_) link_.abandon(master);
+                exit_status_ = decode_status(message.bytes);
+                return;
+            default:
+                throw RunError(fmt::format("A worker cannot interpret message {}.", static_cast<int>(message.tag)));
+        }
+    }
+
+    void note_answer(Outcome outcome) {
+        if (answers_.empty()) first_answer_ = std::chrono::steady_clock::now();
+        const int number = outcome.assignment.number;
+        answers_.push_back({number, scribe_.record(std::move(outcome))});
+    }
+
+    /// Sends at once if a core would run out of work; otherwise several answers share a message.
+    void send_answers() {
+        if (answers_.empty()) return;
+        const std::chrono::duration<double> held_back = std::chrono::steady_clock::now() - first_answer_;
+        const bool waits = crew_.waiting() >= crew_.threads() && answers_.size() < most_held_back &&
+                           held_back.count() < patience_.with_answers;
+        if (waits) return;
+        link_.send(master, Tag::answer, encode(answers_));
+        answers_.clear();
+    }
+
+    /// This rank can no longer compute: it leaves its members to the others.
+    void give_up(const CrewTrouble& trouble) {
+        fmt::print(stderr, "floes: rank {} leaves. {}\n", link_.rank(), trouble.sentence);
+        if (trouble.stuck) std::_Exit(exit_stopped);
+        crew_.abandon();
+        dismissed_ = true;
+    }
+
+    Link& link_;
+    const SilenceLimits& patience_;
+    const StopSignals& signals_;
+    Silence silence_{1, std::chrono::steady_clock::now()};  // of the master
+    double next_sign_ = patience_.sign_of_life;             // of life, in time listened
+    Scribe scribe_;
+    Crew crew_;
+    Pause pause_ = pause_between_polls(2);
+    std::vector<Answer> answers_;  // not sent yet
+    std::chrono::steady_clock::time_point first_answer_;
+    bool dismissed_ = false;
+    bool ranks_are_missing_ = false;
+    bool said_farewell_ = false;
+    bool passed_signal_ = false;
+    std::optional<int> exit_status_;
+};
+
+int serve(Link& link, const CrewSetup& setup, const SilenceLimits& patience, const StopSignals& signals) {
+    const Message first = wait_for_message(link);
+    if (first.tag == Tag::leave) return decode_status(first.bytes);  // the run ended before it began
+    if (first.tag != Tag::campaign) throw RunError("A worker must receive the campaign before anything else.");
+    const Campaign campaign = read_campaign({decode_text(first.bytes), "campaign of the master", {}}, no_file);
+    return Worker(link, campaign, setup, patience, signals).run();
+}
+
+}  // namespace
+
+int threads_of(const Link& link, int asked) {
+    return asked > 0 ? asked : link.topology().cores;
+}
+
+int serve_campaign(Link& link, int threads, const MemberFunction& compute, Helper* helper,
+                   const SilenceLimits& patience) {
+    const StopSignals signals;
+    try {
+        return serve(link, {compute, threads_of(link, threads), helper}, patience, signals);
+    } catch (const std::exception& error) {
+        link.send(master, Tag::trouble, encode_text(error.what()));
+    }
+    while (true) {
+        const Message message = wait_for_message(link);
+        if (message.tag == Tag::leave) return decode_status(message.bytes);
+    }
+}
+
+}  // namespace floes

@@ -1,0 +1,496 @@
+#include "store/journal.hpp"
+
+#include <fcntl.h>
+
+#include <cerrno>
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <boost/crc.hpp>
+
+#include "campaign/identity.hpp"
+#include "campaign/read.hpp"
+#include "campaign/write.hpp"
+#include "core/error.hpp"
+
+namespace floes::journal_format {
+
+namespace {
+
+constexpr std::uint64_t least_effort = 1 << 30;  // bytes; a second
+
+using Crc32c = boost::crc_optimal<32, 0x1EDC6F41, 0xFFFFFFFF, 0xFFFFFFFF, true, true>;
+
+#ifdef __x86_64__
+// The checksum of histories dominated the master's cost per member; the processor's instruction is ten times faster.
+__attribute__((target("sse4.2"))) std::uint32_t crc32c_by_processor(std::span<const std::byte> bytes) {
+    std::uint64_t crc = 0xFFFFFFFF;
+    for (; bytes.size() >= sizeof(std::uint64_t); bytes = bytes.subspan(sizeof(std::uint64_t))) {
+        std::uint64_t eight = 0;
+        std::memcpy(&eight, bytes.data(), sizeof eight);
+        crc = __builtin_ia32_crc32di(crc, eight);
+    }
+    auto rest = static_cast<std::uint32_t>(crc);
+    for (const std::byte one : bytes) rest = __builtin_ia32_crc32qi(rest, static_cast<std::uint8_t>(one));
+    return ~rest;
+}
+#endif
+
+void append(Bytes& bytes, std::span<const std::byte> more) {
+    bytes.insert(bytes.end(), more.begin(), more.end());
+}
+
+void append_crc(Bytes& bytes, std::span<const std::byte> of) {
+    ByteWriter crc;
+    crc.u32(crc32c(of));
+    append(bytes, crc.bytes());
+}
+
+bool crc_is_right(std::span<const std::byte> with_crc) {
+    const auto covered = with_crc.first(with_crc.size() - crc_bytes);
+    return ByteReader(with_crc.last(crc_bytes)).u32() == crc32c(covered);
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& path, std::string_view why) {
+    throw InputError(fmt::format("{} {}. Move it away, or start afresh with --overwrite.", path.string(), why));
+}
+
+bool magic_fits(std::span<const std::byte> bytes) {
+    const auto first = bytes.first(std::min(bytes.size(), magic.size()));
+    return magic.starts_with(std::string_view(reinterpret_cast<const char*>(first.data()), first.size()));
+}
+
+// The text length from the complete fixed part of a header.
+std::uint64_t check_fixed_header(std::span<const std::byte> bytes, const std::filesystem::path& path) {
+    ByteReader in(bytes.subspan(magic.size()));
+    const std::uint32_t found = in.u32();
+    const std::uint64_t length = in.u64();
+    const bool whole = crc_is_right(bytes);
+    if (whole && found > schema)
+        throw NewerJournal(
+            fmt::format("{} is a journal of schema {}, and this program knows schemas up to {}. Use the "
+                        "version of floes that wrote it, or a newer one.",
+                        path.string(), found, schema));
+    if (!whole || found == 0) refuse(path, "is a journal whose header is damaged");
+    if (found < schema)
+        refuse(path, fmt::format("is a journal of schema {}, from before floes 2.0, which this program does not read "
+                                 "any more; floes 2.0.0 does",
+                                 found));
+    return length;
+}
+
+/// Reads the record at `at`; false if there is no whole record.
+bool read_record(const Descriptor& file, const std::filesystem::path& path, std::uint64_t at, std::uint64_t size,
+                 Bytes& bytes) {
+    if (size - at < record_head_bytes + crc_bytes) return false;
+    bytes.resize(record_head_bytes);
+    if (!read_at(file, path, at, bytes)) return false;
+    const std::uint64_t payload = ByteReader(bytes).u64();
+    // Only a length that fits the file is accepted, so that a damaged one cannot cause a huge allocation.
+    if (payload > size - at - record_head_bytes - crc_bytes) return false;
+    bytes.resize(record_head_bytes + payload + crc_bytes);
+    return read_at(file, path, at, bytes) && crc_is_right(bytes);
+}
+
+/// Offset of the next whole record from `at` on; `size` if there is none. Records after a damaged one were acknowledged
+/// too and must not be lost. `effort`: bytes that may still be read for what only looks like a record; bytes made for
+/// it look like one everywhere.
+std::uint64_t next_record(const Descriptor& file, const std::filesystem::path& path, std::uint64_t at,
+                          std::uint64_t size, std::uint64_t& effort) {
+    constexpr std::uint64_t most_in_window = 1 << 20;
+    constexpr std::uint32_t types = 256;  // a filter: more types than there will ever be
+    Bytes bytes;
+    std::uint64_t window_bytes = 1 << 12;  // most damage is short
+    for (Bytes window; size > at && size - at >= record_head_bytes + crc_bytes;) {
+        window.resize(std::min(window_bytes, size - at));
+        window_bytes = std::min(2 * window_bytes, most_in_window);
+        if (!read_at(file, path, at, window)) break;
+        const std::uint64_t heads = window.size() - record_head_bytes + 1;
+        for (std::uint64_t k = 0; k < heads; ++k) {
+            ByteReader head{std::span<const std::byte>(window).subspan(k, record_head_bytes)};
+            const std::uint64_t payload = head.u64();
+            const std::uint32_t type = head.u32();
+            if (payload >= size - at - k || type == 0 || type >= types) continue;
+            if (payload > effort)
+                refuse(path, fmt::format("is a journal with so much that looks like a record after byte {} that its "
+                                         "records cannot be found",
+                                         at));
+            effort -= payload;
+            if (read_record(file, path, at + k, size, bytes)) return at + k;
+        }
+        at += heads;
+    }
+    return size;
+}
+
+std::uint32_t type_of(std::span<const std::byte> record) {
+    return ByteReader(record.subspan(8)).u32();
+}
+
+void take_record(JournalContents& contents, std::uint32_t type, std::span<const std::byte> payload,
+                 JournalContents::Place place) {
+    switch (static_cast<RecordType>(type)) {
+        case RecordType::member:
+            contents.add(decode_member_record(payload), place);
+            break;
+        case RecordType::session_begin:
+            contents.begin(decode_session(payload));
+            break;
+        case RecordType::session_end: {
+            ByteReader in(payload);
+            const std::string when = in.text();
+            contents.end(when, in.text());
+            break;
+        }
+        case RecordType::calibration:
+            contents.calibrations.push_back(decode_calibration_record(payload));
+            break;
+        case RecordType::attempt_started: {
+            ByteReader in(payload);
+            const std::string case_key = in.text();
+            contents.attempts.started({case_key, in.i32()});
+            break;
+        }
+        case RecordType::campaign:
+            contents.campaign_text = ByteReader(payload).text();
+            break;
+    }
+}
+
+}  // namespace
+
+std::uint32_t crc32c(std::span<const std::byte> bytes) {
+#ifdef __x86_64__
+    if (__builtin_cpu_supports("sse4.2") != 0) return crc32c_by_processor(bytes);
+#endif
+    Crc32c crc;
+    crc.process_bytes(bytes.data(), bytes.size());
+    return crc.checksum();
+}
+
+MemberRecord read_member(const Descriptor& file, const std::filesystem::path& path, JournalContents::Place place) {
+    Bytes bytes(place.size);
+    if (!read_at(file, path, place.offset, bytes) || !crc_is_right(bytes))
+        throw RunError(
+            fmt::format("{} was changed or damaged at byte {} while it was in use; --resume continues with what is "
+                        "whole.",
+                        path.string(), place.offset));
+    return decode_member_record(
+        std::span(bytes).subspan(record_head_bytes).first(place.size - record_head_bytes - crc_bytes));
+}
+
+Bytes header(std::string_view text) {
+    Bytes bytes;
+    append(bytes, std::as_bytes(std::span(magic)));
+    ByteWriter fixed;
+    fixed.u32(schema);
+    fixed.u64(text.size());
+    append(bytes, fixed.bytes());
+    append_crc(bytes, Bytes(bytes));
+    append(bytes, std::as_bytes(std::span(text)));
+    append_crc(bytes, std::as_bytes(std::span(text)));
+    return bytes;
+}
+
+Bytes record(RecordType type, std::span<const std::byte> payload) {
+    ByteWriter head;
+    head.u64(payload.size());
+    head.u32(static_cast<std::uint32_t>(type));
+    Bytes bytes = head.take();
+    bytes.reserve(bytes.size() + payload.size() + crc_bytes);
+    append(bytes, payload);
+    append_crc(bytes, std::span<const std::byte>(bytes));
+    return bytes;
+}
+
+Reading read(const Descriptor& file, const std::filesystem::path& path) {
+    Reading reading;
+    // The size is read once: data that a live writer adds meanwhile is left to the next reader.
+    const std::uint64_t size = file_size(file, path);
+    Bytes fixed(std::min(size, fixed_header_bytes));
+    read_at(file, path, 0, fixed);
+    if (!magic_fits(fixed)) refuse(path, "is not a journal of floes");
+    if (fixed.size() < fixed_header_bytes) return reading;
+
+    const std::uint64_t length = check_fixed_header(fixed, path);
+    const std::uint64_t room = size - fixed_header_bytes;
+    if (room < crc_bytes || length > room - crc_bytes) return reading;
+    Bytes text(length + crc_bytes);
+    read_at(file, path, fixed_header_bytes, text);
+    if (!crc_is_right(text)) refuse(path, "is a journal whose configuration is damaged");
+    reading.begun = true;
+    JournalContents& contents = reading.contents;
+    contents.campaign_text.assign(reinterpret_cast<const char*>(text.data()), length);
+    contents.good_bytes = fixed_header_bytes + length + crc_bytes;
+
+    std::uint64_t at = contents.good_bytes;
+    std::uint64_t effort = std::max(4 * size, least_effort);
+    for (Bytes bytes; true;) {
+        if (!read_record(file, path, at, size, bytes)) {
+            const std::uint64_t next = next_record(file, path, at + 1, size, effort);
+            if (next == size) break;
+            contents.damaged_bytes += next - at;
+            at = next;
+            continue;
+        }
+        const std::uint64_t payload = bytes.size() - record_head_bytes - crc_bytes;
+        const std::uint32_t type = type_of(bytes);
+        take_record(contents, type, std::span(bytes).subspan(record_head_bytes, payload), {at, bytes.size()});
+        at += bytes.size();
+        contents.good_bytes = at;
+    }
+    contents.torn_bytes = size - contents.good_bytes;
+    return reading;
+}
+
+bool tail_is_torn(const std::filesystem::path& path, const JournalContents& contents) {
+    if (contents.torn_bytes < record_head_bytes + crc_bytes) return true;
+    Bytes head(record_head_bytes);
+    if (!read_at(open_file(path, O_RDONLY), path, contents.good_bytes, head)) return true;
+    return ByteReader(head).u64() > contents.torn_bytes - record_head_bytes - crc_bytes;
+}
+
+}  // namespace floes::journal_format
+
+namespace floes {
+
+void JournalContents::add(const MemberRecord& record, Place place) {
+    attempts.finished(identity(record));
+    if (!sessions.empty()) {
+        Session& session = sessions.back();
+        ++(record.result.status == MemberStatus::done ? session.computed : session.set_aside);
+    }
+    members.add(record);
+    places.push_back(place);
+}
+
+void JournalContents::begin(const Session& session) {
+    attempts.close_session();
+    sessions.push_back(session);
+}
+
+void JournalContents::end(const std::string& when, const std::string& outcome) {
+    attempts.session_ended();
+    if (sessions.empty()) return;
+    sessions.back().ended = when;
+    sessions.back().outcome = outcome;
+}
+
+namespace {
+
+using journal_format::RecordType;
+
+constexpr std::size_t most_appended = 1 << 20;  // bytes buffered before a write()
+
+struct flock whole_file(short type) {
+    struct flock lock {};
+    lock.l_type = type;
+    lock.l_whence = SEEK_SET;
+    return lock;
+}
+
+// Locks of the open file, not of the process, so that they also work between two journals of one process. A file system
+// without locks lets both in (docs/campaign_file.md).
+void lock_for_writing(const Descriptor& file, const std::filesystem::path& path) {
+    auto lock = whole_file(F_WRLCK);
+    if (::fcntl(file.get(), F_OFD_SETLK, &lock) == 0 || (errno != EAGAIN && errno != EACCES)) return;
+    throw InputError(
+        fmt::format("{} is being written by another run. Wait for it, stop it, or choose another output "
+                    "file with -o.",
+                    path.string()));
+}
+
+std::string load_nothing(const std::string& path) {
+    throw InputError(
+        fmt::format("the configuration in a journal refers to the file {}, which should be part of it", path));
+}
+
+Campaign read_text(const std::string& campaign_text, const std::filesystem::path& path) {
+    return read_campaign({campaign_text, path.string(), {}}, load_nothing);
+}
+
+/// True if every member of `part` is one of `whole`. Names and order of cases do not matter.
+bool is_part_of(const Campaign& part, const Campaign& whole) {
+    std::set<std::string> keys;
+    for (int k = 0; k < static_cast<int>(whole.cases.size()); ++k) keys.insert(case_fingerprint(whole, k));
+    for (int k = 0; k < static_cast<int>(part.cases.size()); ++k)
+        if (!keys.contains(case_fingerprint(part, k))) return false;
+    return part.arrangements <= whole.arrangements;
+}
+
+}  // namespace
+
+std::filesystem::path journal_path(const std::filesystem::path& campaign_file) {
+    return std::filesystem::path(campaign_file).replace_extension(".journal");
+}
+
+Journal::Journal(std::filesystem::path path, Descriptor file, JournalContents contents)
+    : path_(std::move(path)), file_(std::move(file)), contents_(std::move(contents)) {}
+
+Journal::~Journal() {
+    try {
+        hand_over();
+    } catch (const std::exception&) {
+        // Callers that need the error call sync(), which reports it.
+    }
+}
+
+Journal open_journal(const std::filesystem::path& path, const std::string& campaign_text, Existing existing) {
+    Descriptor file = open_file(path, O_RDWR | O_CREAT | O_APPEND);
+    lock_for_writing(file, path);
+    if (existing != Existing::replace) {
+        journal_format::Reading reading = journal_format::read(file, path);
+        if (reading.begun) {
+            if (existing == Existing::refuse)
+                throw InputError(
+                    fmt::format("{} exists already. Continue it with --resume, start afresh with "
+                                "--overwrite, or choose another output file with -o.",
+                                path.string()));
+            truncate_file(file, path, reading.contents.good_bytes);
+            reading.contents.attempts.close_session();  // no other run is active, because we hold the lock
+            return {path, std::move(file), std::move(reading.contents)};
+        }
+    }
+    const Bytes header = journal_format::header(campaign_text);
+    truncate_file(file, path, 0);
+    write_all(file, path, header);
+    sync_data(file, path);
+    sync_folder_of(path);
+    JournalContents contents;
+    contents.campaign_text = campaign_text;
+    contents.good_bytes = header.size();
+    return {path, std::move(file), std::move(contents)};
+}
+
+Journal open_journal(const std::filesystem::path& path, const Campaign& campaign, Existing existing) {
+    const std::string here = write_campaign(campaign);
+    Journal journal = open_journal(path, here, existing);
+    if (journal.campaign_text() == here) return journal;
+    const Campaign there = read_text(journal.campaign_text(), path);
+    const bool same_members = fingerprint(there) == fingerprint(campaign);
+    if (same_members && there.stop == campaign.stop) return journal;
+    if (same_members || is_part_of(there, campaign)) {
+        journal.extend(there, campaign);
+        return journal;
+    }
+    if (is_part_of(campaign, there))
+        throw InputError(fmt::format(
+            "{} has more members than this configuration: {}. A campaign may grow but not shrink: ask for at least as "
+            "many, or choose another output file with -o.",
+            path.string(), fmt::join(differences(there, campaign), "; ")));
+    throw InputError(
+        fmt::format("{} belongs to another campaign: {}. Give the configuration it was started with, choose "
+                    "another output file with -o, or start afresh with --overwrite.",
+                    path.string(), fmt::join(differences(there, campaign), "; ")));
+}
+
+void Journal::extend(const Campaign& there, const Campaign& here) {
+    ByteWriter payload;
+    payload.text(write_campaign(here));
+    write_record(static_cast<std::uint32_t>(RecordType::campaign), payload.bytes());
+    sync();
+    contents_.campaign_text = write_campaign(here);
+    extension_ = differences(there, here);
+}
+
+void Journal::write_record(std::uint32_t type, std::span<const std::byte> payload) {
+    const Bytes bytes = journal_format::record(static_cast<RecordType>(type), payload);
+    appended_.insert(appended_.end(), bytes.begin(), bytes.end());
+    contents_.good_bytes += bytes.size();
+    if (appended_.size() >= most_appended) hand_over();
+}
+
+void Journal::hand_over() {
+    if (appended_.empty()) return;
+    const Bytes bytes = std::exchange(appended_, {});
+    try {
+        write_all(file_, path_, bytes);
+    } catch (const RunError&) {
+        // Half a record would hide every later one from the reader.
+        contents_.good_bytes -= bytes.size();
+        truncate_file(file_, path_, contents_.good_bytes);
+        throw;
+    }
+}
+
+void Journal::append(const MemberRecord& record) {
+    const std::uint64_t offset = contents_.good_bytes;
+    write_record(static_cast<std::uint32_t>(RecordType::member), encode(record));
+    contents_.add(record, {offset, contents_.good_bytes - offset});
+}
+
+StoredMembers Journal::members() const {
+    return {contents_.members,
+            [this](std::size_t k) { return journal_format::read_member(file_, path_, contents_.places.at(k)); }};
+}
+
+void Journal::append(const CalibrationRecord& record) {
+    if (find_calibration(contents_.calibrations, record.key) != nullptr) return;
+    write_record(static_cast<std::uint32_t>(RecordType::calibration), encode(record));
+    contents_.calibrations.push_back(record);
+}
+
+void Journal::started(const MemberIdentity& member, int attempt) {
+    ByteWriter payload;
+    payload.text(member.first);
+    payload.i32(member.second);
+    payload.i32(attempt);
+    write_record(static_cast<std::uint32_t>(RecordType::attempt_started), payload.bytes());
+    contents_.attempts.started(member);
+}
+
+void Journal::sync() {
+    hand_over();
+    sync_data(file_, path_);
+    // A deleted file accepts writes, but they are lost.
+    if (!is_named(file_, path_))
+        throw RunError(
+            fmt::format("{} is gone: its folder was deleted, moved or replaced during the run.", path_.string()));
+}
+
+void Journal::begin_session(const Session& session) {
+    write_record(static_cast<std::uint32_t>(RecordType::session_begin), encode(session));
+    contents_.begin(session);
+    sync();
+}
+
+void Journal::end_session(const std::string& outcome) {
+    const std::string now = utc_now();
+    contents_.end(now, outcome);
+    ByteWriter payload;
+    payload.text(now);
+    payload.text(outcome);
+    write_record(static_cast<std::uint32_t>(RecordType::session_end), payload.bytes());
+    sync();
+}
+
+JournalContents read_journal(const std::filesystem::path& path) {
+    const Descriptor file = open_file(path, O_RDONLY);
+    journal_format::Reading reading = journal_format::read(file, path);
+    if (!reading.begun) throw InputError(fmt::format("{} is still empty.", path.string()));
+    return std::move(reading.contents);
+}
+
+StoredMembers stored_members(const JournalContents& contents, const std::filesystem::path& path) {
+    const auto file = std::make_shared<const Descriptor>(open_file(path, O_RDONLY));
+    return {contents.members, [&contents, path, file](std::size_t k) {
+                return journal_format::read_member(*file, path, contents.places.at(k));
+            }};
+}
+
+Campaign read_stored_campaign(const JournalContents& contents, const std::filesystem::path& path) {
+    return read_text(contents.campaign_text, path);
+}
+
+bool is_being_written(const std::filesystem::path& path) {
+    const Descriptor file = open_file(path, O_RDONLY);
+    auto lock = whole_file(F_WRLCK);
+    return ::fcntl(file.get(), F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+}
+
+}  // namespace floes

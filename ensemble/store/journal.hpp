@@ -1,0 +1,193 @@
+#pragma once
+// The contents of a journal, and how each record changes them, both when appended and when read.
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "campaign/campaign.hpp"
+#include "core/bytes.hpp"
+#include "core/error.hpp"
+#include "store/file_calls.hpp"
+#include "store/member_record.hpp"
+#include "store/session.hpp"
+#include "store/stored_members.hpp"
+
+namespace floes {
+
+struct JournalContents {
+    /// Position of a member's record in the file.
+    struct Place {
+        std::uint64_t offset = 0;
+        std::uint64_t size = 0;
+    };
+
+    std::string campaign_text;      ///< resolved configuration, TOML
+    MemberNotes members;            ///< in order of arrival; their records are left in the file
+    std::deque<Place> places;       ///< of these records
+    std::vector<Session> sessions;  ///< in order of time
+    std::vector<CalibrationRecord> calibrations;
+    AttemptBook attempts;
+    std::uint64_t good_bytes = 0;     ///< up to the end of the last whole record
+    std::uint64_t damaged_bytes = 0;  ///< bytes among these that belong to no whole record and were skipped
+    std::uint64_t torn_bytes = 0;     ///< after these: a torn or damaged tail, or a record being written
+
+    /// Adds a member whose record is at `place`, and counts it in the current session.
+    void add(const MemberRecord& record, Place place);
+    /// A session begins; attempts left open by the previous one are lost.
+    void begin(const Session& session);
+    /// The latest session has ended properly.
+    void end(const std::string& when, const std::string& outcome);
+};
+
+}  // namespace floes
+
+namespace floes::journal_format {
+
+// The binary layout of a journal. All numbers are little endian.
+//
+//     header   magic (8)  schema (u32)  text length (u64)  CRC32C of these 20 bytes (u32)
+//              text  CRC32C of the text (u32)
+//     record   payload length (u64)  type (u32)  payload  CRC32C of all before in the record (u32)
+
+inline constexpr std::string_view magic = "floesjnl";
+inline constexpr std::uint32_t schema = 4;  ///< of floes 2.0: arrays have their keys
+inline constexpr std::uint64_t fixed_header_bytes = 24;
+inline constexpr std::uint64_t record_head_bytes = 12;
+inline constexpr std::uint64_t crc_bytes = 4;
+
+/// Types are only added. A reader skips unknown ones.
+enum class RecordType : std::uint32_t {
+    session_begin = 2,
+    session_end = 3,
+    calibration = 4,
+    attempt_started = 5,
+    campaign = 6,
+    member = 8  ///< 7 was that of floes 1.0
+};
+
+/// A whole journal, of a schema that only a newer floes reads.
+class NewerJournal : public InputError {
+  public:
+    using InputError::InputError;
+};
+
+std::uint32_t crc32c(std::span<const std::byte> bytes);
+Bytes header(std::string_view text);
+Bytes record(RecordType type, std::span<const std::byte> payload);
+
+/// The member whose record is at `place`. Throws RunError if it is damaged.
+MemberRecord read_member(const Descriptor& file, const std::filesystem::path& path, JournalContents::Place place);
+
+/// The contents of a file open for reading. `begun` is false if the file ends inside the header: its writer was stopped
+/// before it kept anything. Throws InputError if the file is not a readable journal.
+struct Reading {
+    bool begun = false;
+    JournalContents contents;
+};
+Reading read(const Descriptor& file, const std::filesystem::path& path);
+
+/// Whether what follows the last whole record, read of the file at `path`, is the begin of a record only. A whole one
+/// that is damaged is not.
+bool tail_is_torn(const std::filesystem::path& path, const JournalContents& contents);
+
+}  // namespace floes::journal_format
+
+namespace floes {
+
+// The authoritative record of a campaign: an append-only file beside the campaign file, with a header (magic, schema
+// version, resolved configuration) and records {length, type, payload, CRC32C}. Once sync() has returned, the records
+// survive kill -9 of the program and loss of the machine. A torn tail is recognised and cut. docs/campaign_file.md has
+// the layout.
+//
+//     Journal journal = open_journal(journal_path("a.h5"), campaign, Existing::resume);
+//     journal.begin_session(describe_session(ranks, threads, {}));
+//     journal.append(record);  …  journal.sync();
+//     journal.end_session("complete");
+
+/// What to do with an existing journal.
+enum class Existing { refuse, replace, resume };
+
+/// A journal open for writing, locked against a second writer during its lifetime.
+class Journal {
+  public:
+    Journal(Journal&&) = default;
+    /// Calls hand_over().
+    ~Journal();
+
+    /// Appends a record. It reaches the operating system with the next hand_over() and the disk with the next sync().
+    void append(const MemberRecord& record);
+    /// The same for a calibration; one that exists already is not added again.
+    void append(const CalibrationRecord& record);
+    /// Notes that an attempt at the member begins. Needs no sync(): a lost note only costs one more attempt.
+    void started(const MemberIdentity& member, int attempt);
+    /// Passes everything appended so far to the operating system by one write(), so that it survives the end of this
+    /// process.
+    void hand_over();
+    /// On return everything appended so far is on the disk. Throws RunError if the disk refuses, or if the file no
+    /// longer exists under its name.
+    void sync();
+    /// Records the start of a session, and syncs.
+    void begin_session(const Session& session);
+    /// Records that the latest session has ended now, and syncs.
+    void end_session(const std::string& outcome);
+
+    /// All members. Their records are in the file alone, and can be read once they were handed over.
+    StoredMembers members() const;
+    const std::vector<Session>& sessions() const { return contents_.sessions; }
+    const std::vector<CalibrationRecord>& calibrations() const { return contents_.calibrations; }
+    /// Attempts that were lost with earlier sessions are counted as lost() here.
+    const AttemptBook& attempts() const { return contents_.attempts; }
+    const std::string& campaign_text() const { return contents_.campaign_text; }
+    /// How the campaign has grown since the journal was last opened, see differences().
+    const std::vector<std::string>& extension() const { return extension_; }
+    /// Damaged bytes inside the journal, which were skipped; the members in them are computed again.
+    std::uint64_t damaged_bytes() const { return contents_.damaged_bytes; }
+    /// Bytes of the torn tail that were cut off when the journal was opened.
+    std::uint64_t cut_bytes() const { return contents_.torn_bytes; }
+
+  private:
+    friend Journal open_journal(const std::filesystem::path&, const std::string&, Existing);
+    friend Journal open_journal(const std::filesystem::path&, const Campaign&, Existing);
+    Journal(std::filesystem::path path, Descriptor file, JournalContents contents);
+    void extend(const Campaign& there, const Campaign& here);
+    void write_record(std::uint32_t type, std::span<const std::byte> payload);
+
+    std::filesystem::path path_;
+    Descriptor file_;
+    JournalContents contents_;
+    std::vector<std::string> extension_;
+    Bytes appended_;  ///< not handed over yet: the last of contents_.good_bytes
+};
+
+/// `a.h5` -> `a.journal`, in the same folder.
+std::filesystem::path journal_path(const std::filesystem::path& campaign_file);
+
+/// Opens for writing. refuse: throws InputError if the journal exists; replace: starts afresh; resume: keeps every
+/// whole record, cuts a torn tail, and starts afresh if there is no journal. Throws InputError if another process is
+/// writing this journal, if it has a newer schema, a damaged header or is not a journal; RunError if the file system
+/// refuses.
+Journal open_journal(const std::filesystem::path& path, const std::string& campaign_text, Existing existing);
+
+/// As above for a campaign. A campaign that has all members of the journal's campaign and more extends it. Resuming
+/// with any other is refused (InputError), and the error names the keys that differ.
+Journal open_journal(const std::filesystem::path& path, const Campaign& campaign, Existing existing);
+
+/// Reads without locking or changing anything, also during a run. Throws as open_journal() does.
+JournalContents read_journal(const std::filesystem::path& path);
+
+/// The members of a journal that was read from `path`; `contents` must outlive them.
+StoredMembers stored_members(const JournalContents& contents, const std::filesystem::path& path);
+
+/// The campaign that a journal belongs to. Throws InputError if this program does not accept its configuration.
+Campaign read_stored_campaign(const JournalContents& contents, const std::filesystem::path& path);
+
+/// True if a process has the journal open for writing (on file systems with locks).
+bool is_being_written(const std::filesystem::path& path);
+
+}  // namespace floes

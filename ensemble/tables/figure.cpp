@@ -1,0 +1,82 @@
+#include "tables/figure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace floes {
+
+Axis axis_around(std::string label, std::span<const double> values, bool with_zero, std::string unit) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const double value : values) {
+        if (!std::isfinite(value)) continue;
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    if (low > high) low = high = 0;
+    if (with_zero) {
+        low = std::min(low, 0.0);
+        high = std::max(high, 0.0);
+    }
+    if (low == high) high = low + 1;
+    const double air = 0.05 * (high - low);
+    return {.label = std::move(label),
+            .low = with_zero && low == 0 ? 0 : low - air,
+            .high = with_zero && high == 0 ? 0 : high + air,
+            .unit = std::move(unit)};
+}
+
+void Figure::line(Points points, std::string style) {
+    marks.push_back(Line{std::move(points), std::move(style)});
+}
+
+void Figure::area(Points outline, std::string style) {
+    marks.push_back(Area{std::move(outline), std::move(style)});
+}
+
+void Figure::dot(double x_value, double y_value, std::string style, double radius) {
+    marks.push_back(Dot{x_value, y_value, std::move(style), radius, false});
+}
+
+void Figure::cross(double x_value, double y_value, std::string style, double radius) {
+    marks.push_back(Dot{x_value, y_value, std::move(style), radius, true});
+}
+
+void Figure::cell(double left, double low, double width, double height, double share, std::string style) {
+    marks.push_back(Cell{left, low, width, height, share, std::move(style)});
+}
+
+void Figure::text(double x_value, double y_value, std::string words, std::string anchor, std::string style) {
+    marks.push_back(Words{x_value, y_value, std::move(words), std::move(anchor), std::move(style)});
+}
+
+void Figure::upright(double x_value, std::string style) {
+    line({{x_value, y.low}, {x_value, y.high}}, std::move(style));
+}
+
+void Figure::level(double y_value, std::string style) {
+    line({{x.low, y_value}, {x.high, y_value}}, std::move(style));
+}
+
+void Figure::band(Points low, const Points& high, std::string style) {
+    low.insert(low.end(), high.rbegin(), high.rend());
+    area(std::move(low), std::move(style));
+}
+
+Figure::Size to_scale(double width, double height, double widest) {
+    constexpr double beside = 80;  // of the plot, for axes and labels
+    constexpr double below = 74;
+    constexpr double highest = 420;
+    const double scale = std::min((widest - beside) / width, highest / height);
+    return {beside + scale * width, below + scale * height};
+}
+
+std::string colour(std::size_t number) {
+    constexpr std::size_t colours = 6;
+    return fmt::format("c{}", number % colours);
+}
+
+}  // namespace floes

@@ -1,0 +1,292 @@
+#include "tables/results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "tables/number_text.hpp"
+
+namespace floes {
+namespace {
+
+/// The magnitude that decides decimals; 0 of what is no number.
+struct Magnitude {
+    double operator()(double value) const { return std::isfinite(value) ? std::abs(value) : 0; }
+    /// Of a difference near 0 the width of its interval.
+    double operator()(const Estimate& one) const {
+        return std::max((*this)(one.value), one.said ? (*this)(0.5 * (one.high - one.low)) : 0);
+    }
+    double operator()(const Bracket& one) const { return std::max((*this)(one.limits.low), (*this)(one.limits.high)); }
+    double operator()(const auto&) const { return 0; }
+};
+
+bool is_heading(const Results& results, std::size_t row) {
+    return results.rows[row].size() == 1 && results.columns.size() > 1;
+}
+
+/// Of a column in the rows [first, end).
+int decimals_of(const Results& results, std::size_t column, const std::string& unit, const Units& units,
+                std::size_t first, std::size_t end) {
+    if (const int fixed = results.columns[column].decimals; fixed >= 0) return fixed;
+    if (unit == "share") return 1;
+    double largest = 0;
+    for (std::size_t r = first; r < end; ++r)
+        if (!is_heading(results, r))
+            largest = std::max(largest, std::visit(Magnitude{}, results.rows[r][column].get()));
+    largest *= units.of(unit).factor;
+    return results.columns[column].form == ResultColumn::Form::bracket ? decimals_for(largest) : few_decimals(largest);
+}
+
+std::string without_minus_zero(std::string text) {
+    return text.find_first_of("123456789") == std::string::npos && text.starts_with('-') ? text.substr(1) : text;
+}
+
+struct ToCell {
+    const ResultColumn& column;
+    int decimals;
+    double factor;
+
+    std::string number(double value) const {
+        if (column.p) return p_text(value);
+        if (!std::isfinite(value)) return "–";
+        return column.digits > 0 ? significant(factor * value, column.digits)
+                                 : without_minus_zero(fixed(factor * value, decimals));
+    }
+    std::string limits(double low, double high, bool said) const {
+        return said && (std::isfinite(low) || std::isfinite(high)) ? fmt::format("[{}, {}]", number(low), number(high))
+                                                                   : "–";
+    }
+    Cell operator()(Absent) const { return ""; }
+    Cell operator()(Undefined) const { return column.holds == ResultColumn::Holds::values ? Cell{"–"} : Cell{"–", ""}; }
+    Cell operator()(bool value) const { return value ? "yes" : "no"; }
+    Cell operator()(std::int64_t value) const { return fmt::format("{}", value); }
+    Cell operator()(double value) const { return number(value); }
+    std::string plus_minus(const Estimate& one) const {
+        if (!std::isfinite(one.value)) return "–";
+        const bool sign = column.form == ResultColumn::Form::difference && one.value >= 0;
+        const std::string text = (sign ? "+" : "") + number(one.value);
+        if (one.low == one.high) return text + " in all";
+        const double half = std::max(one.high - one.value, one.value - one.low);
+        return fmt::format("{} ± {}", text, one.said ? number(half) : "–");
+    }
+    Cell operator()(const Estimate& one) const {
+        if (column.form != ResultColumn::Form::bracket) return plus_minus(one);
+        return {number(one.value), std::isfinite(one.value) ? limits(one.low, one.high, one.said) : ""};
+    }
+    Cell operator()(const Bracket& one) const { return {"", limits(one.limits.low, one.limits.high, one.said)}; }
+    Cell operator()(const Named& one) const { return one.label; }
+    Cell operator()(const std::string& text) const { return text; }
+};
+
+struct ToData {
+    std::vector<Datum>& row;
+    ResultColumn::Holds holds;
+
+    void operator()(Absent none) const { fill(none); }
+    void operator()(Undefined none) const { fill(none); }
+    void operator()(const Estimate& one) const { row.insert(row.end(), {one.value, one.low, one.high}); }
+    void operator()(const Bracket& one) const { row.insert(row.end(), {one.limits.low, one.limits.high}); }
+    void operator()(const Named& one) const { row.emplace_back(one.name); }
+    void operator()(const auto& value) const { row.emplace_back(value); }
+
+    void fill(Datum none) const {
+        constexpr std::size_t places[]{1, 3, 2};
+        row.insert(row.end(), places[static_cast<std::size_t>(holds)], none);
+    }
+};
+
+struct ToNumber {
+    double operator()(double value) const { return value; }
+    double operator()(std::int64_t value) const { return static_cast<double>(value); }
+    double operator()(const Estimate& one) const { return one.value; }
+    double operator()(const auto&) const { return std::nan(""); }
+};
+
+struct ToName {
+    std::string operator()(const Named& one) const { return one.name; }
+    std::string operator()(const std::string& text) const { return text; }
+    std::string operator()(const auto&) const { return ""; }
+};
+
+bool is_for(Results::For row, Results::For reader) {
+    return row == reader || (reader == Results::For::everybody && row == Results::For::people);
+}
+
+struct ShownColumn {
+    std::size_t at;
+    ResultColumn about;  ///< with the unit of the heading above
+    int decimals;
+};
+
+/// Rows as lines, with a heading.
+Table lines_of(const Results& results, const Units& units, Results::For whom) {
+    const std::size_t rows = results.rows.size();
+    Table table(1);
+    std::vector<ShownColumn> shown;
+    for (std::size_t k = 0; k < results.columns.size(); ++k) {
+        const ResultColumn& column = results.columns[k];
+        if (column.words.empty()) continue;
+        shown.push_back({k, column, decimals_of(results, k, column.unit, units, 0, rows)});
+        table.front().emplace_back(units.heading(column.words, column.unit));
+    }
+    for (std::size_t r = 0; r < rows; ++r) {
+        if (!is_for(results.rows_for[r], whom)) continue;
+        std::vector<Cell>& line = table.emplace_back();
+        if (!is_heading(results, r)) {
+            for (const auto& [at, about, decimals] : shown)
+                line.push_back(shown_cell(results.rows[r][at], about, decimals, units));
+            continue;
+        }
+        const auto& heading = std::get<Named>(results.rows[r].front().get());  // named by its unit
+        line.assign(shown.size(), "");
+        line.front() = units.heading(heading.label, heading.name);
+        std::size_t end = r + 1;
+        while (end < rows && !is_heading(results, end)) ++end;
+        for (auto& [at, about, decimals] : shown) {
+            if (!results.columns[at].unit.empty()) continue;
+            about.unit = heading.name;
+            decimals = decimals_of(results, at, about.unit, units, r + 1, end);
+        }
+    }
+    return table;
+}
+
+Table transposed(const Table& lines) {
+    Table turned(lines.front().size());
+    for (const std::vector<Cell>& line : lines)
+        for (std::size_t k = 0; k < line.size(); ++k) turned[k].push_back(line[k]);
+    return turned;
+}
+
+std::size_t column_of(const Results& results, std::string_view key) {
+    const auto found = std::ranges::find(results.columns, key, &ResultColumn::key);
+    if (found == results.columns.end()) throw RunError(fmt::format("results without a column {}", key));
+    return static_cast<std::size_t>(found - results.columns.begin());
+}
+
+/// What tells values of a column apart.
+std::string words_of(const Results& results, std::size_t column, const std::vector<Datum>& row) {
+    constexpr int decimals = 9;
+    return shown_cell(row[column], results.columns[column], decimals, Units{}).value;
+}
+
+/// Each word once, in the order of the rows.
+std::vector<std::string> words_in(const Results& results, std::size_t column) {
+    std::vector<std::string> words;
+    for (const std::vector<Datum>& row : results.rows) {
+        std::string one = words_of(results, column, row);
+        if (std::ranges::find(words, one) == words.end()) words.push_back(std::move(one));
+    }
+    return words;
+}
+
+}  // namespace
+
+void Results::add(std::vector<Datum> row, For whom) {
+    if (row.size() != columns.size())
+        throw RunError(fmt::format("{} has a row of {} values under {} columns", place, row.size(), columns.size()));
+    rows.push_back(std::move(row));
+    rows_for.push_back(whom);
+}
+
+const Datum& Results::at(std::size_t row, std::string_view key) const {
+    return rows.at(row).at(column_of(*this, key));
+}
+
+double Results::number(std::size_t row, std::string_view key) const {
+    return std::visit(ToNumber{}, at(row, key).get());
+}
+
+std::string Results::name(std::size_t row, std::string_view key) const {
+    return std::visit(ToName{}, at(row, key).get());
+}
+
+void Results::add_heading(std::string words, For whom, std::string unit) {
+    rows.push_back({Datum(Named{std::move(unit), std::move(words)})});
+    rows_for.push_back(whom == For::everybody ? For::people : whom);
+}
+
+std::vector<ResultColumn> program_columns(std::string_view keys) {
+    std::vector<ResultColumn> columns;
+    for (std::size_t first = 0; first < keys.size();) {
+        const std::size_t end = std::min(keys.find(' ', first), keys.size());
+        columns.push_back({std::string{keys.substr(first, end - first)}});
+        first = end + 1;
+    }
+    return columns;
+}
+
+std::vector<ResultColumn> operator+(std::vector<ResultColumn> first, const std::vector<ResultColumn>& second) {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
+
+Cell shown_cell(const Datum& value, const ResultColumn& column, int decimals, const Units& units) {
+    return std::visit(ToCell{column, decimals, units.of(column.unit).factor}, value.get());
+}
+
+Table shown_table(const Results& results, const Units& units, Results::For whom) {
+    if (results.view == Results::View::none) return {};
+    Table lines = lines_of(results, units, whom);
+    if (lines.size() == 1 || lines.front().empty()) return {};
+    return results.view == Results::View::side_by_side ? transposed(lines) : lines;
+}
+
+DataRows data_rows(const Results& results) {
+    DataRows records{results.place, {}, {}, results.object ? DataRows::Shape::object : DataRows::Shape::list};
+    std::vector<std::size_t> shown;
+    for (std::size_t k = 0; k < results.columns.size(); ++k) {
+        const ResultColumn& one = results.columns[k];
+        if (one.key.empty()) continue;
+        shown.push_back(k);
+        const auto add = [&](const std::string& key) {
+            records.names.push_back({results.in_csv ? key : "", results.in_json ? key : ""});
+        };
+        if (one.holds != ResultColumn::Holds::brackets) add(one.key);
+        if (one.holds == ResultColumn::Holds::values) continue;
+        add(one.key + "_low");
+        add(one.key + "_high");
+    }
+    for (std::size_t r = 0; r < results.rows.size(); ++r) {
+        if (is_heading(results, r) || results.rows_for[r] == Results::For::people) continue;
+        std::vector<Datum>& row = records.rows.emplace_back();
+        for (const std::size_t k : shown) std::visit(ToData{row, results.columns[k].holds}, results.rows[r][k].get());
+        if (row.size() != records.names.size())
+            throw RunError(fmt::format("{} has values that are not what their columns hold", results.place));
+    }
+    return records;
+}
+
+Results pivot(const Results& results, std::string_view down, std::string_view across,
+              const std::vector<std::string>& cells) {
+    const std::size_t line_at = column_of(results, down);
+    const std::size_t side_at = column_of(results, across);
+    const std::vector<std::string> lines = words_in(results, line_at);
+    const std::vector<std::string> sides = words_in(results, side_at);
+    Results turned{.columns = {results.columns[line_at]}};
+    turned.columns.front().key.clear();
+    for (const std::string& side : sides)
+        for (const std::string& key : cells) {
+            ResultColumn column = results.columns[column_of(results, key)];
+            column.key.clear();
+            column.words = cells.size() == 1 ? side : side + ": " + column.words;
+            turned.columns.push_back(std::move(column));
+        }
+    for (const std::string& line : lines) {
+        std::vector<Datum> row(turned.columns.size(), Undefined{});
+        for (const std::vector<Datum>& from : results.rows) {
+            if (words_of(results, line_at, from) != line) continue;
+            row.front() = from[line_at];
+            const auto side =
+                static_cast<std::size_t>(std::ranges::find(sides, words_of(results, side_at, from)) - sides.begin());
+            for (std::size_t k = 0; k < cells.size(); ++k)
+                row[1 + side * cells.size() + k] = from[column_of(results, cells[k])];
+        }
+        turned.add(std::move(row));
+    }
+    return turned;
+}
+
+}  // namespace floes

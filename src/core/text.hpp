@@ -1,0 +1,43 @@
+#pragma once
+// What every text of floes is.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace floes {
+
+/// Whether a text is UTF-8: without overlong forms, surrogates, and letters cut off.
+bool is_utf8(std::string_view text);
+
+/// The first bytes of a text, `most` or so many fewer that no letter is cut apart.
+std::string_view beginning(std::string_view text, std::size_t most);
+
+// Counts and durations in words, the same wherever the program says them.
+
+/// "1 member", "3 members": nouns that take an s.
+std::string counted(std::int64_t count, std::string_view noun);
+
+/// A duration in s to the whole unit that a clock shows: "42 s", "15 min", "3 h 20 min", "2 d 5 h".
+std::string duration_text(double seconds);
+
+/// A duration in s to three figures of one unit: "2.5 ms", "31.3 s", "67.9 min", "17.2 h", "183 d".
+std::string duration_in_figures(double seconds);
+
+// Names of cases in a message. A design may have thousands.
+
+/// "E30, E60, E200"; of many the first ones, and how many there are: "p000, p001, p002 … (320 in all)".
+inline std::string name_list(const std::vector<std::string>& names) {
+    constexpr std::size_t most = 12;
+    constexpr std::size_t first = 3;
+    if (names.size() <= most) return fmt::format("{}", fmt::join(names, ", "));
+    return fmt::format("{} … ({} in all)", fmt::join(std::span(names).first(first), ", "), names.size());
+}
+
+}  // namespace floes

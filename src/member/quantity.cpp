@@ -1,0 +1,62 @@
+#include "member/quantity.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace floes {
+double Quantity::of(const MemberOutputs& outputs) const {
+    if (averaging == 0) return place.get(outputs);
+    const auto found = std::ranges::find(outputs.averaged, averaging, &AveragedLoad::time);
+    return found == outputs.averaged.end() ? std::numeric_limits<double>::quiet_NaN() : (*found).*averaged;
+}
+
+bool Quantity::holds(double value) const {
+    return !count || std::isnan(value) ||
+           (value >= 0 && value <= std::numeric_limits<int>::max() && value == std::floor(value));
+}
+
+Quantity averaged_over(const Quantity& one, double time) {
+    const std::string in_words = fmt::format("_{}s", time);
+    Quantity made = one;
+    made.key = ShortText{std::string_view{fmt::format("{}{}", one.key, in_words)}};
+    made.label = ShortText{std::string_view{fmt::format("{} over {} s", one.label, time)}};
+    made.shown = std::min(one.shown, Shown::in_pairs);
+    made.averaging = time;
+    return made;
+}
+
+std::vector<Quantity> quantities_with(std::span<const double> averaging_times) {
+    std::vector<Quantity> all;
+    for (const Quantity& one : quantities) {
+        all.push_back(one);
+        if (one.averaged == nullptr) continue;
+        for (const double time : averaging_times) all.push_back(averaged_over(one, time));
+    }
+    return all;
+}
+
+std::optional<Quantity> any_quantity(std::string_view key) {
+    if (const Quantity* const one = find_quantity(key)) return *one;
+    const std::size_t place = key.rfind('_');
+    if (place == std::string_view::npos) return {};
+    const Quantity* const one = find_quantity(key.substr(0, place));
+    double time = 0;
+    std::from_chars(key.data() + place + 1, key.data() + key.size(), time);
+    if (one == nullptr || one->averaged == nullptr || !(time > 0)) return {};
+    const Quantity made = averaged_over(*one, time);
+    return made.key.view() == key ? std::optional(made) : std::nullopt;
+}
+
+MemberOutputs unmeasured(int segments) {
+    MemberOutputs outputs;
+    outputs.load.steady = false;
+    outputs.load.segment_maximum.assign(static_cast<std::size_t>(segments), std::numeric_limits<double>::quiet_NaN());
+    for (const Quantity& one : quantities) one.place.set(outputs, std::numeric_limits<double>::quiet_NaN());
+    return outputs;
+}
+
+}  // namespace floes

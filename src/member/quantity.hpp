@@ -1,0 +1,528 @@
+#pragma once
+// A short text that is a value of its own: constants of the compiler and what is made at run time alike.
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <ranges>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include "member/member_outputs.hpp"
+
+namespace floes {
+
+class ShortText {
+  public:
+    constexpr ShortText() = default;
+    constexpr ShortText(const char* text) : ShortText(std::string_view{text}) {}
+    /// Throws std::length_error for one that is too long.
+    constexpr explicit ShortText(std::string_view text) : size_(text.size()) {
+        if (text.size() > letters_.size()) throw std::length_error("A short text is too long.");
+        text.copy(letters_.data(), text.size());
+    }
+
+    constexpr operator std::string_view() const { return view(); }
+    constexpr std::string_view view() const { return {letters_.data(), size_}; }
+    constexpr bool empty() const { return size_ == 0; }
+    friend constexpr bool operator==(const ShortText& one, const ShortText& other) {
+        return one.view() == other.view();
+    }
+
+  private:
+    std::array<char, 64> letters_{};
+    std::size_t size_ = 0;
+};
+
+/// How fmt writes it.
+constexpr std::string_view format_as(const ShortText& text) {
+    return text.view();
+}
+
+// What a quantity of a member is: its name and unit, where it stands in the outputs, and where it is shown.
+
+/// Access to a quantity in the outputs.
+struct Place {
+    double (*get)(const MemberOutputs&);
+    void (*set)(MemberOutputs&, double);
+};
+
+/// at<&MemberOutputs::load, &LoadStatistics::mean>: the chain of data members.
+template <auto... Path>
+constexpr Place at() {
+    return {[](const MemberOutputs& outputs) { return (outputs.*....*Path); },
+            [](MemberOutputs& outputs, double value) { (outputs.*....*Path) = value; }};
+}
+
+/// Joints that failed in this mode.
+template <FailureMode mode>
+constexpr Place failures_in() {
+    constexpr auto number = static_cast<std::size_t>(mode);
+    return {[](const MemberOutputs& outputs) { return outputs.failures[number]; },
+            [](MemberOutputs& outputs, double value) { outputs.failures[number] = value; }};
+}
+
+inline constexpr double no_least = -std::numeric_limits<double>::infinity();
+inline constexpr double no_most = std::numeric_limits<double>::infinity();
+
+/// Where a quantity is shown; each level includes those before it.
+enum class Shown {
+    in_file,      ///< only a column of /members
+    in_summary,   ///< also a line of each case's summary
+    in_pairs,     ///< also in comparisons of cases
+    in_table3,    ///< also with every interval: the rows of Table 3
+    in_headlines  ///< also where there is room for only a few
+};
+
+struct Quantity {
+    ShortText key;               ///< its name everywhere: column of /members, of CSV and JSON, word of stop.of
+    std::string_view unit;       ///< in the file
+    std::string_view long_name;  ///< in the file and on its page
+    Place place;
+    Shown shown = Shown::in_file;
+    ShortText label = {};  ///< in tables, without the unit
+    double least = 0;      ///< values and intervals lie in [least, most]
+    double most = no_most;
+    bool positive = false;    ///< above 0 in any run: ranges of single runs are taken on a logarithmic scale
+    bool percent = false;     ///< shown in percent
+    bool count = false;       ///< a whole number whose total over runs is reported too
+    bool stops = false;       ///< a stop rule may use it
+    bool in_designs = false;  ///< used in the sensitivity to a design's axes
+    int since = 0;            ///< minor version of the file's layout 1 that introduced it
+    double AveragedLoad::*averaged = nullptr;  ///< the same for the averaged load; none: not taken
+    double averaging = 0;                      ///< s, that the load is averaged over; 0: every step
+
+    /// NaN where the outputs do not have that averaging time.
+    double of(const MemberOutputs& outputs) const;
+    /// Whether it can have the value: a count is a whole number, or NaN where nobody counted.
+    bool holds(double value) const;
+    constexpr double factor() const { return percent ? 100 : 1; }  ///< displayed value / stored value
+};
+
+/// What cracks have made of the ice; `share`: of all floes.
+constexpr Quantity crack_quantity(const char* key, const char* label, std::string_view long_name, Place place,
+                                  bool share) {
+    return {.key = key,
+            .unit = "1",
+            .long_name = long_name,
+            .place = place,
+            .shown = Shown::in_summary,
+            .label = label,
+            .most = share ? 1 : no_most,
+            .percent = share,
+            .stops = share,
+            .since = 12};
+}
+
+/// A number of floes.
+constexpr Quantity floe_count(const char* key, std::string_view long_name, Place place) {
+    return {.key = key, .unit = "1", .long_name = long_name, .place = place, .since = 13};
+}
+
+/// A share of the work of the tow (statistics/work_shares.hpp).
+constexpr Quantity work_quantity(const char* key, std::string_view long_name, Place place, int since = 10) {
+    return {.key = key, .unit = "N", .long_name = long_name, .place = place, .least = no_least, .since = since};
+}
+
+/// A statistic of a moment on the structure in the window; simulation/hull_loads.hpp has the signs.
+template <auto moment, auto statistic>
+constexpr Quantity moment_quantity(const char* key, std::string_view long_name) {
+    const bool has_sign = ShortText(key).view().starts_with("mean");
+    return {.key = key,
+            .unit = "N m",
+            .long_name = long_name,
+            .place = at<moment, statistic>(),
+            .least = has_sign ? no_least : 0,
+            .since = 13};
+}
+
+// The quantities of where the work of the tow goes, of how the floes lay at its start, and of what the solver did. Part
+// of quantity.hpp's list.
+
+inline constexpr std::array work_quantities{
+    work_quantity("work_ice_friction",
+                  "work over the distance towed that goes into friction between floes and on ice sheets",
+                  at<&MemberOutputs::work, &WorkShares::ice_friction>()),
+    work_quantity("work_ice_crushing",
+                  "work over the distance towed that goes into crushing and stopping of floes by floes",
+                  at<&MemberOutputs::work, &WorkShares::ice_crushing>()),
+    work_quantity("work_hull_friction", "work over the distance towed that goes into friction on the structure",
+                  at<&MemberOutputs::work, &WorkShares::hull_friction>()),
+    work_quantity("work_hull_crushing",
+                  "work over the distance towed that goes into crushing and stopping of floes by the structure",
+                  at<&MemberOutputs::work, &WorkShares::hull_crushing>()),
+    work_quantity("work_vertical_drag", "work over the distance towed that goes into drag along the normals of the ice",
+                  at<&MemberOutputs::work, &WorkShares::vertical_drag>()),
+    work_quantity("work_plane_drag", "work over the distance towed that goes into form and skin drag",
+                  at<&MemberOutputs::work, &WorkShares::plane_drag>()),
+    work_quantity("work_waves", "work over the distance towed that goes into waves: linear damping of heave",
+                  at<&MemberOutputs::work, &WorkShares::waves>()),
+    work_quantity("work_joints",
+                  "work over the distance towed that goes into bending: damped, released where floes break, or stored",
+                  at<&MemberOutputs::work, &WorkShares::joints>()),
+    work_quantity(
+        "work_lifting",
+        "work over the distance towed that goes into lifting and pushing ice under, against weight and buoyancy",
+        at<&MemberOutputs::work, &WorkShares::lifting>()),
+    work_quantity("work_driving",
+                  "work over the distance towed that goes into ice sheets that give way and against the wind; negative "
+                  "where these push the ice",
+                  at<&MemberOutputs::work, &WorkShares::driving>(), 11),
+    work_quantity("work_motion",
+                  "work over the distance towed that goes into motion of the ice and the water it carries",
+                  at<&MemberOutputs::work, &WorkShares::motion>()),
+    work_quantity(
+        "work_rest",
+        "work over the distance towed that goes into what steps of finite length lose: the load less all other shares",
+        at<&MemberOutputs::work, &WorkShares::rest>()),
+    Quantity{.key = "local_order",
+             .unit = "1",
+             .long_name = "mean cosine of four times the difference in yaw between a floe and its four nearest, at the "
+                          "start",
+             .place = at<&MemberOutputs::local_order>(),
+             .shown = Shown::in_summary,
+             .label = "local order at the start",
+             .least = -1,
+             .most = 1},
+    Quantity{.key = "coverage_ahead",
+             .unit = "1",
+             .long_name = "share of the structure's path through the field covered by ice at the start",
+             .place = at<&MemberOutputs::coverage_ahead>(),
+             .shown = Shown::in_summary,
+             .label = "coverage ahead at the start",
+             .most = 1,
+             .percent = true},
+    Quantity{.key = "mean_sweeps",
+             .unit = "1",
+             .long_name = "sweeps of the solver a step, on average over the run",
+             .place = at<&MemberOutputs::mean_sweeps>(),
+             .since = 10},
+};
+
+// The quantities of structures that are not towed straight on: offsets, mooring forces, yaw. Part of quantity.hpp's
+// list.
+
+/// Of the motion of a structure that is not towed straight on; NaN in other members.
+constexpr Quantity motion_quantity(const char* key, std::string_view unit, std::string_view long_name, Place place) {
+    return {.key = key, .unit = unit, .long_name = long_name, .place = place, .least = no_least, .since = 13};
+}
+
+/// Of thrusters; NaN in other members.
+constexpr Quantity thrust_quantity(const char* key, std::string_view unit, std::string_view long_name, Place place) {
+    Quantity quantity = motion_quantity(key, unit, long_name, place);
+    quantity.since = 14;
+    return quantity;
+}
+
+inline constexpr std::array motion_quantities{
+    motion_quantity("mean_surge_offset", "m", "mean offset of the moored structure along the surge load",
+                    at<&MemberOutputs::moored, &MooredResponse::surge_offset, &Swing::mean>()),
+    motion_quantity("sd_surge_offset", "m",
+                    "population standard deviation of the offset of the moored structure along the surge load",
+                    at<&MemberOutputs::moored, &MooredResponse::surge_offset, &Swing::sd>()),
+    motion_quantity("largest_surge_offset", "m",
+                    "largest amount of the offset of the moored structure along the surge load",
+                    at<&MemberOutputs::moored, &MooredResponse::surge_offset, &Swing::largest>()),
+    motion_quantity("mean_sway_offset", "m", "mean offset of the moored structure towards +z",
+                    at<&MemberOutputs::moored, &MooredResponse::sway_offset, &Swing::mean>()),
+    motion_quantity("sd_sway_offset", "m",
+                    "population standard deviation of the offset of the moored structure towards +z",
+                    at<&MemberOutputs::moored, &MooredResponse::sway_offset, &Swing::sd>()),
+    motion_quantity("largest_sway_offset", "m", "largest amount of the offset of the moored structure towards +z",
+                    at<&MemberOutputs::moored, &MooredResponse::sway_offset, &Swing::largest>()),
+    motion_quantity("mean_yaw", "rad", "mean yaw of the moored structure, positive where +z turns to +x",
+                    at<&MemberOutputs::moored, &MooredResponse::yaw, &Swing::mean>()),
+    motion_quantity("sd_yaw", "rad",
+                    "population standard deviation of the yaw of the moored structure, positive where +z turns to +x",
+                    at<&MemberOutputs::moored, &MooredResponse::yaw, &Swing::sd>()),
+    motion_quantity("largest_yaw", "rad",
+                    "largest amount of the yaw of the moored structure, positive where +z turns to +x",
+                    at<&MemberOutputs::moored, &MooredResponse::yaw, &Swing::largest>()),
+    motion_quantity("mean_surge_mooring", "N", "mean force of springs and lines against the surge load",
+                    at<&MemberOutputs::moored, &MooredResponse::surge_mooring, &Swing::mean>()),
+    motion_quantity("sd_surge_mooring", "N",
+                    "population standard deviation of the force of springs and lines against the surge load",
+                    at<&MemberOutputs::moored, &MooredResponse::surge_mooring, &Swing::sd>()),
+    motion_quantity("largest_surge_mooring", "N",
+                    "largest amount of the force of springs and lines against the surge load",
+                    at<&MemberOutputs::moored, &MooredResponse::surge_mooring, &Swing::largest>()),
+    motion_quantity("mean_sway_mooring", "N", "mean force of springs and lines against the sway load",
+                    at<&MemberOutputs::moored, &MooredResponse::sway_mooring, &Swing::mean>()),
+    motion_quantity("sd_sway_mooring", "N",
+                    "population standard deviation of the force of springs and lines against the sway load",
+                    at<&MemberOutputs::moored, &MooredResponse::sway_mooring, &Swing::sd>()),
+    motion_quantity("largest_sway_mooring", "N",
+                    "largest amount of the force of springs and lines against the sway load",
+                    at<&MemberOutputs::moored, &MooredResponse::sway_mooring, &Swing::largest>()),
+    motion_quantity("mean_maximum_surge_mooring", "N",
+                    "mean of the segment maxima of the force of springs and lines against the surge load",
+                    at<&MemberOutputs::moored, &MooredResponse::mean_maximum>()),
+    motion_quantity("rms_surge_velocity", "m s-1",
+                    "root mean square of the moored structure's velocity in surge, relative to its anchors",
+                    at<&MemberOutputs::moored, &MooredResponse::rms_velocity>()),
+    motion_quantity("largest_line_tension", "N", "largest horizontal tension of a mooring line over the run",
+                    at<&MemberOutputs::moored, &MooredResponse::line_tension>()),
+    Quantity{.key = "broken_lines",
+             .unit = "1",
+             .long_name = "mooring lines that broke",
+             .place = at<&MemberOutputs::moored, &MooredResponse::broken_lines>(),
+             .count = true,
+             .since = 13},
+    thrust_quantity("mean_surge_thrust", "N", "mean force of thrusters against the surge load",
+                    at<&MemberOutputs::moored, &MooredResponse::surge_thrust, &Swing::mean>()),
+    thrust_quantity("sd_surge_thrust", "N",
+                    "population standard deviation of the force of thrusters against the surge load",
+                    at<&MemberOutputs::moored, &MooredResponse::surge_thrust, &Swing::sd>()),
+    thrust_quantity("largest_surge_thrust", "N", "largest amount of the force of thrusters against the surge load",
+                    at<&MemberOutputs::moored, &MooredResponse::surge_thrust, &Swing::largest>()),
+    thrust_quantity("mean_sway_thrust", "N", "mean force of thrusters against the sway load",
+                    at<&MemberOutputs::moored, &MooredResponse::sway_thrust, &Swing::mean>()),
+    thrust_quantity("sd_sway_thrust", "N",
+                    "population standard deviation of the force of thrusters against the sway load",
+                    at<&MemberOutputs::moored, &MooredResponse::sway_thrust, &Swing::sd>()),
+    thrust_quantity("largest_sway_thrust", "N", "largest amount of the force of thrusters against the sway load",
+                    at<&MemberOutputs::moored, &MooredResponse::sway_thrust, &Swing::largest>()),
+    thrust_quantity("mean_yaw_thrust", "N m", "mean moment of thrusters against the yaw load",
+                    at<&MemberOutputs::moored, &MooredResponse::yaw_thrust, &Swing::mean>()),
+    thrust_quantity("sd_yaw_thrust", "N m",
+                    "population standard deviation of the moment of thrusters against the yaw load",
+                    at<&MemberOutputs::moored, &MooredResponse::yaw_thrust, &Swing::sd>()),
+    thrust_quantity("largest_yaw_thrust", "N m", "largest amount of the moment of thrusters against the yaw load",
+                    at<&MemberOutputs::moored, &MooredResponse::yaw_thrust, &Swing::largest>()),
+    thrust_quantity("thrust_at_limit", "1", "share of the window in which thrusters are at their limit",
+                    at<&MemberOutputs::moored, &MooredResponse::thrust_at_limit>())};
+
+// The list of scalar quantities of a member: of the journal, the campaign file and its page, the stop rule, summaries,
+// pairs and designs. CONTRIBUTING.md says how to add one. Those of the averaged load are made of it: quantities_with().
+
+/// Of the load and the ice, in the order in which they are shown; those of the structure's motion follow.
+inline constexpr std::array load_quantities{
+    Quantity{.key = "mean_load",
+             .unit = "N",
+             .long_name = "mean surge load over the window",
+             .place = at<&MemberOutputs::load, &LoadStatistics::mean>(),
+             .shown = Shown::in_headlines,
+             .label = "mean",
+             .least = no_least,
+             .stops = true,
+             .in_designs = true},
+    Quantity{.key = "sd_load",
+             .unit = "N",
+             .long_name = "population standard deviation of the surge load over the window",
+             .place = at<&MemberOutputs::load, &LoadStatistics::sd>(),
+             .shown = Shown::in_table3,
+             .label = "SD",
+             .stops = true,
+             .in_designs = true,
+             .averaged = &AveragedLoad::sd},
+    Quantity{.key = "maximum_load",
+             .unit = "N",
+             .long_name = "largest surge load in the window",
+             .place = at<&MemberOutputs::load, &LoadStatistics::maximum>(),
+             .shown = Shown::in_table3,
+             .label = "maximum",
+             .least = no_least,
+             .positive = true,
+             .stops = true},
+    Quantity{.key = "skewness",
+             .unit = "1",
+             .long_name = "skewness of the surge load over the window",
+             .place = at<&MemberOutputs::load, &LoadStatistics::skewness>(),
+             .least = no_least},
+    Quantity{.key = "excess_kurtosis",
+             .unit = "1",
+             .long_name = "excess kurtosis of the surge load over the window",
+             .place = at<&MemberOutputs::load, &LoadStatistics::excess_kurtosis>(),
+             .least = no_least},
+    Quantity{.key = "mean_maximum",
+             .unit = "N",
+             .long_name = "mean of the segment maxima of the surge load",
+             .place = at<&MemberOutputs::load, &LoadStatistics::mean_maximum>(),
+             .shown = Shown::in_headlines,
+             .label = "mean maximum",
+             .least = no_least,
+             .positive = true,
+             .stops = true,
+             .in_designs = true,
+             .averaged = &AveragedLoad::mean_maximum},
+    Quantity{.key = "sd_maximum",
+             .unit = "N",
+             .long_name = "population standard deviation of the segment maxima of the surge load",
+             .place = at<&MemberOutputs::load, &LoadStatistics::sd_maximum>(),
+             .shown = Shown::in_table3,
+             .label = "SD maximum",
+             .averaged = &AveragedLoad::sd_maximum},
+    Quantity{.key = "failure_ratio",
+             .unit = "1",
+             .long_name = "broken floes over all floes that were computed, at the end of the run",
+             .place = at<&MemberOutputs::failure_ratio>(),
+             .shown = Shown::in_headlines,
+             .label = "failure ratio",
+             .most = 1,
+             .percent = true,
+             .stops = true,
+             .in_designs = true},
+    floe_count("floes_entered", "floes that were computed at any time of the run: all of a field with an end",
+               at<&MemberOutputs::floes_entered>()),
+    floe_count("floes_met", "floes that touched the structure at any time of the run", at<&MemberOutputs::floes_met>()),
+    Quantity{.key = "met_failure_ratio",
+             .unit = "1",
+             .long_name = "broken floes among those that touched the structure, over these",
+             .place = at<&MemberOutputs::met_failure_ratio>(),
+             .most = 1,
+             .percent = true,
+             .since = 13},
+    crack_quantity("split_ratio", "floes cracked through",
+                   "floes that a crack went through, over all floes, at the end of the run",
+                   at<&MemberOutputs::split_ratio>(), true),
+    crack_quantity("cracked_ratio", "floes with any crack",
+                   "floes of which a joint began to crack, over all floes, at the end of the run",
+                   at<&MemberOutputs::cracked_ratio>(), true),
+    crack_quantity("pieces", "pieces of ice at the end", "pieces of ice at the end of the run",
+                   at<&MemberOutputs::pieces>(), false),
+    Quantity{.key = "fracture_work",
+             .unit = "J",
+             .long_name = "energy that cracks took over the run, of joints that fail by stress",
+             .place = at<&MemberOutputs::fracture_work>(),
+             .since = 12},
+    Quantity{.key = "mean_sway",
+             .unit = "N",
+             .long_name = "mean sway load over the window",
+             .place = at<&MemberOutputs::mean_sway>(),
+             .least = no_least},
+    Quantity{.key = "mean_heave",
+             .unit = "N",
+             .long_name = "mean heave load over the window",
+             .place = at<&MemberOutputs::mean_heave>(),
+             .least = no_least},
+    moment_quantity<&MemberOutputs::yaw, &Swing::mean>("mean_yaw_moment", "mean yaw moment"),
+    moment_quantity<&MemberOutputs::yaw, &Swing::sd>("sd_yaw_moment", "SD of the yaw moment"),
+    moment_quantity<&MemberOutputs::yaw, &Swing::largest>("largest_yaw_moment", "largest yaw moment"),
+    moment_quantity<&MemberOutputs::roll, &Swing::mean>("mean_roll_moment", "mean moment about the tow"),
+    moment_quantity<&MemberOutputs::roll, &Swing::sd>("sd_roll_moment", "SD of the moment about the tow"),
+    moment_quantity<&MemberOutputs::roll, &Swing::largest>("largest_roll_moment", "largest moment about the tow"),
+    moment_quantity<&MemberOutputs::pitch, &Swing::mean>("mean_pitch_moment", "mean overturning moment"),
+    moment_quantity<&MemberOutputs::pitch, &Swing::sd>("sd_pitch_moment", "SD of the overturning moment"),
+    moment_quantity<&MemberOutputs::pitch, &Swing::largest>("largest_pitch_moment", "largest overturning moment"),
+    Quantity{.key = "trend",
+             .unit = "N s-1",
+             .long_name = "slope of the surge load over the window",
+             .place = at<&MemberOutputs::load, &LoadStatistics::trend>(),
+             .least = no_least},
+    Quantity{.key = "trend_p",
+             .unit = "1",
+             .long_name = "probability of a slope at least so far from zero if there were none",
+             .place = at<&MemberOutputs::load, &LoadStatistics::trend_p>(),
+             .most = 1},
+    Quantity{.key = "peak_compression",
+             .unit = "N",
+             .long_name = "largest axial compression in any joint over the run",
+             .place = at<&MemberOutputs::peaks, &PeakReactions::compression>()},
+    Quantity{.key = "peak_tension",
+             .unit = "N",
+             .long_name = "largest axial tension in any joint over the run",
+             .place = at<&MemberOutputs::peaks, &PeakReactions::tension>()},
+    Quantity{.key = "peak_shear",
+             .unit = "N",
+             .long_name = "largest resultant shear in any joint over the run",
+             .place = at<&MemberOutputs::peaks, &PeakReactions::shear>()},
+    Quantity{.key = "peak_bending",
+             .unit = "N m",
+             .long_name = "largest bending moment in any joint over the run",
+             .place = at<&MemberOutputs::peaks, &PeakReactions::bending>()},
+    Quantity{.key = "peak_torsion",
+             .unit = "N m",
+             .long_name = "largest torsion in any joint over the run",
+             .place = at<&MemberOutputs::peaks, &PeakReactions::torsion>()},
+    Quantity{.key = "peak_in_plane_bending",
+             .unit = "N m",
+             .long_name = "largest in-plane bending moment in any joint over the run",
+             .place = at<&MemberOutputs::peaks, &PeakReactions::in_plane_bending>()},
+    Quantity{.key = "failures_bending",
+             .unit = "1",
+             .long_name = "joints that failed in bending",
+             .place = failures_in<FailureMode::bending>(),
+             .shown = Shown::in_summary,
+             .label = "joints failed in bending",
+             .count = true},
+    Quantity{.key = "failures_shear",
+             .unit = "1",
+             .long_name = "joints that failed in shear",
+             .place = failures_in<FailureMode::shear>(),
+             .shown = Shown::in_summary,
+             .label = "  in shear",
+             .count = true},
+    Quantity{.key = "failures_compression",
+             .unit = "1",
+             .long_name = "joints that failed in compression",
+             .place = failures_in<FailureMode::compression>(),
+             .shown = Shown::in_summary,
+             .label = "  in compression",
+             .count = true},
+    Quantity{.key = "failures_tension",
+             .unit = "1",
+             .long_name = "joints that failed in tension",
+             .place = failures_in<FailureMode::tension>(),
+             .shown = Shown::in_summary,
+             .label = "  in tension",
+             .count = true,
+             .since = 9},
+    Quantity{.key = "failures_torsion",
+             .unit = "1",
+             .long_name = "joints that failed in torsion",
+             .place = failures_in<FailureMode::torsion>(),
+             .shown = Shown::in_summary,
+             .label = "  in torsion",
+             .count = true,
+             .since = 9},
+    Quantity{.key = "failures_in_plane_bending",
+             .unit = "1",
+             .long_name = "joints that failed in bending in the plane",
+             .place = failures_in<FailureMode::in_plane_bending>(),
+             .shown = Shown::in_summary,
+             .label = "  in bending in the plane",
+             .count = true,
+             .since = 9},
+};
+
+/// All of them.
+inline constexpr auto quantities = [] {
+    std::array<Quantity, load_quantities.size() + work_quantities.size() + motion_quantities.size()> all{};
+    std::ranges::copy(load_quantities, all.begin());
+    std::ranges::copy(work_quantities, all.begin() + load_quantities.size());
+    std::ranges::copy(motion_quantities, all.begin() + load_quantities.size() + work_quantities.size());
+    return all;
+}();
+
+/// The quantity of that key in the list; nullptr if there is none.
+constexpr const Quantity* find_quantity(std::string_view key) {
+    const auto* const found = std::ranges::find(quantities, key, [](const Quantity& one) { return one.key.view(); });
+    return found == quantities.end() ? nullptr : found;
+}
+
+/// `one` of the load averaged over `time`, s: "mean_maximum_0.5s". Shown in pairs at most.
+Quantity averaged_over(const Quantity& one, double time);
+
+/// The list with, after each quantity that is taken of the averaged load too, the same for each of `averaging_times`.
+std::vector<Quantity> quantities_with(std::span<const double> averaging_times);
+
+/// The quantity of that key, be it in the list or averaged; none where there is none.
+std::optional<Quantity> any_quantity(std::string_view key);
+
+/// quantity("mean_load"): a key that is not in the list does not compile.
+consteval const Quantity& quantity(std::string_view key) {
+    return *find_quantity(key);
+}
+
+/// Those of `all` that are shown at this level or above, in order.
+constexpr auto shown_in(const std::ranges::forward_range auto& all, Shown least) {
+    return std::views::filter(all, [least](const Quantity& one) { return one.shown >= least; });
+}
+
+/// Outputs without data: every quantity is NaN, each of `segments` maxima NaN.
+MemberOutputs unmeasured(int segments);
+
+}  // namespace floes

@@ -1,0 +1,262 @@
+// Contradictions of a field without end.
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "scenario/floes.hpp"
+#include "scenario/keys.hpp"
+#include "scenario/validate.hpp"
+#include "shapes/elements.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr double longest_tow = 1e5;  // m: as far as the sides of the field reach
+constexpr double rounding = 1e-9;    // m
+
+const std::string far_end = "field.far_end";
+
+/// What moves or holds ice that is to rest until the structure comes.
+void check_rest(const Scenario& scenario, Contradictions& found) {
+    struct Mover {
+        std::string key;
+        double value;
+        const char* why;
+    };
+    for (const Mover& one :
+         {Mover{"water.current_m_s", scenario.water.current, "ice ahead of the computed part rests and cannot drift"},
+          Mover{"wind.speed_m_s", scenario.wind.speed, "ice ahead of the computed part rests and cannot drift"},
+          Mover{"field.confining_N_m", scenario.field.confining, "no rigid sheet is as long as the field"},
+          Mover{"field.wake_radius_m", scenario.field.wake_radius, "field.ahead_m already says which floes rest"}}) {
+        if (one.value == 0) continue;
+        found.push_back({{one.key, far_end},
+                         fmt::format("{} does not go together with {}: {}; take 0, or a field with an end",
+                                     given(scenario, one.key), given(scenario, far_end), one.why)});
+    }
+    if (scenario.general.solver == SolverKind::stock) {
+        found.push_back({{"general.solver", far_end},
+                         fmt::format("{} cannot let floes rest, as {} asks; take \"direct\" or \"lanes\"",
+                                     given(scenario, "general.solver"), given(scenario, far_end))});
+    }
+}
+
+/// The window of floes that are computed goes on with the structure and never back, and what it has left is gone.
+void check_way_back(const Scenario& scenario, Contradictions& found) {
+    const double room = scenario.window_behind() - window_least(scenario);
+    double farthest = 0;
+    double time = 0;
+    for (const PathPlace& place : scenario.places()) {
+        const double x = place.pose.x;
+        farthest = std::max(farthest, x);
+        if (farthest - x > room - rounding) {
+            found.push_back(
+                {{scenario.path.legs.empty() ? "path.places" : "path.legs", far_end, "field.behind_m"},
+                 fmt::format("the path takes the structure back by {:.4g} m to x = {:.4g} m after {:.6g} s, "
+                             "and with {} floes more than {:.4g} m behind the farthest place that it has "
+                             "been to are gone, so {:.4g} m is the most; go on along +x, take a larger "
+                             "field.behind_m or a field with an end",
+                             farthest - x, scenario.structure.start + x, time, given(scenario, far_end),
+                             scenario.window_behind(), room)});
+            return;
+        }
+        time += scenario.general.time_step;
+    }
+}
+
+void check_tiles(const Scenario& scenario, Contradictions& found) {
+    const ArrangementRule& rule = scenario.arrangement;
+    if (rule.method != ArrangementMethod::scattered) {
+        found.push_back(
+            {{"arrangement.method", far_end},
+             fmt::format("{} does not go together with {}, whose parts are laid beside one another without a seam; "
+                         "take \"scattered\", or a field with an end",
+                         given(scenario, "arrangement.method"), given(scenario, far_end))});
+    } else if (rule.ordering_sweeps > 0) {
+        found.push_back({{"arrangement.ordering_sweeps", far_end},
+                         fmt::format("{} would move floes that lie already, which {} does not allow; take 0, or a "
+                                     "field with an end",
+                                     given(scenario, "arrangement.ordering_sweeps"), given(scenario, far_end))});
+    }
+}
+
+void check_window(const Scenario& scenario, Contradictions& found) {
+    const double least = window_least(scenario);
+    const auto check = [&](const std::string& key, double length, const char* what) {
+        if (length > least) return;
+        found.push_back({{key, "structure.profile_m", "field.half_width_m"},
+                         fmt::format("{} is {:.4g} m, and {} nearer than the structure's radius and a floe's diagonal, "
+                                     "{:.4g} m; take more",
+                                     given(scenario, key), length, what, least)});
+    };
+    check("field.ahead_m", scenario.window_ahead(), "the structure would strike floes at rest when they are");
+    check("field.behind_m", scenario.window_behind(), "floes would be taken out while they touch it when they are");
+    const double towed = scenario.reach();
+    if (towed + scenario.window_ahead() > longest_tow) {
+        found.push_back({{"analysis.window_s", "structure.speed_m_s", "field.ahead_m"},
+                         fmt::format("the tow comes {:.4g} m far and looks {:.4g} m ahead, and the sides of a field "
+                                     "without end reach {:.4g} m; tow for a shorter time",
+                                     towed, scenario.window_ahead(), longest_tow)});
+    }
+}
+
+}  // namespace
+
+double window_least(const Scenario& scenario) {
+    double diagonal = 0;
+    for (const FloeShape& shape : floe_sizes(scenario))
+        diagonal = std::max(diagonal, std::hypot(shape.length, shape.breadth));
+    return scenario.structure.shape.largest_radius() + diagonal;
+}
+
+void check_endless(const Scenario& scenario, Contradictions& found) {
+    if (!scenario.field.endless()) return;
+    check_rest(scenario, found);
+    check_tiles(scenario, found);
+    if (scenario.arrangement.method != ArrangementMethod::scattered) return;
+    const std::size_t before = found.size();
+    check_window(scenario, found);
+    if (found.size() == before) check_way_back(scenario, found);
+}
+
+// Contradictions between floes that are polygons and the rest.
+
+void check_shapes(const Scenario& scenario, Contradictions& found) {
+    if (!scenario.shapes.any()) return;
+    const std::size_t before = found.size();
+    const auto refuse = [&](const std::string& with, const std::string& reason, const std::string& instead) {
+        found.push_back({{with, "shapes.kind"},
+                         fmt::format("{} is not possible with {}: {}; take {}", given(scenario, "shapes.kind"),
+                                     given(scenario, with), reason, instead)});
+    };
+    const bool voronoi = scenario.shapes.kind == ShapeKind::voronoi;
+    if (scenario.joint.model != JointModel::beam)
+        refuse("joint.model", "Σ and Γ are fitted to square elements", "joint.model = \"beam\"");
+    const ArrangementMethod method = scenario.arrangement.method;  // check_traced() has looked at traced
+    if (method == ArrangementMethod::lattice || method == ArrangementMethod::file)
+        refuse("arrangement.method",
+               voronoi ? "cells of a Voronoi diagram lie where they grew" : "polygons fit on no lattice of rectangles",
+               "arrangement.method = \"scattered\" or \"monte_carlo\"");
+    if (!scenario.structure.shape.is_of_revolution() && scenario.water.flow == WaterFlow::potential)
+        refuse("hull.shape", "the flow round a hull that is none of revolution is computed for square elements only",
+               "water.flow = \"still\"");
+    if (voronoi && scenario.sizes.law != SizeLaw::one)
+        refuse("sizes.law", "the diagram decides the areas",
+               "sizes.law = \"one\", shapes.kind = \"polygon\", or another number of shapes.relaxations");
+    if (found.size() > before) return;
+    try {
+        static_cast<void>(floes_of(scenario));
+    } catch (const InputError& error) {
+        found.push_back({{"shapes.kind", "shapes.relaxations", "field.concentration_percent"}, error.what()});
+    }
+}
+
+// Contradictions within outlines that were traced, and between them and the rest.
+
+namespace {
+
+const std::vector<std::string> outline_keys{"shapes.file", "shapes.outlines", "shapes.kind"};
+
+/// ", and 3 more" for others of which the same is true.
+std::string and_more(std::ptrdiff_t others) {
+    return others > 0 ? fmt::format(" (and {} more)", others) : "";
+}
+
+std::optional<std::string> fault_of(const TracedOutlines& traced) {
+    for (std::size_t i = 0; i < traced.outlines.size(); ++i) {
+        const Outline& one = traced.outlines[i];
+        if (const auto fault = floes::fault_of(one))
+            return fmt::format("{} is no floe: {}", outline_name(traced, i), *fault);
+        if (one.size() > most_outline_corners)
+            return fmt::format(
+                "{} has {} corners, more than the {} of a floe; give it by shapes.file, which takes "
+                "fewer",
+                outline_name(traced, i), one.size(), most_outline_corners);
+    }
+    if (!traced.areas.empty() && traced.areas.size() != traced.outlines.size())
+        return fmt::format("shapes.traced_areas_m2 has {} areas for {} outlines; leave it out, or give one for each",
+                           traced.areas.size(), traced.outlines.size());
+    return std::nullopt;
+}
+
+/// What became convex and covers too much more than what was traced.
+void check_added(const TracedOutlines& traced, Contradictions& found) {
+    if (traced.areas.empty()) return;
+    const std::vector<double> added = traced_added(traced);
+    const auto worst = std::ranges::max_element(added);
+    const auto above = std::ranges::count_if(added, [&](double one) { return one > traced.most_added; });
+    if (above == 0) return;
+    found.push_back(
+        {{"shapes.most_added_percent", "shapes.file"},
+         fmt::format("{} is not convex: without its bays and holes it would cover {:.3g} % more, above "
+                     "shapes.most_added_percent = {:g}{}; trace it as several floes, allow more, or leave it out",
+                     outline_name(traced, static_cast<std::size_t>(worst - added.begin())), 100 * *worst,
+                     100 * traced.most_added, and_more(above - 1))});
+}
+
+/// Each has to be a sheet of at least one element.
+void check_sheets(const Scenario& scenario, Contradictions& found) {
+    const TracedOutlines& traced = scenario.shapes.traced;
+    double elements = 0;
+    for (const Outline& one : traced.outlines)
+        elements += std::abs(area_of(one)) * std::pow(traced.scale / scenario.floe.element, 2);
+    const double each = static_cast<double>(scenario.field.floes) / static_cast<double>(traced.outlines.size());
+    check_element_count(scenario, elements * std::max(1.0, each), found);
+    if (!found.empty()) return;
+    const std::vector<SingleFloe> floes = floes_as_traced(scenario);
+    const auto refuse = [&](const auto& breadth_of, double least, const std::string& key, const std::string& what) {
+        const auto narrowest = std::ranges::min_element(floes, {}, breadth_of);
+        const auto below = std::ranges::count_if(floes, [&](const auto& one) { return breadth_of(one) < least; });
+        if (below == 0) return;
+        found.push_back(
+            {{key, "shapes.scale", "shapes.file", "shapes.outlines"},
+             fmt::format("{}{} {} {:.4g} m, less than {}; leave such floes out of the file, or change shapes.scale or "
+                         "shapes.unit",
+                         outline_name(traced, static_cast<std::size_t>(narrowest - floes.begin())), and_more(below - 1),
+                         what, breadth_of(*narrowest), given(scenario, key))});
+    };
+    refuse([](const SingleFloe& one) { return 2 * inner_radius(one.shape.outline); }, scenario.floe.thickness,
+           "ice.thickness_m", "is thinner than the ice: the widest circle within has a diameter of");
+    if (!found.empty()) return;
+    refuse([](const SingleFloe& one) { return one.shape.breadth; }, scenario.floe.element * (1 - 1e-9),
+           "floe.element_m", "is smaller than an element: its breadth is");
+}
+
+}  // namespace
+
+void check_traced(const Scenario& scenario, Contradictions& found) {
+    const Shapes& shapes = scenario.shapes;
+    const bool as_they_lie = scenario.arrangement.method == ArrangementMethod::traced;
+    if (as_they_lie && !shapes.from_file())
+        found.push_back({{"arrangement.method", "shapes.kind"},
+                         fmt::format("{} needs shapes.kind = \"file\", whose outlines have places",
+                                     given(scenario, "arrangement.method"))});
+    if (!shapes.from_file()) return;
+    const TracedOutlines& traced = shapes.traced;
+    if (traced.outlines.empty()) {
+        found.push_back({outline_keys, fmt::format("{} needs outlines; give shapes.file or shapes.outlines",
+                                                   given(scenario, "shapes.kind"))});
+        return;
+    }
+    if (scenario.sizes.law != SizeLaw::one)
+        found.push_back({{"sizes.law", "shapes.kind"},
+                         fmt::format("{} is not possible with {}: the outlines have their own sizes; take sizes.law = "
+                                     "\"one\", and shapes.scale for larger or smaller ones",
+                                     given(scenario, "shapes.kind"), given(scenario, "sizes.law"))});
+    if (as_they_lie && traced.outlines.size() != static_cast<std::size_t>(scenario.field.floes))
+        found.push_back({{"field.floes", "shapes.file", "shapes.outlines"},
+                         fmt::format("{} is not the number of outlines, {}, which all lie where they were traced; "
+                                     "make them agree, or take arrangement.method = \"scattered\"",
+                                     given(scenario, "field.floes"), traced.outlines.size())});
+    if (const auto fault = fault_of(traced)) found.push_back({outline_keys, *fault});
+    if (!found.empty()) return;
+    check_added(traced, found);
+    if (found.empty()) check_sheets(scenario, found);
+}
+
+}  // namespace floes

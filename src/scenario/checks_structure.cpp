@@ -1,0 +1,477 @@
+// Contradictions of paths and moorings.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "scenario/floes.hpp"
+#include "scenario/keys.hpp"
+#include "scenario/validate.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr double rounding = 1e-9;  // m
+
+void refuse(Contradictions& found, std::vector<std::string> keys, std::string sentence) {
+    found.push_back({std::move(keys), std::move(sentence)});
+}
+
+void check_legs(const Scenario& scenario, Contradictions& found) {
+    const Path& path = scenario.path;
+    if (!path.table.empty()) {
+        refuse(found, {"path.places", "path.legs"},
+               fmt::format("path.legs and path.places are two paths; leave one out"));
+        return;
+    }
+    const double shortest = std::ranges::min(path.legs, {}, &PathLeg::time).time;
+    if (path.ramp > shortest) {
+        refuse(found, {"path.ramp_s", "path.legs"},
+               fmt::format("{} is longer than the shortest leg, {:g} s; take at most that",
+                           given(scenario, "path.ramp_s"), shortest));
+    }
+    if (path.of == PathOf::ice && path.bow == PathBow::ahead) {
+        refuse(found, {"path.bow", "path.of"},
+               fmt::format(
+                   "path.bow = \"ahead\" turns the structure with the heading, and path.of = \"ice\" has it stand; "
+                   "take path.bow = \"unturned\""));
+    }
+}
+
+void check_table(const std::vector<PathPoint>& table, Contradictions& found) {
+    const auto wrong = [&](std::size_t row, const std::string& what) {
+        refuse(found, {"path.places"}, fmt::format("path.places[{}] {}", row, what));
+    };
+    const PathPoint& first = table.front();
+    if (first.time != 0 || first.x != 0 || first.z != 0)
+        wrong(0, "is not at time 0 at the start; begin with [0, 0, 0, yaw], since places are from the start");
+    for (std::size_t row = 1; row < table.size(); ++row) {
+        if (table[row].time > table[row - 1].time) continue;
+        wrong(row, fmt::format("is at {:g} s, not after the row before at {:g} s; times have to rise", table[row].time,
+                               table[row - 1].time));
+        return;
+    }
+}
+
+/// Where on its way the structure is not between the banks and the ends of the channel.
+void check_way(const Scenario& scenario, const std::vector<PathPlace>& places, Contradictions& found) {
+    const std::string key = scenario.path.legs.empty() ? "path.places" : "path.legs";
+    const double radius = scenario.structure.shape.largest_radius();
+    const double step = scenario.general.time_step;
+    const double begin = scenario.structure.start - rounding;
+    const bool endless = scenario.field.endless();
+    const double end = endless ? std::numeric_limits<double>::infinity() : scenario.field_end() + rounding;
+    bool meets = false;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const PathPlace& place = places[k];
+        const double x = scenario.structure.start + place.pose.x;
+        const double time = step * static_cast<double>(k);
+        const auto stop = [&](const std::string& what) { refuse(found, {key}, what); };
+        meets = meets || x + radius >= scenario.field.begin;
+        if (std::abs(place.pose.z) + radius > scenario.field.half_width + rounding)
+            return stop(
+                fmt::format("the path takes the structure, of radius {:.4g} m, to z = {:.4g} m after {:.6g} s, "
+                            "into the bank at {}; turn earlier or widen the field",
+                            radius, place.pose.z, time, given(scenario, "field.half_width_m")));
+        if (x + radius > end || x < begin)
+            return stop(
+                fmt::format("the path leaves the channel: after {:.6g} s the axis is at x = {:.4g} m, and it "
+                            "has to stay {} {}{}",
+                            time, x, endless ? "ahead of" : "from", given(scenario, "structure.start_m"),
+                            endless ? std::string("; begin with a leg along +x")
+                                    : fmt::format(" to {:.4g} m; take a shorter way or more floes", end - radius)));
+        const double speed = place.velocity.norm() + radius * std::abs(place.turning);
+        if (speed >= scenario.general.runaway_speed)
+            return stop(
+                fmt::format("the path moves the structure's wall at {:.4g} m/s at {:.6g} s, not below {}; give "
+                            "turns time, by path.ramp_s or more rows",
+                            speed, time, given(scenario, "general.runaway_speed_m_s")));
+    }
+    if (!meets)
+        refuse(found, {key, "structure.start_m", "field.begin_m"},
+               fmt::format("the path never reaches the ice that begins at {}; start nearer or go farther",
+                           given(scenario, "field.begin_m")));
+}
+
+void check_lines(const Scenario& scenario, Contradictions& found) {
+    const Moorings& moorings = scenario.moorings;
+    const std::vector<TensionPoint>& curve = moorings.curve;
+    if (!curve.empty()) {
+        if (moorings.lines.empty())
+            refuse(found, {"moorings.line_curve", "moorings.lines"},
+                   fmt::format(
+                       "moorings.line_curve is of moorings.lines, and there are none; give lines or leave it out"));
+        if (curve.size() < 2)
+            refuse(found, {"moorings.line_curve"},
+                   fmt::format("moorings.line_curve has one row; two or more are a curve"));
+        for (std::size_t row = 1; row < curve.size(); ++row) {
+            if (curve[row].extension > curve[row - 1].extension && curve[row].tension > curve[row - 1].tension)
+                continue;
+            refuse(found, {"moorings.line_curve"},
+                   fmt::format("moorings.line_curve[{}] does not have more extension and more tension than the row "
+                               "before; both have to rise",
+                               row));
+            break;
+        }
+    }
+    for (std::size_t row = 0; row < moorings.lines.size(); ++row) {
+        const MooringLine& line = moorings.lines[row];
+        const auto wrong = [&](const std::string& what) {
+            refuse(found, {"moorings.lines", "moorings.line_curve"}, fmt::format("moorings.lines[{}] {}", row, what));
+        };
+        if (!curve.empty() && line.stiffness > 0)
+            wrong("has a stiffness beside moorings.line_curve; make it 0 or leave the curve out");
+        if (curve.empty() && line.stiffness == 0) wrong("has no stiffness; give it one or moorings.line_curve");
+        if (curve.size() > 1 && line.pretension < curve.front().tension)
+            wrong(fmt::format("has a pretension of {:g} kN, below the {:g} kN where moorings.line_curve begins",
+                              line.pretension / 1e3, curve.front().tension / 1e3));
+        if (curve.size() > 1 && line.pretension > curve.back().tension)
+            wrong(fmt::format("has a pretension of {:g} kN, above the {:g} kN where moorings.line_curve ends",
+                              line.pretension / 1e3, curve.back().tension / 1e3));
+        if (line.break_load > 0 && line.pretension > line.break_load)
+            wrong(fmt::format("breaks at {:g} kN, below its pretension of {:g} kN", line.break_load / 1e3,
+                              line.pretension / 1e3));
+    }
+}
+
+void check_turret(const Moorings& moorings, Contradictions& found) {
+    const std::vector<TensionPoint>& curve = moorings.turret_curve;
+    if (curve.empty()) return;
+    const auto wrong = [&](std::size_t row, const char* what) {
+        refuse(found, {"moorings.turret_curve"}, fmt::format("moorings.turret_curve[{}] {}", row, what));
+    };
+    if (curve.size() < 2) return wrong(0, "is the only row; two or more are a curve");
+    if (curve.front() != TensionPoint{})
+        return wrong(0, "is not [0, 0], where the mooring is at rest; begin with that");
+    for (std::size_t row = 1; row < curve.size(); ++row) {
+        if (curve[row].extension > curve[row - 1].extension && curve[row].tension > curve[row - 1].tension) continue;
+        return wrong(row, "does not have more offset and more force than the row before; both have to rise");
+    }
+}
+
+void check_thrusters(const Scenario& scenario, Contradictions& found) {
+    struct Direction {
+        const char *gain, *limit;
+    };
+    constexpr std::array<Direction, 3> directions{{{"moorings.dp_surge_kN_m", "moorings.dp_surge_limit_kN"},
+                                                   {"moorings.dp_sway_kN_m", "moorings.dp_sway_limit_kN"},
+                                                   {"moorings.dp_yaw_kN_m_rad", "moorings.dp_yaw_limit_kN_m"}}};
+    const Thrusters& thrusters = scenario.moorings.thrusters;
+    for (int k = 0; k < 3; ++k) {
+        if (thrusters.limit[k] == 0 || thrusters.gain[k] > 0) continue;
+        const auto [gain, limit] = directions.at(static_cast<std::size_t>(k));
+        refuse(found, {limit, gain},
+               fmt::format("{} limits thrusters that {} = 0 leaves out; give both or neither", given(scenario, limit),
+                           gain));
+    }
+}
+
+/// The load of a step moves the structure in the next: right while the ice that it strikes is light beside it.
+void check_mass(const Scenario& scenario, Contradictions& found) {
+    constexpr double least = 10;
+    const double ratio = structure_over_floe(scenario);
+    if (ratio >= least) return;
+    refuse(found, {"moorings.mass_t", "floe.length_m"},
+           fmt::format("{} and the water that moves with it are {:.4g} times the heaviest floe, and {:g} times is the "
+                       "least: a floe that strikes the structure would push it {:.2g} % too hard, since the structure "
+                       "moves after each step only; take smaller floes or moorings.mass_t = 0",
+                       given(scenario, "moorings.mass_t"), ratio, least, 100 / ratio));
+}
+
+void check_periods(const Scenario& scenario, Contradictions& found) {
+    constexpr double fewest_steps = 50;
+    constexpr std::array words{"surge", "sway", "yaw"};
+    const Moorings& moorings = scenario.moorings;
+    const Vec3 periods = moorings.periods();
+    for (int k = 0; k < moorings.directions(); ++k) {
+        const char* const word = words.at(static_cast<std::size_t>(k));
+        if (!std::isfinite(periods[k])) {
+            refuse(
+                found, {"moorings.free", "moorings.lines"},
+                fmt::format("nothing holds the structure in {}; give a stiffness, lines or thrusters that hold it, or "
+                            "take a moorings.free without {}",
+                            word, word));
+        } else if (periods[k] < fewest_steps * scenario.general.time_step) {
+            refuse(found, {"moorings.mass_t", "general.time_step_s"},
+                   fmt::format("the moored structure's natural period in {} is {:.4g} s, fewer than {:g} steps "
+                               "of {}; take softer moorings, a shorter step or moorings.mass_t = 0",
+                               word, periods[k], fewest_steps, given(scenario, "general.time_step_s")));
+        }
+    }
+}
+
+}  // namespace
+
+double structure_over_floe(const Scenario& scenario) {
+    const FloeSet floes = floes_of(scenario);
+    double heaviest = 0;
+    for (std::size_t i = 0; i < floes.size(); ++i)
+        heaviest = std::max(heaviest, floes.shape(i).elements() * floes.shape(i).element_mass(floes.material(i).ice));
+    const Vec3 inertia = scenario.moorings.inertia();
+    return std::min(inertia.x(), inertia.y()) / heaviest;
+}
+
+void check_path(const Scenario& scenario, Contradictions& found) {
+    const Path& path = scenario.path;
+    if (!path.any()) return;
+    const std::size_t before = found.size();
+    if (!path.legs.empty()) check_legs(scenario, found);
+    if (!path.table.empty()) check_table(path.table, found);
+    if (found.size() == before) check_way(scenario, scenario.places(), found);
+}
+
+void check_moorings(const Scenario& scenario, Contradictions& found) {
+    const Moorings& moorings = scenario.moorings;
+    if (!moorings.give_way()) return;
+    const std::size_t before = found.size();
+    check_lines(scenario, found);
+    check_turret(moorings, found);
+    check_thrusters(scenario, found);
+    if (moorings.free == FreeMotion::all && moorings.inertia()[2] == 0) {
+        refuse(found, {"moorings.gyration_m", "moorings.free"},
+               fmt::format("moorings.gyration_m = 0 leaves nothing to turn; give the radius of gyration, or take "
+                           "moorings.free = \"surge_sway\""));
+    }
+    if (scenario.path.any() && scenario.path.bow == PathBow::ahead && !scenario.path.legs.empty()) {
+        refuse(found, {"path.bow", "moorings.mass_t"},
+               fmt::format("path.bow = \"ahead\" would turn the moorings with the heading; take \"unturned\""));
+    }
+    if (std::ranges::any_of(scenario.path.table, [](const PathPoint& at) { return at.yaw != 0; })) {
+        refuse(
+            found, {"path.places", "moorings.mass_t"},
+            fmt::format("path.places has yaw, which would turn the moorings; make it 0, the structure yaws by itself"));
+    }
+    if (found.size() > before) return;
+    check_mass(scenario, found);
+    check_periods(scenario, found);
+}
+
+// Contradictions between structure, field, floes and the length of the tow.
+
+namespace {
+
+void check_added_volume(const Structure& structure, Contradictions& found) {
+    const double own = structure.hull_file.volume;
+    if (structure.shape.kind() != HullKind::file || own == 0) return;
+    const double added = structure.shape.volume() / own - 1;
+    if (added <= structure.hull_file.most_added) return;
+    found.push_back(
+        {{"hull.most_added_percent", "hull.file"},
+         fmt::format("the convex pieces of the hull fill {:.3g} % more than it, over hull.most_added_percent = {:g}; "
+                     "cut the hull into bodies that are convex yourself, or allow more",
+                     100 * added, 100 * structure.hull_file.most_added)});
+}
+
+}  // namespace
+
+void check_shape(const Scenario& scenario, Contradictions& found) {
+    const Structure& structure = scenario.structure;
+    const bool by_profile = structure.shape.kind() == HullKind::profile;
+    const std::string key = by_profile ? "structure.profile_m" : "hull.shape";
+    if (const auto fault = structure.shape.fault()) {
+        found.push_back({{key}, fmt::format("{} {}", given(scenario, key), *fault)});
+        return;
+    }
+    check_added_volume(structure, found);
+    const double breadth = 2 * structure.shape.waterline_radius();
+    if (by_profile || breadth >= 0.5 * scenario.floe.element) return;
+    found.push_back({{key, "floe.element_m"},
+                     fmt::format("the structure is {:.4g} m wide at the waterline, less than half of {}; take smaller "
+                                 "elements, or look at hull.unit",
+                                 breadth, given(scenario, "floe.element_m"))});
+}
+
+void check_tow(const Scenario& scenario, Contradictions& found) {
+    const Structure& structure = scenario.structure;
+    const double radius = structure.shape.waterline_radius();
+    const double ahead = structure.shape.waterline_ahead();
+    const double duration = scenario.analysis.steady_start + scenario.analysis.window;
+    // Ice that nothing holds drifts with the current while the structure comes.
+    const double drift = scenario.field.far_end == FarEnd::open ? scenario.water.current_velocity().x() : 0;
+    const double end = structure.start + (structure.speed - drift) * duration;
+    const auto course = [&] {
+        return fmt::format("{} and {}", given(scenario, "structure.start_m"), given(scenario, "structure.speed_m_s"));
+    };
+    if (structure.speed >= scenario.general.runaway_speed) {
+        found.push_back(
+            {{"structure.speed_m_s", "general.runaway_speed_m_s"},
+             fmt::format("{} is not below {}, so ice pushed by the structure would count as run away; raise the limit",
+                         given(scenario, "structure.speed_m_s"), given(scenario, "general.runaway_speed_m_s"))});
+    }
+    if (radius >= scenario.field.half_width) {
+        found.push_back(
+            {{"structure.profile_m", "field.half_width_m"},
+             fmt::format(
+                 "the structure's waterline radius of {:.4g} m does not fit between the ice sheets at {}; widen "
+                 "the field or make the structure slimmer",
+                 radius, given(scenario, "field.half_width_m"))});
+    }
+    if (structure.start + ahead > scenario.field.begin + rounding) {
+        found.push_back(
+            {{"structure.start_m", "field.begin_m"},
+             fmt::format("{} puts the structure's waterline to x = {:.4g} m, inside the ice that begins at {}; start "
+                         "before {:.4g}",
+                         given(scenario, "structure.start_m"), structure.start + ahead,
+                         given(scenario, "field.begin_m"), scenario.field.begin - ahead)});
+    } else if (end + ahead < scenario.field.begin && !scenario.path.any()) {
+        found.push_back(
+            {{"field.begin_m", "structure.start_m", "structure.speed_m_s", "analysis.window_s",
+              "analysis.steady_start_s"},
+             fmt::format(
+                 "the tow never reaches the ice: with {} the structure's waterline ends at x = {:.4g} m after {:.6g} "
+                 "s, before {}; start nearer, tow faster or longer",
+                 course(), end + ahead, duration, given(scenario, "field.begin_m"))});
+    }
+    if (!scenario.field.endless() && end + ahead > scenario.field_end() + rounding && !scenario.path.any()) {
+        const bool closed = scenario.field.far_end == FarEnd::ice_sheet;
+        found.push_back(
+            {{"analysis.window_s", "analysis.steady_start_s", "structure.speed_m_s", "structure.start_m",
+              "field.floes"},
+             fmt::format(
+                 "the tow runs {}: with {} the structure's waterline ends at x = {:.4g} m after {:.6g} s, past the "
+                 "field's end at {:.4g} m; tow for a shorter time or take more floes",
+                 closed ? "into the ice sheet at the far end" : "out of the ice", course(), end + ahead, duration,
+                 scenario.field_end())});
+    }
+}
+
+void check_boundaries(const Scenario& scenario, Contradictions& found) {
+    const Field& field = scenario.field;
+    if (field.confining > 0 && field.sides == FieldSides::open && field.far_end == FarEnd::open) {
+        found.push_back({{"field.confining_N_m", "field.sides", "field.far_end"},
+                         fmt::format("{} needs an ice sheet that presses; close the sides or the far end, or take 0",
+                                     given(scenario, "field.confining_N_m"))});
+    }
+    for (const std::string key : {"water.current_m_s", "wind.speed_m_s"}) {
+        const double speed = key.starts_with("wind") ? scenario.wind.speed : scenario.water.current;
+        if (speed == 0 || field.wake_radius == 0) continue;
+        found.push_back({{"field.wake_radius_m", key},
+                         fmt::format("{} lets no floe rest, so {} cannot stand; take 0 for none at rest",
+                                     given(scenario, key), given(scenario, "field.wake_radius_m"))});
+    }
+}
+
+void check_wake(const Scenario& scenario, Contradictions& found) {
+    const double radius = scenario.field.wake_radius;
+    if (radius == 0) return;
+    double diagonal = 0;
+    constexpr double larger = 1.5;  // floes of other arrangements, where outlines are drawn
+    for (const FloeShape& shape : floes_of(scenario).shapes)
+        diagonal = std::max(diagonal, shape.is_polygon() ? larger * 2 * reach_of(shape.outline)
+                                                         : std::hypot(shape.length, shape.breadth));
+    const double least = scenario.structure.shape.largest_radius() + 0.5 * diagonal;
+    if (radius < least) {
+        found.push_back(
+            {{"field.wake_radius_m", "structure.profile_m", "floe.length_m", "floe.breadth_m"},
+             fmt::format(
+                 "{} lets the structure strike a floe at rest, whose middle may be {:.4g} m from its axis then; "
+                 "take more than that, or 0 for none at rest",
+                 given(scenario, "field.wake_radius_m"), least)});
+    }
+}
+
+void check_lattice(const Scenario& scenario, Contradictions& found) {
+    if (scenario.arrangement.given()) return;
+    const double clearance = scenario.arrangement.clearance;
+    const auto fitting = [&](double room, double side) {
+        return std::max(0.0, std::floor((room - clearance) / (side + clearance) + rounding));
+    };
+    FloeShape cell = scenario.floe;
+    if (sizes_may_differ(scenario)) {
+        if (scenario.arrangement.method != ArrangementMethod::lattice) return;  // such floes need no lattice
+        cell.length = cell.breadth = 0;
+        for (const FloeShape& shape : floe_sizes(scenario)) {
+            cell.length = std::max(cell.length, shape.length);
+            cell.breadth = std::max(cell.breadth, shape.breadth);
+        }
+    }
+    const double rows = fitting(2 * scenario.field.half_width, cell.breadth);
+    const double columns = fitting(scenario.field_length(), cell.length);
+    if (rows * columns >= scenario.field.floes) return;
+    found.push_back(
+        {{"field.concentration_percent", "arrangement.clearance_m", "field.half_width_m", "field.floes",
+          "floe.length_m", "floe.breadth_m"},
+         fmt::format(
+             "{} cannot hold {} with {}: the field of {:.4g} m x {:.4g} m has room for {} rows of {}; lower the "
+             "concentration or the clearance, or change the width so that whole rows fit",
+             given(scenario, "field.concentration_percent"), given(scenario, "field.floes"),
+             given(scenario, "arrangement.clearance_m"), scenario.field_length(), 2 * scenario.field.half_width, rows,
+             columns)});
+}
+
+void check_given_floes(const Scenario& scenario, Contradictions& found) {
+    const ArrangementRule& rule = scenario.arrangement;
+    const std::vector<std::string> keys{"arrangement.columns", "arrangement.poses", "arrangement.file"};
+    if (rule.columns.empty()) {
+        const auto longer = std::ranges::find_if(rule.values, [](const auto& values) { return !values.empty(); });
+        if (longer == rule.values.end()) return;
+        found.push_back(
+            {keys, fmt::format("arrangement.poses[{}] has more than x_m, z_m and yaw_deg; name what follows "
+                               "them in arrangement.columns",
+                               longer - rule.values.begin())});
+        return;
+    }
+    if (rule.method != ArrangementMethod::file || rule.poses.empty()) {
+        found.push_back({keys, fmt::format("{} needs arrangement.method = \"file\" and poses with these columns",
+                                           given(scenario, "arrangement.columns"))});
+        return;
+    }
+    try {
+        const FloeSet floes = floes_of(scenario);
+        std::set<std::pair<std::size_t, std::size_t>> kinds;
+        Scenario alike = scenario;
+        alike.arrangement = {};  // a copy of the poses for each kind of floe would take too long
+        for (std::size_t i = 0; i < floes.size(); ++i) {
+            if (!kinds.emplace(floes.floes[i].shape, floes.floes[i].material).second) continue;
+            alike.floe = floes.shape(i);
+            alike.ice = floes.material(i).ice;
+            alike.joint = floes.material(i).joint;
+            Contradictions of_floe;
+            check_sides(alike, of_floe);
+            check_floating(alike, of_floe);
+            check_proportions(alike, of_floe);
+            for (Contradiction& one : of_floe) {
+                one.sentence = fmt::format("floe {}: {}", i, one.sentence);
+                found.push_back(std::move(one));
+            }
+        }
+        check_element_count(scenario, element_count(floes), found);
+    } catch (const InputError& fault) {
+        found.push_back({keys, fault.what()});
+    }
+}
+
+void check_poses(const Scenario& scenario, Contradictions& found) {
+    const std::vector<PlanarPose>& poses = scenario.arrangement.poses;
+    if (scenario.arrangement.method != ArrangementMethod::file) {
+        if (poses.empty()) return;
+        found.push_back(
+            {{"arrangement.method", "arrangement.poses", "arrangement.file"},
+             fmt::format(
+                 "{} does not use arrangement.poses; write arrangement.method = \"file\" or leave the poses out",
+                 given(scenario, "arrangement.method"))});
+        return;
+    }
+    if (poses.empty()) {
+        found.push_back({{"arrangement.method", "arrangement.poses", "arrangement.file"},
+                         fmt::format("{} needs poses; give arrangement.file or arrangement.poses",
+                                     given(scenario, "arrangement.method"))});
+        return;
+    }
+    if (poses.size() != static_cast<std::size_t>(scenario.field.floes)) {
+        found.push_back({{"field.floes", "arrangement.poses", "arrangement.file"},
+                         fmt::format("{} is not the number of poses given, {}; make them agree",
+                                     given(scenario, "field.floes"), poses.size())});
+    }
+}
+
+}  // namespace floes

@@ -1,0 +1,332 @@
+// Keys of the table [hull]: shapes of the structure other than a profile.
+
+#include <algorithm>
+#include <span>
+
+#include "scenario/tables.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr double largest = 1e4;  // m
+
+Key kind_key(Shape& shape) {
+    WordField words{
+        {"profile", "cylinder", "cone_up", "cone_down", "four_legs", "wedge_bow", "drillship", "barge", "file"},
+        [&shape] { return static_cast<std::size_t>(shape.kind()); },
+        [&shape](std::size_t word) { shape.set_kind(static_cast<HullKind>(word)); }};
+    return late_key(
+        {"hull.shape", std::move(words), "Table 2",
+         "profile: a body of revolution by structure.profile_m; cylinder: vertical; cone_up narrows upwards and breaks "
+         "ice upwards; cone_down flares upwards and breaks it downwards; four_legs: vertical, in a square; wedge_bow: "
+         "a "
+         "ship with a wedge as bow and a flat stern; drillship: a wedge at either end; barge: ends that slope; file: "
+         "convex pieces of hull.file or hull.pieces. docs/hulls.md has their drawings."});
+}
+
+struct SizeWords {
+    std::string_view path;
+    double HullSizes::*size;
+    std::string_view doc;
+};
+
+Key size_key(Shape& shape, const SizeWords& words) {
+    const bool angle = words.path.ends_with("_deg");
+    const std::string_view name = words.path.substr(words.path.find('.') + 1);
+    const bool is_flare = name == "flare_deg";
+    NumberField field{[&shape, size = words.size] { return shape.sizes().*size; },
+                      [&shape, size = words.size](double value) { shape.set_size(size, value); },
+                      angle ? unit::degree : unit::one,
+                      angle ? at_least(0).at_most(150) : at_least(0).at_most(largest)};
+    const auto in_force = [&shape, name, is_flare] {
+        const HullKind kind = shape.kind();
+        if (is_flare) return kind == HullKind::wedge_bow || kind == HullKind::drillship || kind == HullKind::barge;
+        return std::ranges::count(needed_sizes(kind), name) > 0;
+    };
+    return late_key(only_with("a hull.shape that has it (docs/hulls.md)", in_force,
+                              {words.path, std::move(field), is_flare ? "most ships' sides" : "not given", words.doc}));
+}
+
+std::vector<Column> columns_of(std::span<const ShapeColumn> given) {
+    std::vector<Column> columns;
+    for (const ShapeColumn& column : given)
+        columns.push_back({std::string(column.name) + std::string(column.unit), unit::one,
+                           at_least(column.low).at_most(column.high)});
+    return columns;
+}
+
+RowsField piece_rows(Shape& shape) {
+    return {columns_of(Shape::piece_columns), [&shape] { return shape.piece_rows(); },
+            [&shape](const std::vector<std::vector<double>>& rows) { shape.set_pieces(rows); }};
+}
+
+RowsField face_rows(Shape& shape) {
+    return {columns_of(Shape::face_columns), [&shape] { return shape.face_rows(); },
+            [&shape](const std::vector<std::vector<double>>& rows) { shape.set_faces(rows); }};
+}
+
+void add_file(Keys& keys, Structure& structure) {
+    HullFile& file = structure.hull_file;
+    keys.push_back(late_key(text_key(
+        "hull.file", file.path, "none",
+        "Shape file: an STL or OBJ file, relative to the configuration file, of one or more closed surfaces. It is cut "
+        "into convex pieces, which are stored as hull.pieces in its place.")));
+    const auto of_file = [&](Key key) {
+        return late_key(only_with(
+            "hull.file", [&file] { return !file.path.empty(); }, std::move(key)));
+    };
+    keys.push_back(of_file(word_key("hull.unit", file.unit, {length_unit_words.begin(), length_unit_words.end()},
+                                    "SI, as all keys", "Unit of lengths in hull.file; neither STL nor OBJ says it.")));
+    const std::vector<std::string_view> axes{"+x", "-x", "+y", "-y", "+z", "-z"};
+    keys.push_back(
+        of_file(word_key("hull.up", file.up, axes, "usual in naval CAD", "Axis of hull.file that points up.")));
+    keys.push_back(of_file(word_key("hull.forward", file.forward, axes, "usual in naval CAD",
+                                    "Axis of hull.file that points along the tow.")));
+    keys.push_back(
+        of_file(number_key("hull.waterline_m", file.waterline, unit::one, at_least(-largest).at_most(largest),
+                           "the file's zero", "Height of the waterline in hull.file along hull.up.")));
+    keys.push_back(late_key(only_with(
+        "hull.shape = \"file\"", [&structure] { return structure.shape.kind() == HullKind::file; },
+        number_key("hull.most_added_percent", file.most_added, unit::percent, at_least(0).at_most(1000),
+                   "1.6 % in each length",
+                   "Volume that the convex pieces may add to the hull in the file, of its own. More is refused."))));
+}
+
+}  // namespace
+
+void add_hull(Keys& keys, Structure& structure) {
+    Shape& shape = structure.shape;
+    keys.push_back(kind_key(shape));
+    const SizeWords words[]{
+        {"hull.length_m", &HullSizes::length, "Length of the waterline, of ships and barges."},
+        {"hull.beam_m", &HullSizes::beam, "Breadth of the waterline, of ships and barges."},
+        {"hull.diameter_m", &HullSizes::diameter,
+         "Diameter of the circle that a cylinder, a cone or each leg cuts out of the water."},
+        {"hull.spacing_m", &HullSizes::spacing, "Distance between the axes of neighbouring legs."},
+        {"hull.draught_m", &HullSizes::draught, "From the waterline down to the keel."},
+        {"hull.freeboard_m", &HullSizes::freeboard,
+         "From the waterline up to the deck: the hull ends there, so it has to be above ice that piles up."},
+        {"hull.wall_deg", &HullSizes::wall, "Angle of a cone's wall from the horizontal, below 90."},
+        {"hull.stem_deg", &HullSizes::stem,
+         "Angle from the horizontal of a ship's stem, or of both ends of a barge; below 90 they overhang and break ice "
+         "downwards."},
+        {"hull.flare_deg", &HullSizes::flare,
+         "Angle of the sides of ships and barges from the horizontal; 90: vertical, below 90 they flare upwards."},
+        {"hull.entrance_deg", &HullSizes::entrance,
+         "Angle of the bow's waterline from the centre line, half of what it encloses."}};
+    for (const SizeWords& one : words) keys.push_back(size_key(shape, one));
+    add_file(keys, structure);
+    const auto of_pieces = [&](Key key) {
+        return late_key(only_with(
+            "hull.shape = \"file\"", [&shape] { return shape.kind() == HullKind::file; }, std::move(key)));
+    };
+    keys.push_back(of_pieces(
+        {"hull.pieces", piece_rows(shape), "none",
+         "Convex pieces, a row for each corner: the number of its piece, the index of its part in hull.parts, and "
+         "where it is. The smallest convex body that holds the corners is the piece."}));
+    keys.push_back(of_pieces(text_key("hull.parts", shape.part_list(), "none",
+                                      "Names of the parts, divided by commas: each has loads of its own.")));
+    keys.push_back(of_pieces({"hull.faces", face_rows(shape), "none: all faces are of the part of their piece",
+                              "Faces of convex pieces that are of another part than their piece; written by hull.file "
+                              "where groups of a file are patches of one body."}));
+    keys.push_back(of_pieces(number_key("hull.file_volume_m3", structure.hull_file.volume, unit::one,
+                                        at_least(0).at_most(1e12), "none",
+                                        "Volume within the surface of hull.file, by which the pieces are judged; 0: "
+                                        "they came from no file.")));
+}
+
+// Keys of the tables [path] and [moorings]: how the structure moves, if not straight on at one speed.
+
+namespace {
+
+constexpr double farthest = 1e5;  // m and s, as for the straight tow
+
+RowsField leg_rows(std::vector<PathLeg>& legs) {
+    return {{{"heading_deg", unit::degree, at_least(-3600).at_most(3600)},
+             {"speed_m_s", unit::one, at_least(0).at_most(100)},
+             {"time_s", unit::one, above(0).at_most(farthest)},
+             {"turn_deg_s", unit::degree, at_least(-90).at_most(90)}},
+            [&legs] {
+                std::vector<std::vector<double>> rows;
+                for (const PathLeg& leg : legs) rows.push_back({leg.heading, leg.speed, leg.time, leg.turn});
+                return rows;
+            },
+            [&legs](const std::vector<std::vector<double>>& rows) {
+                legs.clear();
+                for (const std::vector<double>& row : rows) legs.push_back({row[0], row[1], row[2], row[3]});
+            }};
+}
+
+RowsField place_rows(std::vector<PathPoint>& places) {
+    const Range place = at_least(-farthest).at_most(farthest);
+    return {{{"time_s", unit::one, at_least(0).at_most(farthest)},
+             {"x_m", unit::one, place},
+             {"z_m", unit::one, place},
+             {"yaw_deg", unit::degree, at_least(-3600).at_most(3600)}},
+            [&places] {
+                std::vector<std::vector<double>> rows;
+                for (const PathPoint& at : places) rows.push_back({at.time, at.x, at.z, at.yaw});
+                return rows;
+            },
+            [&places](const std::vector<std::vector<double>>& rows) {
+                places.clear();
+                for (const std::vector<double>& row : rows) places.push_back({row[0], row[1], row[2], row[3]});
+            }};
+}
+
+RowsField line_rows(std::vector<MooringLine>& lines) {
+    const Range arm = at_least(-1000).at_most(1000);
+    const Range load = at_least(0).at_most(1e6);
+    return {{{"x_m", unit::one, arm},
+             {"z_m", unit::one, arm},
+             {"azimuth_deg", unit::degree, at_least(-360).at_most(360)},
+             {"distance_m", unit::one, above(0).at_most(farthest)},
+             {"pretension_kN", unit::kilonewton, load},
+             {"stiffness_kN_m", unit::kilonewton, load},
+             {"break_load_kN", unit::kilonewton, load}},
+            [&lines] {
+                std::vector<std::vector<double>> rows;
+                for (const MooringLine& line : lines)
+                    rows.push_back({line.x, line.z, line.azimuth, line.distance, line.pretension, line.stiffness,
+                                    line.break_load});
+                return rows;
+            },
+            [&lines](const std::vector<std::vector<double>>& rows) {
+                lines.clear();
+                for (const std::vector<double>& row : rows)
+                    lines.push_back({row[0], row[1], row[2], row[3], row[4], row[5], row[6]});
+            }};
+}
+
+RowsField curve_rows(std::vector<TensionPoint>& curve, const std::string& extension, const std::string& tension) {
+    return {{{extension, unit::one, at_least(-farthest).at_most(farthest)},
+             {tension, unit::kilonewton, at_least(0).at_most(1e6)}},
+            [&curve] {
+                std::vector<std::vector<double>> rows;
+                for (const TensionPoint& at : curve) rows.push_back({at.extension, at.tension});
+                return rows;
+            },
+            [&curve](const std::vector<std::vector<double>>& rows) {
+                curve.clear();
+                for (const std::vector<double>& row : rows) curve.push_back({row[0], row[1]});
+            }};
+}
+
+/// All lines of a mooring together, as its designers give them.
+void add_turret(Keys& keys, Moorings& moorings, const auto& held) {
+    keys.push_back(held(
+        {"moorings.turret_curve", curve_rows(moorings.turret_curve, "offset_m", "force_kN"), "none",
+         "Force of a whole mooring over the horizontal offset from its place, from 0, 0, both rising: it pulls the "
+         "turret back towards there, the same from all sides. In addition to springs and lines."}));
+    keys.push_back(held(only_with(
+        "moorings.turret_curve", [&moorings] { return !moorings.turret_curve.empty(); },
+        number_key("moorings.turret_m", moorings.turret, unit::one, at_least(-1000).at_most(1000), "none: on the axis",
+                   "Axis of the turret from the structure's, ahead: what is moored there may turn about it."))));
+}
+
+/// Dynamic positioning.
+void add_thrusters(Keys& keys, Thrusters& thrusters, const auto& held) {
+    const auto number = [&](std::string_view path, double& field, std::string_view default_words,
+                            std::string_view doc) {
+        keys.push_back(held(number_key(path, field, unit::kilonewton, at_least(0).at_most(1e9), default_words, doc)));
+    };
+    number("moorings.dp_surge_kN_m", thrusters.gain[0], "none: no thrusters",
+           "Dynamic positioning: thrust of the structure's own along its bow for each metre of offset.");
+    number("moorings.dp_sway_kN_m", thrusters.gain[1], "none", "The same across.");
+    number("moorings.dp_yaw_kN_m_rad", thrusters.gain[2], "none", "The same in yaw, kN m/rad.");
+    number("moorings.dp_surge_limit_kN", thrusters.limit[0], "none: it has no end",
+           "The most that thrusters give along the bow, ahead and astern.");
+    number("moorings.dp_sway_limit_kN", thrusters.limit[1], "none", "The same across.");
+    number("moorings.dp_yaw_limit_kN_m", thrusters.limit[2], "none", "The same in yaw, kN m.");
+    keys.push_back(held(only_with(
+        "moorings.dp_surge_kN_m, dp_sway_kN_m or dp_yaw_kN_m_rad", [&thrusters] { return thrusters.any(); },
+        number_key("moorings.dp_damping_percent", thrusters.damping, unit::percent, at_least(0).at_most(1000),
+                   "1/√2: the least at which no frequency of the load is amplified",
+                   "Thrust against the velocity, of the critical damping by the thrust for each metre and the inertia "
+                   "with the water's."))));
+}
+
+}  // namespace
+
+void add_path(Keys& keys, Path& path) {
+    const auto of_legs = [&path](Key key) {
+        return late_key(only_with(
+            "path.legs", [&path] { return !path.legs.empty(); }, std::move(key)));
+    };
+    keys.push_back(late_key(
+        {"path.legs", leg_rows(path.legs), "none: straight on along +x at structure.speed_m_s",
+         "Legs that follow one another: heading at the beginning (0 along +x, 90 towards +z), speed (0: it stops), "
+         "time, "
+         "and by how much the heading turns in a second: 0 for a straight leg, else an arc of the radius speed / turn. "
+         "After the last leg the structure stands."}));
+    keys.push_back(of_legs(word_key("path.of", path.of, {"structure", "ice"}, "the structure moves in the simulation",
+                                    "Whose legs these are. ice: headings and speeds are of ice that drifts past a "
+                                    "structure that stands; it then moves the other way through ice at rest.")));
+    keys.push_back(of_legs(word_key("path.bow", path.bow, {"ahead", "unturned"}, "a hull that is moored stays",
+                                    "ahead: the structure turns with its heading, as a ship does; unturned: its bow "
+                                    "stays towards +x.")));
+    keys.push_back(of_legs(
+        number_key("path.ramp_s", path.ramp, unit::one, at_least(0).at_most(farthest), "none: at once, as the tow",
+                   "Time at the beginning of each leg in which speed and heading change evenly from those of the leg "
+                   "before; the first begins from rest. At most the shortest leg.")));
+    keys.push_back(late_key({"path.places", place_rows(path.table), "none",
+                             "In place of legs: times, places from the start (x and z), and yaw (positive turns +z "
+                             "towards +x). Between two "
+                             "rows speed and turning are constant; after the last one the structure stands."}));
+}
+
+void add_moorings(Keys& keys, Moorings& moorings) {
+    const auto held = [&moorings](Key key) {
+        return late_key(only_with(
+            "moorings.mass_t > 0", [&moorings] { return moorings.give_way(); }, std::move(key)));
+    };
+    const auto number = [&](std::string_view path, double& field, double unit, std::string_view doc) {
+        keys.push_back(held(number_key(path, field, unit, at_least(0).at_most(1e9), "none", doc)));
+    };
+    keys.push_back(late_key(number_key(
+        "moorings.mass_t", moorings.mass, unit::tonne, at_least(0).at_most(1e9), "none: it moves as prescribed",
+        "Mass of a structure that gives way on its moorings, without the water that moves with it; its centre is on "
+        "the "
+        "axis. The moorings' anchors then move as the structure otherwise would: ice that drifts past them. 0: no "
+        "moorings.")));
+    keys.push_back(
+        held(word_key("moorings.free", moorings.free, {"surge", "surge_sway", "all"}, "all that moorings hold",
+                      "Directions in which the structure gives way: only along x, along x and z, or in yaw "
+                      "too. The others are held.")));
+    number("moorings.gyration_m", moorings.gyration, unit::one,
+           "Radius of gyration of the mass in yaw: the root of the yaw inertia over the mass.");
+    number("moorings.added_surge_t", moorings.added_surge, unit::tonne,
+           "Water that moves with the structure in surge.");
+    number("moorings.added_sway_t", moorings.added_sway, unit::tonne, "Water that moves with the structure in sway.");
+    number("moorings.added_yaw_t_m2", moorings.added_yaw, unit::tonne,
+           "Inertia in yaw of the water that moves with the structure.");
+    number("moorings.surge_kN_m", moorings.surge, unit::kilonewton,
+           "Stiffness in surge of a linear spring, in addition to moorings.lines.");
+    number("moorings.sway_kN_m", moorings.sway, unit::kilonewton, "Stiffness in sway of a linear spring.");
+    number("moorings.yaw_kN_m_rad", moorings.yaw, unit::kilonewton, "Stiffness in yaw of a linear spring, kN m/rad.");
+    keys.push_back(held(number_key(
+        "moorings.damping_percent", moorings.damping, unit::percent, at_least(0).below(100),
+        "none: from a decay test or a mooring program",
+        "Linear damping by water and lines in each direction, of the critical one by mass and stiffness without an "
+        "offset.")));
+    number("moorings.quadratic_surge_kN_s2_m2", moorings.quadratic_surge, unit::kilonewton,
+           "Damping by the water in surge: this times the square of the speed relative to the anchors. The steady drag "
+           "of a current is not in it.");
+    number("moorings.quadratic_sway_kN_s2_m2", moorings.quadratic_sway, unit::kilonewton, "The same in sway.");
+    number("moorings.quadratic_yaw_kN_m_s2", moorings.quadratic_yaw, unit::kilonewton,
+           "The same in yaw, by the square of the rate of turning, kN m s²/rad².");
+    keys.push_back(
+        held({"moorings.lines", line_rows(moorings.lines), "none",
+              "Mooring lines: fairlead from the structure's axis (x ahead, z), azimuth towards which the line leads (0 "
+              "along +x, 90 towards +z), horizontal distance from fairlead to anchor, and horizontally pretension, "
+              "stiffness and break load (0: none). A line above its break load is gone from then on."}));
+    keys.push_back(
+        held({"moorings.line_curve", curve_rows(moorings.curve, "extension_m", "tension_kN"), "none: lines are linear",
+              "Tension of each line over its horizontal distance, both rising: a catenary, for example. The pretension "
+              "says where on it a line begins; stiffness in moorings.lines has to be 0 then."}));
+    add_turret(keys, moorings, held);
+    add_thrusters(keys, moorings.thrusters, held);
+}
+
+}  // namespace floes

@@ -1,0 +1,55 @@
+#pragma once
+// A convex floe cut into convex elements: by a square grid over its extents, clipped at the outline. Cells that keep
+// little of their area become part of the neighbour with which they share the longest edge, where the two make a
+// rectangle of cells; so no ice is lost. A rectangle is cut into the squares of FloeGrid.
+
+#include <vector>
+
+#include "shapes/polygon.hpp"
+
+namespace floes {
+
+struct CutElement {
+    Corner centre;    ///< its centroid, in the axes of the floe
+    Corner axis;      ///< its own x axis there, of length 1: a principal axis of its area
+    Outline corners;  ///< in its own axes, about the centroid
+    double area = 0;  ///< m²
+    double xx = 0;    ///< ∫ x² dA in its own axes, m⁴; ∫ x z dA is 0
+    double zz = 0;
+    unsigned rim = 0;  ///< bit k: edge k lies on the outline of the floe
+};
+
+/// Two elements with a common edge. Directions and places in the axes of the floe.
+struct CutJoint {
+    int a = 0;
+    int b = 0;
+    Corner normal;        ///< of length 1, from a to b
+    Corner pivot;         ///< beside the middle of the common edge, halfway between the centres along the normal
+    double length = 0;    ///< of the common edge, m
+    double span = 0;      ///< between the centres, along the normal, m
+    unsigned edge_a = 0;  ///< bit of the edge of a on which it lies
+    unsigned edge_b = 0;
+};
+
+struct CutFloe {
+    std::vector<CutElement> elements;
+    std::vector<CutJoint> joints;
+};
+
+/// More corners than this no element may have.
+inline constexpr std::size_t most_corners = 24;
+
+/// More corners than this no outline may have: cells that clip it, and join, add up to eight.
+inline constexpr std::size_t most_outline_corners = most_corners - 8;
+
+/// Cells keep at least this share of their area, or are merged.
+inline constexpr double least_element_share = 0.3;
+
+/// The elements of a convex outline about its centroid, cells of about `side`, m: as many along each axis as its
+/// extents over `side`, rounded.
+CutFloe cut_into_elements(Corners outline, double side);
+
+/// How many elements that makes.
+int count_elements(Corners outline, double side);
+
+}  // namespace floes

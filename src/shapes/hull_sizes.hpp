@@ -1,0 +1,53 @@
+#pragma once
+// Hulls that a few numbers describe. Axes: x ahead, y up from the waterline, z to starboard; the origin is on the
+// waterline, in the middle of its length.
+
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "shapes/convex_solid.hpp"
+
+namespace floes {
+
+/// What a hull is given by. Those up to cone_down are bodies of revolution.
+enum class HullKind { profile, cylinder, cone_up, cone_down, four_legs, wedge_bow, drillship, barge, file };
+
+/// Lengths m, angles rad, from the horizontal; 0: not given.
+struct HullSizes {
+    double length = 0;                      ///< of the waterline
+    double beam = 0;                        ///< likewise
+    double diameter = 0;                    ///< of the circle, or of each, that it cuts out of the water
+    double spacing = 0;                     ///< between the axes of neighbouring legs
+    double draught = 0;                     ///< from the waterline down to the keel
+    double freeboard = 0;                   ///< from the waterline up to the deck
+    double wall = 0;                        ///< angle of a cone's wall
+    double stem = 0;                        ///< angle of a ship's stem, or of a barge's ends
+    double flare = 0.5 * std::numbers::pi;  ///< angle of the sides; below a right angle they flare upwards
+    double entrance = 0;                    ///< half of the angle of the waterline at the bow
+
+    friend bool operator==(const HullSizes&, const HullSizes&) = default;
+};
+
+struct HullSolids {
+    std::vector<std::string> parts;  ///< names
+    std::vector<ConvexSolid> solids;
+};
+
+/// Names of the numbers that the kind needs, as keys: "length_m".
+std::vector<std::string> needed_sizes(HullKind kind);
+
+/// Why the sizes are no such hull, as a clause behind it; nothing if they are.
+std::optional<std::string> fault_of(HullKind kind, const HullSizes& sizes);
+
+/// Heights and radii from the keel up, m, of a cylinder or a cone.
+std::vector<Vec2> profile_of(HullKind kind, const HullSizes& sizes);
+
+/// Of legs, ships and barges without fault.
+HullSolids solids_of(HullKind kind, const HullSizes& sizes);
+
+/// "barge, 100 m x 20 m at the waterline, draught 6 m, ends 45° and sides 90° from the horizontal".
+std::string words_of(HullKind kind, const HullSizes& sizes);
+
+}  // namespace floes

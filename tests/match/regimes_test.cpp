@@ -1,0 +1,85 @@
+// Regimes of a year as text: TOML and scatter diagrams, and what is refused.
+
+#include "match/regimes.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/refusal.hpp"
+
+namespace floes {
+namespace regimes_test {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::vector<Regime> toml(const std::string& text) {
+    return read_regimes(text, "year.toml");
+}
+
+std::vector<Regime> table(const std::string& text) {
+    return read_regime_table(text, "year.csv");
+}
+
+TEST(Regimes, AreCasesOrPlacesInADesign) {
+    const std::vector<Regime> read = toml(
+        "[[regime]]\nname = \"thin\"\nhours_per_year = 300\ncase = \"E60\"\n"
+        "[[regime]]\nhours_per_year = 10.5\nice.thickness_m = 0.5\nstructure.speed_m_s = 1\n");
+    ASSERT_EQ(read.size(), 2u);
+    EXPECT_EQ(read[0].name, "thin");
+    EXPECT_EQ(read[0].time, 300 * 3600);
+    EXPECT_EQ(read[0].case_name, "E60");
+    EXPECT_TRUE(read[0].values.empty());
+    EXPECT_EQ(read[1].name, "thickness 0.5 m, speed 1 m/s");
+    EXPECT_EQ(read[1].values.at(0).path, "ice.thickness_m");
+    EXPECT_EQ(read[1].values.at(1).value, Value{std::int64_t{1}});
+}
+
+TEST(Regimes, OfAScatterDiagramAreThoseOfToml) {
+    const std::vector<Regime> read = table(
+        "\xEF\xBB\xBFregime,hours_per_year,ice.thickness_m,case\r\n"
+        "\"thin, slow\", 300 ,0.5,\r\n\n,0,0.7,\r\n,20,,E60\r\n");
+    ASSERT_EQ(read.size(), 2u);  // the one without hours is none
+    EXPECT_EQ(read[0].name, "thin, slow");
+    EXPECT_EQ(read[0].time, 300 * 3600);
+    EXPECT_EQ(read[0].values.at(0).value, Value{0.5});
+    EXPECT_EQ(read[1].name, "E60");
+    EXPECT_EQ(read[1].where, "year.csv:5");
+}
+
+TEST(Regimes, RefuseWhatMakesNoYear) {
+    const std::string one = "[[regime]]\nname = \"a\"\nhours_per_year = 5000\ncase = \"E60\"\n";
+    EXPECT_THAT(refusal([&] { toml(one + "[[regime]]\nhours_per_year = 4000\ncase = \"E30\"\n"); }),
+                HasSubstr("year.toml: the regimes have 9000 h together, and a year has 8766"));
+    EXPECT_THAT(refusal([&] { toml(one + "[[regime]]\nname = \"a\"\nhours_per_year = 1\ncase = \"E30\"\n"); }),
+                HasSubstr("year.toml:5: a is a regime already, at year.toml:1"));
+    EXPECT_THAT(refusal([&] { toml(one + "[[regime]]\nname = \"b\"\nhours_per_year = 1\ncase = \"E60\"\n"); }),
+                HasSubstr("year.toml:5: the regime b is the ice of another one, at year.toml:1"));
+    EXPECT_THAT(refusal([&] { toml("[[regime]]\ncase = \"E60\"\n"); }), HasSubstr("has no hours_per_year"));
+    EXPECT_THAT(refusal([&] { toml("[[regime]]\nhours_per_year = 3\n"); }), HasSubstr("says nothing of its ice"));
+    EXPECT_THAT(refusal([&] { toml("[[regime]]\nhours_per_yaer = 3\n"); }), HasSubstr("hours_per_year"));
+    EXPECT_THAT(refusal([&] { toml("[[regime]]\nhours_per_year = 9000\ncase = \"E60\"\n"); }), HasSubstr("8766"));
+    EXPECT_THAT(refusal([&] { toml("[[regime]]\nhours_per_year = 3\nice.thickness_m = \"thin\"\n"); }),
+                HasSubstr("ice.thickness_m = \"thin\" is no number"));
+    EXPECT_THAT(refusal([&] { toml("[[regimes]]\nhours_per_year = 3\n"); }), HasSubstr("did you mean [[regime]]?"));
+    EXPECT_THAT(refusal([&] { toml("[regime]\nhours_per_year = 3\n"); }), HasSubstr("in double brackets"));
+    EXPECT_THAT(refusal([&] { toml(""); }), HasSubstr("no regime has any hours"));
+}
+
+TEST(Regimes, RefuseTablesThatAreNone) {
+    EXPECT_THAT(refusal([&] { table(""); }), HasSubstr("year.csv: the table is empty"));
+    EXPECT_THAT(refusal([&] { table("case,hours_per_year\nE60,3,4\n"); }),
+                HasSubstr("year.csv:2: the line has 3 cells, and the header has 2 columns"));
+    EXPECT_THAT(refusal([&] { table("case,hours\nE60,3\n"); }), HasSubstr("did you mean hours_per_year"));
+    EXPECT_THAT(refusal([&] { table("case,hours_per_year\n\"E60,3\n"); }), HasSubstr("close it with \""));
+}
+
+TEST(CsvLines, AreCellsWithoutQuotes) {
+    const std::vector<CsvLine> lines = csv_lines("a, \"b \"\"c\"\", d\" ,\n,\"\"\n", "x.csv");
+    EXPECT_THAT(lines.at(0).cells, ElementsAre("a", "b \"c\", d", ""));
+    EXPECT_THAT(lines.at(1).cells, ElementsAre("", ""));
+    EXPECT_EQ(lines.at(1).number, 2);
+}
+
+}  // namespace regimes_test
+}  // namespace floes

@@ -1,0 +1,300 @@
+// Master and worker, each against a script that plays the other side: which messages they send, in which order, and in
+// case of errors.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <csignal>
+
+#include "campaign/identity.hpp"
+#include "campaign/write.hpp"
+#include "core/error.hpp"
+#include "run/fakes.hpp"
+#include "run/messages.hpp"
+#include "run/worker.hpp"
+#include "support/fake_link.hpp"
+
+namespace floes {
+namespace conversation_test {
+
+using testing::HasSubstr;
+using Assignments = std::vector<Assignment>;
+using Answers = std::vector<Answer>;
+
+/// Two members: one for the master, one for the worker.
+Campaign two_members() {
+    Campaign campaign = synthetic::campaign(2);
+    campaign.cases.resize(1);
+    return campaign;
+}
+
+Bytes text_of(const Campaign& campaign) {
+    return encode_text(write_campaign(campaign));
+}
+
+Bytes hello_of(const Campaign& campaign) {
+    return encode(Hello{1, "there", fingerprint(campaign)});
+}
+
+MemberRecord record_of(const Campaign& campaign, int number) {
+    MemberRecord record = synthetic::record(campaign, number);
+    record.attempt = 1;
+    return record;
+}
+
+TEST(WorkerConversation, SaysHelloAnswersAndLeaves) {
+    const Campaign campaign = two_members();
+    FakeLink link(1, 2);
+    link.deliver(0, Tag::campaign, text_of(campaign));
+    link.expect(0, Tag::hello, [&](const Bytes& bytes) {
+        EXPECT_EQ(decode_hello(bytes).fingerprint, fingerprint(campaign));
+        EXPECT_EQ(decode_hello(bytes).cores, 1);
+    });
+    for (const int number : {1, 0}) {
+        link.deliver(0, Tag::assign, encode(Assignments{{number, 3}}));
+        link.expect(0, Tag::answer, [&, number](const Bytes& bytes) {
+            const Answer answer = decode_answers(bytes).at(0);
+            EXPECT_EQ(answer.number, number);
+            EXPECT_EQ(answer.record.attempt, 3);
+            EXPECT_EQ(answer.record.rank, 1);
+            EXPECT_EQ(answer.record.case_key, case_fingerprint(campaign, 0));
+            EXPECT_EQ(answer.record.result.load.mean, record_of(campaign, number).result.load.mean);
+        });
+    }
+    link.deliver(0, Tag::dismiss);
+    link.expect(0, Tag::farewell);
+    link.deliver(0, Tag::leave, encode_status(1));
+    EXPECT_EQ(serve_campaign(link, 0, fake::compute), 1);
+    link.finish();
+}
+
+// With one thread: answers finished while another member waits are sent together, the last one alone.
+TEST(WorkerConversation, AnswersTogetherWhileOthersWait) {
+    const Campaign campaign = synthetic::campaign(2);
+    FakeLink link(1, 2);
+    link.deliver(0, Tag::campaign, text_of(campaign));
+    link.expect(0, Tag::hello);
+    link.deliver(0, Tag::assign, encode(Assignments{{0, 1}, {1, 1}, {2, 1}, {3, 1}, {4, 1}, {5, 1}}));
+    std::vector<int> answered;
+    std::atomic<bool> some_answered = false;
+    const auto look = [&](std::size_t count) {
+        return [&, count](const Bytes& bytes) {
+            const auto answers = decode_answers(bytes);
+            EXPECT_EQ(answers.size(), count);
+            for (const Answer& answer : answers) answered.push_back(answer.number);
+            some_answered = true;
+        };
+    };
+    link.expect(0, Tag::answer, look(5));
+    link.expect(0, Tag::answer, look(1));
+    link.deliver(0, Tag::dismiss);
+    link.expect(0, Tag::farewell);
+    link.deliver(0, Tag::leave, encode_status(0));
+    const MemberFunction compute = [&](const Campaign& of, int number, std::stop_token stop) {
+        while (number == 5 && !some_answered) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        return fake::compute(of, number, std::move(stop));
+    };
+    EXPECT_EQ(serve_campaign(link, 1, compute, nullptr, {.with_answers = 60}), 0);
+    EXPECT_EQ(answered, (std::vector<int>{0, 1, 2, 3, 4, 5}));
+    link.finish();
+}
+
+TEST(WorkerConversation, AbandonsWhatItHoldsWhenDismissed) {
+    FakeLink link(1, 2);
+    link.deliver(0, Tag::campaign, text_of(two_members()));
+    link.expect(0, Tag::hello);
+    link.deliver(0, Tag::assign, encode(Assignments{{0, 1}}));
+    link.deliver(0, Tag::assign, encode(Assignments{{1, 1}}));
+    link.deliver(0, Tag::dismiss);
+    link.expect(0, Tag::farewell);
+    link.deliver(0, Tag::leave, encode_status(85));
+    EXPECT_EQ(serve_campaign(link, 1, fake::wait_for_stop), 85);
+    link.finish();
+}
+
+TEST(WorkerConversation, LeavesWhenTheRunEndsBeforeItBegins) {
+    FakeLink link(1, 2);
+    link.deliver(0, Tag::leave, encode_status(2));
+    EXPECT_EQ(serve_campaign(link, 1, fake::compute), 2);
+    link.finish();
+}
+
+TEST(WorkerConversation, LeavesInTheMiddleWhenTheMasterCannotGoOn) {
+    FakeLink link(1, 2);
+    link.deliver(0, Tag::campaign, text_of(two_members()));
+    link.expect(0, Tag::hello);
+    link.deliver(0, Tag::assign, encode(Assignments{{0, 1}}));
+    link.deliver(0, Tag::leave, encode_status(1));
+    EXPECT_EQ(serve_campaign(link, 1, fake::wait_for_stop), 1);
+    link.finish();
+}
+
+TEST(WorkerConversation, TellsTheMasterWhatItDoesNotUnderstand) {
+    FakeLink link(1, 2);
+    link.deliver(0, Tag::campaign, encode_text("general.iterations = 'many'"));
+    link.expect(0, Tag::trouble, [](const Bytes& bytes) { EXPECT_THAT(decode_text(bytes), HasSubstr("iterations")); });
+    link.deliver(0, Tag::leave, encode_status(1));
+    EXPECT_EQ(serve_campaign(link, 1, fake::compute), 1);
+    link.finish();
+}
+
+TEST(WorkerConversation, LeavesAMasterThatIsSilentForTooLong) {
+    FakeLink link(1, 2);
+    link.deliver(0, Tag::campaign, text_of(two_members()));
+    link.expect(0, Tag::hello);
+    EXPECT_EQ(serve_campaign(link, 1, fake::compute, nullptr, {.sign_of_life = 0.02, .with_the_master = 0.2}), 1);
+    EXPECT_EQ(link.abandoned, (std::vector<int>{0}));
+    link.finish();
+}
+
+TEST(WorkerConversation, DoesNotWaitForOthersWhenRanksAreMissing) {
+    FakeLink link(1, 2);
+    link.deliver(0, Tag::campaign, text_of(two_members()));
+    link.expect(0, Tag::hello);
+    link.deliver(0, Tag::part);
+    link.deliver(0, Tag::leave, encode_status(0));
+    EXPECT_EQ(serve_campaign(link, 1, fake::compute), 0);
+    EXPECT_EQ(link.abandoned, (std::vector<int>{0}));
+    link.finish();
+}
+
+TEST(WorkerConversation, PassesASignalOn) {
+    FakeLink link(1, 2);
+    link.deliver(0, Tag::campaign, text_of(two_members()));
+    link.expect(0, Tag::hello);
+    link.deliver(0, Tag::assign, encode(Assignments{{0, 1}}));
+    link.expect(0, Tag::stop_request);
+    link.deliver(0, Tag::dismiss);
+    link.expect(0, Tag::farewell);
+    link.deliver(0, Tag::leave, encode_status(85));
+    const MemberFunction interrupted = [](const Campaign& campaign, int number, std::stop_token stop) {
+        std::raise(SIGUSR1);
+        return fake::wait_for_stop(campaign, number, std::move(stop));
+    };
+    EXPECT_EQ(serve_campaign(link, 1, interrupted), 85);
+    link.finish();
+}
+
+TEST(MasterConversation, SharesTheMembersAndKeepsTheAnswers) {
+    const TemporaryFolder folder;
+    fake::Run run(folder / "a.h5", two_members());
+    FakeLink link(0, 2);
+    link.expect(1, Tag::campaign, [&](const Bytes& bytes) { EXPECT_EQ(bytes, text_of(run.campaign)); });
+    link.deliver(1, Tag::hello, hello_of(run.campaign));
+    link.expect(1, Tag::assign, [](const Bytes& bytes) { EXPECT_EQ(decode_assignments(bytes).at(0).number, 1); });
+    link.deliver(1, Tag::answer, encode(Answers{{1, record_of(run.campaign, 1)}}));
+    link.expect(1, Tag::dismiss);
+    link.deliver(1, Tag::farewell);
+    EXPECT_EQ(run.on(link, fake::compute, Existing::refuse, 1), 0);
+    link.finish();
+    fake::Run alone(folder / "alone.h5", two_members());
+    ASSERT_EQ(alone(fake::compute), 0);
+    EXPECT_EQ(run.results(), alone.results());
+}
+
+TEST(MasterConversation, KeepsNoLateAnswer) {
+    const TemporaryFolder folder;
+    fake::Run run(folder / "a.h5", two_members());
+    FakeLink link(0, 2);
+    link.expect(1, Tag::campaign);
+    link.deliver(1, Tag::hello, hello_of(run.campaign));
+    link.expect(1, Tag::assign);
+    MemberRecord late = record_of(run.campaign, 1);
+    late.attempt = 7;
+    link.deliver(1, Tag::answer, encode(Answers{{1, late}}));
+    link.deliver(1, Tag::answer, encode(Answers{{1, record_of(run.campaign, 1)}}));
+    link.deliver(1, Tag::answer, encode(Answers{{1, record_of(run.campaign, 1)}}));
+    link.expect(1, Tag::dismiss);
+    link.deliver(1, Tag::farewell);
+    EXPECT_EQ(run.on(link, fake::compute, Existing::refuse, 1), 0);
+    link.finish();
+    EXPECT_EQ(read_journal(journal_path(run.file)).members.size(), 2u);
+}
+
+TEST(MasterConversation, DoesAgainWhatALeavingWorkerHeld) {
+    const TemporaryFolder folder;
+    fake::Run run(folder / "a.h5", two_members());
+    FakeLink link(0, 2);
+    link.expect(1, Tag::campaign);
+    link.deliver(1, Tag::hello, hello_of(run.campaign));
+    link.expect(1, Tag::assign);
+    link.deliver(1, Tag::farewell);
+    EXPECT_EQ(run.on(link, fake::compute, Existing::refuse, 1), 0);
+    link.finish();
+    const auto members = read_journal(journal_path(run.file)).members;
+    ASSERT_EQ(members.size(), 2u);
+    EXPECT_EQ(members[1].attempt, 2);
+}
+
+TEST(MasterConversation, GivesTheMembersOfASilentWorkerToOthersAndLeavesWithoutIt) {
+    const TemporaryFolder folder;
+    fake::Run run(folder / "a.h5", two_members());
+    run.patience = {.sign_of_life = 0.02, .with_a_worker = 0.2};
+    FakeLink link(0, 2);
+    link.expect(1, Tag::campaign);
+    link.deliver(1, Tag::hello, hello_of(run.campaign));
+    link.expect(1, Tag::assign);  // and never a word again
+    link.expect(1, Tag::part);
+    EXPECT_EQ(run.on(link, fake::compute, Existing::refuse, 1), 0);
+    EXPECT_EQ(link.abandoned, (std::vector<int>{1}));
+    link.finish();
+    EXPECT_THAT(run.said, HasSubstr("rank 1 has been silent"));
+    EXPECT_EQ(read_journal(journal_path(run.file)).members[1].attempt, 2);
+}
+
+TEST(MasterConversation, StopsEverybodyWhenAWorkerGetsASignal) {
+    const TemporaryFolder folder;
+    fake::Run run(folder / "a.h5", two_members());
+    FakeLink link(0, 2);
+    link.expect(1, Tag::campaign);
+    link.deliver(1, Tag::hello, hello_of(run.campaign));
+    link.expect(1, Tag::assign);
+    link.deliver(1, Tag::stop_request);
+    link.expect(1, Tag::dismiss);
+    link.deliver(1, Tag::answer, encode(Answers{{1, record_of(run.campaign, 1)}}));
+    link.deliver(1, Tag::farewell);
+    EXPECT_EQ(run.on(link, fake::wait_for_stop, Existing::refuse, 1), 85);
+    link.finish();
+    EXPECT_THAT(run.said, HasSubstr("stopped by a signal to rank 1 with 1 of 2 members"));
+    EXPECT_FALSE(run.results()[1].empty());
+}
+
+TEST(MasterConversation, EndsTheRunWhenRanksDisagreeOrAreInTrouble) {
+    const TemporaryFolder folder;
+    fake::Run run(folder / "a.h5", two_members());
+    const auto error_of = [&](FakeLink& link) {
+        try {
+            run.on(link, fake::wait_for_stop, Existing::replace, 1);
+        } catch (const RunError& error) {
+            return std::string(error.what());
+        }
+        return std::string("no error");
+    };
+    FakeLink disagreeing(0, 2);
+    disagreeing.expect(1, Tag::campaign);
+    disagreeing.deliver(1, Tag::hello, encode(Hello{1, "there", "another"}));
+    EXPECT_THAT(error_of(disagreeing), HasSubstr("Rank 1 on there read a different campaign"));
+    disagreeing.finish();
+
+    FakeLink troubled(0, 2);
+    troubled.expect(1, Tag::campaign);
+    troubled.deliver(1, Tag::hello, hello_of(run.campaign));
+    troubled.expect(1, Tag::assign);
+    troubled.deliver(1, Tag::trouble, encode_text("out of memory"));
+    EXPECT_EQ(error_of(troubled), "Rank 1: out of memory");
+    troubled.finish();
+}
+
+TEST(MasterConversation, LetsEveryRankLeaveWithTheSameStatus) {
+    FakeLink link(0, 3);
+    for (const int rank : {1, 2}) {
+        link.expect(rank, Tag::leave, [](const Bytes& bytes) { EXPECT_EQ(decode_status(bytes), 2); });
+    }
+    std::ostringstream errors;
+    EXPECT_EQ(lead_ranks(link, errors, []() -> int { throw InputError("no such file"); }), 2);
+    link.finish();
+}
+
+}  // namespace conversation_test
+}  // namespace floes

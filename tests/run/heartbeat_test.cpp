@@ -1,0 +1,73 @@
+#include "run/progress.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "support/file_bytes.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace floes {
+namespace heartbeat_test {
+
+Heartbeat sample() {
+    Heartbeat heartbeat;
+    heartbeat.elapsed = 12.5;
+    heartbeat.finished = 3;
+    heartbeat.finished_cost = 30;
+    heartbeat.remaining_cost = 90;
+    heartbeat.under_way = {{5, 2, 7.25}, {6, 1, 0.5}};
+    return heartbeat;
+}
+
+TEST(Heartbeat, GivesBackWhatWasWritten) {
+    const TemporaryFolder folder;
+    const auto path = heartbeat_path(folder / "a.h5");
+    EXPECT_EQ(path, folder / "a.alive");
+    EXPECT_FALSE(read_heartbeat(path));
+    write_heartbeat(path, sample());
+    const auto read = read_heartbeat(path);
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->process, getpid());
+    EXPECT_EQ(read->elapsed, 12.5);
+    EXPECT_EQ(read->finished, 3);
+    EXPECT_EQ(read->finished_cost, 30);
+    EXPECT_EQ(read->remaining_cost, 90);
+    ASSERT_EQ(read->under_way.size(), 2u);
+    EXPECT_EQ(read->under_way[0].number, 5);
+    EXPECT_EQ(read->under_way[0].attempt, 2);
+    EXPECT_EQ(read->under_way[0].seconds, 7.25);
+    EXPECT_LT(age_of(*read), 10);
+    EXPECT_FALSE(is_stale(*read));
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.alive.tmp"));
+}
+
+TEST(Heartbeat, IsStaleWhenItsProcessIsGoneOrSilent) {
+    const TemporaryFolder folder;
+    write_heartbeat(folder / "a.alive", sample());
+    Heartbeat read = *read_heartbeat(folder / "a.alive");
+    const std::string here = read.host;
+    read.time -= 120;
+    EXPECT_TRUE(is_stale(read));
+    read.time += 120;
+    const pid_t child = fork();
+    if (child == 0) _exit(0);
+    waitpid(child, nullptr, 0);
+    read.process = child;
+    EXPECT_TRUE(is_stale(read));
+    read.host = "elsewhere";
+    EXPECT_FALSE(is_stale(read)) << "processes of another machine cannot be asked for";
+}
+
+TEST(Heartbeat, ThatCannotBeWrittenOrUnderstoodIsNoTrouble) {
+    const TemporaryFolder folder;
+    write_heartbeat(folder / "no/folder/a.alive", sample());
+    for (const std::string text :
+         {"", "host\n", "Dear reader", "host h\nprocess many\n", "host h\nprocess 1\nmember 2\n"}) {
+        write_file_bytes(folder / "a.alive", std::as_bytes(std::span(text)));
+        EXPECT_FALSE(read_heartbeat(folder / "a.alive")) << text;
+    }
+}
+
+}  // namespace heartbeat_test
+}  // namespace floes

@@ -1,0 +1,55 @@
+#include "run/messages.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "support/synthetic.hpp"
+
+namespace floes {
+namespace messages_test {
+
+TEST(Messages, ComeBackAsTheyWere) {
+    const Hello hello = decode_hello(encode(Hello{12, "node7", "abc"}));
+    EXPECT_EQ(hello.cores, 12);
+    EXPECT_EQ(hello.host, "node7");
+    EXPECT_EQ(hello.fingerprint, "abc");
+    const auto assignments = decode_assignments(encode(std::vector<Assignment>{{1234, 5}, {1235, 1, true}}));
+    ASSERT_EQ(assignments.size(), 2u);
+    EXPECT_EQ(assignments[0].number, 1234);
+    EXPECT_EQ(assignments[0].attempt, 5);
+    EXPECT_FALSE(assignments[0].apart);
+    EXPECT_TRUE(assignments[1].apart);
+    EXPECT_EQ(decode_status(encode_status(85)), 85);
+    EXPECT_EQ(decode_text(encode_text("Σ = 1")), "Σ = 1");
+    const MemberRecord record = synthetic::record(synthetic::campaign(), 6);
+    const auto answers = decode_answers(encode(std::vector<Answer>{{6, record}, {7, record}}));
+    ASSERT_EQ(answers.size(), 2u);
+    EXPECT_EQ(answers[0].number, 6);
+    EXPECT_EQ(answers[1].number, 7);
+    EXPECT_EQ(encode(answers[1].record), encode(record));
+}
+
+TEST(Messages, AreRefusedWhenCutShort) {
+    Bytes bytes = encode(std::vector<Answer>{{6, synthetic::record(synthetic::campaign(), 6)}});
+    bytes.pop_back();
+    EXPECT_THROW(decode_answers(bytes), RunError);
+    EXPECT_THROW(decode_assignments({}), RunError);
+}
+
+TEST(Messages, AreRefusedWhenTheyAreMoreThanTheySay) {
+    const auto longer = [](Bytes bytes) {
+        bytes.push_back(std::byte{0});
+        return bytes;
+    };
+    EXPECT_THROW(decode_hello(longer(encode(Hello{}))), RunError);
+    EXPECT_THROW(decode_assignments(longer(encode(std::vector<Assignment>{{1, 1}}))), RunError);
+    EXPECT_THROW(decode_answers(longer(encode(std::vector<Answer>{}))), RunError);
+    EXPECT_THROW(decode_status(longer(encode_status(0))), RunError);
+    EXPECT_THROW(decode_text(longer(encode_text("a"))), RunError);
+    Bytes neither = encode(std::vector<Assignment>{{1, 1}});
+    neither.back() = std::byte{2};
+    EXPECT_THROW(decode_assignments(neither), RunError);
+}
+
+}  // namespace messages_test
+}  // namespace floes

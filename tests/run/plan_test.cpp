@@ -1,0 +1,117 @@
+#include "run/plan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/error.hpp"
+#include "run/simulate.hpp"
+#include "store/member_record.hpp"
+#include "support/synthetic.hpp"
+
+namespace floes {
+namespace plan_test {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+double mean_run_time(const std::vector<SimulatedMember>& members) {
+    double sum = 0;
+    for (const SimulatedMember& member : members) sum += member.run_time;
+    return sum / static_cast<double>(members.size());
+}
+
+TEST(ExpectedMembers, TakeAsLongAsTheirCostSays) {
+    const Campaign campaign = synthetic::campaign(5000);
+    const PlannedMembers planned = expected_members(campaign);
+    ASSERT_EQ(planned.members.size(), 15'000u);
+    double expected = 0;
+    for (int number = 0; number < 3; ++number) expected += expected_cost(campaign, number) / 3;
+    const double per_unit = mean_run_time(planned.members) / expected;
+    Campaign stock = campaign;
+    for (Case& one : stock.cases) one.scenario.general.solver = SolverKind::stock;
+    EXPECT_GT(mean_run_time(expected_members(stock).members) / expected, 5 * per_unit);
+    // The scatter has mean 1: the mean over many is that of the costs.
+    EXPECT_NEAR(per_unit, measured_member_costs().lanes_per_unit, 0.01 * per_unit);
+}
+
+TEST(ExpectedMembers, HaveTheSizeOfTheirRecords) {
+    const Campaign campaign = synthetic::campaign();
+    const PlannedMembers planned = expected_members(campaign);
+    for (int number = 0; number < member_count(campaign); ++number) {
+        const SimulatedMember& member = planned.members[static_cast<std::size_t>(number)];
+        MemberRecord record = synthetic::record(campaign, number);
+        record.result.breaks.clear();
+        for (AveragedLoad& one : record.result.averaged) one.peaks.clear();  // the window is shorter than a separation
+        record.host = "node0000";
+        const auto numbers = 3.0 * static_cast<double>(record.result.history.surge.size());
+        record.result.history = {};
+        record.result.load_map = {};
+        const auto others = static_cast<double>(encode(record).size());
+        const double map = 8.0 * (2 * LoadMap::heights * LoadMap::angles + LoadMap::parts);  // hardly compressed
+        EXPECT_EQ(member.packed_bytes, 0) << "so few steps are left as they are";
+        const double bytes = others + measured_member_costs().history_bytes * numbers;
+        EXPECT_GT(member.record_bytes, bytes + 0.8 * map);
+        EXPECT_LT(member.record_bytes, bytes + 1.1 * map);
+    }
+}
+
+TEST(ExpectedMembers, AreTheSameEveryTimeAndDependOnTheSeed) {
+    Campaign campaign = synthetic::campaign();
+    const PlannedMembers one = expected_members(campaign);
+    EXPECT_EQ(one.members[7].run_time, expected_members(campaign).members[7].run_time);
+    campaign.seed += 1;
+    EXPECT_NE(one.members[7].run_time, expected_members(campaign).members[7].run_time);
+}
+
+TEST(MeasuredMembers, DrawFromTheirOwnCase) {
+    const Campaign small = synthetic::campaign(2);
+    // soft: 10 and 20 s; stiff: only 7 s; open: none done.
+    const MeasuredRun run{small, {10, 7, nan, 20, nan, nan}, 0.5};
+    const Campaign large = synthetic::campaign(400);
+    const PlannedMembers planned = measured_members(large, run);
+    int tens = 0;
+    for (int number = 0; number < member_count(large); number += 3) {
+        const double soft = planned.members[static_cast<std::size_t>(number)].run_time;
+        EXPECT_TRUE(std::abs(soft - 10) < 1e-9 || std::abs(soft - 20) < 1e-9) << soft;
+        tens += soft < 15 ? 1 : 0;
+        EXPECT_NEAR(planned.members[static_cast<std::size_t>(number) + 1].run_time, 7, 1e-9);
+        // Nothing is known of "open" but its cost beside that of the others.
+        const double ratio = expected_cost(large, 2) / expected_cost(large, 0);
+        EXPECT_LE(planned.members[static_cast<std::size_t>(number) + 2].run_time, 20 * ratio + 1e-9);
+    }
+    EXPECT_NEAR(tens, 200, 40);  // four standard deviations of a fair coin
+    EXPECT_DOUBLE_EQ(planned.members[0].file_bytes, 0.5 * planned.members[0].record_bytes);
+    EXPECT_EQ(planned.source, "3 measured members of synthetic");
+}
+
+TEST(MeasuredMembers, NeedAMeasurement) {
+    const Campaign campaign = synthetic::campaign(1);
+    EXPECT_THROW(measured_members(campaign, {campaign, {nan, nan, nan}, 0}), InputError);
+}
+
+TEST(PlanRow, FollowsTheMembers) {
+    EXPECT_EQ(usual_ranks(1), 1);
+    EXPECT_EQ(usual_ranks(64), 1);
+    EXPECT_EQ(usual_ranks(65), 2);
+    const std::vector<SimulatedMember> members(10, {1.0, 1.0, 1000, 500});
+    const PlanRow row = plan_row(members, 5, 1, {.memory_per_member = 300});
+    EXPECT_DOUBLE_EQ(row.forecast.wall_time, 2.0);
+    EXPECT_DOUBLE_EQ(row.forecast.journal_bytes, 10'000);
+    EXPECT_DOUBLE_EQ(row.master_memory, 3'000);
+}
+
+TEST(ExpectedMembers, HaveSmallerRecordsWithoutHistories) {
+    Campaign campaign = synthetic::campaign(1);
+    campaign.cases[0].scenario.analysis.window *= 2;  // so few steps are not packed
+    const SimulatedMember with = expected_members(campaign).members[0];
+    campaign.cases[0].scenario.analysis.keep_history = false;
+    const SimulatedMember without = expected_members(campaign).members[0];
+    const double of_history = 3 * measured_member_costs().history_bytes * campaign.cases[0].scenario.step_count();
+    EXPECT_NEAR(with.record_bytes - without.record_bytes, of_history, 1e-9 * of_history);
+    EXPECT_NEAR(with.file_bytes - without.file_bytes, of_history, 1e-9 * of_history);
+    EXPECT_DOUBLE_EQ(with.packed_bytes, with.record_bytes - without.record_bytes);
+}
+
+}  // namespace plan_test
+}  // namespace floes

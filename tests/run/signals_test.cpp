@@ -1,0 +1,59 @@
+#include "run/signals.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+namespace floes {
+namespace signals_test {
+
+TEST(StopSignals, RememberTheFirst) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1}) {
+        const StopSignals signals;
+        EXPECT_EQ(signals.received(), 0);
+        std::raise(signal);
+        EXPECT_EQ(signals.received(), signal);
+        std::raise(SIGTERM);  // the same request, delivered twice by timeout(1) and the like
+        EXPECT_EQ(signals.received(), signal);
+    }
+}
+
+TEST(StopSignals, GiveBackWhatWasThere) {
+    struct sigaction before {};
+    ::sigaction(SIGTERM, nullptr, &before);
+    {
+        const StopSignals signals;
+        struct sigaction during {};
+        ::sigaction(SIGTERM, nullptr, &during);
+        EXPECT_NE(during.sa_handler, before.sa_handler);
+    }
+    struct sigaction after {};
+    ::sigaction(SIGTERM, nullptr, &after);
+    EXPECT_EQ(after.sa_handler, before.sa_handler);
+}
+
+TEST(StopSignals, LeaveAHangupThatIsToBeIgnored) {
+    std::signal(SIGHUP, SIG_IGN);  // as nohup does
+    {
+        const StopSignals signals;
+        std::raise(SIGHUP);
+        EXPECT_EQ(signals.received(), 0);
+    }
+    std::signal(SIGHUP, SIG_DFL);
+}
+
+TEST(StopSignalsDeathTest, LeaveAtOnceOnTheSecond) {
+    EXPECT_EXIT(
+        {
+            const StopSignals signals;
+            std::raise(SIGTERM);
+            std::this_thread::sleep_for(std::chrono::milliseconds(300));
+            std::raise(SIGTERM);
+            std::this_thread::sleep_for(std::chrono::seconds(10));
+        },
+        testing::ExitedWithCode(exit_stopped), "second signal");
+}
+
+}  // namespace signals_test
+}  // namespace floes

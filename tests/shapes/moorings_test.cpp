@@ -1,0 +1,103 @@
+// Springs and lines against closed forms.
+
+#include "shapes/moorings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace floes {
+namespace moorings_test {
+
+constexpr double pi = std::numbers::pi;
+
+/// Lines of 500 m on a circle of 30 m, leading straight outwards.
+Moorings spread(int lines) {
+    Moorings moorings{.mass = 1e7, .gyration = 20};
+    for (int i = 0; i < lines; ++i) {
+        const double azimuth = 2 * pi * i / lines;
+        moorings.lines.push_back({.x = 30 * std::cos(azimuth),
+                                  .z = 30 * std::sin(azimuth),
+                                  .azimuth = azimuth,
+                                  .distance = 500,
+                                  .pretension = 2e5,
+                                  .stiffness = 1e4});
+    }
+    return moorings;
+}
+
+TEST(Moorings, LinePullsTowardsItsAnchor) {
+    const Moorings moorings = spread(4);
+    const LinePull ahead = pull(moorings, moorings.lines[0], {-3, 0, 0});
+    EXPECT_DOUBLE_EQ(ahead.tension, 2e5 + 3e4);
+    EXPECT_NEAR(ahead.force[0], 2.3e5, 1e-6);
+    EXPECT_NEAR(ahead.force[1], 0, 1e-6);
+    EXPECT_NEAR((ahead.anchor - Vec2(530, 0)).norm(), 0, 1e-9);
+    EXPECT_NEAR((ahead.fairlead - Vec2(27, 0)).norm(), 0, 1e-12);
+    EXPECT_EQ(tension(moorings, moorings.lines[0], -21), 0) << "a slack line does not push";
+}
+
+// n lines straight outwards: n/2 (k + T/s) in the plane, and by a turn ψ about the axis each line's pull turns back
+// with T R (R + s)/s ψ.
+TEST(Moorings, SpreadHasItsStiffness) {
+    for (const int lines : {3, 4, 12}) {
+        const Vec3 stiffness = spread(lines).stiffness();
+        EXPECT_NEAR(stiffness[0] / (0.5 * lines * (1e4 + 2e5 / 500)), 1, 1e-8) << lines;
+        EXPECT_NEAR(stiffness[1] / stiffness[0], 1, 1e-8) << lines;
+        EXPECT_NEAR(stiffness[2] / (lines * 2e5 * 30 * 530 / 500), 1, 1e-8) << lines;
+    }
+}
+
+// An eccentric line turns the structure: M = r_z F_x - r_x F_z, positive where +z turns to +x.
+TEST(Moorings, FairleadsTurnWithTheStructure) {
+    Moorings moorings{.mass = 1e7};
+    moorings.lines.push_back({.x = 0, .z = 10, .azimuth = 0, .distance = 1e6, .pretension = 1e5, .stiffness = 1e3});
+    EXPECT_NEAR(pull(moorings, moorings.lines[0], Vec3::Zero()).force[2], 1e6, 1);
+    EXPECT_NEAR(turned({0, 10}, pi / 2).x(), 10, 1e-12) << "+z turns to +x";
+    const LinePull turned_back = pull(moorings, moorings.lines[0], {0, 0, pi / 2});
+    EXPECT_NEAR(turned_back.fairlead.x(), 10, 1e-12);
+    EXPECT_NEAR(turned_back.force[2], 0, 200) << "it points at its anchor: at rest";
+    EXPECT_NEAR(turned_back.tension, 1e5 - 1e3 * 10, 1);
+}
+
+TEST(Moorings, CurveBeginsAtThePretension) {
+    Moorings moorings{.mass = 1e7};
+    moorings.curve = {{0, 0}, {10, 1e5}, {12, 3e5}};
+    const MooringLine line{.distance = 500, .pretension = 5e4};
+    EXPECT_NEAR(tension(moorings, line, 0), 5e4, 1e-9);
+    EXPECT_NEAR(tension(moorings, line, 5), 1e5, 1e-9);
+    EXPECT_NEAR(tension(moorings, line, 6), 2e5, 1e-9);
+    EXPECT_NEAR(tension(moorings, line, 8), 4e5, 1e-9) << "straight on beyond its end";
+    EXPECT_EQ(tension(moorings, line, -6), 0);
+}
+
+// Towards where the turret would be by the distance from there, whatever the structure's heading; and about the axis
+// by the turret's arm.
+TEST(Moorings, TurretPullsByItsCurve) {
+    Moorings moorings{.mass = 1e7, .gyration = 20};
+    moorings.turret_curve = {{0, 0}, {10, 1e6}, {12, 3e6}};
+    moorings.turret = 40;
+    EXPECT_EQ(turret_pull(moorings, Vec3::Zero()), Vec3::Zero());
+    const Vec3 aside = turret_pull(moorings, {-3, 4, 0});
+    EXPECT_NEAR((aside - Vec3(3e5, -4e5, 40 * 4e5)).norm(), 0, 1e-6);
+    EXPECT_NEAR(turret_pull(moorings, {0, 11, 0})[1], -2e6, 1e-6);
+    EXPECT_NEAR(turret_pull(moorings, {0, 13, 0})[1], -4e6, 1e-6) << "straight on beyond its end";
+    const Vec3 round = turret_pull(moorings, {40, 40, pi / 2});
+    EXPECT_NEAR(round.norm(), 0, 1e-6) << "the bow along -z, the turret in its place";
+    const Vec3 stiffness = moorings.stiffness();
+    EXPECT_NEAR((stiffness - Vec3(1e5, 1e5, 1600e5)).norm(), 0, 1e-6);
+}
+
+TEST(Moorings, PeriodsAreThoseOfMassAndStiffness) {
+    Moorings moorings{.mass = 28e6, .gyration = 25, .added_surge = 14e6, .surge = 2.6e6, .yaw = 1e9};
+    const Vec3 periods = moorings.periods();
+    EXPECT_NEAR(periods[0], 2 * pi * std::sqrt(42e6 / 2.6e6), 1e-9);
+    EXPECT_TRUE(std::isinf(periods[1]));
+    EXPECT_NEAR(periods[2], 2 * pi * std::sqrt(28e6 * 625 / 1e9), 1e-9);
+    moorings.thrusters.gain[1] = 1e6;
+    EXPECT_NEAR(moorings.periods()[1], 2 * pi * std::sqrt(28e6 / 1e6), 1e-9);
+}
+
+}  // namespace moorings_test
+}  // namespace floes

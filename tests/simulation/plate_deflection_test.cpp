@@ -1,0 +1,80 @@
+#include "simulation/plate_tests.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "core/error.hpp"
+#include "support/froude.hpp"
+#include "support/sweeping_scenario.hpp"
+
+namespace floes {
+namespace plate_deflection_test {
+
+Scenario paper_plate(double cfm) {
+    Scenario scenario = sweeping_scenario();
+    scenario.floe.thickness = 0.030;
+    scenario.joint.cfm = cfm;
+    return scenario;
+}
+
+// A sheet of 2.6 m is small against the 1.9 m (five characteristic lengths) on which the load acts, so it reads
+// somewhat softer than one of 5.4 m; the full figure is docs/calibration.md.
+TEST(PlateDeflection, ASmallSheetReadsThePapersModulus) {
+    const PlateDeflection at_60 = measure_plate_deflection(paper_plate(0.016), {.sheet = 2.6});
+    EXPECT_NEAR(at_60.elastic_modulus, 60e6, 0.10 * 60e6);
+    const PlateDeflection at_30 = measure_plate_deflection(paper_plate(0.03), {.sheet = 2.6});
+    EXPECT_NEAR(at_30.elastic_modulus, 30e6, 0.10 * 30e6);
+}
+
+TEST(PlateDeflection, IsLinearInTheLoad) {
+    const PlateDeflection result = measure_plate_deflection(paper_plate(0.016), {.sheet = 2.6});
+    ASSERT_EQ(result.load.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_NEAR(result.load[i] / result.deflection[i], result.slope, 1e-3 * result.slope);
+}
+
+TEST(PlateDeflection, EvenAndOddSheetsAgree) {
+    const double odd = measure_plate_deflection(paper_plate(0.016), {.sheet = 2.6}).elastic_modulus;
+    const double even = measure_plate_deflection(paper_plate(0.016), {.sheet = 2.8}).elastic_modulus;
+    EXPECT_NEAR(even / odd, 1, 0.15);
+}
+
+// Of a power of 4 to the bit: support/froude.hpp. Without a load the sheet stays where it is but for rounding, and that
+// counts as settled at every size.
+TEST(PlateDeflection, IsTheSameTestAtAnySize) {
+    const Scenario scenario = sweeping_scenario();
+    PlateTest test = plate_test_for(scenario);
+    EXPECT_EQ(test.sheet, 5.4);
+    EXPECT_EQ(test.load, 3);
+    test.sheet = 2.6;
+    const PlateDeflection tank = measure_plate_deflection(scenario, test);
+    for (const double s : {1.0 / 16, 16.0, 256.0}) {
+        const Scenario other = test::scaled(scenario, s);
+        PlateTest there = plate_test_for(other);
+        EXPECT_EQ(there.sheet, s * 5.4);
+        there.sheet = s * test.sheet;
+        EXPECT_EQ(measure_plate_deflection(other, there).elastic_modulus, s * tank.elastic_modulus) << s;
+    }
+}
+
+std::string message_of(const Scenario& scenario, const PlateTest& test) {
+    try {
+        measure_plate_deflection(scenario, test);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(PlateDeflection, RefusesWithAReason) {
+    EXPECT_NE(message_of(paper_plate(0.016), {.sheet = 2.7}).find("13.5 elements"), std::string::npos);
+    Scenario weak = paper_plate(0.016);
+    weak.ice.bending_strength = 100;
+    EXPECT_NE(message_of(weak, {.sheet = 1.0}).find("breaks the sheet"), std::string::npos);
+    EXPECT_NE(message_of(paper_plate(0.1), {.sheet = 0.6, .load = 9}).find("sinks"), std::string::npos);
+    EXPECT_NE(message_of(paper_plate(0.016), {.load = 0}).find("above 0 N"), std::string::npos);
+}
+
+}  // namespace plate_deflection_test
+}  // namespace floes
