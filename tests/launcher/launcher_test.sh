@@ -309,6 +309,7 @@ rm "$bin/cmake"
 stub cmake <<'STUB'
 #!/bin/bash
 if [[ $1 == --preset ]]; then mkdir -p "build/$2"; exit; fi
+echo "[0/2 0.013] Re-checking globbed directories..."
 echo "[30/120 60.5] Building CXX object a.o"
 printf '#!/bin/sh\n' >"$2/floes"
 chmod +x "$2/floes"
